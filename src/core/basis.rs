@@ -1,0 +1,273 @@
+//! The camera's basis u, v, w: from view and up, from eye, at and up, or given by hand.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::number::{shortest, triple};
+use crate::scale::{accurate_cross, length, split, unit};
+
+/// How far a basis given by hand may be from orthonormal: `| |a| - 1 |` and `|a . b|` of its vectors.
+///
+/// Wide enough for values printed with ten digits, far too narrow for a typed `0.7071`.
+pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
+
+/// The camera's coordinate frame in the world: right, up in the image, and *backwards*.
+///
+/// Orthonormal and right-handed: `u x v = w`. In these coordinates the camera is canonical.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Basis {
+    /// Right in the image.
+    pub u: DVec3,
+    /// Up in the image.
+    pub v: DVec3,
+    /// Backwards: away from what the camera looks at.
+    pub w: DVec3,
+}
+
+/// Which vector of a [`Basis`] a message is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BasisVector {
+    /// Right in the image.
+    U,
+    /// Up in the image.
+    V,
+    /// Backwards.
+    W,
+}
+
+impl fmt::Display for BasisVector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            BasisVector::U => "u",
+            BasisVector::V => "v",
+            BasisVector::W => "w",
+        })
+    }
+}
+
+/// How close up is to the view direction, and what that does to the basis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UpAngle {
+    /// Angle between up and view in radians, in `(0, pi)`.
+    pub angle: f64,
+    /// `1 / sin(angle)`: degrees of roll for each degree that up is tipped sideways.
+    pub conditioning: f64,
+}
+
+/// Why there is no basis. Each case carries the numbers at fault.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BasisError {
+    /// A coordinate of the named field is NaN or infinite.
+    NotFinite {
+        /// `eye`, `at`, `view`, `up`, or `basis.u`, `basis.v`, `basis.w`.
+        field: &'static str,
+        /// The value.
+        value: DVec3,
+    },
+    /// `at - eye` is zero, so there is no view direction.
+    EyeIsAt {
+        /// Where both are.
+        point: DVec3,
+    },
+    /// The view direction given is `(0, 0, 0)`.
+    ViewIsZero,
+    /// The up vector given is `(0, 0, 0)`.
+    UpIsZero,
+    /// `up x view` is zero: up does not say which way round the camera is.
+    UpParallelToView {
+        /// The up vector.
+        up: DVec3,
+        /// The view direction.
+        view: DVec3,
+    },
+    /// A vector of a basis given by hand is not of length 1.
+    NotUnit {
+        /// Which one.
+        vector: BasisVector,
+        /// Its length.
+        length: f64,
+    },
+    /// Two vectors of a basis given by hand are not orthogonal.
+    NotOrthogonal {
+        /// One of them.
+        first: BasisVector,
+        /// The other.
+        second: BasisVector,
+        /// Their dot product.
+        dot: f64,
+    },
+    /// `u x v` of a basis given by hand is `-w`.
+    LeftHanded,
+}
+
+impl fmt::Display for BasisError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BasisError::NotFinite { field, value } => {
+                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
+            }
+            BasisError::EyeIsAt { point } => {
+                write!(f, "eye and at are the same point {}: move one of them", triple(*point))
+            }
+            BasisError::ViewIsZero => write!(f, "view is (0, 0, 0): it must point somewhere"),
+            BasisError::UpIsZero => write!(f, "up is (0, 0, 0): it must point somewhere"),
+            BasisError::UpParallelToView { up, view } => write!(
+                f,
+                "up {} is parallel to the view direction {}: turn one of them",
+                triple(*up),
+                triple(*view)
+            ),
+            BasisError::NotUnit { vector, length } => write!(
+                f,
+                "{vector} has length {}: it must be 1 within {ORTHONORMAL_TOLERANCE:e}",
+                shortest(*length)
+            ),
+            BasisError::NotOrthogonal { first, second, dot } => write!(
+                f,
+                "{first} . {second} is {}: it must be 0 within {ORTHONORMAL_TOLERANCE:e}",
+                shortest(*dot)
+            ),
+            BasisError::LeftHanded => {
+                write!(f, "the basis is left-handed (u x v is -w): reverse one of u, v, w")
+            }
+        }
+    }
+}
+
+impl std::error::Error for BasisError {}
+
+impl Basis {
+    /// The canonical camera's: x right, y up, z backwards.
+    pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
+
+    /// The basis of a camera that looks along `view`, level with respect to `up`:
+    ///
+    /// ```text
+    /// w = -view / |view|     u = up x w / |up x w|     v = w x u
+    /// ```
+    ///
+    /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) Lengths of
+    /// `view` and `up` from 1e-300 to 1e300 are right: both are scaled by powers of two first. The
+    /// cross product is taken of the vectors as given, not of the rounded `w`, so that an `up`
+    /// close to `view` costs no accuracy.
+    ///
+    /// # Errors
+    /// Where a value is not finite, a vector is zero, or up is parallel to view.
+    pub fn from_view_up(view: DVec3, up: DVec3) -> Result<Basis, BasisError> {
+        check_finite("view", view)?;
+        check_finite("up", up)?;
+        if view == DVec3::ZERO {
+            return Err(BasisError::ViewIsZero);
+        }
+        let right = up_cross_back(view, up)?;
+        let w = positive_zeros(-unit(view));
+        let u = positive_zeros(unit(right));
+        Ok(Basis { u, v: positive_zeros(w.cross(u)), w })
+    }
+
+    /// The basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
+    /// `view = at - eye`.
+    ///
+    /// # Errors
+    /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
+    pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
+        check_finite("eye", eye)?;
+        check_finite("at", at)?;
+        if eye == at {
+            check_finite("up", up)?;
+            return Err(BasisError::EyeIsAt { point: eye });
+        }
+        Basis::from_view_up(view_of(eye, at), up)
+    }
+
+    /// Takes a basis as given, to the bit, if it is one: unit and orthogonal within
+    /// [`ORTHONORMAL_TOLERANCE`], right-handed.
+    ///
+    /// # Errors
+    /// Which vector is not finite or not of length 1, which two are not orthogonal, or that the
+    /// three are left-handed.
+    pub fn by_hand(u: DVec3, v: DVec3, w: DVec3) -> Result<Basis, BasisError> {
+        use BasisVector::{U, V, W};
+        for (field, value) in [("basis.u", u), ("basis.v", v), ("basis.w", w)] {
+            check_finite(field, value)?;
+        }
+        for (vector, value) in [(U, u), (V, v), (W, w)] {
+            let length = length(value);
+            if (length - 1.0).abs() > ORTHONORMAL_TOLERANCE {
+                return Err(BasisError::NotUnit { vector, length });
+            }
+        }
+        for (first, second, dot) in [(U, V, u.dot(v)), (V, W, v.dot(w)), (W, U, w.dot(u))] {
+            if dot.abs() > ORTHONORMAL_TOLERANCE {
+                return Err(BasisError::NotOrthogonal { first, second, dot });
+            }
+        }
+        if u.cross(v).dot(w) < 0.0 {
+            return Err(BasisError::LeftHanded);
+        }
+        Ok(Basis { u, v, w })
+    }
+
+    /// `x*u + y*v + z*w`: from coordinates in this basis to a direction in the world.
+    pub fn to_world_from_camera(&self, direction: DVec3) -> DVec3 {
+        direction.x * self.u + direction.y * self.v + direction.z * self.w
+    }
+
+    /// `(p.u, p.v, p.w)`: from a direction in the world to coordinates in this basis.
+    pub fn to_camera_from_world(&self, direction: DVec3) -> DVec3 {
+        DVec3::new(direction.dot(self.u), direction.dot(self.v), direction.dot(self.w))
+    }
+}
+
+impl UpAngle {
+    /// A basis given by hand has v for its up: a right angle, conditioning 1.
+    pub const OF_BASIS_BY_HAND: UpAngle =
+        UpAngle { angle: std::f64::consts::FRAC_PI_2, conditioning: 1.0 };
+
+    /// The angle between `up` and `view`, by `atan2(|up x view|, up . view)` (accurate at both
+    /// ends, where arc cosine is not), and `|up| |view| / |up x view|`.
+    ///
+    /// # Errors
+    /// As [`Basis::from_view_up`].
+    pub fn between(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
+        check_finite("view", view)?;
+        check_finite("up", up)?;
+        if view == DVec3::ZERO {
+            return Err(BasisError::ViewIsZero);
+        }
+        let cross = length(up_cross_back(view, up)?);
+        let (view, up) = (split(view).0, split(up).0);
+        Ok(UpAngle {
+            angle: cross.atan2(up.dot(view)),
+            conditioning: up.length() * view.length() / cross,
+        })
+    }
+}
+
+/// `at - eye`, scaled down by a power of two where the difference itself would overflow.
+pub(crate) fn view_of(eye: DVec3, at: DVec3) -> DVec3 {
+    let view = at - eye;
+    if view.is_finite() { view } else { 0.25 * at - 0.25 * eye }
+}
+
+/// `up x -view` of both vectors scaled to lengths near 1.
+fn up_cross_back(view: DVec3, up: DVec3) -> Result<DVec3, BasisError> {
+    if up == DVec3::ZERO {
+        return Err(BasisError::UpIsZero);
+    }
+    let right = accurate_cross(split(up).0, -split(view).0);
+    if right == DVec3::ZERO {
+        return Err(BasisError::UpParallelToView { up, view });
+    }
+    Ok(right)
+}
+
+fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
+    if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
+}
+
+/// Makes `-0` into `0`, which readers expect to see.
+fn positive_zeros(v: DVec3) -> DVec3 {
+    v + DVec3::ZERO
+}

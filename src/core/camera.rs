@@ -1,0 +1,198 @@
+//! The camera as it is given and edited.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::basis::{Basis, BasisError, UpAngle, view_of};
+use crate::image::{ImageError, ImageSize};
+use crate::posed::PosedCamera;
+use crate::viewport::{Viewport, ViewportError};
+
+/// Where the camera looks and which way is up: one of the three ways to say so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Orientation {
+    /// Looks at the point `at`, level with respect to `up`.
+    At {
+        /// The point in the middle of the image.
+        at: DVec3,
+        /// A hint that keeps the camera level; not v.
+        up: DVec3,
+    },
+    /// Looks along `view`, level with respect to `up`.
+    View {
+        /// The direction the camera looks along, of any length.
+        view: DVec3,
+        /// A hint that keeps the camera level; not v.
+        up: DVec3,
+    },
+    /// u, v, w set by hand, used as given.
+    Basis(Basis),
+}
+
+/// The three ways to give an [`Orientation`], without the values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum OrientationKind {
+    /// By a point to look at and up.
+    At,
+    /// By a direction to look along and up.
+    View,
+    /// By u, v, w.
+    Basis,
+}
+
+/// A camera as given. The same type serves the edited camera and the observer of the world view.
+///
+/// Any values may stand here while they are edited; [`Camera::posed`] is the door at which they
+/// are checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The origin of every view ray.
+    pub eye: DVec3,
+    /// Where it looks, and which way is up.
+    pub orientation: Orientation,
+    /// Width, height and distance of the viewport.
+    pub viewport: Viewport,
+    /// W x H pixels.
+    pub image: ImageSize,
+}
+
+/// Why a camera sees nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CameraError {
+    /// There is no basis.
+    Basis(BasisError),
+    /// The viewport has no extent or distance.
+    Viewport(ViewportError),
+    /// The image has no pixels, or too many.
+    Image(ImageError),
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CameraError::Basis(e) => e.fmt(f),
+            CameraError::Viewport(e) => e.fmt(f),
+            CameraError::Image(e) => e.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for CameraError {}
+
+impl From<BasisError> for CameraError {
+    fn from(e: BasisError) -> Self {
+        CameraError::Basis(e)
+    }
+}
+
+impl From<ViewportError> for CameraError {
+    fn from(e: ViewportError) -> Self {
+        CameraError::Viewport(e)
+    }
+}
+
+impl From<ImageError> for CameraError {
+    fn from(e: ImageError) -> Self {
+        CameraError::Image(e)
+    }
+}
+
+impl Camera {
+    /// The lecture's canonical camera: eye at the origin, looking along -z, viewport 1 x 1 at
+    /// distance 1, 400 x 400 pixels.
+    pub const CANONICAL: Camera = Camera {
+        eye: DVec3::ZERO,
+        orientation: Orientation::At { at: DVec3::NEG_Z, up: DVec3::Y },
+        viewport: Viewport::CANONICAL,
+        image: match ImageSize::new(400, 400) {
+            Ok(size) => size,
+            Err(_) => unreachable!(),
+        },
+    };
+
+    /// The camera's basis.
+    ///
+    /// # Errors
+    /// Where there is none, see [`BasisError`].
+    pub fn basis(&self) -> Result<Basis, BasisError> {
+        if !self.eye.is_finite() {
+            return Err(BasisError::NotFinite { field: "eye", value: self.eye });
+        }
+        match self.orientation {
+            Orientation::At { at, up } => Basis::from_eye_at_up(self.eye, at, up),
+            Orientation::View { view, up } => Basis::from_view_up(view, up),
+            Orientation::Basis(Basis { u, v, w }) => Basis::by_hand(u, v, w),
+        }
+    }
+
+    /// The angle between up and the view direction. A basis given by hand has v for its up.
+    ///
+    /// # Errors
+    /// Where there is no basis.
+    pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
+        self.basis()?;
+        match self.orientation {
+            Orientation::At { at, up } => UpAngle::between(view_of(self.eye, at), up),
+            Orientation::View { view, up } => UpAngle::between(view, up),
+            Orientation::Basis(_) => Ok(UpAngle::OF_BASIS_BY_HAND),
+        }
+    }
+
+    /// The direction the camera looks along, as given: `view`, `at - eye`, or `-w`.
+    pub fn view(&self) -> DVec3 {
+        match self.orientation {
+            Orientation::At { at, .. } => at - self.eye,
+            Orientation::View { view, .. } => view,
+            Orientation::Basis(basis) => -basis.w,
+        }
+    }
+
+    /// The up vector as given; v for a basis given by hand.
+    pub fn up(&self) -> DVec3 {
+        match self.orientation {
+            Orientation::At { up, .. } | Orientation::View { up, .. } => up,
+            Orientation::Basis(basis) => basis.v,
+        }
+    }
+
+    /// The camera with everything that its view rays need.
+    ///
+    /// # Errors
+    /// Where it has no basis or its viewport is not a rectangle in front of the eye.
+    pub fn posed(&self) -> Result<PosedCamera, CameraError> {
+        let basis = self.basis()?;
+        self.viewport.check()?;
+        Ok(PosedCamera::new(self.eye, basis, self.viewport, self.image))
+    }
+
+    /// The same camera with its orientation given in another way.
+    ///
+    /// The eye does not move. From `view` or a basis to `at`, the new point is `eye + view` or
+    /// `eye - w`; from a basis, up is v.
+    ///
+    /// # Errors
+    /// To a basis from a camera that has none.
+    pub fn given_by(&self, kind: OrientationKind) -> Result<Camera, BasisError> {
+        let orientation = match (kind, self.orientation) {
+            (kind, orientation) if kind == orientation.kind() => orientation,
+            (OrientationKind::At, _) => {
+                Orientation::At { at: self.eye + self.view(), up: self.up() }
+            }
+            (OrientationKind::View, _) => Orientation::View { view: self.view(), up: self.up() },
+            (OrientationKind::Basis, _) => Orientation::Basis(self.basis()?),
+        };
+        Ok(Camera { orientation, ..*self })
+    }
+}
+
+impl Orientation {
+    /// Which of the three ways this is.
+    pub fn kind(&self) -> OrientationKind {
+        match self {
+            Orientation::At { .. } => OrientationKind::At,
+            Orientation::View { .. } => OrientationKind::View,
+            Orientation::Basis(_) => OrientationKind::Basis,
+        }
+    }
+}

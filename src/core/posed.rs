@@ -1,0 +1,203 @@
+//! A camera with its basis found: pixels, (u, v), view rays, and projection, each the inverse of
+//! another.
+
+use glam::{DVec2, DVec3};
+
+use crate::basis::Basis;
+use crate::image::{ImageSize, Pixel};
+use crate::ray::Ray;
+use crate::viewport::Viewport;
+
+/// A [`Camera`](crate::Camera) that passed every check: eye, basis, viewport and image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PosedCamera {
+    eye: DVec3,
+    basis: Basis,
+    viewport: Viewport,
+    image: ImageSize,
+}
+
+/// The pixel that a (u, v) falls into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelOfUv {
+    /// The pixel; on an edge, the one to the right of it or below it (inside the image).
+    pub pixel: Pixel,
+    /// `k` where u is exactly on the edge between columns `k - 1` and `k` (0 and W are the image's
+    /// own edges).
+    pub column_edge: Option<u32>,
+    /// `k` where v is exactly on the edge between rows `k - 1` and `k`.
+    pub row_edge: Option<u32>,
+}
+
+/// Where a point of the world appears in the viewport.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// Where the line through eye and point meets the viewport's plane. Not finite where the line
+    /// is parallel to it (depth 0).
+    pub uv: DVec2,
+    /// How far in front of the eye the point is, along -w, in world units; negative behind.
+    pub depth: f64,
+}
+
+impl Projection {
+    /// Whether the point lies in front of the eye, so that a view ray can reach it.
+    pub fn is_in_front(&self) -> bool {
+        self.depth > 0.0
+    }
+}
+
+impl PixelOfUv {
+    /// The pixels that the (u, v) touches: one inside a pixel, two on an edge, four on a corner;
+    /// fewer at the image's border. Row by row.
+    pub fn touching(&self, image: ImageSize) -> Vec<Pixel> {
+        let around = |edge: Option<u32>, own: u32, count: u32| match edge {
+            Some(k) => k.saturating_sub(1)..(k + 1).min(count),
+            None => own..own + 1,
+        };
+        let columns = around(self.column_edge, self.pixel.column, image.width());
+        around(self.row_edge, self.pixel.row, image.height())
+            .flat_map(|row| columns.clone().map(move |column| Pixel { row, column }))
+            .collect()
+    }
+}
+
+impl PosedCamera {
+    /// Only [`Camera::posed`](crate::Camera::posed) calls this, after its checks.
+    pub(crate) fn new(eye: DVec3, basis: Basis, viewport: Viewport, image: ImageSize) -> Self {
+        PosedCamera { eye, basis, viewport, image }
+    }
+
+    /// The origin of every view ray.
+    pub fn eye(&self) -> DVec3 {
+        self.eye
+    }
+
+    /// u, v, w.
+    pub fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
+    /// Width, height, distance.
+    pub fn viewport(&self) -> &Viewport {
+        &self.viewport
+    }
+
+    /// W x H.
+    pub fn image(&self) -> ImageSize {
+        self.image
+    }
+
+    /// (u, v) of a pixel's centre:
+    ///
+    /// ```text
+    /// u = width  * ((column + 0.5) / W - 0.5)
+    /// v = height * (0.5 - (row + 0.5) / H)
+    /// ```
+    ///
+    /// written as `width * (2 column + 1 - W) / (2 W)`, whose numerator is exact.
+    pub fn uv_of_pixel(&self, pixel: Pixel) -> DVec2 {
+        DVec2::new(self.u_of_column(pixel.column), self.v_of_row(pixel.row))
+    }
+
+    /// u of the centre of a column, see [`PosedCamera::uv_of_pixel`].
+    pub fn u_of_column(&self, column: u32) -> f64 {
+        let (j, w) = (f64::from(column), f64::from(self.image.width()));
+        self.viewport.width * ((2.0 * j + 1.0 - w) / (2.0 * w))
+    }
+
+    /// v of the centre of a row, see [`PosedCamera::uv_of_pixel`].
+    pub fn v_of_row(&self, row: u32) -> f64 {
+        let (i, h) = (f64::from(row), f64::from(self.image.height()));
+        self.viewport.height * ((h - 2.0 * i - 1.0) / (2.0 * h))
+    }
+
+    /// u of the edge between columns `k - 1` and `k`, `k` from 0 to W: `width * (k / W - 0.5)`.
+    pub fn u_of_column_edge(&self, k: u32) -> f64 {
+        let (k, w) = (f64::from(k), f64::from(self.image.width()));
+        self.viewport.width * ((2.0 * k - w) / (2.0 * w))
+    }
+
+    /// v of the edge between rows `k - 1` and `k`, `k` from 0 to H: `height * (0.5 - k / H)`.
+    pub fn v_of_row_edge(&self, k: u32) -> f64 {
+        let (k, h) = (f64::from(k), f64::from(self.image.height()));
+        self.viewport.height * ((h - 2.0 * k) / (2.0 * h))
+    }
+
+    /// The pixel that (u, v) falls into, and whether it lies exactly on an edge between pixels;
+    /// `None` outside the image.
+    ///
+    /// "Exactly" is to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2
+    /// is no binary fraction, and the reader who typed it means the edge.
+    pub fn pixel_of_uv(&self, uv: DVec2) -> Option<PixelOfUv> {
+        let Viewport { width, height, .. } = self.viewport;
+        let (columns, rows) = (self.image.width(), self.image.height());
+        let (column, column_edge) =
+            cell_of(uv.x, 0.5 + uv.x / width, columns, width, |k| self.u_of_column_edge(k))?;
+        let (row, row_edge) =
+            cell_of(uv.y, 0.5 - uv.y / height, rows, height, |k| self.v_of_row_edge(k))?;
+        Some(PixelOfUv { pixel: Pixel { row, column }, column_edge, row_edge })
+    }
+
+    /// The view ray through (u, v): origin eye, direction `u*U + v*V - distance*W`, not
+    /// normalized, so that `t = 1` is the viewport.
+    pub fn ray(&self, uv: DVec2) -> Ray {
+        let direction = self.column_part(uv.x) + self.row_part(uv.y);
+        Ray { origin: self.eye, direction }
+    }
+
+    /// The view ray through a pixel's centre.
+    pub fn ray_of_pixel(&self, pixel: Pixel) -> Ray {
+        self.ray(self.uv_of_pixel(pixel))
+    }
+
+    /// `u*U`: what the pixels of a column share of their directions.
+    pub(crate) fn column_part(&self, u: f64) -> DVec3 {
+        u * self.basis.u
+    }
+
+    /// `v*V - distance*W`: what the pixels of a row share of their directions.
+    pub(crate) fn row_part(&self, v: f64) -> DVec3 {
+        v * self.basis.v - self.viewport.distance * self.basis.w
+    }
+
+    /// Where a point appears in the viewport: with `q = point - eye`,
+    ///
+    /// ```text
+    /// depth = -q.W     (u, v) = (q.U, q.V) * distance / depth
+    /// ```
+    ///
+    /// the inverse of [`PosedCamera::ray`]: the ray through that (u, v) passes the point at
+    /// `t = depth / distance`.
+    pub fn project(&self, point: DVec3) -> Projection {
+        let q = self.basis.to_camera_from_world(point - self.eye);
+        let depth = -q.z;
+        Projection { uv: DVec2::new(q.x, q.y) / depth * self.viewport.distance, depth }
+    }
+
+    /// The point of the viewport, in the world, at (u, v): the view ray's point at `t = 1`.
+    pub fn viewport_point(&self, uv: DVec2) -> DVec3 {
+        self.ray(uv).at(1.0)
+    }
+}
+
+/// Which of `count` cells across an `extent` a position falls into, and which edge it is on.
+/// `fraction` runs from 0 to 1 across the extent; `edge` gives the position of an edge.
+fn cell_of(
+    position: f64,
+    fraction: f64,
+    count: u32,
+    extent: f64,
+    edge: impl Fn(u32) -> f64,
+) -> Option<(u32, Option<u32>)> {
+    let x = fraction * f64::from(count);
+    let nearest = x.round();
+    if !(0.0..=f64::from(count)).contains(&nearest) {
+        return None;
+    }
+    let k = nearest as u32;
+    if (position - edge(k)).abs() <= 4.0 * f64::EPSILON * extent {
+        return Some((k.min(count - 1), Some(k)));
+    }
+    let inside = (0.0..f64::from(count)).contains(&x);
+    inside.then(|| (x.floor() as u32, None))
+}

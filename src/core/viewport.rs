@@ -1,0 +1,90 @@
+//! The viewport: the rectangle in front of the eye through which the view rays pass.
+
+use std::fmt;
+
+use crate::number::shortest;
+
+/// Width and height of the viewport and its distance from the eye, in world units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewport {
+    /// Extent along u.
+    pub width: f64,
+    /// Extent along v.
+    pub height: f64,
+    /// From the eye to the viewport, along -w. The lecture's scalar d.
+    pub distance: f64,
+}
+
+/// A viewport measure that is not a positive, finite number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ViewportError {
+    /// `width`, `height` or `distance`.
+    pub field: &'static str,
+    /// The value.
+    pub value: f64,
+}
+
+impl fmt::Display for ViewportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ViewportError { field, value } = self;
+        write!(f, "viewport {field} is {}: it must be finite and greater than 0", shortest(*value))
+    }
+}
+
+impl std::error::Error for ViewportError {}
+
+impl Viewport {
+    /// The canonical camera's: 1 x 1 at distance 1.
+    pub const CANONICAL: Viewport = Viewport { width: 1.0, height: 1.0, distance: 1.0 };
+
+    /// Checks that width, height and distance are positive and finite.
+    ///
+    /// # Errors
+    /// The first one that is not.
+    pub fn check(&self) -> Result<(), ViewportError> {
+        for (field, value) in
+            [("width", self.width), ("height", self.height), ("distance", self.distance)]
+        {
+            if !(value.is_finite() && value > 0.0) {
+                return Err(ViewportError { field, value });
+            }
+        }
+        Ok(())
+    }
+
+    /// The horizontal field of view in radians: [`fov_of_extent`] of the width.
+    pub fn horizontal_fov(&self) -> f64 {
+        fov_of_extent(self.width, self.distance)
+    }
+
+    /// The vertical field of view in radians: [`fov_of_extent`] of the height.
+    pub fn vertical_fov(&self) -> f64 {
+        fov_of_extent(self.height, self.distance)
+    }
+
+    /// The viewport with this vertical field of view (radians), the same distance, and the same
+    /// ratio of width to height.
+    pub fn with_vertical_fov(&self, fov: f64) -> Viewport {
+        let height = extent_of_fov(fov, self.distance);
+        Viewport { width: self.width / self.height * height, height, ..*self }
+    }
+
+    /// The viewport with this horizontal field of view (radians), the same distance, and the same
+    /// ratio of width to height.
+    pub fn with_horizontal_fov(&self, fov: f64) -> Viewport {
+        let width = extent_of_fov(fov, self.distance);
+        Viewport { width, height: self.height / self.width * width, ..*self }
+    }
+}
+
+/// `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width or
+/// height of the viewport.
+pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
+    2.0 * (0.5 * extent).atan2(distance)
+}
+
+/// `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that the eye sees
+/// under the angle `fov`, in radians, in `(0, pi)`.
+pub fn extent_of_fov(fov: f64, distance: f64) -> f64 {
+    2.0 * distance * (0.5 * fov).tan()
+}

@@ -1,0 +1,131 @@
+//! What is edited and saved: plain data, compared and cloned as a whole.
+
+use std::ops::Deref;
+use std::sync::Arc;
+
+use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
+
+/// A scene file's contents: one camera and the objects it looks at.
+///
+/// Objects are counted from 0: the spheres, then those of the CSV file, then the planes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// What to look for in this scene: the comment at the head of its file, without the `#`s.
+    pub note: String,
+    /// The edited camera.
+    pub camera: Camera,
+    /// The `[[sphere]]`s.
+    pub spheres: Vec<Item<Sphere>>,
+    /// The spheres of the file that `spheres = "..."` names.
+    pub csv_spheres: Option<CsvSpheres>,
+    /// The `[[plane]]`s.
+    pub planes: Vec<Item<Plane>>,
+}
+
+/// An object with what only people need: its name and colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item<S> {
+    /// What it is called, if anything.
+    pub name: Option<String>,
+    /// Its own colour; without one it has [`default_color`] of its index.
+    pub color: Option<Rgb>,
+    /// The sphere or plane.
+    pub shape: S,
+}
+
+/// Many spheres from a CSV file, shared between clones of the document and not edited.
+#[derive(Clone, Debug)]
+pub struct CsvSpheres {
+    /// The path as the scene file gives it: relative to the scene file.
+    pub path: String,
+    /// In the file's order.
+    pub items: Arc<Vec<Item<Sphere>>>,
+}
+
+impl PartialEq for CsvSpheres {
+    fn eq(&self, other: &Self) -> bool {
+        // A million spheres are compared only where they are not the same ones.
+        self.path == other.path
+            && (Arc::ptr_eq(&self.items, &other.items) || self.items == other.items)
+    }
+}
+
+impl<S> Item<S> {
+    /// An object without a name or colour of its own.
+    pub fn plain(shape: S) -> Self {
+        Item { name: None, color: None, shape }
+    }
+}
+
+/// Okabe and Ito's palette, told apart by colour-blind viewers (*Color Universal Design*, 2008),
+/// without its black and the yellow that is lost on a projector.
+const PALETTE: [Rgb; 6] = [
+    [0xe6, 0x9f, 0x00],
+    [0x56, 0xb4, 0xe9],
+    [0x00, 0x9e, 0x73],
+    [0xcc, 0x79, 0xa7],
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x72, 0xb2],
+];
+
+/// The colour of an object that has none of its own.
+pub fn default_color(index: usize) -> Rgb {
+    PALETTE[index % PALETTE.len()]
+}
+
+impl Default for Document {
+    /// The canonical camera and nothing to see.
+    fn default() -> Self {
+        Document {
+            note: String::new(),
+            camera: Camera::CANONICAL,
+            spheres: Vec::new(),
+            csv_spheres: None,
+            planes: Vec::new(),
+        }
+    }
+}
+
+impl Document {
+    /// The CSV file's spheres; none without one.
+    fn csv_items(&self) -> &[Item<Sphere>] {
+        self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
+    }
+
+    /// How many spheres there are, the CSV file's included: the index of the first plane.
+    pub fn sphere_count(&self) -> usize {
+        self.spheres.len() + self.csv_items().len()
+    }
+
+    /// The objects without names and colours, checked.
+    ///
+    /// # Errors
+    /// The first object that is none.
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        let spheres = self.spheres.iter().chain(self.csv_items()).map(|item| item.shape).collect();
+        Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())
+    }
+
+    /// The name of the object with this index, if it has one.
+    pub fn name_of(&self, index: u32) -> Option<&str> {
+        self.look_of(index).0
+    }
+
+    /// The colour of the object with this index.
+    pub fn color_of(&self, index: u32) -> Rgb {
+        self.look_of(index).1.unwrap_or_else(|| default_color(index as usize))
+    }
+
+    fn look_of(&self, index: u32) -> (Option<&str>, Option<Rgb>) {
+        fn look<S>(item: &Item<S>) -> (Option<&str>, Option<Rgb>) {
+            (item.name.as_deref(), item.color)
+        }
+        let index = index as usize;
+        let csv = self.csv_items();
+        let sphere = self.spheres.get(index).or_else(|| csv.get(index - self.spheres.len()));
+        match sphere {
+            Some(sphere) => look(sphere),
+            None => self.planes.get(index - self.sphere_count()).map_or((None, None), look),
+        }
+    }
+}

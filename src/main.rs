@@ -1,0 +1,3 @@
+//! The `pinhole` program: arguments, then the window or a headless command.
+
+fn main() {}
