@@ -97,6 +97,20 @@ impl Document {
         self.spheres.len() + self.csv_items().len()
     }
 
+    /// How many objects there are.
+    pub fn object_count(&self) -> usize {
+        self.sphere_count() + self.planes.len()
+    }
+
+    /// What lists and readouts call an object: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
+    pub fn title_of(&self, index: usize) -> String {
+        let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
+        match self.name_of(index as u32) {
+            Some(name) => format!("{kind} {index} “{name}”"),
+            None => format!("{kind} {index}"),
+        }
+    }
+
     /// The objects without names and colours, checked.
     ///
     /// # Errors
