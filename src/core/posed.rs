@@ -4,6 +4,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::basis::Basis;
+use crate::frame::Raster;
 use crate::image::{ImageSize, Pixel};
 use crate::ray::Ray;
 use crate::viewport::Viewport;
@@ -148,6 +149,17 @@ impl PosedCamera {
     /// The view ray through a pixel's centre.
     pub fn ray_of_pixel(&self, pixel: Pixel) -> Ray {
         self.ray(self.uv_of_pixel(pixel))
+    }
+
+    /// Whether all directions of view rays through the raster surely are
+    /// [plain](crate::scale::is_plain_direction).
+    pub(crate) fn has_plain_directions(&self, raster: &Raster) -> bool {
+        let largest =
+            |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a, x| x.abs().max(a));
+        let u = largest(&mut raster.columns().iter().map(|column| self.u_of_column(*column)));
+        let v = largest(&mut raster.rows().iter().map(|row| self.v_of_row(*row)));
+        let distance = self.viewport.distance;
+        distance > 1e-59 && u + v + distance < 1e59
     }
 
     /// `u*U`: what the pixels of a column share of their directions.
