@@ -6,4 +6,5 @@
 //! and nothing else.
 
 pub mod document;
+pub mod formats;
 pub mod inspection;
