@@ -5,6 +5,8 @@
 //! apply, derive, outputs, once; `derive` is pure; overlay, readouts and upload get what it made
 //! and nothing else.
 
+pub mod arguments;
+pub mod commands;
 pub mod document;
 pub mod formats;
 pub mod inspection;

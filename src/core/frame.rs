@@ -134,6 +134,18 @@ const BAND_ROWS: usize = 32;
 /// pixels inside its [bounds](sphere_bounds) are asked, and what the rays share is computed once.
 /// A scene without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
+    trace_reporting(scene, camera, raster, outputs, |_| ())
+}
+
+/// [`trace`] for those who want to tell how far it is: `done` is called, from any thread, with the
+/// number of rows that were just finished.
+pub fn trace_reporting(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    done: impl Fn(usize) + Sync,
+) -> Frame {
     let width = raster.columns.len();
     let mut t = vec![f64::INFINITY; raster.len()];
     let mut object = vec![NO_OBJECT; raster.len()];
@@ -144,7 +156,9 @@ pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outp
         t.par_chunks_mut(band).zip(object.par_chunks_mut(band)).enumerate().for_each(
             |(index, (t, object))| {
                 let first = index * BAND_ROWS;
-                shared.trace_band(&mut Band { rows: first..first + t.len() / width, t, object });
+                let rows = t.len() / width;
+                shared.trace_band(&mut Band { rows: first..first + rows, t, object });
+                done(rows);
             },
         );
         normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
