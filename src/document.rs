@@ -1,6 +1,7 @@
 //! What is edited and saved: plain data, compared and cloned as a whole.
 
 use std::ops::Deref;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
@@ -38,6 +39,8 @@ pub struct Item<S> {
 pub struct CsvSpheres {
     /// The path as the scene file gives it: relative to the scene file.
     pub path: String,
+    /// Where the file was found.
+    pub file: PathBuf,
     /// In the file's order.
     pub items: Arc<Vec<Item<Sphere>>>,
 }

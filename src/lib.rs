@@ -7,6 +7,8 @@
 
 pub mod action;
 pub mod app;
+pub mod arguments;
+pub mod commands;
 pub mod derive;
 pub mod document;
 pub mod expression;

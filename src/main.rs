@@ -1,3 +1,19 @@
 //! The `pinhole` program: arguments, then the window or a headless command.
 
-fn main() {}
+use std::process::ExitCode;
+
+use clap::Parser;
+use pinhole::arguments::{Arguments, WindowArguments};
+use pinhole::commands::{self, CommandError};
+
+fn main() -> ExitCode {
+    let Arguments { command, window } = Arguments::parse();
+    commands::exit_code(match command {
+        Some(command) => commands::run(&command),
+        None => open_window(&window),
+    })
+}
+
+fn open_window(_arguments: &WindowArguments) -> Result<(), CommandError> {
+    Err(CommandError::Input("the window is not in this build: see pinhole --help".to_owned()))
+}

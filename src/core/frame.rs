@@ -135,6 +135,18 @@ const BAND_ROWS: usize = 32;
 /// of threads: per sphere, only the pixels inside its bounds are asked, and what the rays share is
 /// computed once. A scene without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
+    trace_reporting(scene, camera, raster, outputs, |_| ())
+}
+
+/// [`trace`] for those who want to tell how far it is: `done` is called, from any thread, with the
+/// number of rows that were just finished.
+pub fn trace_reporting(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    done: impl Fn(usize) + Sync,
+) -> Frame {
     let width = raster.columns.len();
     let mut frame = Frame {
         camera: *camera,
@@ -152,7 +164,9 @@ pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outp
     frame.t.par_chunks_mut(band).zip(frame.object.par_chunks_mut(band)).enumerate().for_each(
         |(index, (t, object))| {
             let first = index * BAND_ROWS;
-            plan.trace_band(&mut Band { rows: first..first + t.len() / width, t, object });
+            let rows = t.len() / width;
+            plan.trace_band(&mut Band { rows: first..first + rows, t, object });
+            done(rows);
         },
     );
     frame.normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {

@@ -59,7 +59,7 @@ mod wide;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
-pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, trace};
+pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, trace, trace_reporting};
 pub use glam::{DVec2, DVec3};
 pub use image::{ImageError, ImageSize, Pixel};
 pub use number::shortest;
