@@ -7,3 +7,5 @@
 
 pub mod document;
 pub mod inspection;
+pub mod observer;
+pub mod overlay;
