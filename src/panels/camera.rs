@@ -61,7 +61,7 @@ fn given_by(ui: &mut Ui, camera: &mut Camera) {
 
 fn orientation(ui: &mut Ui, camera: &mut Camera) {
     let fault = camera.basis().err();
-    let mut row = |ui: &mut Ui, field: &'static str, name: &str, value| {
+    let row = |ui: &mut Ui, field: &'static str, name: &str, value| {
         let color = vector_color(ui, name);
         ui.label(RichText::new(name).strong().color(color.unwrap_or(ui.visuals().text_color())));
         ui.vertical(|ui| {

@@ -135,7 +135,7 @@ impl PathField {
 pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<Action>) {
     let Some(open) = dialog else { return };
     let mut close = false;
-    let response = Modal::new(Id::new("dialog")).show(ctx, |ui| {
+    let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         ui.set_width(460.0);
         match open {
             Dialog::Open(field) => open_ui(ui, field, actions, &mut close),

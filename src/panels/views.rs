@@ -73,7 +73,7 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     let vertical = rect.height() > rect.width();
     let cursor =
         if vertical { egui::CursorIcon::ResizeHorizontal } else { egui::CursorIcon::ResizeVertical };
-    let response = ui.interact(rect, ui.id().with(name), Sense::drag()).on_hover_cursor(cursor);
+    let response = ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
     let visuals = ui.style().interact(&response);
     let line = if vertical {
         Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
@@ -148,7 +148,7 @@ pub(crate) fn inputs(
 
 /// A view's area: takes clicks, drags and the focus, and tells a screen reader what is selected.
 fn view(ui: &Ui, rect: Rect, name: &str, shown: &Derived) -> Response {
-    let response = ui.interact(rect, ui.id().with(name), Sense::click_and_drag());
+    let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
