@@ -18,9 +18,9 @@ use crate::observer::Observer;
 use crate::panels::dialogs::{self, Dialog, PathField};
 use crate::panels::readouts::NumberStyle;
 use crate::panels::{camera, objects, readouts, selection, top_bar, views};
-use crate::present::fonts;
+use crate::present::{WindowGeometry, fonts};
 use crate::session::{Session, ThemeName};
-use crate::store::{Remembered, Store, WindowPlace};
+use crate::store::{Remembered, Store};
 use crate::view_texture::ViewTexture;
 
 /// The open document, how it is looked at, and what is shown of it.
@@ -35,7 +35,7 @@ pub struct App {
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
     store: Option<Store>,
-    place: WindowPlace,
+    geometry: WindowGeometry,
     title: String,
     may_close: bool,
     /// What the last pass showed.
@@ -60,7 +60,7 @@ impl App {
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
             store,
-            place: remembered.window,
+            geometry: remembered.window,
             title: String::new(),
             may_close: false,
             known: None,
@@ -159,20 +159,7 @@ impl App {
                 self.may_close = true;
             }
         }
-        self.remember_place(ctx);
-    }
-
-    fn remember_place(&mut self, ctx: &Context) {
-        ctx.input(|i| {
-            let viewport = i.viewport();
-            self.place.maximized = viewport.maximized.unwrap_or_default();
-            if !self.place.maximized {
-                let size = viewport.inner_rect.map(|rect| rect.size().into());
-                self.place.size = size.or(self.place.size);
-                let position = viewport.outer_rect.map(|rect| rect.min.into());
-                self.place.position = position.or(self.place.position);
-            }
-        });
+        self.geometry.update(ctx);
     }
 
     fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -341,7 +328,7 @@ impl App {
         let Some(store) = &self.store else { return };
         let remembered = Remembered {
             settings: self.session.settings.clone(),
-            window: self.place,
+            window: self.geometry,
             selection: Some(self.session.selection.into()),
             recent: self.recent.clone(),
             last: Some(argument_of(&self.open.source)),

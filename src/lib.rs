@@ -22,3 +22,4 @@ pub mod present;
 pub mod session;
 pub mod store;
 mod view_texture;
+pub mod window;

@@ -14,6 +14,7 @@ fn main() -> ExitCode {
     })
 }
 
-fn open_window(_arguments: &WindowArguments) -> Result<(), CommandError> {
-    Err(CommandError::Input("the window is not in this build: see pinhole --help".to_owned()))
+fn open_window(arguments: &WindowArguments) -> Result<(), CommandError> {
+    pinhole::window::run(arguments.scene.as_deref(), arguments.renderer)
+        .map_err(|error| CommandError::Input(error.to_string()))
 }

@@ -7,6 +7,7 @@ use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
 use pinhole_core::{DVec2, Pixel};
 use serde::{Deserialize, Serialize};
 
+use crate::present::WindowGeometry;
 use crate::session::{Selection, Settings};
 
 /// The remembered state, as it is on disk.
@@ -16,7 +17,7 @@ pub struct Remembered {
     /// Preferences.
     pub settings: Settings,
     /// The window's place.
-    pub window: WindowPlace,
+    pub window: WindowGeometry,
     /// The selected ray of the scene that was open.
     pub selection: Option<RememberedRay>,
     /// Files opened or saved lately, newest first.
@@ -51,18 +52,6 @@ impl From<RememberedRay> for Selection {
             RememberedRay::Uv(u, v) => Selection::Uv(DVec2::new(u, v)),
         }
     }
-}
-
-/// Where the window was, in points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct WindowPlace {
-    /// Width and height of its inside.
-    pub size: Option<[f32; 2]>,
-    /// Upper left corner of its outside.
-    pub position: Option<[f32; 2]>,
-    /// Whether it filled the screen.
-    pub maximized: bool,
 }
 
 /// A file that keeps [`Remembered`].

@@ -1,5 +1,6 @@
 //! Opening the window on a scene.
 
+use std::fmt;
 use std::path::Path;
 
 use crate::app::App;
@@ -10,6 +11,68 @@ use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::present::{self, PresentError, Program, Renderer, WindowOptions};
 use crate::store::{Remembered, Store};
+
+/// Why the window did not open, or broke off.
+#[derive(Debug)]
+pub enum WindowError {
+    /// The scene named cannot be read.
+    Scene(FileError),
+    /// There is nothing to draw on.
+    Present(PresentError),
+}
+
+impl fmt::Display for WindowError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            WindowError::Scene(error) => error.fmt(f),
+            WindowError::Present(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for WindowError {}
+
+/// Opens the window on the scene named, else on the last run's, else on the lecture's own, and
+/// returns when it is closed.
+///
+/// # Errors
+/// Where the scene named cannot be read, or there is no display.
+pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), WindowError> {
+    let store = Store::of_user();
+    let remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    let Start { open, remembered, trouble } =
+        start(scene, remembered).map_err(WindowError::Scene)?;
+    let options = WindowOptions {
+        title: "Pinhole".to_owned(),
+        app_id: "pinhole".to_owned(),
+        geometry: remembered.window,
+        icon: None,
+    };
+    let mut app = App::new(open, remembered, store);
+    if let Some(trouble) = trouble {
+        app.tell("The last scene cannot be opened again", trouble);
+    }
+    let make = |ctx: &egui::Context, _: &present::RendererInfo| {
+        app.set_up(ctx);
+        Box::new(InWindow { app }) as Box<dyn Program>
+    };
+    present::run(renderer, options, make).map_err(WindowError::Present)
+}
+
+/// The app as the window drives it.
+struct InWindow {
+    app: App,
+}
+
+impl Program for InWindow {
+    fn ui(&mut self, ui: &mut egui::Ui) {
+        self.app.ui(ui);
+    }
+
+    fn on_exit(&mut self) {
+        self.app.on_exit();
+    }
+}
 
 /// What the window opens on.
 struct Start {
