@@ -7,3 +7,4 @@
 
 pub mod document;
 pub mod inspection;
+pub mod present;
