@@ -6,6 +6,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
+use crate::present::Renderer;
+
 /// See what a pinhole camera sees, and why.
 ///
 /// Without a command, opens the window.
@@ -30,17 +32,8 @@ pub struct WindowArguments {
     /// The scene to open
     pub scene: Option<PathBuf>,
     /// How the window is drawn; without this, whichever works best here
-    #[arg(long, value_name = "wgpu|cpu", value_parser = renderer())]
+    #[arg(long, value_name = "wgpu|cpu")]
     pub renderer: Option<Renderer>,
-}
-
-/// How the window is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Renderer {
-    /// By a graphics card, or what stands in for one.
-    Wgpu,
-    /// By the program itself.
-    Cpu,
 }
 
 /// A headless command.
@@ -137,11 +130,6 @@ pub struct TraceArguments {
     /// Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output
     #[arg(short, long, value_name = "OUT.csv")]
     pub output: Option<PathBuf>,
-}
-
-fn renderer() -> impl TypedValueParser<Value = Renderer> {
-    PossibleValuesParser::new(["wgpu", "cpu"])
-        .map(|name| if name == "cpu" { Renderer::Cpu } else { Renderer::Wgpu })
 }
 
 fn view() -> impl TypedValueParser<Value = View> {

@@ -1,0 +1,224 @@
+//! Axis-aligned rectangles, which are most of what egui draws: fills, glyphs, pictures.
+//!
+//! Pixel for pixel what the two triangles would give, without their work per pixel.
+
+use super::Band;
+use super::blend::{self, Rgba, modulate, over, unpack};
+use super::geometry::{STEPS, first_centre, limit, snap};
+use super::texture::{Coordinate, Texture};
+use super::triangle::{Plane, Reading};
+use egui::epaint::Vertex;
+use egui::{Color32, Rect, TextureFilter, pos2};
+
+/// Two triangles that make up an axis-aligned rectangle of one vertex colour, with texture
+/// coordinates that run along its sides.
+#[derive(Debug, PartialEq)]
+pub(super) struct Rectangle {
+    /// In points.
+    place: Rect,
+    /// Texture coordinates at the left top and the right bottom corner.
+    uv: Rect,
+    color: Color32,
+}
+
+impl Rectangle {
+    /// What the vertices of two successive triangles make up, if it is a rectangle.
+    #[inline]
+    pub(super) fn new(vertices: [&Vertex; 6]) -> Option<Self> {
+        let [a, b, c, ..] = vertices;
+        let low = pos2(a.pos.x.min(b.pos.x).min(c.pos.x), a.pos.y.min(b.pos.y).min(c.pos.y));
+        let high = pos2(a.pos.x.max(b.pos.x).max(c.pos.x), a.pos.y.max(b.pos.y).max(c.pos.y));
+        if !(low.x < high.x && low.y < high.y) || !(high - low).is_finite() {
+            return None;
+        }
+        let mut corners = [usize::MAX; 6];
+        for (corner, vertex) in corners.iter_mut().zip(vertices) {
+            let (x, y) = (vertex.pos.x, vertex.pos.y);
+            let on_corner = (x == low.x || x == high.x) && (y == low.y || y == high.y);
+            if !on_corner || vertex.color != a.color {
+                return None;
+            }
+            *corner = usize::from(x == high.x) + 2 * usize::from(y == high.y);
+        }
+        let seen = |corners: &[usize]| corners.iter().fold(0, |seen, &corner| seen | 1 << corner);
+        let (first, second) = (missing(seen(&corners[..3]))?, missing(seen(&corners[3..]))?);
+        // Otherwise the two overlap.
+        if first ^ second != 3 {
+            return None;
+        }
+        let uv = texture_corners(&vertices, &corners)?;
+        Some(Self { place: Rect::from_min_max(low, high), uv, color: a.color })
+    }
+
+    /// Draws it; `scale` is pixels per point.
+    pub(super) fn draw(&self, band: &mut Band<'_>, texture: &Texture, scale: f32) {
+        if self.color == Color32::TRANSPARENT {
+            return;
+        }
+        let place = self.place * scale;
+        let (left, right) = (snap(place.min.x), snap(place.max.x));
+        let (top, bottom) = (snap(place.min.y), snap(place.max.y));
+        let clip = band.clip;
+        let columns = limit(first_centre(left), first_centre(right), clip.left, clip.right);
+        let rows = limit(first_centre(top), first_centre(bottom), clip.top, clip.bottom);
+        if columns.0 >= columns.1 || rows.0 >= rows.1 {
+            return;
+        }
+        let area = Area { columns, rows };
+        let color = unpack(self.color);
+        if self.uv.min == self.uv.max {
+            let texel = texture.sample_at(self.uv.min, texture.filter(0.0));
+            let source = modulate(color, texel);
+            for row in rows.0..rows.1 {
+                blend::fill(band.run(row, columns.0, columns.1), source);
+            }
+            return;
+        }
+        let [width, height] = texture.size.map(|n| n as f64);
+        let u = along(left, right, self.uv.min.x, self.uv.max.x, width);
+        let v = along(top, bottom, self.uv.min.y, self.uv.max.y, height);
+        let v = Plane { across: 0.0, down: v.across, ..v };
+        area.textured(band, &Reading::new(texture, u, v), color);
+    }
+}
+
+/// Which one of four corners is missing, if exactly one is.
+fn missing(seen: u8) -> Option<usize> {
+    (0..4).find(|corner| seen == 0b1111 & !(1 << corner))
+}
+
+/// The texture coordinates of the rectangle's corners, if they run along its sides.
+fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect> {
+    let mut uv = Rect::NAN;
+    for (vertex, corner) in vertices.iter().zip(corners) {
+        let x = if corner & 1 == 0 { &mut uv.min.x } else { &mut uv.max.x };
+        if !x.is_nan() && *x != vertex.uv.x {
+            return None;
+        }
+        *x = vertex.uv.x;
+        let y = if corner & 2 == 0 { &mut uv.min.y } else { &mut uv.max.y };
+        if !y.is_nan() && *y != vertex.uv.y {
+            return None;
+        }
+        *y = vertex.uv.y;
+    }
+    Some(uv)
+}
+
+/// A texture coordinate between two places, in texels, as a plane that goes across.
+fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> Plane {
+    let (start, end) = (f64::from(uv_from) * texels, f64::from(uv_to) * texels);
+    let step = (end - start) / (to - from).max(1) as f64;
+    let origin = start + step * (STEPS as f64 / 2.0 - from as f64);
+    Plane { origin, across: step * STEPS as f64, down: 0.0 }
+}
+
+/// The pixels of a rectangle, ends exclusive.
+struct Area {
+    columns: (usize, usize),
+    rows: (usize, usize),
+}
+
+impl Area {
+    fn textured(&self, band: &mut Band<'_>, reading: &Reading<'_>, color: Rgba) {
+        let (first, end) = self.columns;
+        let (u, u_step) = reading.u.stepped(0);
+        let texture = reading.texture;
+        // Down the plane of v there is one value a row.
+        let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
+        let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
+        let across = one_to_one(&u, self.columns, texture.size[0], reading.filter);
+        let down = one_to_one(&v, self.rows, texture.size[1], reading.filter);
+        if let (Some(across), Some(down)) = (across, down) {
+            for row in self.rows.0..self.rows.1 {
+                let start = (down + row - self.rows.0) * texture.size[0] + across;
+                let texels = &texture.texels[start..start + end - first];
+                blit(band.run(row, first, end), texels, texture.opaque, color);
+            }
+        } else if reading.filter == TextureFilter::Nearest {
+            let texel_columns: Vec<usize> =
+                (first..end).map(|column| texture.wrap(u(column).nearest(), 0)).collect();
+            self.nearest(band, reading, color, &texel_columns, v);
+        } else {
+            for row in self.rows.0..self.rows.1 {
+                reading.draw(band.run(row, first, end), row, first, |_| color);
+            }
+        }
+    }
+
+    fn nearest(
+        &self,
+        band: &mut Band<'_>,
+        reading: &Reading<'_>,
+        color: Rgba,
+        texel_columns: &[usize],
+        v: impl Fn(usize) -> Coordinate,
+    ) {
+        let texture = reading.texture;
+        let (first, end) = self.columns;
+        let copies = texture.opaque && color == [255.0; 4];
+        let mut drawn: Option<(usize, usize)> = None;
+        for row in self.rows.0..self.rows.1 {
+            let texel_row = texture.wrap(v(row).nearest(), 1);
+            match drawn {
+                // A magnified picture repeats its rows.
+                Some((same, source)) if copies && same == texel_row => {
+                    band.repeat(source, row, first, end);
+                    continue;
+                }
+                _ => drawn = Some((texel_row, row)),
+            }
+            let start = texel_row * texture.size[0];
+            let texels = &texture.texels[start..start + texture.size[0]];
+            let pixels = band.run(row, first, end);
+            if copies {
+                for (pixel, &column) in pixels.iter_mut().zip(texel_columns) {
+                    *pixel = texels[column];
+                }
+            } else {
+                for (pixel, &column) in pixels.iter_mut().zip(texel_columns) {
+                    tint(pixel, texels[column], color);
+                }
+            }
+        }
+    }
+}
+
+/// The first texel if a run of pixels reads successive texels, each exactly, none outside.
+fn one_to_one(
+    coordinate: &impl Fn(usize) -> Coordinate,
+    (first, end): (usize, usize),
+    size: usize,
+    filter: TextureFilter,
+) -> Option<usize> {
+    let texel = |pixel: usize| match filter {
+        TextureFilter::Nearest => Some(coordinate(pixel).nearest()),
+        TextureFilter::Linear => {
+            let (texel, between) = coordinate(pixel).linear();
+            (between == 0.0).then_some(texel)
+        }
+    };
+    let (from, to) = (texel(first)?, texel(end - 1)?);
+    let successive = to - from == (end - 1 - first) as i64;
+    // Two ends alone do not tell for nearest texels: the steps between may be uneven.
+    let even = filter == TextureFilter::Linear
+        || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
+    (successive && even && from >= 0 && to < size as i64).then_some(from as usize)
+}
+
+fn blit(pixels: &mut [Color32], texels: &[Color32], opaque: bool, color: Rgba) {
+    if opaque && color == [255.0; 4] {
+        pixels.copy_from_slice(texels);
+    } else {
+        for (pixel, &texel) in pixels.iter_mut().zip(texels) {
+            tint(pixel, texel, color);
+        }
+    }
+}
+
+#[inline(always)]
+fn tint(pixel: &mut Color32, texel: Color32, color: Rgba) {
+    if texel != Color32::TRANSPARENT {
+        *pixel = over(*pixel, modulate(color, unpack(texel)));
+    }
+}

@@ -1,0 +1,190 @@
+//! Textures: kept in memory as they come, read texel by texel.
+
+use super::blend::{Rgba, unpack};
+use egui::epaint::{ImageData, ImageDelta};
+use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
+use std::sync::Arc;
+
+/// One texture.
+#[derive(Debug)]
+pub(super) struct Texture {
+    pub(super) size: [usize; 2],
+    pub(super) texels: Vec<Color32>,
+    pub(super) options: TextureOptions,
+    /// No texel lets anything through: a copy is then as good as a blend.
+    pub(super) opaque: bool,
+}
+
+impl Texture {
+    /// A texture from its whole image.
+    pub(super) fn new(image: ImageData, options: TextureOptions) -> Self {
+        let ImageData::Color(image) = image;
+        // Usually the only owner: a big picture is then moved, not copied.
+        let ColorImage { size, pixels, .. } = Arc::unwrap_or_clone(image);
+        let opaque = all_opaque(&pixels);
+        Self { size, texels: pixels, options, opaque }
+    }
+
+    /// Replaces a part. A part that reaches beyond the texture is ignored, as is its pixel count
+    /// not being what its size says: both are mistakes of whoever sent it, and no reason to end
+    /// the program.
+    pub(super) fn update(&mut self, [left, top]: [usize; 2], delta: &ImageDelta) {
+        let ImageData::Color(image) = &delta.image;
+        let [width, height] = image.size;
+        if left + width > self.size[0]
+            || top + height > self.size[1]
+            || image.pixels.len() != width * height
+            || width == 0
+        {
+            return;
+        }
+        for (row, source) in image.pixels.chunks_exact(width).enumerate() {
+            let start = (top + row) * self.size[0] + left;
+            self.texels[start..start + width].copy_from_slice(source);
+        }
+        self.options = delta.options;
+        let whole = image.size == self.size;
+        self.opaque = (whole || self.opaque) && all_opaque(&image.pixels);
+    }
+
+    /// The filter that a GPU picks: by how many texels it is from one pixel to the next.
+    pub(super) fn filter(&self, texels_per_pixel: f64) -> TextureFilter {
+        if texels_per_pixel > 1.0 + 1e-6 {
+            self.options.minification
+        } else {
+            self.options.magnification
+        }
+    }
+
+    /// The texel of a coordinate, wrapped at the edges; `axis` 0 is across, 1 is down.
+    #[inline(always)]
+    pub(super) fn wrap(&self, index: i64, axis: usize) -> usize {
+        let size = self.size[axis] as i64;
+        let wrapped = match self.options.wrap_mode {
+            TextureWrapMode::ClampToEdge => index.clamp(0, size - 1),
+            TextureWrapMode::Repeat => index.rem_euclid(size),
+            TextureWrapMode::MirroredRepeat => {
+                let phase = index.rem_euclid(2 * size);
+                phase.min(2 * size - 1 - phase)
+            }
+        };
+        wrapped as usize
+    }
+
+    #[inline(always)]
+    fn texel(&self, across: usize, down: usize) -> Rgba {
+        unpack(self.texels[down * self.size[0] + across])
+    }
+
+    /// The colour at a place given in texels, both coordinates as [`Coordinate`]s.
+    #[inline(always)]
+    pub(super) fn sample(&self, u: Coordinate, v: Coordinate, filter: TextureFilter) -> Rgba {
+        match filter {
+            TextureFilter::Nearest => {
+                self.texel(self.wrap(u.nearest(), 0), self.wrap(v.nearest(), 1))
+            }
+            TextureFilter::Linear => {
+                let ((u, across), (v, down)) = (u.linear(), v.linear());
+                let (left, right) = (self.wrap(u, 0), self.wrap(u + 1, 0));
+                let (above, below) = (self.wrap(v, 1), self.wrap(v + 1, 1));
+                let top = mix(self.texel(left, above), self.texel(right, above), across);
+                if down == 0.0 {
+                    return top;
+                }
+                let bottom = mix(self.texel(left, below), self.texel(right, below), across);
+                mix(top, bottom, down)
+            }
+        }
+    }
+
+    /// The colour at a place given as egui gives it, from 0 to 1.
+    pub(super) fn sample_at(&self, uv: egui::Pos2, filter: TextureFilter) -> Rgba {
+        let place = |x: f32, axis: usize| {
+            Coordinate::new((f64::from(x) * self.size[axis] as f64 * ONE_TEXEL) as i64)
+        };
+        self.sample(place(uv.x, 0), place(uv.y, 1), filter)
+    }
+}
+
+/// One texel, in the fixed-point numbers that are stepped along a row.
+pub(super) const ONE_TEXEL: f64 = (1_u64 << 32) as f64;
+
+/// A coordinate in a texture, in 1/65536 of a texel.
+///
+/// The rounding to that grid makes a place on the very border of two texels fall on the same side
+/// in whatever way it was computed: both triangles of a rectangle, or the rectangle as a whole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Coordinate(i64);
+
+impl Coordinate {
+    /// From a number with 32 binary places.
+    #[inline(always)]
+    pub(super) fn new(stepped: i64) -> Self {
+        Self(stepped.wrapping_add(1 << 15) >> 16)
+    }
+
+    /// The texel that it lies in.
+    #[inline(always)]
+    pub(super) fn nearest(self) -> i64 {
+        self.0 >> 16
+    }
+
+    /// The texel whose centre is before it, and how far it is on the way to the next one, in
+    /// steps of 1/256 as GPUs have it: glyphs drawn at whole pixels are exactly on texel centres.
+    #[inline(always)]
+    pub(super) fn linear(self) -> (i64, f32) {
+        let steps = (self.0 - (1 << 15) + (1 << 7)) >> 8;
+        (steps >> 8, (steps & 255) as f32 * (1.0 / 256.0))
+    }
+}
+
+#[inline(always)]
+fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
+    [
+        from[0] + (to[0] - from[0]) * part,
+        from[1] + (to[1] - from[1]) * part,
+        from[2] + (to[2] - from[2]) * part,
+        from[3] + (to[3] - from[3]) * part,
+    ]
+}
+
+fn all_opaque(texels: &[Color32]) -> bool {
+    texels.iter().all(|texel| texel.a() == 255)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texture(options: TextureOptions) -> Texture {
+        let pixels = vec![Color32::from_gray(0), Color32::from_gray(200)];
+        Texture::new(ColorImage::new([2, 1], pixels).into(), options)
+    }
+
+    #[test]
+    fn linear_is_exact_on_centres_and_halfway_between() {
+        let texture = texture(TextureOptions::LINEAR);
+        let at = |u: f32| texture.sample_at(egui::pos2(u, 0.5), TextureFilter::Linear)[0];
+        assert_eq!(at(0.25), 0.0);
+        assert_eq!(at(0.5), 100.0);
+        assert_eq!(at(0.75), 200.0);
+        assert_eq!((at(-1.0), at(2.0)), (0.0, 200.0));
+    }
+
+    #[test]
+    fn wrapping() {
+        let indices = |options| [-2, -1, 0, 1, 2, 3].map(|i| texture(options).wrap(i, 0));
+        assert_eq!(indices(TextureOptions::NEAREST), [0, 0, 0, 1, 1, 1]);
+        assert_eq!(indices(TextureOptions::NEAREST_REPEAT), [0, 1, 0, 1, 0, 1]);
+        assert_eq!(indices(TextureOptions::NEAREST_MIRRORED_REPEAT), [1, 0, 0, 1, 1, 0]);
+    }
+
+    #[test]
+    fn a_part_outside_is_ignored() {
+        let mut texture = texture(TextureOptions::NEAREST);
+        let part = ColorImage::filled([2, 1], Color32::WHITE);
+        let delta = ImageDelta::partial([1, 0], part, TextureOptions::NEAREST);
+        texture.update([1, 0], &delta);
+        assert_eq!(texture.texels[1], Color32::from_gray(200));
+    }
+}
