@@ -19,7 +19,7 @@ use crate::panels::dialogs::{self, Dialog, PathField};
 use crate::panels::readouts::NumberStyle;
 use crate::panels::{camera, objects, readouts, selection, top_bar, views};
 use crate::present::{WindowGeometry, fonts};
-use crate::session::{Session, ThemeName};
+use crate::session::{Session, Settings, ThemeName};
 use crate::store::{Remembered, Store};
 use crate::view_texture::ViewTexture;
 
@@ -72,9 +72,9 @@ impl App {
     }
 
     /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
-    pub fn set_up(&self, ctx: &Context) {
+    pub fn set_up(ctx: &Context, settings: &Settings) {
         fonts::install(ctx);
-        ctx.set_zoom_factor(self.session.settings.zoom.clamp(0.5, 4.0));
+        ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| style.interaction.selectable_labels = true);
     }
 

@@ -53,7 +53,7 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
         app.tell("The last scene cannot be opened again", trouble);
     }
     let make = |ctx: &egui::Context, _: &present::RendererInfo| {
-        app.set_up(ctx);
+        App::set_up(ctx, &app.session().settings);
         Box::new(InWindow { app }) as Box<dyn Program>
     };
     present::run(renderer, options, make).map_err(WindowError::Present)

@@ -3,6 +3,8 @@
 
 use std::cell::RefCell;
 
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
 use egui::{Color32, DragValue, Id, Response, RichText, Ui};
 use pinhole_core::{DVec3, shortest};
 
@@ -64,6 +66,9 @@ impl<'a> NumberField<'a> {
                 }
             });
         let response = ui.add(field);
+        if response.clicked() && !typing {
+            select_all(ui, &response, &shortest(exact));
+        }
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(self.name));
         show_fault(ui, id, typing, fault.into_inner(), &response);
         if typing || response.dragged() {
@@ -72,6 +77,15 @@ impl<'a> NumberField<'a> {
             response.on_hover_text(format!("{} = {}{}", self.name, shortest(exact), self.suffix))
         }
     }
+}
+
+/// A click starts typing with the exact number selected; egui would select only as much of it as
+/// the rounded form is long.
+fn select_all(ui: &Ui, response: &Response, exact: &str) {
+    let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+    let end = CCursor::new(exact.chars().count());
+    state.cursor.set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
+    state.store(ui.ctx(), response.id);
 }
 
 /// Under a field with something that is no number, the reason; until the next try.
