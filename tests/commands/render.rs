@@ -5,6 +5,8 @@ use std::io::BufReader;
 use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
+use pinhole::arguments::View;
+use pinhole::commands::render_view::{RenderOptions, render_view};
 use pinhole::document::Document;
 use pinhole::formats::builtin;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace};
@@ -55,6 +57,23 @@ fn the_picture_is_the_core_s_own() {
         }
     }
     assert_eq!(entries(folder.path()), ["out.png"]);
+}
+
+#[test]
+fn progress_hears_of_every_row_once() {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    let document = document("planet", 30, 333);
+    let rows = AtomicUsize::new(0);
+    let options =
+        RenderOptions { view: View::Camera, overlay: false, shade: Shade::Lambert, normals: false };
+    let rendering = render_view(&document, options, |done| {
+        rows.fetch_add(done, Ordering::Relaxed);
+    })
+    .unwrap();
+    assert_eq!(rows.into_inner(), 333);
+    assert_eq!(rendering.frame.t, traced(&document).t);
+    assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
 }
 
 #[test]

@@ -152,6 +152,27 @@ proptest! {
     }
 }
 
+proptest! {
+    #[test]
+    fn a_damaged_file_is_read_or_refused_at_a_place_in_it(
+        document in document(),
+        from in any::<prop::sample::Index>(),
+        length in 0..9usize,
+        damage in "([\\[\\]{}=\",.#\n0-9a-z]|\\PC){0,4}",
+    ) {
+        let mut text: Vec<char> =
+            to_text(&Document { csv_spheres: None, ..document }, None).chars().collect();
+        let from = from.index(text.len());
+        text.splice(from..(from + length).min(text.len()), damage.chars());
+        let text: String = text.into_iter().collect();
+        if let Err(error) = scene_file::parse(&text, Path::new("scene.toml"), Path::new("")) {
+            let place = error.place.unwrap();
+            let line = text.split('\n').nth(place.line - 1).unwrap();
+            prop_assert!(place.column <= line.chars().count() + 1, "{}\n{}", error, text);
+        }
+    }
+}
+
 #[test]
 fn numbers_are_short_and_read_back() {
     let mut document = Document::default();
