@@ -1,6 +1,6 @@
 //! Pictures as PNG.
 
-use std::io::{self, BufWriter};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
@@ -19,8 +19,14 @@ pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<
         encoder.set_depth(BitDepth::Eight);
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
         let mut writer = encoder.write_header().map_err(to_io)?;
-        let bytes: Vec<u8> = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
-        writer.write_image_data(&bytes).map_err(to_io)?;
+        let mut stream = writer.stream_writer().map_err(to_io)?;
+        let mut bytes = Vec::new();
+        for row in pixels.chunks(width as usize) {
+            bytes.clear();
+            bytes.extend(row.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]));
+            stream.write_all(&bytes)?;
+        }
+        stream.finish().map_err(to_io)?;
         writer.finish().map_err(to_io)
     })
 }

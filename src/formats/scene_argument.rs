@@ -33,7 +33,10 @@ impl SceneSource {
         }
         let near = builtin::nearest(&name);
         let hint = match &near[..] {
-            [] => builtin::all().iter().map(|b| b.name).collect::<Vec<_>>().join(", "),
+            [] => {
+                let names: Vec<&str> = builtin::all().iter().map(|b| b.name).collect();
+                format!("the built-in ones are {}", names.join(", "))
+            }
             near => format!("did you mean {}?", near.join(" or ")),
         };
         let problem = format!("neither a file nor a built-in scene: {hint}");

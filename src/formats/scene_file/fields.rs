@@ -184,7 +184,7 @@ impl<'a> Field<'a> {
     /// A list of tables.
     pub(super) fn sections(&self) -> Result<Vec<Section<'a>>, FileError> {
         let name = |k: usize| format!("{}[{k}]", self.name);
-        let wrong = || self.error(&format!("each one must begin with [[{}]]", self.name));
+        let right = format!("each one must be a table that begins with [[{}]]", self.name);
         match self.item {
             Entry::Tables(tables) => {
                 let section = |(k, table): (usize, &'a toml_edit::Table)| {
@@ -195,9 +195,12 @@ impl<'a> Field<'a> {
             Entry::Value(Value::Array(array)) => array
                 .iter()
                 .enumerate()
-                .map(|(k, value)| self.element(k, value).section().map_err(|_| wrong()))
+                .map(|(k, value)| {
+                    let element = self.element(k, value);
+                    element.section().map_err(|_| element.error(&right))
+                })
                 .collect(),
-            _ => Err(wrong()),
+            _ => Err(self.error(&right)),
         }
     }
 

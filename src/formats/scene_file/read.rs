@@ -49,9 +49,11 @@ fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
     let found = source.text.get(span.clone()).unwrap_or_default();
     let message = match error.message() {
         "duplicate key" => format!("{found} is given twice"),
-        message if message.starts_with("string values must be quoted") && found.is_empty() => {
-            "the value after = is missing".to_owned()
-        }
+        message if message.starts_with("string values must be quoted") => match found {
+            "" => "the value after = is missing".to_owned(),
+            word => format!("{word} is no value: write a number, or text in quotes"),
+        },
+        message if message.ends_with("overflowed") => format!("{found} is too large a number"),
         message => message.trim_end_matches(", expected nothing").to_owned(),
     };
     source.error(&span, format!("not TOML: {message}"))
@@ -62,7 +64,7 @@ fn version(root: &Section) -> Result<(), FileError> {
     match field.integer() {
         Some(VERSION) => Ok(()),
         Some(newer) if newer > VERSION => Err(field.error(&format!(
-            "this is a newer scene format than this program reads, which is {VERSION}"
+            "this scene format is newer than this program, which reads {VERSION}: get a newer Pinhole"
         ))),
         _ => Err(field.error(&format!("the format version must be {VERSION}"))),
     }
@@ -90,8 +92,8 @@ fn read_camera(section: &Section) -> Result<Camera, FileError> {
             Orientation::Basis(read_basis(&basis.section()?)?)
         }
         None => {
-            let such_as = "at = [0.0, 0.0, -1.0], or one of view and basis instead";
-            return Err(section.missing("where the camera looks", such_as));
+            let what = "camera.at (or view, or basis)";
+            return Err(section.missing(what, "at = [0.0, 0.0, -1.0]"));
         }
     };
     Ok(Camera { eye, orientation, ..Camera::CANONICAL })
