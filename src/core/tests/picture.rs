@@ -135,7 +135,7 @@ fn scene_and_camera() -> impl Strategy<Value = (Scene, PosedCamera)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn random_scenes((scene, camera) in scene_and_camera()) {
@@ -318,5 +318,6 @@ fn two_balls_on_a_floor() {
         CCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCC
         CCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCC
         CCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCCC
-    "#]].assert_eq(&as_text(&frame));
+    "#]]
+    .assert_eq(&as_text(&frame));
 }
