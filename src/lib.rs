@@ -15,6 +15,7 @@ pub mod expression;
 pub mod files;
 pub mod formats;
 pub mod inspection;
+mod label_text;
 pub mod observer;
 pub mod overlay;
 pub mod panels;

@@ -116,6 +116,17 @@ impl From<ShadeName> for Shade {
     }
 }
 
+impl From<Shade> for ShadeName {
+    fn from(shade: Shade) -> ShadeName {
+        match shade {
+            Shade::Lambert => ShadeName::Lambert,
+            Shade::Normal => ShadeName::Normal,
+            Shade::T => ShadeName::T,
+            Shade::Object => ShadeName::Object,
+        }
+    }
+}
+
 impl Default for Session {
     fn default() -> Self {
         Session {

@@ -19,10 +19,10 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             return Err(CommandError::Arguments(problem));
         }
     }
-    let mut document = load(&arguments.scene)?;
+    let document = load(&arguments.scene)?;
     let image = size(document.camera.image, arguments.width, arguments.height)?;
-    document.camera.image = image;
     let options = RenderOptions {
+        size: image,
         view: arguments.view,
         overlay: arguments.overlay,
         shade: arguments.shade,
@@ -33,8 +33,8 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         .map_err(|error| of_scene(&arguments.scene, error))?;
     drop(progress);
     png::save(&arguments.output, image.width(), image.height(), &rendering.pixels)?;
-    if let Some(aov) = &arguments.aov {
-        exr::save(aov, &rendering.frame)?;
+    if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
+        exr::save(aov, frame)?;
     }
     Ok(())
 }

@@ -6,7 +6,8 @@ use pinhole_core::ImageSize;
 
 use crate::action::Action;
 use crate::derive::{Derived, Shown, ViewSizes};
-use crate::overlay::{self, Label};
+use crate::label_text;
+use crate::overlay;
 use crate::session::{Selection, Session, Settings, ViewLayout};
 use crate::view_texture::ViewTexture;
 
@@ -282,28 +283,9 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
         let painter = ui.painter_at(rect);
         let per_point = ui.ctx().pixels_per_point();
         for label in shown.labels.iter() {
-            write_label(&painter, rect.min, per_point, label);
+            label_text::write(&painter, rect.min, per_point, label);
         }
     }
-}
-
-/// Writes a label of a picture whose upper left corner is at `origin`.
-pub(crate) fn write_label(painter: &egui::Painter, origin: egui::Pos2, per_point: f32, label: &Label) {
-    let center = origin + vec2(label.position[0], label.position[1]) / per_point;
-    let family = if label.bold {
-        egui::FontFamily::Name("bold".into())
-    } else {
-        egui::FontFamily::Proportional
-    };
-    let font = egui::FontId::new(label.size, family);
-    let galley = painter.layout_no_wrap(label.text.clone(), font, label.color);
-    let min = center - 0.5 * galley.size();
-    // A casing in the background's colour keeps text legible over anything.
-    for (dx, dy) in [(-1.0, -1.0), (0.0, -1.2), (1.0, -1.0), (-1.2, 0.0), (1.2, 0.0), (-1.0, 1.0), (0.0, 1.2), (1.0, 1.0)] {
-        let at = min + vec2(dx, dy);
-        painter.galley_with_override_text_color(at, galley.clone(), label.halo);
-    }
-    painter.galley(min, galley, label.color);
 }
 
 /// The reason for a picture that is not new, written across it.
