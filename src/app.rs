@@ -37,6 +37,8 @@ pub struct App {
     store: Option<Store>,
     geometry: WindowGeometry,
     title: String,
+    /// What draws the window, in words.
+    renderer: String,
     may_close: bool,
     /// What the last pass showed.
     known: Option<(Document, Session)>,
@@ -62,6 +64,7 @@ impl App {
             store,
             geometry: remembered.window,
             title: String::new(),
+            renderer: String::new(),
             may_close: false,
             known: None,
         };
@@ -76,6 +79,11 @@ impl App {
         fonts::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| style.interaction.selectable_labels = true);
+    }
+
+    /// Says what draws the window.
+    pub fn drawn_by(&mut self, renderer: String) {
+        self.renderer = renderer;
     }
 
     /// Tells the user something that went wrong before the window was there.
@@ -168,7 +176,8 @@ impl App {
         Panel::top("top bar").show(ui, |ui| {
             top_bar::ui(ui, &self.open, &self.recent, &mut self.session.settings, actions);
         });
-        let panel = Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
+        let panel =
+            Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
         panel.show(ui, |ui| {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.left_panel(ui));
         });
@@ -331,6 +340,7 @@ impl App {
             window: self.geometry,
             selection: Some(self.session.selection.into()),
             recent: self.recent.clone(),
+            renderer: self.renderer.clone(),
             last: Some(argument_of(&self.open.source)),
         };
         if let Err(error) = store.save(&remembered) {

@@ -313,7 +313,8 @@ impl Deriver {
         let Some(observer_camera) = posed_observer(&observer, size) else { return };
         // While an object is at fault, the last good scene's indices still fit its own colours.
         let color_of = |i: u32| colors.get(i as usize).copied().unwrap_or_default();
-        let world = self.world_picture(&scene, document.camera.eye, observer_camera, generation, color_of);
+        let world =
+            self.world_picture(&scene, document.camera.eye, observer_camera, generation, color_of);
         let key = WorldViewKey {
             camera: document.camera,
             observer,

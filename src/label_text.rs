@@ -7,11 +7,8 @@ use crate::overlay::Label;
 /// Writes a label of a picture whose upper left corner is at `origin`.
 pub(crate) fn write(painter: &Painter, origin: Pos2, per_point: f32, label: &Label) {
     let center = origin + vec2(label.position[0], label.position[1]) / per_point;
-    let family = if label.bold {
-        FontFamily::Name("bold".into())
-    } else {
-        FontFamily::Proportional
-    };
+    let family =
+        if label.bold { FontFamily::Name("bold".into()) } else { FontFamily::Proportional };
     let font = FontId::new(label.size, family);
     let galley = painter.layout_no_wrap(label.text.clone(), font, label.color);
     let min = center - 0.5 * galley.size();

@@ -14,6 +14,7 @@ pub mod document;
 pub mod expression;
 pub mod files;
 pub mod formats;
+mod frame_log;
 pub mod inspection;
 mod label_text;
 pub mod observer;

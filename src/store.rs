@@ -22,6 +22,8 @@ pub struct Remembered {
     pub selection: Option<RememberedRay>,
     /// Files opened or saved lately, newest first.
     pub recent: Vec<PathBuf>,
+    /// What drew the window, for reports of what went wrong.
+    pub renderer: String,
     /// The scene that was open, as the command line names it.
     pub last: Option<PathBuf>,
 }

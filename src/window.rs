@@ -9,7 +9,8 @@ use crate::files::OpenDocument;
 use crate::formats::FileError;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
-use crate::present::{self, PresentError, Program, Renderer, WindowOptions};
+use crate::frame_log::{FRAME_TIMES, FrameLog};
+use crate::present::{self, FrameTimes, PresentError, Program, Renderer, WindowOptions};
 use crate::store::{Remembered, Store};
 
 /// Why the window did not open, or broke off.
@@ -52,9 +53,11 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
     if let Some(trouble) = trouble {
         app.tell("The last scene cannot be opened again", trouble);
     }
-    let make = |ctx: &egui::Context, _: &present::RendererInfo| {
+    let frame_log = std::env::var_os(FRAME_TIMES).map(FrameLog::to);
+    let make = |ctx: &egui::Context, info: &present::RendererInfo| {
         App::set_up(ctx, &app.session().settings);
-        Box::new(InWindow { app }) as Box<dyn Program>
+        app.drawn_by(info.to_string());
+        Box::new(InWindow { app, frame_log }) as Box<dyn Program>
     };
     present::run(renderer, options, make).map_err(WindowError::Present)
 }
@@ -62,6 +65,7 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
 /// The app as the window drives it.
 struct InWindow {
     app: App,
+    frame_log: Option<FrameLog>,
 }
 
 impl Program for InWindow {
@@ -69,8 +73,19 @@ impl Program for InWindow {
         self.app.ui(ui);
     }
 
+    fn presented(&mut self, times: &FrameTimes) {
+        if let Some(log) = &mut self.frame_log {
+            log.frames.push(*times);
+        }
+    }
+
     fn on_exit(&mut self) {
         self.app.on_exit();
+        if let Some(log) = &self.frame_log
+            && let Err(error) = log.save()
+        {
+            eprintln!("pinhole: {}: {error}", log.path.display());
+        }
     }
 }
 

@@ -47,9 +47,19 @@ fn core_depends_on_no_window_and_no_file_format() {
     let tree = String::from_utf8(tree.stdout).unwrap();
     let crates: BTreeSet<&str> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
     assert!(crates.contains("glam") && crates.contains("pinhole-core"), "{crates:?}");
-    for forbidden in
-        ["egui", "epaint", "eframe", "wgpu", "winit", "tiny-skia", "toml_edit", "serde_json", "csv", "png", "exr"]
-    {
+    for forbidden in [
+        "egui",
+        "epaint",
+        "eframe",
+        "wgpu",
+        "winit",
+        "tiny-skia",
+        "toml_edit",
+        "serde_json",
+        "csv",
+        "png",
+        "exr",
+    ] {
         assert!(!crates.contains(forbidden), "pinhole-core depends on {forbidden}");
     }
 }
@@ -71,7 +81,9 @@ fn what_is_pure_knows_no_effect() {
             || name.starts_with("src/overlay/")
             || ["src/document.rs", "src/derive.rs", "src/inspection.rs"].contains(&name.as_str());
         if pure && !name.contains("/tests/") {
-            for effect in ["std::fs", "std::env", "std::process", "std::time", "println!", "eprintln!"] {
+            for effect in
+                ["std::fs", "std::env", "std::process", "std::time", "println!", "eprintln!"]
+            {
                 assert!(!text.contains(effect), "{name} uses {effect}");
             }
         }
@@ -84,8 +96,17 @@ fn the_top_level_holds_what_it_should() {
     let listed = String::from_utf8(listed.stdout).unwrap();
     let top: BTreeSet<&str> = listed.lines().filter_map(|path| path.split('/').next()).collect();
     let known = [
-        ".ci", ".gitignore", ".rustfmt.toml", "Cargo.lock", "Cargo.toml", "LICENSE-APACHE",
-        "LICENSE-MIT", "README.md", "assets", "src", "tests",
+        ".ci",
+        ".gitignore",
+        ".rustfmt.toml",
+        "Cargo.lock",
+        "Cargo.toml",
+        "LICENSE-APACHE",
+        "LICENSE-MIT",
+        "README.md",
+        "assets",
+        "src",
+        "tests",
     ];
     let strangers: Vec<_> = top.iter().filter(|name| !known.contains(name)).collect();
     assert!(strangers.is_empty(), "{strangers:?}");

@@ -68,9 +68,9 @@ pub fn render_view(
     }
     let pixels = with_overlay(&document, &scene, options);
     done(options.size.height() as usize);
-    let frame = options.normals.then(|| {
-        trace(&scene, &camera, &Raster::full(camera.image()), Outputs { normal: true })
-    });
+    let frame = options
+        .normals
+        .then(|| trace(&scene, &camera, &Raster::full(camera.image()), Outputs { normal: true }));
     Ok(Rendering { pixels, frame })
 }
 

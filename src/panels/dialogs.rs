@@ -63,7 +63,8 @@ impl PathField {
             "" => String::new(),
             name => folder.join(name).display().to_string(),
         };
-        let mut field = PathField { text, folder: PathBuf::new(), entries: Vec::new(), overwrite: None };
+        let mut field =
+            PathField { text, folder: PathBuf::new(), entries: Vec::new(), overwrite: None };
         field.list(folder);
         field
     }
@@ -75,8 +76,11 @@ impl PathField {
                 let name = entry.file_name().to_string_lossy().into_owned();
                 let is_folder = path.is_dir();
                 let is_scene = path.extension().is_some_and(|ext| ext == "toml");
-                (!name.starts_with('.') && (is_folder || is_scene))
-                    .then_some(Entry { name, path, is_folder })
+                (!name.starts_with('.') && (is_folder || is_scene)).then_some(Entry {
+                    name,
+                    path,
+                    is_folder,
+                })
             })
             .collect();
         entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
@@ -108,7 +112,8 @@ impl PathField {
         let mut enter = None;
         ScrollArea::vertical().max_height(240.0).auto_shrink([false, false]).show(ui, |ui| {
             for entry in &self.entries {
-                let name = if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let name =
+                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
                 let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
                 if row.clicked() && entry.is_folder {
                     enter = Some(entry.path.clone());

@@ -71,7 +71,10 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
         sphere(ui, &mut document.spheres[index].shape);
     } else if index < first_plane {
         let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
-        ui.label(format!("Sphere {index} is row {} of {file}: edit it there.", index - spheres + 1));
+        ui.label(format!(
+            "Sphere {index} is row {} of {file}: edit it there.",
+            index - spheres + 1
+        ));
     } else {
         let item = &mut document.planes[index - first_plane];
         if heading(ui, item, index) {

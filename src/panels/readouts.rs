@@ -79,7 +79,8 @@ fn line(ui: &mut Ui, name: &str, value: String) {
         None => name_text,
     });
     let response = ui.label(RichText::new(format!("= {value}")));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
     ui.end_row();
 }
 

@@ -80,9 +80,11 @@ fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
     }
     ui.separator();
     ui.label("Colours");
-    for (theme, text) in
-        [(ThemeName::System, "As the system"), (ThemeName::Dark, "Dark"), (ThemeName::Light, "Light")]
-    {
+    for (theme, text) in [
+        (ThemeName::System, "As the system"),
+        (ThemeName::Dark, "Dark"),
+        (ThemeName::Light, "Light"),
+    ] {
         ui.radio_value(&mut settings.theme, theme, text);
     }
     ui.separator();

@@ -1,7 +1,9 @@
 //! The two views: where they lie, what the mouse and keys do in them, and putting the finished
 //! pictures there.
 
-use egui::{Color32, EventFilter, Key, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::{
+    Color32, EventFilter, Key, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+};
 use pinhole_core::ImageSize;
 
 use crate::action::Action;
@@ -49,7 +51,8 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
             let share = SMALLEST / views.width().max(2.0 * SMALLEST);
             settings.views_split = settings.views_split.clamp(share, 1.0 - share);
             let x = views.left() + settings.views_split * views.width();
-            let handle = Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, views.y_range());
+            let handle =
+                Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, views.y_range());
             settings.views_split += drag(ui, handle, "views handle").x / views.width();
             let left = Rect::from_min_max(views.min, pos2(handle.left(), views.bottom()));
             let right = Rect::from_min_max(pos2(handle.right(), views.top()), views.max);
@@ -72,9 +75,13 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
 /// A handle that is dragged; how far it was just now.
 fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     let vertical = rect.height() > rect.width();
-    let cursor =
-        if vertical { egui::CursorIcon::ResizeHorizontal } else { egui::CursorIcon::ResizeVertical };
-    let response = ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
+    let cursor = if vertical {
+        egui::CursorIcon::ResizeHorizontal
+    } else {
+        egui::CursorIcon::ResizeVertical
+    };
+    let response =
+        ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
     let visuals = ui.style().interact(&response);
     let line = if vertical {
         Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
@@ -153,7 +160,8 @@ fn view(ui: &Ui, rect: Rect, name: &str, shown: &Derived) -> Response {
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
-    let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+    let arrows =
+        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_role(egui::accesskit::Role::Image);
@@ -290,7 +298,8 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
 
 /// The reason for a picture that is not new, written across it.
 pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
-    let band = Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));
+    let band =
+        Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
     let inside = band.shrink2(vec2(16.0, 6.0));
     ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| {

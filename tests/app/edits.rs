@@ -74,7 +74,9 @@ fn at(camera: &Camera) -> DVec3 {
 #[test]
 fn fields_take_arithmetic_and_refuse_what_is_no_number() {
     let mut window = window("canonical");
-    for (text, value) in [("sqrt(2)/2", 2f64.sqrt() / 2.0), ("1/3", 1.0 / 3.0), ("-2*pi", -std::f64::consts::TAU)] {
+    for (text, value) in
+        [("sqrt(2)/2", 2f64.sqrt() / 2.0), ("1/3", 1.0 / 3.0), ("-2*pi", -std::f64::consts::TAU)]
+    {
         type_into(&mut window, "eye x", text);
         assert_eq!(window.state().document().camera.eye.x, value, "{text}");
     }
@@ -114,12 +116,9 @@ fn a_basis_is_set_by_hand() {
     let mut window = window("canonical");
     window.get_by_role_and_label(Role::Button, "u, v, w").click();
     window.run();
-    for (field, text) in [
-        ("u x", "sqrt(2)/2"),
-        ("u z", "-sqrt(2)/2"),
-        ("w x", "sqrt(2)/2"),
-        ("w z", "sqrt(2)/2"),
-    ] {
+    for (field, text) in
+        [("u x", "sqrt(2)/2"), ("u z", "-sqrt(2)/2"), ("w x", "sqrt(2)/2"), ("w z", "sqrt(2)/2")]
+    {
         type_into(&mut window, field, text);
     }
     assert_says(&window, "d = (−0.56569, −0.1, −0.84853)");

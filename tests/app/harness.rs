@@ -54,9 +54,10 @@ pub(crate) fn says(harness: &Harness<'_, App>, text: &str) -> bool {
 
 /// Every text on the screen that contains this, for a failing test to show.
 pub(crate) fn texts_with(harness: &Harness<'_, App>, part: &str) -> Vec<String> {
-    let texts = harness.root().children_recursive().filter_map(|node| {
-        node.accesskit_node().label().or_else(|| node.accesskit_node().value())
-    });
+    let texts = harness
+        .root()
+        .children_recursive()
+        .filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value()));
     texts.filter(|text| text.contains(part)).collect()
 }
 

@@ -67,10 +67,7 @@ fn a_dropped_file_opens_and_a_bad_one_says_what_is_wrong() {
     assert_eq!(*window.state().document(), Document::default());
 }
 
-fn drop_file(
-    window: &mut egui_kittest::Harness<'_, pinhole::app::App>,
-    path: &std::path::Path,
-) {
+fn drop_file(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, path: &std::path::Path) {
     window.input_mut().dropped_files = vec![std::sync::Arc::new(Dropped(path.to_owned()))];
     window.run();
 }

@@ -52,7 +52,9 @@ fn arrow_keys_move_the_selection_and_stop_at_the_edge() {
     let focused = window.get_by_role_and_label(Role::Image, "Camera view");
     focused.focus();
     window.run();
-    for key in [egui::Key::ArrowUp, egui::Key::ArrowLeft, egui::Key::ArrowLeft, egui::Key::ArrowDown] {
+    for key in
+        [egui::Key::ArrowUp, egui::Key::ArrowLeft, egui::Key::ArrowLeft, egui::Key::ArrowDown]
+    {
         window.key_press(key);
         window.run();
     }
@@ -117,10 +119,11 @@ fn everything_can_be_copied() {
     let mut window = window("canonical");
     window.get_by_label("Copy Basis").click();
     window.step();
-    let copied = window.output().platform_output.commands.iter().find_map(|command| match command {
-        egui::OutputCommand::CopyText(text) => Some(text.clone()),
-        _ => None,
-    });
+    let copied =
+        window.output().platform_output.commands.iter().find_map(|command| match command {
+            egui::OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        });
     assert!(copied.unwrap().starts_with("u = (1, 0, 0)\nv = (0, 1, 0)\nw = (0, 0, 1)\n"));
 }
 
