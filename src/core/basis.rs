@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::error_free::two_sum;
+use crate::error_free::difference_with_rest;
 use crate::number::{shortest, triple};
 use crate::scale::{ldexp, length, split, unit};
 use crate::wide;
@@ -259,12 +259,7 @@ impl Aim {
         if eye == at {
             return Err(BasisError::EyeIsAt { point: eye });
         }
-        // Both shrink alike where the difference would overflow.
-        let shrink = if (at - eye).is_finite() { 1.0 } else { 0.25 };
-        let [x, y, z] = [(at.x, eye.x), (at.y, eye.y), (at.z, eye.z)]
-            .map(|(at, eye)| two_sum(shrink * at, -shrink * eye));
-        let view = DVec3::new(x.0, y.0, z.0);
-        let view_rest = DVec3::new(x.1, y.1, z.1);
+        let (view, view_rest, _) = difference_with_rest(at, eye);
         Aim { view, view_rest, up }.with_up()
     }
 
@@ -272,12 +267,10 @@ impl Aim {
         if self.up == DVec3::ZERO { Err(BasisError::UpIsZero) } else { Ok(self) }
     }
 
-    /// `up x -view` as `(m, k)`, `up x -view = m * 2^k`.
+    /// `up x -view`, which is `view x up`, as `(m, k)`: `m * 2^k`.
     fn right(&self) -> Result<(DVec3, i32), BasisError> {
-        let of_view = wide::cross(self.up, -self.view);
-        let of_rest = wide::cross(self.up, -self.view_rest);
-        let sum = std::array::from_fn(|i| of_view[i] + of_rest[i]);
-        wide::split(sum).ok_or(BasisError::UpParallelToView { up: self.up, view: self.view })
+        let right = wide::cross_with_rest(self.view, self.view_rest, self.up);
+        wide::split(right).ok_or(BasisError::UpParallelToView { up: self.up, view: self.view })
     }
 
     fn basis(&self) -> Result<Basis, BasisError> {

@@ -5,9 +5,10 @@ use std::fmt;
 use glam::DVec3;
 
 use crate::basis::{Basis, BasisError, UpAngle};
+use crate::error_free::difference_with_rest;
 use crate::image::{ImageError, ImageSize};
 use crate::posed::PosedCamera;
-use crate::scale::{difference, unit};
+use crate::scale::unit;
 use crate::viewport::{Viewport, ViewportError};
 
 /// Where the camera looks and which way is up: one of the three ways to say so.
@@ -144,7 +145,7 @@ impl Camera {
     /// overflows), or `-w`.
     pub fn view(&self) -> DVec3 {
         match self.orientation {
-            Orientation::At { at, .. } => difference(at, self.eye).0,
+            Orientation::At { at, .. } => difference_with_rest(at, self.eye).0,
             Orientation::View { view, .. } => view,
             Orientation::Basis(basis) => -basis.w,
         }
@@ -207,7 +208,7 @@ fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
     let mut reach = view;
     while reach.is_finite() {
         let at = eye + reach;
-        let seen = difference(at, eye).0;
+        let seen = difference_with_rest(at, eye).0;
         if has_direction(seen)
             && (unit(seen) - direction).abs().max_element() <= Camera::TURN_TOLERANCE
         {

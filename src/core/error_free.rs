@@ -1,13 +1,29 @@
 //! Sums and products together with their rounding error, and what they give: dot products as if in
 //! twice the precision.
 
+use glam::DVec3;
+
 /// `(s, e)` with `s = fl(a + b)` and `a + b = s + e` exactly, unless the sum overflows (Knuth, *The
 /// Art of Computer Programming* vol. 2, section 4.2.2, theorem B).
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_rounded = sum - a;
     let a_rounded = sum - b_rounded;
     (sum, (a - a_rounded) + (b - b_rounded))
+}
+
+/// `(d, e)` with `d = fl(a - b)` and `a - b = d + e` exactly, of each coordinate: [`two_sum`].
+fn two_difference(a: DVec3, b: DVec3) -> (DVec3, DVec3) {
+    let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
+    (DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1))
+}
+
+/// `(d, e, k)` with `a - b = (d + e) * 2^k` and `d` rounded, of finite vectors: `k` is 0 unless the
+/// difference overflows.
+pub(crate) fn difference_with_rest(a: DVec3, b: DVec3) -> (DVec3, DVec3, i32) {
+    let (shrink, k) = if (a - b).is_finite() { (1.0, 0) } else { (0.25, 2) };
+    let (difference, rest) = two_difference(shrink * a, shrink * b);
+    (difference, rest, k)
 }
 
 /// `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and products

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::error_free::{dot2, two_sum};
+use crate::error_free::{difference_with_rest, dot2};
 use crate::ray::Ray;
 use crate::roots::Roots;
-use crate::scale::{difference, is_plain_direction, ldexp, split, unit};
+use crate::scale::{exponent, is_plain_direction, ldexp, ldexp3, split, unit};
 
 /// All points `q` with `normal . (q - point) = 0`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -86,13 +86,13 @@ const PLAIN_DISTANCE: std::ops::Range<f64> = 1e-100..1e100;
 impl PlaneSeen {
     pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneSeen {
         let (normal, _) = split(plane.normal);
-        let plain = plane.point - origin;
-        if plain == DVec3::ZERO || PLAIN_DISTANCE.contains(&plain.abs().max_element()) {
-            return PlaneSeen { normal, offset: offset(normal, plane.point, origin), scale: 0 };
+        let (mut to, mut rest, mut scale) = difference_with_rest(plane.point, origin);
+        if to != DVec3::ZERO && !PLAIN_DISTANCE.contains(&to.abs().max_element()) {
+            let k = exponent(to.abs().max_element());
+            (to, rest, scale) = (ldexp3(to, -k), ldexp3(rest, -k), scale + k);
         }
-        let (to_plane, quartered) = difference(plane.point, origin);
-        let (to_plane, k) = split(to_plane);
-        PlaneSeen { normal, offset: offset(normal, to_plane, DVec3::ZERO), scale: k + quartered }
+        let factors = [(normal.x, to.x), (normal.y, to.y), (normal.z, to.z)];
+        PlaneSeen { normal, offset: dot2(factors, normal.dot(rest)), scale }
     }
 
     /// Where the line from the origin along `direction` meets the plane.
@@ -130,12 +130,4 @@ impl PlaneSeen {
     pub(crate) fn first_hit_plain(&self, direction: DVec3) -> f64 {
         self.offset / self.normal.dot(direction)
     }
-}
-
-/// `normal . (point - origin)`, as if in twice the precision.
-fn offset(normal: DVec3, point: DVec3, origin: DVec3) -> f64 {
-    let [x, y, z] = [(point.x, origin.x), (point.y, origin.y), (point.z, origin.z)]
-        .map(|(point, origin)| two_sum(point, -origin));
-    let rest = normal.dot(DVec3::new(x.1, y.1, z.1));
-    dot2([(normal.x, x.0), (normal.y, y.0), (normal.z, z.0)], rest)
 }

@@ -77,10 +77,3 @@ pub(crate) fn length(v: DVec3) -> f64 {
     let (m, k) = split(v);
     ldexp(m.length(), k)
 }
-
-/// `a - b` of finite vectors as `(m, k)`, `a - b = m * 2^k`: `k` is 0 unless the difference
-/// overflows.
-pub(crate) fn difference(a: DVec3, b: DVec3) -> (DVec3, i32) {
-    let plain = a - b;
-    if plain.is_finite() { (plain, 0) } else { (0.25 * a - 0.25 * b, 2) }
-}

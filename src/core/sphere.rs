@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use crate::error_free::{dot2, two_sum};
+use crate::error_free::{difference_with_rest, dot2};
 use crate::ray::Ray;
 use crate::roots::Roots;
-use crate::scale::{difference, exponent, is_plain_direction, ldexp, ldexp3, split, unit};
+use crate::scale::{exponent, is_plain_direction, ldexp, ldexp3, split, unit};
+use crate::wide;
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,17 +100,16 @@ impl Sphere {
         }
         let seen = SphereSeen::new(self, ray.origin);
         let (direction, k) = split(ray.direction);
-        let along = unit(direction);
-        let middle = along.cross(seen.from_center.cross(along));
-        let radius = seen.radius;
-        let half_chord = (radius * radius - middle.length_squared()).max(0.0).sqrt();
-        // -b is the t of the middle of the chord, for a direction of length 1.
-        let middle_t = -along.dot(seen.from_center) / direction.length();
+        let a = direction.length_squared();
+        let moment = wide::to_f64(wide::cross_with_rest(seen.from_center, seen.rest, direction));
+        let middle = direction.cross(moment) / a;
+        let half_chord = (seen.radius * seen.radius - middle.length_squared()).max(0.0).sqrt();
+        let middle_t = -direction.dot(seen.from_center) / a;
         // Where t cannot tell the two ends of the chord apart, the near one is meant.
         let is_far_end = ldexp(t, k - seen.scale) > middle_t + 4.0 * f64::EPSILON * middle_t.abs();
-        let side = if is_far_end { 1.0 } else { -1.0 };
-        let offset = middle + side * half_chord * along;
-        if offset == DVec3::ZERO { side * along } else { unit(offset) }
+        let along = if is_far_end { unit(direction) } else { -unit(direction) };
+        let offset = middle + half_chord * along;
+        if offset == DVec3::ZERO { along } else { unit(offset) }
     }
 }
 
@@ -117,6 +117,8 @@ impl Sphere {
 /// for extreme spheres.
 pub(crate) struct SphereSeen {
     from_center: DVec3,
+    /// What rounding left out of `from_center`.
+    rest: DVec3,
     radius: f64,
     c: f64,
     scale: i32,
@@ -139,27 +141,28 @@ const PLAIN_LENGTH: std::ops::Range<f64> = 1e-60..1e60;
 
 impl SphereSeen {
     pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereSeen {
-        let plain = origin - sphere.center;
-        let extent = plain.abs().max_element().max(sphere.radius);
-        if PLAIN_LENGTH.contains(&extent) {
-            return SphereSeen::scaled(origin, sphere.center, sphere.radius, 0);
-        }
-        // Quartered first where the difference of two finite numbers overflows.
-        let (from_center, quartered) = difference(origin, sphere.center);
+        let (from_center, rest, quartered) = difference_with_rest(origin, sphere.center);
         let radius = ldexp(sphere.radius, -quartered);
-        let k = exponent(from_center.abs().max_element().max(radius));
-        SphereSeen::scaled(ldexp3(from_center, -k), DVec3::ZERO, ldexp(radius, -k), k + quartered)
+        let extent = from_center.abs().max_element().max(radius);
+        if quartered == 0 && PLAIN_LENGTH.contains(&extent) {
+            return SphereSeen::scaled(from_center, rest, radius, 0);
+        }
+        let k = exponent(extent);
+        let scale = |v| ldexp3(v, -k);
+        SphereSeen::scaled(scale(from_center), scale(rest), ldexp(radius, -k), k + quartered)
     }
 
-    fn scaled(origin: DVec3, center: DVec3, radius: f64, scale: i32) -> SphereSeen {
-        let from_center = origin - center;
+    fn scaled(from_center: DVec3, rest: DVec3, radius: f64, scale: i32) -> SphereSeen {
         let (distance_squared, radius_squared) = (from_center.length_squared(), radius * radius);
         let (form, c) = if distance_squared < 2.0 * radius_squared {
-            (Form::Near, c_compensated(origin, center, radius))
+            // Near the sphere the rounding of its terms would be larger than c.
+            let DVec3 { x, y, z } = from_center;
+            let factors = [(x, x), (y, y), (z, z), (radius, -radius)];
+            (Form::Near, dot2(factors, 2.0 * from_center.dot(rest)))
         } else {
             (Form::Far, distance_squared - radius_squared)
         };
-        SphereSeen { from_center, radius, c, scale, form }
+        SphereSeen { from_center, rest, radius, c, scale, form }
     }
 
     fn quadratic(&self, direction: DVec3) -> SphereQuadratic {
@@ -230,15 +233,6 @@ pub(crate) enum Kernel {
     Near,
     /// [`SphereSeen::first_hit_far`]
     Far,
-}
-
-/// `|origin - center|^2 - radius^2` without the error of rounding `origin - center`, which near
-/// the sphere would be larger than the result.
-fn c_compensated(origin: DVec3, center: DVec3, radius: f64) -> f64 {
-    let [x, y, z] = [(origin.x, center.x), (origin.y, center.y), (origin.z, center.z)]
-        .map(|(origin, center)| two_sum(origin, -center));
-    let rest = 2.0 * (x.0 * x.1 + y.0 * y.1 + z.0 * z.1);
-    dot2([(x.0, x.0), (y.0, y.0), (z.0, z.0), (radius, -radius)], rest)
 }
 
 impl SphereQuadratic {

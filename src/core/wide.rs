@@ -1,6 +1,6 @@
 //! Numbers whose exponent cannot overflow: cross products of any two vectors, exact in range.
 
-use std::ops::{Add, Neg};
+use std::ops::Add;
 
 use glam::DVec3;
 
@@ -37,14 +37,6 @@ impl Wide {
     }
 }
 
-impl Neg for Wide {
-    type Output = Wide;
-
-    fn neg(self) -> Wide {
-        Wide { mantissa: -self.mantissa, ..self }
-    }
-}
-
 impl Add for Wide {
     type Output = Wide;
 
@@ -68,12 +60,23 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> Wide {
 }
 
 /// `a x b` of any two finite vectors, each component by [`difference_of_products`].
-pub(crate) fn cross(a: DVec3, b: DVec3) -> [Wide; 3] {
+fn cross(a: DVec3, b: DVec3) -> [Wide; 3] {
     [
         difference_of_products(a.y, b.z, a.z, b.y),
         difference_of_products(a.z, b.x, a.x, b.z),
         difference_of_products(a.x, b.y, a.y, b.x),
     ]
+}
+
+/// `(a + rest) x b`, where `rest` is what rounding left out of `a`.
+pub(crate) fn cross_with_rest(a: DVec3, rest: DVec3, b: DVec3) -> [Wide; 3] {
+    let (of_a, of_rest) = (cross(a, b), cross(rest, b));
+    std::array::from_fn(|i| of_a[i] + of_rest[i])
+}
+
+/// The vector in `f64`.
+pub(crate) fn to_f64(v: [Wide; 3]) -> DVec3 {
+    DVec3::from_array(v.map(|x| x.in_units_of(0)))
 }
 
 /// `(m, k)` with the vector `m * 2^k` and the largest `|m_i|` in `[1, 2)`; `None` for zero.

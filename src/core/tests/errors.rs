@@ -99,6 +99,7 @@ fn basis_by_hand() {
     assert_says(by_hand(y, x, z), left_handed);
 }
 
+#[expect(clippy::approx_constant, reason = "as a student types 1 / sqrt 2")]
 #[test]
 fn basis_by_hand_is_taken_to_the_bit_within_the_tolerance() {
     let ten_digits = 0.7071067812;
