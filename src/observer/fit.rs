@@ -1,6 +1,6 @@
 //! Where an observer must stand to have all that matters in sight.
 
-use pinhole_core::{Camera, DVec3, Orientation, PosedCamera, Scene, extent_of_fov};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera, Ray, Scene, extent_of_fov};
 
 use super::{FOV, Observer};
 
@@ -9,18 +9,30 @@ use super::{FOV, Observer};
 const OUT_OF_SCALE: f64 = 50.0;
 
 /// The share of the picture's half that is left free around what must be in sight.
-const MARGIN: f64 = 0.14;
+const MARGIN: f64 = 0.1;
 
 /// Of very many spheres, so many are asked where they are.
 const ASKED_SPHERES: usize = 2048;
 
 /// How far, in degrees, the observer may stand to the right of the line behind the camera, and
 /// above it.
-const TO_THE_RIGHT: [f64; 7] = [64.0, 54.0, 44.0, 34.0, 26.0, 19.0, 13.0];
-const ABOVE: [f64; 3] = [24.0, 16.0, 34.0];
+const TO_THE_RIGHT: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
+const ABOVE: [f64; 4] = [26.0, 19.0, 14.0, 9.0];
+
+/// How far the frustum should be in sight: to this share of the way to the farthest sphere, and to
+/// so many times the viewport's distance.
+const FRUSTUM_PART: f64 = 0.6;
+const LONGEST_FRUSTUM: f64 = 3.2;
 
 /// From this size on, as a share of the picture's height, the camera is large enough.
 const LARGE_ENOUGH: f64 = 0.24;
+
+/// The observer turns around a point at most so many near sizes from the eye: around something far
+/// away it would lose the camera.
+const FARTHEST_MIDDLE: f64 = 15.0;
+
+/// How long the arrows are taken to be, as a share of the near size.
+const ARROW: f64 = 1.2;
 
 /// Something that must be in sight.
 #[derive(Clone, Copy, Debug)]
@@ -92,12 +104,20 @@ impl Subject {
             Orientation::View { .. } | Orientation::Basis(_) => None,
         };
         balls.extend(given.map(|at| Ball { center: at, radius: 0.0 }));
+        let spheres = spheres_in_scale(scene, eye, near_size);
+        if let Ok(posed) = camera.posed() {
+            let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
+            let t = (FRUSTUM_PART * farthest / posed.viewport().distance).min(LONGEST_FRUSTUM);
+            balls.extend(frustum_part(&posed, 1.0, t));
+            balls.extend(walls(&posed, scene, 2.0 * farthest.max(10.0 * near_size)));
+        }
         balls.retain(|ball| tame(ball.center));
         let camera_balls = balls.len();
-        balls.extend(spheres_in_scale(scene, eye, near_size));
+        balls.extend(spheres);
         let seen = &balls[if balls.len() > camera_balls { camera_balls } else { 0 }..];
         let sum: DVec3 = seen.iter().map(|ball| ball.center).sum();
-        let middle = eye.lerp(sum / seen.len() as f64, 0.5);
+        let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
+        let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
         Subject { balls, eye, back, right, near_size, middle }
     }
 
@@ -142,21 +162,43 @@ impl Subject {
         let size = self.near_size / extent_of_fov(FOV, depth);
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
-        let from_front = if along > 0.15 { 0.0 } else { -0.5 };
+        // Foreshortened to less than half its width, the picture on the viewport is hard to read.
+        let from_front = along.clamp(-0.5, 0.6);
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
-        (size / LARGE_ENOUGH).min(1.0) + 0.7 * sideways + from_front
+        (size / LARGE_ENOUGH).min(1.0) + 0.8 * sideways + from_front
             - if hidden { 0.6 } else { 0.0 }
     }
 }
 
 /// The viewport's corners, and the tips of arrows along u, v, w.
 fn near_part(posed: &PosedCamera, size: f64) -> Vec<Ball> {
-    let (eye, basis, viewport) = (posed.eye(), posed.basis(), posed.viewport());
-    let center = eye - viewport.distance * basis.w;
-    let (u, v) = (0.5 * viewport.width * basis.u, 0.5 * viewport.height * basis.v);
-    let corners = [center + u + v, center + u - v, center - u + v, center - u - v];
-    let arrows = [basis.u, basis.v, basis.w].map(|axis| eye + 0.8 * size * axis);
-    corners.into_iter().chain(arrows).map(|center| Ball { center, radius: 0.0 }).collect()
+    let (eye, basis) = (posed.eye(), posed.basis());
+    let arrows = [basis.u, basis.v, basis.w].map(|axis| eye + ARROW * size * axis);
+    let arrows = arrows.map(|center| Ball { center, radius: 0.0 });
+    frustum_part(posed, 1.0, 1.0).into_iter().chain(arrows).collect()
+}
+
+/// The points at this t of the rays through four places of the viewport: a share of the way from its
+/// middle to its corners.
+fn frustum_part(posed: &PosedCamera, share: f64, t: f64) -> [Ball; 4] {
+    rays_around(posed, share).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
+}
+
+/// Where the rays half way to the corners meet planes, if not too far away.
+fn walls(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Ball> {
+    let rays = rays_around(posed, 0.5);
+    let first = rays.iter().filter_map(|ray| {
+        let hits = scene.planes().iter().filter_map(|plane| plane.roots(ray).first_positive());
+        let t = hits.fold(f64::INFINITY, f64::min);
+        (ray.distance_along(t) < farthest).then(|| Ball { center: ray.at(t), radius: 0.0 })
+    });
+    first.collect()
+}
+
+fn rays_around(posed: &PosedCamera, share: f64) -> [Ray; 4] {
+    let half = 0.5 * share * DVec2::new(posed.viewport().width, posed.viewport().height);
+    [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
+        .map(|(x, y)| posed.ray(half * DVec2::new(x, y)))
 }
 
 /// The spheres from the smallest on, until one is out of scale with those before it.

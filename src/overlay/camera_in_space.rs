@@ -20,9 +20,9 @@ const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
 /// Lengths of the other arrows, as multiples of the basis arrows': all may have one direction, and
 /// each must stick out.
-const VIEW_LENGTH: f64 = 1.7;
-const UP_LENGTH: f64 = 1.45;
-const AXIS_LENGTH: f64 = 2.0;
+const VIEW_LENGTH: f64 = 1.6;
+const UP_LENGTH: f64 = 1.35;
+const AXIS_LENGTH: f64 = 1.75;
 
 /// A normal's length, in points.
 const NORMAL_POINTS: f64 = 62.0;

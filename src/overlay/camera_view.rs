@@ -202,44 +202,49 @@ impl Sheet<'_> {
         }
     }
 
-    /// The pixels that the selected ray touches; a cross where it passes, unless that is the centre
-    /// of one pixel too small to show it.
+    /// The pixels that the selected ray touches, and a cross where it passes them other than
+    /// through the centre of one. Of pixels too small to be told apart, only the place.
     fn selected(&mut self) {
         let Some(inspection) = self.view.inspection else { return };
         let color = self.colors.ray;
         let scale = f64::from(self.view.scale);
         let posed = self.view.posed;
-        let touched = inspection.place.map(|place| place.touching(posed.image()));
-        for pixel in touched.into_iter().flatten() {
-            self.pixel(pixel);
-        }
         let at = place_of(posed, self.view.size, inspection.uv);
+        let pixel_size = self.view.dots_per_pixel().min_element() / scale;
+        let touched = inspection.place.map(|place| place.touching(posed.image()));
+        let touched = touched.unwrap_or_default();
+        let centered = touched.len() == 1
+            && place_of(posed, self.view.size, posed.uv_of_pixel(touched[0])).distance(at) < 0.01;
+        if pixel_size >= 5.0 {
+            touched.iter().for_each(|pixel| self.pixel(*pixel));
+        } else if !touched.is_empty() {
+            let half = DVec2::splat(8.0 * scale);
+            self.frame(at - half, at + half);
+        }
         let inside = at.cmpge(DVec2::ZERO).all() && at.cmple(self.view.extent()).all();
-        if !inside {
+        if !inside || pixel_size < 5.0 {
             return;
         }
-        let pixel_size = self.view.dots_per_pixel().min_element();
-        let arm = if inspection.pixel().is_some() { 0.22 * pixel_size } else { 9.0 * scale };
-        if arm >= 3.0 * scale {
+        if !centered {
             for axis in [DVec2::X, DVec2::Y] {
-                let arm = arm.min(9.0 * scale) * axis;
+                let arm = 9.0 * scale * axis;
                 self.line(Item::Ray, &[at - arm, at + arm], 1.8, color);
             }
         }
-        if inspection.first.is_some() && pixel_size >= 5.0 * scale {
-            let radius = 3.0 * self.view.scale;
+        if inspection.first.is_some() && pixel_size >= 12.0 {
+            let radius = 3.2 * self.view.scale;
             self.add(Item::Hit, Shape::Disc { center: dot(at), radius }, color);
         }
     }
 
-    /// A frame around a pixel; never smaller than can be seen.
     fn pixel(&mut self, Pixel { row, column }: Pixel) {
         let per_pixel = self.view.dots_per_pixel();
         let corner = |row: u32, column: u32| DVec2::new(column.into(), row.into()) * per_pixel;
-        let (from, to) = (corner(row, column), corner(row + 1, column + 1));
-        let widen = (4.0 * f64::from(self.view.scale) - 0.5 * per_pixel).max(DVec2::ZERO);
-        let (from, to) = (from - widen, to + widen);
+        self.frame(corner(row, column), corner(row + 1, column + 1));
+    }
+
+    fn frame(&mut self, from: DVec2, to: DVec2) {
         let points = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y), from];
-        self.line(Item::Ray, &points, 2.0, self.colors.ray);
+        self.line(Item::Ray, &points, 2.2, self.colors.ray);
     }
 }

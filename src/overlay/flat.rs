@@ -29,8 +29,17 @@ pub(crate) struct FlatSpot {
     pub(crate) t: f64,
     /// (a, b).
     pub(crate) place: DVec2,
-    /// How much a and b change, at most, from one dot to the next.
-    pub(crate) per_dot: DVec2,
+    /// `1 / n.d`.
+    inverse_rate: f64,
+}
+
+/// The part of a [`Flat`] that there is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Extent {
+    /// `|a|` and `|b|` up to this.
+    Square(f64),
+    /// `a^2 + b^2` up to this squared.
+    Disc(f64),
 }
 
 /// `x*X + y*Y + Z`.
@@ -76,37 +85,70 @@ impl Flat {
         finite.then_some(flat)
     }
 
-    /// Where the ray through a dot meets the plane, if it does in front of the observer.
-    pub(crate) fn at(&self, dot: DVec2) -> Option<FlatSpot> {
+    /// Where the ray through a dot meets this part of the plane, if it does in front of the
+    /// observer. Most dots are beside it, and are told so before any division.
+    pub(crate) fn at(&self, dot: DVec2, extent: Extent) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
-        let t = self.offset / rate;
-        if !(t > 0.0 && t.is_finite()) {
+        let (a, b) = (self.a.at(dot), self.b.at(dot));
+        let inside = match extent {
+            Extent::Square(half) => a.abs().max(b.abs()) <= half * rate.abs(),
+            Extent::Disc(radius) => a * a + b * b <= radius * radius * (rate * rate),
+        };
+        if !(inside && self.offset * rate > 0.0) {
             return None;
         }
-        let place = DVec2::new(self.a.at(dot), self.b.at(dot)) / rate;
-        let slope = |numerator: Linear, value: f64| {
-            let change = numerator.0.truncate() - value * self.rate.0.truncate();
-            (change / rate).length()
+        let inverse_rate = 1.0 / rate;
+        let t = self.offset * inverse_rate;
+        let place = DVec2::new(a, b) * inverse_rate;
+        (t > 0.0 && t.is_finite() && place.is_finite()).then_some(FlatSpot {
+            t,
+            place,
+            inverse_rate,
+        })
+    }
+
+    /// How much of the dot a grid line covers, 0 to 1. Lines too dense to be told apart fade away.
+    pub(crate) fn grid_coverage(&self, spot: &FlatSpot, grid: &Grid) -> f64 {
+        let cells = (spot.place - grid.shift) * grid.inverse_step;
+        let reach = 0.5 * grid.width + 0.5;
+        let cover = |cells: f64, inverse_step: f64, numerator: Linear, place: f64| {
+            // Cells per dot, squared: most dots are beside the lines, and need no root to know.
+            let change = (numerator.0.truncate() - place * self.rate.0.truncate())
+                * (spot.inverse_rate * inverse_step);
+            let per_dot = change.length_squared();
+            let off = to_whole(cells);
+            if !(off * off < reach * reach * per_dot) {
+                return 0.0;
+            }
+            let dots_per_cell = 1.0 / per_dot.sqrt();
+            let line = (reach - off * dots_per_cell).clamp(0.0, 1.0);
+            line * (dots_per_cell / (3.0 * grid.width) - 1.0).clamp(0.0, 1.0)
         };
-        let per_dot = DVec2::new(slope(self.a, place.x), slope(self.b, place.y));
-        Some(FlatSpot { t, place, per_dot })
+        let across = cover(cells.x, grid.inverse_step.x, self.a, spot.place.x);
+        let covered = across.max(cover(cells.y, grid.inverse_step.y, self.b, spot.place.y));
+        if covered.is_nan() { 0.0 } else { covered }
     }
 }
 
-impl FlatSpot {
-    /// How much of the dot a grid line covers, 0 to 1: lines `width` dots wide at all whole
-    /// multiples of `step` from `shift`. Lines too dense to be told apart fade away.
-    pub(crate) fn grid_coverage(&self, step: DVec2, shift: DVec2, width: f64) -> f64 {
-        let cover = |place: f64, step: f64, per_dot: f64| {
-            let cells = place / step;
-            let dots_per_cell = step / per_dot;
-            let off = (cells - cells.round()).abs() * dots_per_cell;
-            let line = (0.5 * width + 0.5 - off).clamp(0.0, 1.0);
-            line * (dots_per_cell / (3.0 * width) - 1.0).clamp(0.0, 1.0)
-        };
-        let place = self.place - shift;
-        let covered =
-            cover(place.x, step.x, self.per_dot.x).max(cover(place.y, step.y, self.per_dot.y));
-        if covered.is_nan() { 0.0 } else { covered }
+/// Lines at all whole multiples of a step of a and of b.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Grid {
+    inverse_step: DVec2,
+    /// (a, b) of one crossing of lines.
+    shift: DVec2,
+    /// Of the lines, in dots.
+    width: f64,
+}
+
+impl Grid {
+    pub(crate) fn new(step: DVec2, shift: DVec2, width: f64) -> Grid {
+        Grid { inverse_step: 1.0 / step, shift, width }
     }
+}
+
+/// How far it is to the nearest whole number. Without a call to `round`, which is no instruction on
+/// every processor.
+fn to_whole(x: f64) -> f64 {
+    let fraction = (x - x as i64 as f64).abs();
+    fraction.min(1.0 - fraction).max(0.0)
 }

@@ -3,10 +3,10 @@
 //! and are covered as their t says.
 
 use egui::Color32;
-use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT, PosedCamera};
+use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT};
 use rayon::prelude::*;
 
-use crate::overlay::flat::{Flat, FlatSpot};
+use crate::overlay::flat::{Extent, Flat, FlatSpot, Grid};
 use crate::overlay::picture::{Nearest, Picture};
 
 /// Everything flat in one world view, and the t-buffer that it is compared with.
@@ -25,19 +25,8 @@ pub(crate) struct ViewportLayer<'a> {
     pub(crate) flat: Flat,
     pub(crate) image: ImageSize,
     pub(crate) picture: Option<PictureLookup<'a>>,
-    /// Grid lines on every how many pixels' edges, how wide in dots, and how opaque.
-    pub(crate) grid: Option<PixelGrid>,
-}
-
-/// The edges between pixels that are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct PixelGrid {
-    /// Every how many pixels there is a line.
-    pub(crate) step: u32,
-    /// In dots.
-    pub(crate) width: f64,
-    /// 0 to 1.
-    pub(crate) opacity: f32,
+    /// The edges between pixels that are drawn, and how opaque they are, 0 to 1.
+    pub(crate) grid: Option<(Grid, f32)>,
 }
 
 /// A picture with the nearest traced pixel of each pixel looked up beforehand.
@@ -57,10 +46,7 @@ pub(crate) struct Patch {
     pub(crate) grid_color: Color32,
     /// In its middle, 0 to 1.
     pub(crate) opacity: f32,
-    pub(crate) step: f64,
-    /// Where the world's grid lines lie relative to the centre.
-    pub(crate) shift: DVec2,
-    pub(crate) line_width: f64,
+    pub(crate) grid: Grid,
 }
 
 /// How much nearer something must be to hide a point: the points of a surface must not hide
@@ -89,7 +75,7 @@ impl<'a> PictureLookup<'a> {
 impl ViewportLayer<'_> {
     /// Where on the rectangle the dot's ray passes; `None` beside it.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
-        self.flat.at(dot).filter(|spot| spot.place.abs().cmple(DVec2::splat(0.5)).all())
+        self.flat.at(dot, Extent::Square(0.5))
     }
 
     fn paint(&self, spot: &FlatSpot, below: Color32) -> Color32 {
@@ -101,30 +87,29 @@ impl ViewportLayer<'_> {
             }
             None => below,
         };
-        let Some(grid) = self.grid else { return base };
-        let step = f64::from(grid.step) / DVec2::new(f64::from(w), f64::from(h));
-        let covered = spot.grid_coverage(step, DVec2::new(-0.5, 0.5), grid.width);
-        mix(base, contrast(base), covered as f32 * grid.opacity)
+        let Some((grid, opacity)) = &self.grid else { return base };
+        let covered = self.flat.grid_coverage(spot, grid) as f32;
+        mix(base, contrast(base), covered * opacity)
     }
 }
 
 impl Patch {
-    /// How opaque the patch is at a spot: 0 outside it.
+    fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
+        self.flat.at(dot, Extent::Disc(self.radius))
+    }
+
+    /// How opaque the patch is at a spot: it fades to nothing at its rim.
     fn opacity_at(&self, spot: &FlatSpot) -> f32 {
-        let s = 1.0 - spot.place.length() / self.radius;
-        if s > 0.0 {
-            let s = (1.8 * s).min(1.0) as f32;
-            self.opacity * s * s * (3.0 - 2.0 * s)
-        } else {
-            0.0
-        }
+        let inward = 1.0 - spot.place.length_squared() / (self.radius * self.radius);
+        let s = (1.3 * inward).clamp(0.0, 1.0) as f32;
+        self.opacity * s * s * (3.0 - 2.0 * s)
     }
 
     fn paint(&self, spot: &FlatSpot, below: Color32) -> Color32 {
         let opacity = self.opacity_at(spot);
-        let line = spot.grid_coverage(DVec2::splat(self.step), self.shift, self.line_width);
+        let line = self.flat.grid_coverage(spot, &self.grid) as f32;
         let base = mix(below, self.color, opacity);
-        mix(base, self.grid_color, line as f32 * opacity)
+        mix(base, self.grid_color, line * opacity)
     }
 }
 
@@ -140,11 +125,6 @@ impl<'a> Layers<'a> {
             viewport: None,
             patches: Vec::new(),
         }
-    }
-
-    /// The observer whose picture this is.
-    pub(crate) fn observer(&self) -> &PosedCamera {
-        self.frame.camera()
     }
 
     /// Whether the frame has a t for every dot.
@@ -176,8 +156,7 @@ impl<'a> Layers<'a> {
         }
         self.patches.iter().any(|patch| {
             patch
-                .flat
-                .at(dot)
+                .spot(dot)
                 .is_some_and(|spot| covers(spot.t) && patch.opacity_at(&spot) > SEEN_THROUGH)
         })
     }
@@ -215,11 +194,12 @@ impl<'a> Layers<'a> {
         let viewport = self.viewport.as_ref();
         found.extend(viewport.and_then(|v| v.spot(at)).map(|spot| (spot, None)));
         for (index, patch) in self.patches.iter().enumerate() {
-            let spot = patch.flat.at(at).filter(|s| s.place.length() < patch.radius);
-            found.extend(spot.map(|spot| (spot, Some(index))));
+            found.extend(patch.spot(at).map(|spot| (spot, Some(index))));
         }
         found.retain(|(spot, _)| spot.t <= t);
-        found.sort_by(|a, b| b.0.t.total_cmp(&a.0.t));
+        if found.len() > 1 {
+            found.sort_by(|a, b| b.0.t.total_cmp(&a.0.t));
+        }
         for (spot, of) in found.iter() {
             color = match (of, viewport) {
                 (Some(index), _) => self.patches[*index].paint(spot, color),

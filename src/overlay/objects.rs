@@ -4,7 +4,7 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
 
-use crate::overlay::flat::Flat;
+use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::items::Item;
 use crate::overlay::layers::{Patch, mix};
 use crate::overlay::screen::{RayParts, unit};
@@ -13,7 +13,7 @@ use crate::overlay::style::Colors;
 
 /// The patch's radius, and how far its centre can be from the target, as shares of the observer's
 /// distance.
-const PATCH_RADIUS: f64 = 0.62;
+const PATCH_RADIUS: f64 = 0.8;
 const PATCH_REACH: f64 = 3.0;
 
 /// How opaque a patch is in its middle, and how opaque it is where it stands between the observer
@@ -56,6 +56,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     let center = onlooker.target - away * normal;
     let (axis_a, axis_b) = tangents(normal);
     let step = grid_step(onlooker.distance);
+    let shift = -DVec2::new(axis_a.dot(center) % step, axis_b.dot(center) % step);
     let between = height(onlooker.camera_eye) * height(onlooker.rays.eye) < 0.0;
     let color = Color32::from_rgb(r, g, b);
     Some(Patch {
@@ -64,9 +65,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
         color: mix(color, colors.background, 0.35),
         grid_color: mix(color, colors.ink, 0.45),
         opacity: if between { OPACITY_BETWEEN } else { OPACITY },
-        step,
-        shift: -DVec2::new(axis_a.dot(center) % step, axis_b.dot(center) % step),
-        line_width: onlooker.scale,
+        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale),
     })
 }
 
@@ -84,9 +83,9 @@ fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     (a, normal.cross(a))
 }
 
-/// 1, 2 or 5 times a power of ten: a dozen cells across a patch.
+/// 1, 2 or 5 times a power of ten: some sixteen cells across a patch.
 fn grid_step(distance: f64) -> f64 {
-    let about = 2.0 * PATCH_RADIUS * distance / 12.0;
+    let about = 2.0 * PATCH_RADIUS * distance / 16.0;
     let power = 10f64.powf(about.log10().floor());
     let mantissa = about / power;
     power
@@ -124,11 +123,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn grid_steps_are_round_and_a_dozen() {
+    fn grid_steps_are_round_and_some_sixteen() {
         for distance in [1e-6, 0.3, 1.0, 7.0, 10.0, 33.0, 9e8] {
             let step = grid_step(distance);
             let cells = 2.0 * PATCH_RADIUS * distance / step;
-            assert!((7.0..20.0).contains(&cells), "{distance}: {cells}");
+            assert!((10.0..25.0).contains(&cells), "{distance}: {cells}");
         }
         assert_eq!(grid_step(10.0), 1.0);
     }

@@ -7,8 +7,9 @@ use tiny_skia::{
 
 use crate::overlay::drawing::{Drawing, Mark, Shape};
 
-/// How wide the casing of a mark is on each side, in points.
+/// How wide the casing of a mark is on each side, in points; of a thin line, as a share of it.
 const HALO_WIDTH: f32 = 1.25;
+const HALO_SHARE: f32 = 0.5;
 
 /// Dash and gap of a hidden line, in points.
 const DASH: [f32; 2] = [5.0, 4.5];
@@ -28,13 +29,13 @@ impl Drawing {
 
     fn paint_mark(&self, mark: &Mark, pixmap: &mut PixmapMut) {
         let Some(path) = path_of(&mark.shape) else { return };
-        let halo_width = 2.0 * HALO_WIDTH * self.scale;
-        let width = match mark.shape {
-            Shape::Line { width, .. } => width,
-            Shape::Polygon { .. } | Shape::Disc { .. } => 0.0,
+        let full = HALO_WIDTH * self.scale;
+        let (width, casing) = match mark.shape {
+            Shape::Line { width, .. } => (width, full.min(HALO_SHARE * width)),
+            Shape::Polygon { .. } | Shape::Disc { .. } => (0.0, full),
         };
         if let Some(halo) = mark.halo {
-            let stroke = round_stroke(width + halo_width);
+            let stroke = round_stroke(width + 2.0 * casing);
             pixmap.stroke_path(&path, &ink(halo), &stroke, Transform::identity(), None);
         }
         let color = ink(mark.color);

@@ -37,7 +37,7 @@ impl Spot {
 }
 
 /// Nearer than this, in units of the observer's distance to its target, nothing is drawn.
-const NEAR: f64 = 1e-3;
+const NEAR: f64 = 1e-7;
 
 /// Coordinates in view units above which a point is not drawn at all: nothing a person can mean,
 /// and products of coordinates below it are far from overflow.

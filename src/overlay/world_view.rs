@@ -6,10 +6,10 @@ use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Rgb, Scene};
 use crate::inspection::Inspection;
 use crate::observer::{Observer, encloses};
 use crate::overlay::drawing::{Drawing, Label};
-use crate::overlay::flat::Flat;
+use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels;
-use crate::overlay::layers::{Layers, PictureLookup, PixelGrid, ViewportLayer};
+use crate::overlay::layers::{Layers, PictureLookup, ViewportLayer};
 use crate::overlay::objects::{self, Onlooker};
 use crate::overlay::picture::Picture;
 use crate::overlay::screen::Screen;
@@ -149,8 +149,8 @@ impl<'a> WorldView<'a> {
     }
 }
 
-/// The densest grid of pixel edges that can be told apart on the screen.
-fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<PixelGrid> {
+/// The densest grid of pixel edges that can be told apart on the screen, and how opaque it is.
+fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid, f32)> {
     let center = posed.viewport_point(DVec2::ZERO);
     let (basis, viewport, image) = (posed.basis(), posed.viewport(), posed.image());
     let middle = screen.spot(center)?;
@@ -175,5 +175,8 @@ fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<PixelG
         .flat_map(|power| [1, 2, 5].map(|m| m * 10u32.pow(power)))
         .find(|step| f64::from(*step) >= wanted)?;
     let opacity = if step == 1 { 0.45 } else { 0.28 };
-    Some(PixelGrid { step, width: scale.max(1.0), opacity })
+    let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+    // In (u / width, v / height), from the corner of pixel (0, 0).
+    let step = f64::from(step) / DVec2::new(w, h);
+    Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0)), opacity))
 }
