@@ -128,9 +128,11 @@ where
         state.init_accesskit(event_loop, &window, self.proxy.clone());
         let mut info = ViewportInfo::default();
         egui_winit::update_viewport_info(&mut info, &ctx, &window, true);
+        // Asked for before the input is locked, since it takes the same lock.
+        let pixels_per_point = egui_winit::pixels_per_point(&ctx, &window);
         ctx.input_mut(|input| {
             input.raw.viewports.insert(ViewportId::ROOT, info.clone());
-            input.pixels_per_point = egui_winit::pixels_per_point(&ctx, &window);
+            input.pixels_per_point = pixels_per_point;
         });
         let program = make_program(&ctx, surface.info());
         let mut open = Open {
