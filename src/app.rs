@@ -79,6 +79,15 @@ impl App {
         fonts::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| style.interaction.selectable_labels = true);
+        // egui's greys are for one reader near the screen, not for the back row.
+        for (theme, text) in [(egui::Theme::Dark, 0xea), (egui::Theme::Light, 0x10)] {
+            ctx.style_mut_of(theme, |style| {
+                let visuals = &mut style.visuals;
+                visuals.widgets.noninteractive.fg_stroke.color = egui::Color32::from_gray(text);
+                visuals.widgets.inactive.fg_stroke.color = egui::Color32::from_gray(text);
+                visuals.weak_text_alpha = 0.75;
+            });
+        }
     }
 
     /// Says what draws the window.
@@ -193,7 +202,9 @@ impl App {
         ui.add_space(4.0);
         if !self.open.document.note.is_empty() {
             egui::CollapsingHeader::new("What to look for").default_open(true).show(ui, |ui| {
-                ui.label(self.open.document.note.as_str());
+                for paragraph in self.open.document.note.split("\n\n") {
+                    ui.label(paragraph.replace('\n', " "));
+                }
             });
             ui.separator();
         }

@@ -76,9 +76,10 @@ impl Screen {
         output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
     }
 
-    fn mouse(&self, to: Pos2) {
-        let (x, y) = (to.x.round().to_string(), to.y.round().to_string());
-        assert!(self.xdotool(&["mousemove", &x, &y]).status.success());
+    /// Moves the mouse to a place of a window.
+    fn mouse(&self, window: &str, to: Pos2) {
+        let (x, y) = (to.x.floor().to_string(), to.y.floor().to_string());
+        assert!(self.xdotool(&["mousemove", "--window", window, &x, &y]).status.success());
     }
 
     fn press(&self, what: &str, button_or_key: &str) {
@@ -101,11 +102,11 @@ fn binary() -> PathBuf {
     std::env::var_os("PINHOLE_BINARY").map_or(env!("CARGO_BIN_EXE_pinhole").into(), PathBuf::from)
 }
 
-/// The window on `scene`, where it lies on the screen, and where everything in it is.
+/// The window on `scene`, and where everything in it is.
 struct Window<'a> {
     screen: &'a Screen,
     process: Running,
-    origin: Pos2,
+    id: String,
     layout: Harness<'static, App>,
 }
 
@@ -134,21 +135,20 @@ impl<'a> Window<'a> {
             let line = geometry.lines().find_map(|line| line.strip_prefix(key)).unwrap();
             line.trim_start_matches('=').parse::<f32>().unwrap()
         };
-        let origin = Pos2::new(value("X"), value("Y"));
         let layout = laid_out(scene, vec2(value("WIDTH"), value("HEIGHT")));
-        Window { screen, process, origin, layout }
+        Window { screen, process, id, layout }
     }
 
     fn place(&self, role: Role, label: &str, share: egui::Vec2) -> Pos2 {
         let rect = self.layout.get_by_role_and_label(role, label).rect();
-        self.origin + (rect.min + share * rect.size()).to_vec2()
+        rect.min + share * rect.size()
     }
 
     fn drag_right(&self, from: Pos2, points: i32) {
-        self.screen.mouse(from);
+        self.screen.mouse(&self.id, from);
         self.screen.press("mousedown", "1");
         for x in 1..=points {
-            self.screen.mouse(from + vec2(x as f32, 0.0));
+            self.screen.mouse(&self.id, from + vec2(x as f32, 0.0));
             sleep(Duration::from_millis(25));
         }
         self.screen.press("mouseup", "1");
@@ -156,7 +156,7 @@ impl<'a> Window<'a> {
     }
 
     fn click(&self, at: Pos2) {
-        self.screen.mouse(at);
+        self.screen.mouse(&self.id, at);
         sleep(Duration::from_millis(100));
         self.screen.press("click", "1");
         sleep(Duration::from_millis(300));
@@ -210,6 +210,7 @@ fn drive(setting: &Setting) {
     let pixel = Pixel { row: 300, column: 100 };
     let share = |k: u32, n: u32| (f64::from(k) + 0.5) as f32 / n as f32;
     let image = before.camera.image;
+    println!("{:?}", window.layout.get_by_role_and_label(Role::Image, "Camera view").rect());
     let at = vec2(share(pixel.column, image.width()), share(pixel.row, image.height()));
     window.click(window.place(Role::Image, "Camera view", at));
     screen.press("key", "ctrl+s");
