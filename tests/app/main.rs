@@ -8,3 +8,5 @@ mod faults;
 mod harness;
 mod scene_files;
 mod selection;
+#[path = "../support/whole_window.rs"]
+mod whole_window;
