@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// Squared lengths within these lose no digits to underflow and do not overflow, and neither do
 /// their reciprocals.
-const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
+pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
 
 /// Whether the direction's squared length is so far from 0 and infinity that intersections need no
 /// scaling.

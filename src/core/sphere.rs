@@ -5,7 +5,9 @@ use glam::DVec3;
 use crate::error_free::{difference_with_rest, dot2};
 use crate::ray::Ray;
 use crate::roots::Roots;
-use crate::scale::{exponent, is_plain_direction, ldexp, ldexp3, split, unit};
+use crate::scale::{
+    PLAIN_LENGTH_SQUARED, exponent, is_plain_direction, ldexp, ldexp3, split, unit,
+};
 use crate::wide;
 
 /// All points at distance `radius` from `center`.
@@ -80,20 +82,23 @@ impl Sphere {
     }
 
     /// The outward unit normal where the ray meets the sphere at the root `t`.
+    #[inline(always)]
     pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
         /// Up to this many radii away, `p + t d - center` has all but four of its digits.
         const NEAR: f64 = 1e4;
         let from_center = ray.origin - self.center;
+        let near = NEAR * self.radius;
         let offset = from_center + t * ray.direction;
-        if offset.is_finite()
-            && offset != DVec3::ZERO
-            && from_center.abs().max_element() < NEAR * self.radius
+        let length_squared = offset.length_squared();
+        if from_center.length_squared() < near * near
+            && PLAIN_LENGTH_SQUARED.contains(&length_squared)
         {
-            return unit(offset);
+            return offset / length_squared.sqrt();
         }
         self.normal_from_afar(ray, t)
     }
 
+    #[cold]
     fn normal_from_afar(&self, ray: &Ray, t: f64) -> DVec3 {
         if ray.check().is_err() {
             return DVec3::ZERO;
