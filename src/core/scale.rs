@@ -71,8 +71,9 @@ pub(crate) fn unit(v: DVec3) -> DVec3 {
 
 /// `|v|`, free of intermediate overflow and underflow.
 pub(crate) fn length(v: DVec3) -> f64 {
-    if v == DVec3::ZERO || !v.is_finite() {
-        return v.length();
+    let squared = v.length_squared();
+    if PLAIN_LENGTH_SQUARED.contains(&squared) || v == DVec3::ZERO || !v.is_finite() {
+        return squared.sqrt();
     }
     let (m, k) = split(v);
     ldexp(m.length(), k)

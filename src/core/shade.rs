@@ -7,7 +7,6 @@ use rayon::prelude::*;
 
 use crate::frame::{Frame, NO_OBJECT};
 use crate::ray::Ray;
-use crate::scale::{PLAIN_LENGTH_SQUARED, unit};
 use crate::scene::{Normals, Scene};
 
 /// sRGB bytes.
@@ -122,8 +121,7 @@ impl<'a> Shader<'a> {
                 [n.x, n.y, n.z].map(|x| rounded(127.5 * (x + 1.0)))
             }
             Shade::Lambert => {
-                let normal = self.normals.at(object, ray, t);
-                let light = 0.15 + 0.85 * cosine(normal, ray.direction).min(1.0);
+                let light = 0.15 + 0.85 * self.normals.cosine(object, ray, t).min(1.0);
                 let [r, g, b] = color_of(object);
                 [r, g, b].map(|byte| self.srgb.dimmed(byte, light as f32))
             }
@@ -134,17 +132,6 @@ impl<'a> Shader<'a> {
 /// To the nearest byte; `x` is not negative.
 fn rounded(x: f64) -> u8 {
     (x + 0.5) as u8
-}
-
-/// `|n.d| / |d|`
-#[inline(always)]
-fn cosine(normal: DVec3, direction: DVec3) -> f64 {
-    let length_squared = direction.length_squared();
-    if PLAIN_LENGTH_SQUARED.contains(&length_squared) {
-        normal.dot(direction).abs() / length_squared.sqrt()
-    } else {
-        normal.dot(unit(direction)).abs()
-    }
 }
 
 /// Tables of the sRGB transfer curve (IEC 61966-2-1).
