@@ -78,3 +78,38 @@ pub(crate) fn length(v: DVec3) -> f64 {
     let (m, k) = split(v);
     ldexp(m.length(), k)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use dashu_float::FBig;
+    use dashu_float::round::mode::HalfEven;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+
+        /// Rounded once, also where the result is subnormal.
+        #[test]
+        fn ldexp_rounds_once(bits in any::<u64>(), to in -1080..1025_i32, far in -2100..2100_i32) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite() && x != 0.0);
+            // Half of the time to where the result is an ordinary or a subnormal number.
+            for k in [far, to - exponent(x)] {
+                let exact = FBig::<HalfEven, 2>::try_from(x).unwrap() << k as isize;
+                prop_assert_eq!(ldexp(x, k).to_bits(), exact.to_f64().value().to_bits());
+            }
+        }
+
+        #[test]
+        fn exponent_is_that_of_the_leading_bit(bits in any::<u64>()) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite() && x != 0.0);
+            let mantissa = ldexp(x, -exponent(x)).abs();
+            prop_assert!((1.0..2.0).contains(&mantissa), "{mantissa}");
+        }
+    }
+}
