@@ -1,6 +1,7 @@
 //! What is edited and saved: plain data, compared and cloned as a whole.
 
 use std::ops::Deref;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
@@ -38,6 +39,8 @@ pub struct Item<S> {
 pub struct CsvSpheres {
     /// The path as the scene file gives it: relative to the scene file.
     pub path: String,
+    /// Where the file was found.
+    pub file: PathBuf,
     /// In the file's order.
     pub items: Arc<Vec<Item<Sphere>>>,
 }
@@ -95,6 +98,20 @@ impl Document {
     /// How many spheres there are, the CSV file's included: the index of the first plane.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len() + self.csv_items().len()
+    }
+
+    /// How many objects there are.
+    pub fn object_count(&self) -> usize {
+        self.sphere_count() + self.planes.len()
+    }
+
+    /// What lists and readouts call an object: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
+    pub fn title_of(&self, index: usize) -> String {
+        let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
+        match self.name_of(index as u32) {
+            Some(name) => format!("{kind} {index} “{name}”"),
+            None => format!("{kind} {index}"),
+        }
     }
 
     /// The objects without names and colours, checked.

@@ -11,7 +11,7 @@ pub struct Inspection {
     pub place: Option<PixelOfUv>,
     /// The view ray.
     pub ray: Ray,
-    /// Every root of every object, by ascending `t`, negative ones too.
+    /// Every root of every object, by ascending `t`, negative ones too. All `t` are finite.
     pub roots: Vec<Root>,
     /// Index into `roots` of the first hit.
     pub first: Option<usize>,
@@ -21,7 +21,9 @@ impl Inspection {
     /// The view ray through a (u, v).
     pub fn of_uv(camera: &PosedCamera, scene: &Scene, uv: DVec2) -> Inspection {
         let ray = camera.ray(uv);
-        let roots = scene.roots(&ray);
+        let mut roots = scene.roots(&ray);
+        // A line that is all but parallel to a plane meets it beyond the range of numbers: nowhere.
+        roots.retain(|root| root.t.is_finite());
         let first = scene.first_hit(&ray).and_then(|hit| {
             roots.iter().position(|root| root.object == hit.object && root.t == hit.t)
         });

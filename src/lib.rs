@@ -1,10 +1,27 @@
 //! Pinhole: what a pinhole camera sees, and why. The program behind `src/main.rs`, as a library so
 //! that its tests can drive it.
 //!
-//! The way of one edit: a panel changes the [`document::Document`] in place; `app` runs inputs,
-//! apply, derive, outputs, once; `derive` is pure; overlay, readouts and upload get what it made
+//! The way of one edit: a panel changes the [`document::Document`] in place; [`app`] runs inputs,
+//! apply, derive, outputs, once; [`derive`] is pure; overlay, readouts and upload get what it made
 //! and nothing else.
 
+pub mod action;
+pub mod app;
+pub mod arguments;
+pub mod commands;
+pub mod derive;
 pub mod document;
+pub mod expression;
+pub mod files;
+pub mod formats;
+mod frame_log;
 pub mod inspection;
+mod label_text;
+pub mod observer;
+pub mod overlay;
+pub mod panels;
 pub mod present;
+pub mod session;
+pub mod store;
+mod view_texture;
+pub mod window;

@@ -7,53 +7,79 @@ use glam::DVec3;
 use crate::posed::PosedCamera;
 use crate::sphere::Sphere;
 
-/// A rectangle of pixels: half-open ranges of rows and columns of the image.
+/// A rectangle of pixels: half-open ranges of rows and columns, not clipped to the image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct PixelBounds {
-    pub rows: Range<u32>,
-    pub columns: Range<u32>,
+    pub(crate) rows: Range<u32>,
+    pub(crate) columns: Range<u32>,
 }
 
-/// Rounding in the bounds stays far below this share of a coordinate, also for a basis by hand
-/// that is off by its tolerance; one pixel is added besides.
-const RELATIVE_MARGIN: f64 = 1e-7;
-
-/// A rectangle that contains every pixel whose view ray can hit the sphere at `t > 0`; `None` where
-/// no pixel's can.
-///
-/// In camera coordinates the view rays tangent to the sphere's outline in the u-w plane have
-///
-/// ```text
-/// u / distance = (x z -+ r sqrt(x^2 + z^2 - r^2)) / (z^2 - r^2)
-/// ```
-///
-/// with z the centre's depth; likewise for v. They bound the sphere while it lies wholly in front
-/// of the eye (z > r). A sphere that crosses the eye's plane can be anywhere in the image.
-pub(crate) fn sphere_bounds(camera: &PosedCamera, sphere: &Sphere) -> Option<PixelBounds> {
-    let image = camera.image();
-    let whole = PixelBounds { rows: 0..image.height(), columns: 0..image.width() };
-    let to_center = sphere.center - camera.eye();
-    let q = camera.basis().to_camera_from_world(to_center);
-    let (depth, radius) = (-q.z, sphere.radius);
-    let doubt = RELATIVE_MARGIN * (radius + to_center.abs().element_sum());
-    if depth + radius < -doubt {
-        return None;
-    }
-    if !(depth - radius > doubt && in_plain_range(q, radius)) {
-        return Some(whole);
-    }
-    let viewport = camera.viewport();
-    let (u0, u1) = tangents(q.x, depth, radius);
-    let (v0, v1) = tangents(q.y, depth, radius);
-    let scale = |extent: f64, count: u32| viewport.distance / extent * f64::from(count);
-    let (per_u, per_v) =
-        (scale(viewport.width, image.width()), scale(viewport.height, image.height()));
-    let columns = pixels(u0 * per_u, u1 * per_u, image.width());
-    let rows = pixels(-v1 * per_v, -v0 * per_v, image.height());
-    (!columns.is_empty() && !rows.is_empty()).then_some(PixelBounds { rows, columns })
+/// What the bounds of all spheres share of a camera.
+pub(crate) struct Bounds<'a> {
+    camera: &'a PosedCamera,
+    /// See [`Bounds::new`].
+    doubt: f64,
+    /// Pixels for each unit of `u / distance`.
+    columns_per_slope: f64,
+    rows_per_slope: f64,
 }
 
-fn in_plain_range(q: DVec3, radius: f64) -> bool {
+impl<'a> Bounds<'a> {
+    /// A traced ray differs from the real ray through `(u, v, -distance)` of an orthonormal basis:
+    /// its direction is rounded, the basis is off by rounding (or, by hand, by its tolerance), and
+    /// the intersection is decided in rounded arithmetic. All three together move it by less than
+    /// `doubt` times its length: a share of its length, not of each coordinate, which on a viewport
+    /// of extreme aspect is the difference between a margin and none. So a traced ray that meets the
+    /// sphere is a real ray that meets a sphere larger by `doubt * (|oc| + r)`.
+    pub(crate) fn new(camera: &'a PosedCamera) -> Self {
+        const ROUNDING: f64 = 64.0 * f64::EPSILON;
+        let basis = camera.basis();
+        let (u, v, w) = (basis.u, basis.v, basis.w);
+        let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
+        let right_angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
+        let defect: f64 = unit.iter().chain(&right_angles).sum();
+        let (viewport, image) = (camera.viewport(), camera.image());
+        Bounds {
+            camera,
+            doubt: ROUNDING + 4.0 * defect,
+            columns_per_slope: viewport.distance / viewport.width * f64::from(image.width()),
+            rows_per_slope: viewport.distance / viewport.height * f64::from(image.height()),
+        }
+    }
+
+    /// A rectangle that contains every pixel whose view ray can hit the sphere at `t > 0`; `None`
+    /// where no pixel's can.
+    ///
+    /// In camera coordinates the view rays tangent to the sphere's outline in the u-w plane have
+    ///
+    /// ```text
+    /// u / distance = (x z -+ r sqrt(x^2 + z^2 - r^2)) / (z^2 - r^2)
+    /// ```
+    ///
+    /// with z the centre's depth; likewise for v. They bound the sphere while it lies wholly in front
+    /// of the eye (z > r). A sphere that crosses the eye's plane can be anywhere in the image.
+    pub(crate) fn of(&self, sphere: &Sphere) -> Option<PixelBounds> {
+        let to_center = sphere.center - self.camera.eye();
+        let q = self.camera.basis().to_camera_from_world(to_center);
+        let depth = -q.z;
+        let radius = sphere.radius + self.doubt * (sphere.radius + to_center.abs().element_sum());
+        if depth + radius < 0.0 {
+            return None;
+        }
+        if !(depth > radius && is_in_plain_range(q, radius)) {
+            return Some(PixelBounds { rows: 0..u32::MAX, columns: 0..u32::MAX });
+        }
+        let image = self.camera.image();
+        let (left, right) = tangents(q.x, depth, radius);
+        let (bottom, top) = tangents(q.y, depth, radius);
+        let columns = cells(left, right, self.columns_per_slope, image.width());
+        let rows = cells(-top, -bottom, self.rows_per_slope, image.height());
+        (!columns.is_empty() && !rows.is_empty()).then_some(PixelBounds { rows, columns })
+    }
+}
+
+/// Where the formula for the tangents neither overflows nor underflows.
+fn is_in_plain_range(q: DVec3, radius: f64) -> bool {
     q.abs().max_element() < 1e100 && radius > 1e-100
 }
 
@@ -65,15 +91,21 @@ fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
     ((x * depth - swing) / denominator, (x * depth + swing) / denominator)
 }
 
-/// The cells of `count` whose centres can lie between two positions, which are measured in cells
-/// from the middle; with the margin for rounding.
-fn pixels(from: f64, to: f64, count: u32) -> Range<u32> {
-    let margin = 1.0 + RELATIVE_MARGIN * (from.abs() + to.abs());
-    let middle = 0.5 * f64::from(count);
-    let (from, to) = (middle + from - margin, middle + to + margin);
-    if from.is_nan() || to.is_nan() {
-        return 0..count;
+/// The cells, `count` of which span the viewport, whose centres can lie between two slopes.
+fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
+    /// Of a cell, for the rounding of cell centres (below 1e-11 of 16384 cells).
+    const MARGIN: f64 = 1e-6;
+    /// For the rounding of slopes. Where one tangent is steep and the other is not, the steep one's
+    /// rounding is in both.
+    const RELATIVE_MARGIN: f64 = 1e-9;
+    let (from, to) = (from * cells_per_slope, to * cells_per_slope);
+    let margin = MARGIN + RELATIVE_MARGIN * (from.abs() + to.abs());
+    // Cell k's centre is k + 0.5 cells from the viewport's edge.
+    let middle = 0.5 * f64::from(count) - 0.5;
+    let (first, last) = (middle + from - margin, middle + to + margin);
+    if first.is_nan() || last.is_nan() {
+        return 0..u32::MAX;
     }
     // A cast from float saturates at both ends of u32.
-    (from.floor() as u32).min(count)..(to.ceil() as u32).min(count)
+    first.ceil() as u32..(last + 1.0).floor() as u32
 }

@@ -4,9 +4,11 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::basis::{Basis, BasisError, UpAngle, view_of};
+use crate::basis::{Basis, BasisError, UpAngle};
+use crate::error_free::difference_with_rest;
 use crate::image::{ImageError, ImageSize};
 use crate::posed::PosedCamera;
+use crate::scale::unit;
 use crate::viewport::{Viewport, ViewportError};
 
 /// Where the camera looks and which way is up: one of the three ways to say so.
@@ -133,16 +135,17 @@ impl Camera {
     pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
         self.basis()?;
         match self.orientation {
-            Orientation::At { at, up } => UpAngle::between(view_of(self.eye, at), up),
+            Orientation::At { at, up } => UpAngle::of_eye_at_up(self.eye, at, up),
             Orientation::View { view, up } => UpAngle::between(view, up),
             Orientation::Basis(_) => Ok(UpAngle::OF_BASIS_BY_HAND),
         }
     }
 
-    /// The direction the camera looks along, as given: `view`, `at - eye`, or `-w`.
+    /// The direction the camera looks along, as given: `view`, `at - eye` (a quarter of it where it
+    /// overflows), or `-w`.
     pub fn view(&self) -> DVec3 {
         match self.orientation {
-            Orientation::At { at, .. } => at - self.eye,
+            Orientation::At { at, .. } => difference_with_rest(at, self.eye).0,
             Orientation::View { view, .. } => view,
             Orientation::Basis(basis) => -basis.w,
         }
@@ -168,22 +171,52 @@ impl Camera {
 
     /// The same camera with its orientation given in another way.
     ///
-    /// The eye does not move. From `view` or a basis to `at`, the new point is `eye + view` or
-    /// `eye - w`; from a basis, up is v.
+    /// The eye does not move and up stays; from a basis, up is v. From `view` or a basis, `at` is
+    /// `eye + view` or `eye - w`, and where that sum rounds the direction away (an eye at 1e12) the
+    /// nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it: the direction turns by at most
+    /// [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by that times the conditioning.
+    ///
+    /// A camera without a basis is converted too, and has none afterwards.
     ///
     /// # Errors
-    /// To a basis from a camera that has none.
+    /// To a basis from a camera that has none. To `at` from an eye so far out that no `f64` beyond
+    /// it keeps the direction: there, eye and at are the same point.
     pub fn given_by(&self, kind: OrientationKind) -> Result<Camera, BasisError> {
         let orientation = match (kind, self.orientation) {
             (kind, orientation) if kind == orientation.kind() => orientation,
             (OrientationKind::At, _) => {
-                Orientation::At { at: self.eye + self.view(), up: self.up() }
+                Orientation::At { at: point_ahead(self.eye, self.view())?, up: self.up() }
             }
             (OrientationKind::View, _) => Orientation::View { view: self.view(), up: self.up() },
             (OrientationKind::Basis, _) => Orientation::Basis(self.basis()?),
         };
         Ok(Camera { orientation, ..*self })
     }
+
+    /// How far a conversion by [`Camera::given_by`] may turn the view direction, in each coordinate
+    /// of the unit vector: 4 times the spacing of `f64` at 1.
+    pub const TURN_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+}
+
+/// `eye + 2^k view` with the smallest `k >= 0` that keeps the direction.
+fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
+    let has_direction = |v: DVec3| v.is_finite() && v != DVec3::ZERO;
+    if !(has_direction(view) && eye.is_finite()) {
+        return Ok(eye + view);
+    }
+    let direction = unit(view);
+    let mut reach = view;
+    while reach.is_finite() {
+        let at = eye + reach;
+        let seen = difference_with_rest(at, eye).0;
+        if has_direction(seen)
+            && (unit(seen) - direction).abs().max_element() <= Camera::TURN_TOLERANCE
+        {
+            return Ok(at);
+        }
+        reach *= 2.0;
+    }
+    Err(BasisError::EyeIsAt { point: eye })
 }
 
 impl Orientation {

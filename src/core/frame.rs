@@ -5,12 +5,13 @@ use std::ops::Range;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::bounds::{PixelBounds, sphere_bounds};
+use crate::bounds::{Bounds, PixelBounds};
 use crate::image::{ImageSize, Pixel};
 use crate::plane::PlaneSeen;
 use crate::posed::PosedCamera;
+use crate::ray::Ray;
 use crate::scene::Scene;
-use crate::sphere::{Roots, SphereSeen};
+use crate::sphere::{Kernel, Sphere, SphereSeen};
 
 /// [`Frame::object`] where the ray hits nothing.
 pub const NO_OBJECT: u32 = u32::MAX;
@@ -128,43 +129,72 @@ impl Frame {
 /// Rows that one thread traces at a time.
 const BAND_ROWS: usize = 32;
 
-/// Traces the first hit of every pixel of the raster, rows in parallel.
+/// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
-/// Each pixel is what [`Scene::first_hit`] says of its view ray, bit for bit: per sphere, only the
-/// pixels inside its [bounds](sphere_bounds) are asked, and what the rays share is computed once.
-/// A scene without planes runs no plane code.
+/// Each pixel is what [`Scene::first_hit`] says of its view ray, bit for bit and whatever the number
+/// of threads: per sphere, only the pixels inside its bounds are asked, and what the rays share is
+/// computed once. A scene without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
+    trace_reporting(scene, camera, raster, outputs, |_| ())
+}
+
+/// [`trace`] for those who want to tell how far it is: `done` is called, from any thread, with the
+/// number of rows that were just finished.
+pub fn trace_reporting(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    done: impl Fn(usize) + Sync,
+) -> Frame {
     let width = raster.columns.len();
-    let mut t = vec![f64::INFINITY; raster.len()];
-    let mut object = vec![NO_OBJECT; raster.len()];
-    let mut normal = if outputs.normal { vec![DVec3::ZERO; raster.len()] } else { Vec::new() };
-    if !raster.is_empty() {
-        let shared = Shared::new(scene, camera, raster);
-        let band = BAND_ROWS * width;
-        t.par_chunks_mut(band).zip(object.par_chunks_mut(band)).enumerate().for_each(
-            |(index, (t, object))| {
-                let first = index * BAND_ROWS;
-                shared.trace_band(&mut Band { rows: first..first + t.len() / width, t, object });
-            },
-        );
-        normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
-            let start = row * width;
-            shared.fill_normals(row, &t[start..], &object[start..], normals);
-        });
+    let mut frame = Frame {
+        camera: *camera,
+        raster: raster.clone(),
+        // Zeroed memory costs nothing until a band, in its own thread, fills it.
+        t: vec![0.0; raster.len()],
+        object: vec![0; raster.len()],
+        normal: if outputs.normal { vec![DVec3::ZERO; raster.len()] } else { Vec::new() },
+    };
+    if raster.is_empty() {
+        return frame;
     }
-    Frame { camera: *camera, raster: raster.clone(), t, object, normal }
+    let plan = Plan::new(scene, camera, raster);
+    let band = BAND_ROWS * width;
+    frame.t.par_chunks_mut(band).zip(frame.object.par_chunks_mut(band)).enumerate().for_each(
+        |(index, (t, object))| {
+            let first = index * BAND_ROWS;
+            let rows = t.len() / width;
+            plan.trace_band(&mut Band { rows: first..first + rows, t, object });
+            done(rows);
+        },
+    );
+    frame.normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
+        let pixels = row * width..(row + 1) * width;
+        plan.fill_normals(row, &frame.t[pixels.clone()], &frame.object[pixels], normals);
+    });
+    frame
+}
+
+/// A sphere and the pixels of the raster (not of the image) that it can cover.
+struct Visible {
+    index: u32,
+    rows: Range<u16>,
+    columns: Range<u16>,
 }
 
 /// What all bands of a frame share.
-struct Shared<'a> {
+struct Plan<'a> {
     scene: &'a Scene,
     camera: &'a PosedCamera,
     raster: &'a Raster,
-    /// Where in the raster (not in the image) each visible sphere can be seen.
-    bounds: Vec<(u32, Range<usize>, Range<usize>)>,
+    /// For each run of spheres, for each band, those that it can see; in the order of objects.
+    visible: Vec<Vec<Vec<Visible>>>,
     /// `u*U` of each column of the raster.
     column_parts: Vec<DVec3>,
     planes: Vec<PlaneSeen>,
+    /// Whether no view ray's direction needs scaling.
+    plain: bool,
 }
 
 /// Consecutive rows of the raster, with their part of the buffers.
@@ -174,34 +204,58 @@ struct Band<'a> {
     object: &'a mut [u32],
 }
 
-impl<'a> Shared<'a> {
+/// Spheres whose bounds one thread finds at a time.
+const SPHERES_PER_RUN: usize = 8192;
+
+/// For each band, the spheres of a run that it can see; `first` is the run's first index.
+fn visible_by_band(
+    spheres: &[Sphere],
+    first: usize,
+    bounds: &Bounds,
+    raster: &Raster,
+) -> Vec<Vec<Visible>> {
+    let part_of = |cells: &Range<u32>, of: &[u32]| {
+        let place = |cell: u32| of.partition_point(|x| *x < cell) as u16;
+        place(cells.start)..place(cells.end)
+    };
+    let mut bands = Vec::new();
+    bands.resize_with(raster.rows.len().div_ceil(BAND_ROWS), Vec::new);
+    for (index, sphere) in (first..).zip(spheres) {
+        let Some(PixelBounds { rows, columns }) = bounds.of(sphere) else { continue };
+        let (rows, columns) = (part_of(&rows, &raster.rows), part_of(&columns, &raster.columns));
+        if rows.is_empty() || columns.is_empty() {
+            continue;
+        }
+        let (rows, band) = (usize::from(rows.start)..usize::from(rows.end), BAND_ROWS);
+        for seen_in in &mut bands[rows.start / band..rows.end.div_ceil(band)] {
+            let rows = rows.start as u16..rows.end as u16;
+            seen_in.push(Visible { index: index as u32, rows, columns: columns.clone() });
+        }
+    }
+    bands
+}
+
+impl<'a> Plan<'a> {
     fn new(scene: &'a Scene, camera: &'a PosedCamera, raster: &'a Raster) -> Self {
-        let part_of = |pixels: &Range<u32>, of: &[u32]| {
-            of.partition_point(|x| *x < pixels.start)..of.partition_point(|x| *x < pixels.end)
-        };
-        let bounds = scene
+        let bounds = Bounds::new(camera);
+        let visible = scene
             .spheres()
-            .par_iter()
-            .with_min_len(1024)
+            .par_chunks(SPHERES_PER_RUN)
             .enumerate()
-            .filter_map(|(index, sphere)| {
-                let PixelBounds { rows, columns } = sphere_bounds(camera, sphere)?;
-                let (rows, columns) =
-                    (part_of(&rows, &raster.rows), part_of(&columns, &raster.columns));
-                (!rows.is_empty() && !columns.is_empty()).then_some((index as u32, rows, columns))
-            })
+            .map(|(run, spheres)| visible_by_band(spheres, run * SPHERES_PER_RUN, &bounds, raster))
             .collect();
-        Shared {
+        Plan {
             scene,
             camera,
             raster,
-            bounds,
+            visible,
             column_parts: raster
                 .columns
                 .iter()
                 .map(|column| camera.column_part(camera.u_of_column(*column)))
                 .collect(),
             planes: scene.planes().iter().map(|p| PlaneSeen::new(p, camera.eye())).collect(),
+            plain: camera.has_plain_directions(raster),
         }
     }
 
@@ -210,28 +264,48 @@ impl<'a> Shared<'a> {
     }
 
     fn trace_band(&self, band: &mut Band) {
-        for (index, rows, columns) in &self.bounds {
-            let rows = rows.start.max(band.rows.start)..rows.end.min(band.rows.end);
-            if !rows.is_empty() {
-                let sphere = &self.scene.spheres()[*index as usize];
-                let seen = SphereSeen::new(sphere, self.camera.eye());
-                self.trace_object(band, *index, rows, columns.clone(), |d| seen.roots(d));
+        band.t.fill(f64::INFINITY);
+        band.object.fill(NO_OBJECT);
+        for run in &self.visible {
+            for Visible { index, rows, columns } in &run[band.rows.start / BAND_ROWS] {
+                let rows = usize::from(rows.start).max(band.rows.start)
+                    ..usize::from(rows.end).min(band.rows.end);
+                let columns = usize::from(columns.start)..usize::from(columns.end);
+                let seen =
+                    SphereSeen::new(&self.scene.spheres()[*index as usize], self.camera.eye());
+                match seen.kernel(self.plain) {
+                    Kernel::Any => {
+                        self.trace_object(band, *index, rows, columns, |d| seen.first_hit(d));
+                    }
+                    Kernel::Near => {
+                        self.trace_object(band, *index, rows, columns, |d| seen.first_hit_near(d));
+                    }
+                    Kernel::Far => {
+                        self.trace_object(band, *index, rows, columns, |d| seen.first_hit_far(d));
+                    }
+                }
             }
         }
-        let columns = 0..self.column_parts.len();
+        let (rows, columns) = (band.rows.clone(), 0..self.column_parts.len());
         for (index, plane) in (self.scene.spheres().len() as u32..).zip(&self.planes) {
-            self.trace_object(band, index, band.rows.clone(), columns.clone(), |d| plane.roots(d));
+            let (rows, columns) = (rows.clone(), columns.clone());
+            if plane.is_plain(self.plain) {
+                self.trace_object(band, index, rows, columns, |d| plane.first_hit_plain(d));
+            } else {
+                self.trace_object(band, index, rows, columns, |d| plane.first_hit(d));
+            }
         }
     }
 
     /// Objects come in ascending order, so "nearer than what is there" keeps the first of equals.
+    /// `first_hit` gives the `t` of the first hit, or anything but a positive, finite number.
     fn trace_object(
         &self,
         band: &mut Band,
         index: u32,
         rows: Range<usize>,
         columns: Range<usize>,
-        roots: impl Fn(DVec3) -> Roots,
+        first_hit: impl Fn(DVec3) -> f64,
     ) {
         let width = self.column_parts.len();
         for row in rows {
@@ -241,9 +315,8 @@ impl<'a> Shared<'a> {
             let object = &mut band.object[start..start + width][columns.clone()];
             let parts = &self.column_parts[columns.clone()];
             for ((t, object), column_part) in t.iter_mut().zip(object).zip(parts) {
-                if let Some(hit) = roots(*column_part + row_part).first_positive()
-                    && hit < *t
-                {
+                let hit = first_hit(*column_part + row_part);
+                if hit > 0.0 && hit < *t {
                     *t = hit;
                     *object = index;
                 }
@@ -256,8 +329,7 @@ impl<'a> Shared<'a> {
         for (column, normal) in normals.iter_mut().enumerate() {
             if let Some(hit) = self.scene.object(object[column]) {
                 let direction = self.column_parts[column] + row_part;
-                let ray = crate::Ray { origin: self.camera.eye(), direction };
-                *normal = hit.root(object[column], &ray, t[column]).normal;
+                *normal = hit.normal(&Ray { origin: self.camera.eye(), direction }, t[column]);
             }
         }
     }

@@ -4,8 +4,11 @@
 use glam::{DVec2, DVec3};
 
 use crate::basis::Basis;
+use crate::error_free::difference_with_rest;
+use crate::frame::Raster;
 use crate::image::{ImageSize, Pixel};
 use crate::ray::Ray;
+use crate::scale::ldexp;
 use crate::viewport::Viewport;
 
 /// A [`Camera`](crate::Camera) that passed every check: eye, basis, viewport and image.
@@ -35,7 +38,8 @@ pub struct Projection {
     /// Where the line through eye and point meets the viewport's plane. Not finite where the line
     /// is parallel to it (depth 0).
     pub uv: DVec2,
-    /// How far in front of the eye the point is, along -w, in world units; negative behind.
+    /// How far in front of the eye the point is, along -w, in world units; negative behind,
+    /// infinite where it overflows.
     pub depth: f64,
 }
 
@@ -150,6 +154,17 @@ impl PosedCamera {
         self.ray(self.uv_of_pixel(pixel))
     }
 
+    /// Whether all directions of view rays through the raster surely are
+    /// [plain](crate::scale::is_plain_direction).
+    pub(crate) fn has_plain_directions(&self, raster: &Raster) -> bool {
+        let largest =
+            |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a, x| x.abs().max(a));
+        let u = largest(&mut raster.columns().iter().map(|column| self.u_of_column(*column)));
+        let v = largest(&mut raster.rows().iter().map(|row| self.v_of_row(*row)));
+        let distance = self.viewport.distance;
+        distance > 1e-59 && u + v + distance < 1e59
+    }
+
     /// `u*U`: what the pixels of a column share of their directions.
     pub(crate) fn column_part(&self, u: f64) -> DVec3 {
         u * self.basis.u
@@ -169,9 +184,14 @@ impl PosedCamera {
     /// the inverse of [`PosedCamera::ray`]: the ray through that (u, v) passes the point at
     /// `t = depth / distance`.
     pub fn project(&self, point: DVec3) -> Projection {
-        let q = self.basis.to_camera_from_world(point - self.eye);
-        let depth = -q.z;
-        Projection { uv: DVec2::new(q.x, q.y) / depth * self.viewport.distance, depth }
+        let (mut to_point, _, mut k) = difference_with_rest(point, self.eye);
+        if to_point.abs().max_element() > 1e300 {
+            // Sums of three coordinates may overflow.
+            (to_point, k) = (0.25 * to_point, k + 2);
+        }
+        let q = self.basis.to_camera_from_world(to_point);
+        let uv = DVec2::new(q.x, q.y) / -q.z * self.viewport.distance;
+        Projection { uv, depth: ldexp(-q.z, k) }
     }
 
     /// The point of the viewport, in the world, at (u, v): the view ray's point at `t = 1`.

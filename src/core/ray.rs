@@ -1,10 +1,15 @@
 //! Rays in parametric form.
 
+use std::fmt;
+
 use glam::DVec3;
 
-use crate::scale;
+use crate::number::triple;
+use crate::scale::{ldexp, split};
 
 /// `origin + t * direction`. The direction is not normalized: `t` is in units of its length.
+///
+/// Any values may stand here; a ray that does not pass [`Ray::check`] meets nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
     /// The point at `t = 0`, the lecture's p.
@@ -13,7 +18,49 @@ pub struct Ray {
     pub direction: DVec3,
 }
 
+/// Why a ray is none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum RayError {
+    /// A coordinate of the named field is NaN or infinite.
+    NotFinite {
+        /// `origin` or `direction`.
+        field: &'static str,
+        /// The value.
+        value: DVec3,
+    },
+    /// The direction is `(0, 0, 0)`.
+    DirectionIsZero,
+}
+
+impl fmt::Display for RayError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RayError::NotFinite { field, value } => {
+                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
+            }
+            RayError::DirectionIsZero => {
+                write!(f, "direction is (0, 0, 0): it must point somewhere")
+            }
+        }
+    }
+}
+
+impl std::error::Error for RayError {}
+
 impl Ray {
+    /// Checks that origin and direction are finite and the direction is not zero.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), RayError> {
+        for (field, value) in [("origin", self.origin), ("direction", self.direction)] {
+            if !value.is_finite() {
+                return Err(RayError::NotFinite { field, value });
+            }
+        }
+        if self.direction == DVec3::ZERO { Err(RayError::DirectionIsZero) } else { Ok(()) }
+    }
+
     /// `origin + t * direction`.
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + t * self.direction
@@ -21,6 +68,10 @@ impl Ray {
 
     /// `t * |direction|`: how far from the origin, in world units, `t` is.
     pub fn distance_along(&self, t: f64) -> f64 {
-        t * scale::length(self.direction)
+        if self.check().is_err() {
+            return t * self.direction.length();
+        }
+        let (direction, k) = split(self.direction);
+        ldexp(t * direction.length(), k)
     }
 }

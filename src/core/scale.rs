@@ -3,26 +3,46 @@
 
 use glam::DVec3;
 
+/// Squared lengths within these lose no digits to underflow and do not overflow, and neither do
+/// their reciprocals.
+const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
+
+/// Whether the direction's squared length is so far from 0 and infinity that intersections need no
+/// scaling.
+pub(crate) fn is_plain_direction(direction: DVec3) -> bool {
+    (1e-120..1e120).contains(&direction.length_squared())
+}
+
+/// `2^k` for k from -1022 to 1023.
+fn power_of_two(k: i32) -> f64 {
+    f64::from_bits(((1023 + k) as u64) << 52)
+}
+
 /// `floor(log2 |x|)` for finite `x != 0`, subnormal numbers included.
 pub(crate) fn exponent(x: f64) -> i32 {
     const SUBNORMAL_LIFT: i32 = 64;
     let biased = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
     match biased(x) {
-        0 => biased(x * 2f64.powi(SUBNORMAL_LIFT)) - 1023 - SUBNORMAL_LIFT,
+        0 => biased(x * power_of_two(SUBNORMAL_LIFT)) - 1023 - SUBNORMAL_LIFT,
         e => e - 1023,
     }
 }
 
-/// `x * 2^k` for any `k`, exact unless the result overflows or is subnormal.
+/// `x * 2^k` for any `k`, rounded once; exact unless the result overflows or is subnormal.
 pub(crate) fn ldexp(x: f64, k: i32) -> f64 {
-    // One factor 2^k alone may not be representable; no f64 is left after +-2200.
-    const STEP: i32 = 1000;
-    let power_of_two = |k: i32| f64::from_bits(((1023 + k) as u64) << 52);
-    let (mut x, mut k) = (x, k.clamp(-2200, 2200));
-    while k.abs() > STEP {
-        let step = STEP * k.signum();
-        x *= power_of_two(step);
-        k -= step;
+    // One factor 2^k alone may not be representable. Downwards, each step but the last stops 53
+    // short of the smallest exponent: digits lost before the last step then belong to a result
+    // below half the smallest number, which is 0 either way.
+    const UP: i32 = 1023;
+    const DOWN: i32 = -1022 + 53;
+    let (mut x, mut k) = (x, k.clamp(-4000, 4000));
+    while k > UP {
+        x *= power_of_two(UP);
+        k -= UP;
+    }
+    while k < -1022 {
+        x *= power_of_two(DOWN);
+        k -= DOWN;
     }
     x * power_of_two(k)
 }
@@ -33,6 +53,7 @@ pub(crate) fn ldexp3(v: DVec3, k: i32) -> DVec3 {
 }
 
 /// Splits a finite, non-zero `v` into `(m, k)` with `v = m * 2^k` and the largest `|m_i|` in `[1, 2)`.
+/// A component more than 2^1000 below the largest one loses digits.
 pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
     let k = exponent(v.abs().max_element());
     (ldexp3(v, -k), k)
@@ -40,6 +61,10 @@ pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
 
 /// `v / |v|` for any finite, non-zero `v`, of length 1e-300 or 1e300 alike.
 pub(crate) fn unit(v: DVec3) -> DVec3 {
+    if PLAIN_LENGTH_SQUARED.contains(&v.length_squared()) {
+        // The same bits as below: powers of two cancel in the quotient.
+        return v / v.length();
+    }
     let (m, _) = split(v);
     m / m.length()
 }
@@ -51,23 +76,4 @@ pub(crate) fn length(v: DVec3) -> f64 {
     }
     let (m, k) = split(v);
     ldexp(m.length(), k)
-}
-
-/// `a*b - c*d` with a relative error of at most 1.5 ulp, and so zero only where it is exactly zero
-/// (as long as nothing underflows): Kahan's form, proven in Jeannerod, Louvet, Muller, *Further
-/// analysis of Kahan's algorithm for the accurate computation of 2x2 determinants*, Math. Comp. 82
-/// (2013).
-pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let cd = c * d;
-    let error = (-c).mul_add(d, cd);
-    a.mul_add(b, -cd) + error
-}
-
-/// `a x b`, each component by [`difference_of_products`].
-pub(crate) fn accurate_cross(a: DVec3, b: DVec3) -> DVec3 {
-    DVec3::new(
-        difference_of_products(a.y, b.z, a.z, b.y),
-        difference_of_products(a.z, b.x, a.x, b.z),
-        difference_of_products(a.x, b.y, a.y, b.x),
-    )
 }

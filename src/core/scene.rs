@@ -8,7 +8,9 @@ use glam::DVec3;
 use crate::number::{shortest, triple};
 use crate::plane::Plane;
 use crate::ray::Ray;
-use crate::sphere::{Roots, Sphere};
+use crate::roots::Roots;
+use crate::scale::unit;
+use crate::sphere::Sphere;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -239,5 +241,13 @@ impl Object {
             Object::Plane(plane) => plane.point_and_normal(ray, t),
         };
         Root { object: index, t, point, normal }
+    }
+
+    /// The outward unit normal at a known root `t`.
+    pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
+        match self {
+            Object::Sphere(sphere) => sphere.normal(ray, t),
+            Object::Plane(plane) => unit(plane.normal),
+        }
     }
 }

@@ -45,7 +45,7 @@ impl Shade {
     }
 }
 
-/// The colours of a frame, row by row, in the pixel form that `to_pixel` makes.
+/// The colours of a frame, row by row, in the pixel form that `to_pixel` makes; rows in parallel.
 ///
 /// `color_of` gives each object's own colour. The frame must be one of the scene.
 pub fn shade<P: Send>(
@@ -62,6 +62,8 @@ pub fn shade<P: Send>(
     let (camera, raster) = (frame.camera(), frame.raster());
     let column_parts: Vec<DVec3> =
         raster.columns().iter().map(|c| camera.column_part(camera.u_of_column(*c))).collect();
+    let row_parts: Vec<DVec3> =
+        raster.rows().iter().map(|r| camera.row_part(camera.v_of_row(*r))).collect();
     let width = column_parts.len();
     (0..frame.t.len())
         .into_par_iter()
@@ -71,9 +73,7 @@ pub fn shade<P: Send>(
             if object == NO_OBJECT {
                 return to_pixel(BACKGROUND);
             }
-            let (row, column) = (index / width, index % width);
-            let direction =
-                column_parts[column] + camera.row_part(camera.v_of_row(raster.rows()[row]));
+            let direction = column_parts[index % width] + row_parts[index / width];
             let ray = Ray { origin: camera.eye(), direction };
             to_pixel(shade_hit(scene, shade, &ray, object, frame.t[index], nearest, &color_of))
         })
@@ -103,7 +103,7 @@ fn shade_hit(
     nearest: f64,
     color_of: &impl Fn(u32) -> Rgb,
 ) -> Rgb {
-    let normal = || scene.object(object).map_or(DVec3::ZERO, |o| o.root(object, ray, t).normal);
+    let normal = || scene.object(object).map_or(DVec3::ZERO, |o| o.normal(ray, t));
     match shade {
         Shade::Object => color_of(object),
         Shade::T => [(255.0 * (nearest / t)).round() as u8; 3],
@@ -127,12 +127,30 @@ static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     })
 });
 
-/// The linear light above which each sRGB byte begins: half way between it and the byte below.
-static BYTE_STARTS: LazyLock<[f32; 256]> = LazyLock::new(|| {
-    std::array::from_fn(|b| if b == 0 { 0.0 } else { 0.5 * (LINEAR[b] + LINEAR[b - 1]) })
+/// The linear light above which each sRGB byte begins: half way between it and the byte below. One
+/// more stands at the end, which nothing reaches.
+static BYTE_STARTS: LazyLock<[f32; 257]> = LazyLock::new(|| {
+    std::array::from_fn(|b| match b {
+        0 => 0.0,
+        256 => f32::INFINITY,
+        _ => 0.5 * (LINEAR[b] + LINEAR[b - 1]),
+    })
 });
 
-/// The sRGB byte nearest in linear light.
+/// In how many parts [`BYTE_OF_PART`] cuts linear light from 0 to 1: so many that no part holds the
+/// start of two bytes (sRGB is steepest at 0, 12.92 * 255 bytes for 1).
+const PARTS: usize = 4096;
+
+/// The byte at the lower end of each part.
+static BYTE_OF_PART: LazyLock<[u8; PARTS + 1]> = LazyLock::new(|| {
+    std::array::from_fn(|part| {
+        let linear = part as f32 / PARTS as f32;
+        (BYTE_STARTS.partition_point(|start| *start <= linear) - 1) as u8
+    })
+});
+
+/// The sRGB byte nearest in linear light, which is in `[0, 1]`.
 fn srgb_byte(linear: f32) -> u8 {
-    (BYTE_STARTS.partition_point(|start| *start <= linear).max(1) - 1) as u8
+    let byte = BYTE_OF_PART[((linear * PARTS as f32) as usize).min(PARTS)];
+    byte + u8::from(linear >= BYTE_STARTS[usize::from(byte) + 1])
 }

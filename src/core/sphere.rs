@@ -2,8 +2,11 @@
 
 use glam::DVec3;
 
+use crate::error_free::{difference_with_rest, dot2};
 use crate::ray::Ray;
-use crate::scale::{exponent, ldexp, ldexp3, split, unit};
+use crate::roots::Roots;
+use crate::scale::{exponent, is_plain_direction, ldexp, ldexp3, split, unit};
+use crate::wide;
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,48 +33,34 @@ pub struct SphereQuadratic {
     pub b: f64,
     /// `|p - center|^2 - r^2`: negative inside the sphere, 0 on it.
     pub c: f64,
-    /// `b^2 - a c`, computed as `r^2 a - |(p - center) x d|^2`.
+    /// `b^2 - a c`; from farther out than `sqrt(2) r` computed as `r^2 a - |(p - center) x d|^2`,
+    /// which is equal (Lagrange's identity).
     pub discriminant: f64,
 }
 
-/// Where a ray's line meets a surface, ascending.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Roots {
-    /// Not at all.
-    None,
-    /// Once: a tangent, or a plane.
-    One(f64),
-    /// Twice.
-    Two(f64, f64),
-}
-
-impl Roots {
-    /// The roots in ascending order.
-    pub fn iter(self) -> impl Iterator<Item = f64> {
-        let (first, second) = match self {
-            Roots::None => (None, None),
-            Roots::One(t) => (Some(t), None),
-            Roots::Two(t0, t1) => (Some(t0), Some(t1)),
-        };
-        first.into_iter().chain(second)
-    }
-
-    /// The smallest root greater than 0 (and within the range of `f64`).
-    pub fn first_positive(self) -> Option<f64> {
-        self.iter().find(|t| *t > 0.0 && t.is_finite())
-    }
-}
-
 impl Sphere {
-    /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside.
+    /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside. In
+    /// squared world units; infinite where it overflows.
     pub fn implicit(&self, q: DVec3) -> f64 {
-        (q - self.center).length_squared() - self.radius * self.radius
+        let seen = SphereSeen::new(self, q);
+        ldexp(seen.c, 2 * seen.scale)
     }
 
-    /// The quadratic's parts for the readouts, in plain `f64` of the values as they are (they may
-    /// overflow where the roots do not).
+    /// The quadratic's parts for the readouts: those that [`Sphere::roots`] decides by. They may
+    /// overflow or underflow where the roots do not.
     pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
-        quadratic(ray.origin - self.center, self.radius, self.implicit(ray.origin), ray.direction)
+        let seen = SphereSeen::new(self, ray.origin);
+        let (direction, k) = match ray.check() {
+            Ok(()) => split(ray.direction),
+            Err(_) => (ray.direction, 0),
+        };
+        let SphereQuadratic { a, b, c, discriminant } = seen.quadratic(direction);
+        SphereQuadratic {
+            a: ldexp(a, 2 * k),
+            b: ldexp(b, k + seen.scale),
+            c: ldexp(c, 2 * seen.scale),
+            discriminant: ldexp(discriminant, 2 * (k + seen.scale)),
+        }
     }
 
     /// Where the ray's line meets the sphere.
@@ -79,17 +68,48 @@ impl Sphere {
         SphereSeen::new(self, ray.origin).roots(ray.direction)
     }
 
-    /// The point and the outward normal where the ray meets the sphere at `t`:
+    /// The point and the outward normal where the ray meets the sphere at the root `t`:
     /// `n = (p + t d - center) / |..|`, point `center + r n`.
+    ///
+    /// From far away (compared with the radius) that sum loses n's digits, and n is put together
+    /// from the ray's point nearest to the centre and half the chord instead:
+    /// `n = m -+ sqrt(r^2 - |m|^2) d / |d|` with `m = d x ((p - center) x d) / d.d`.
     pub fn point_and_normal(&self, ray: &Ray, t: f64) -> (DVec3, DVec3) {
-        let offset = (ray.origin - self.center) + t * ray.direction;
-        let normal = if offset.is_finite() && offset != DVec3::ZERO {
-            unit(offset)
-        } else {
-            // The sum overflowed: far out, the direction alone decides.
-            unit(t.signum() * ray.direction)
-        };
+        let normal = self.normal(ray, t);
         (self.center + self.radius * normal, normal)
+    }
+
+    /// The outward unit normal where the ray meets the sphere at the root `t`.
+    pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
+        /// Up to this many radii away, `p + t d - center` has all but four of its digits.
+        const NEAR: f64 = 1e4;
+        let from_center = ray.origin - self.center;
+        let offset = from_center + t * ray.direction;
+        if offset.is_finite()
+            && offset != DVec3::ZERO
+            && from_center.abs().max_element() < NEAR * self.radius
+        {
+            return unit(offset);
+        }
+        self.normal_from_afar(ray, t)
+    }
+
+    fn normal_from_afar(&self, ray: &Ray, t: f64) -> DVec3 {
+        if ray.check().is_err() {
+            return DVec3::ZERO;
+        }
+        let seen = SphereSeen::new(self, ray.origin);
+        let (direction, k) = split(ray.direction);
+        let a = direction.length_squared();
+        let moment = wide::to_f64(wide::cross_with_rest(seen.from_center, seen.rest, direction));
+        let middle = direction.cross(moment) / a;
+        let half_chord = (seen.radius * seen.radius - middle.length_squared()).max(0.0).sqrt();
+        let middle_t = -direction.dot(seen.from_center) / a;
+        // Where t cannot tell the two ends of the chord apart, the near one is meant.
+        let is_far_end = ldexp(t, k - seen.scale) > middle_t + 4.0 * f64::EPSILON * middle_t.abs();
+        let along = if is_far_end { unit(direction) } else { -unit(direction) };
+        let offset = middle + half_chord * along;
+        if offset == DVec3::ZERO { along } else { unit(offset) }
     }
 }
 
@@ -97,70 +117,161 @@ impl Sphere {
 /// for extreme spheres.
 pub(crate) struct SphereSeen {
     from_center: DVec3,
+    /// What rounding left out of `from_center`.
+    rest: DVec3,
     radius: f64,
     c: f64,
     scale: i32,
+    form: Form,
 }
 
-/// Lengths within these, and squared directions within their squares, neither overflow nor lose
-/// digits to underflow in a discriminant.
+/// Which form of the discriminant loses the least, by the origin's distance from the centre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// `b^2 - a c`: inside it is a sum; just outside, both parts are small.
+    Near,
+    /// `r^2 a - |oc x d|^2`, by Lagrange's identity `a |oc|^2 - (d.oc)^2 = |oc x d|^2`: grazing rays
+    /// and distant spheres.
+    Far,
+}
+
+/// Lengths within these neither overflow nor lose digits to underflow in the discriminant of a
+/// [plain direction](is_plain_direction).
 const PLAIN_LENGTH: std::ops::Range<f64> = 1e-60..1e60;
-const PLAIN_DIRECTION_SQUARED: std::ops::Range<f64> = 1e-120..1e120;
 
 impl SphereSeen {
     pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereSeen {
-        let plain = origin - sphere.center;
-        let extent = plain.abs().max_element().max(sphere.radius);
-        let (from_center, radius, scale) = if PLAIN_LENGTH.contains(&extent) {
-            (plain, sphere.radius, 0)
-        } else if extent < 1.0 {
-            let k = exponent(extent);
-            (ldexp3(plain, -k), ldexp(sphere.radius, -k), k)
+        let (from_center, rest, quartered) = difference_with_rest(origin, sphere.center);
+        let radius = ldexp(sphere.radius, -quartered);
+        let extent = from_center.abs().max_element().max(radius);
+        if quartered == 0 && PLAIN_LENGTH.contains(&extent) {
+            return SphereSeen::scaled(from_center, rest, radius, 0);
+        }
+        let k = exponent(extent);
+        let scale = |v| ldexp3(v, -k);
+        SphereSeen::scaled(scale(from_center), scale(rest), ldexp(radius, -k), k + quartered)
+    }
+
+    fn scaled(from_center: DVec3, rest: DVec3, radius: f64, scale: i32) -> SphereSeen {
+        let (distance_squared, radius_squared) = (from_center.length_squared(), radius * radius);
+        let (form, c) = if distance_squared < 2.0 * radius_squared {
+            // Near the sphere the rounding of its terms would be larger than c.
+            let DVec3 { x, y, z } = from_center;
+            let factors = [(x, x), (y, y), (z, z), (radius, -radius)];
+            (Form::Near, dot2(factors, 2.0 * from_center.dot(rest)))
         } else {
-            // Halved first: the difference of two finite numbers may overflow.
-            let half = 0.5 * origin - 0.5 * sphere.center;
-            let k = exponent(half.abs().max_element().max(0.5 * sphere.radius));
-            (ldexp3(half, -k), ldexp(sphere.radius, -k - 1), k + 1)
+            (Form::Far, distance_squared - radius_squared)
         };
-        let c = from_center.length_squared() - radius * radius;
-        SphereSeen { from_center, radius, c, scale }
+        SphereSeen { from_center, rest, radius, c, scale, form }
+    }
+
+    fn quadratic(&self, direction: DVec3) -> SphereQuadratic {
+        match self.form {
+            Form::Near => self.quadratic_near(direction),
+            Form::Far => self.quadratic_far(direction),
+        }
+    }
+
+    fn quadratic_near(&self, direction: DVec3) -> SphereQuadratic {
+        let a = direction.length_squared();
+        let b = direction.dot(self.from_center);
+        SphereQuadratic { a, b, c: self.c, discriminant: b * b - a * self.c }
+    }
+
+    fn quadratic_far(&self, direction: DVec3) -> SphereQuadratic {
+        let a = direction.length_squared();
+        let b = direction.dot(self.from_center);
+        let moment = self.from_center.cross(direction);
+        let discriminant = self.radius * self.radius * a - moment.length_squared();
+        SphereQuadratic { a, b, c: self.c, discriminant }
     }
 
     /// Where the line from the origin along `direction` meets the sphere.
     pub(crate) fn roots(&self, direction: DVec3) -> Roots {
-        if self.scale == 0 && PLAIN_DIRECTION_SQUARED.contains(&direction.length_squared()) {
-            return solve(&quadratic(self.from_center, self.radius, self.c, direction));
+        if self.scale == 0 && is_plain_direction(direction) {
+            return self.quadratic(direction).roots();
         }
-        let (unit_direction, k) = split(direction);
-        let rescaled = |t: f64| ldexp(t, self.scale - k);
-        match solve(&quadratic(self.from_center, self.radius, self.c, unit_direction)) {
-            Roots::None => Roots::None,
-            Roots::One(t) => Roots::One(rescaled(t)),
-            Roots::Two(t0, t1) => Roots::Two(rescaled(t0), rescaled(t1)),
+        if !direction.is_finite() || direction == DVec3::ZERO {
+            return Roots::None;
         }
+        let (direction, k) = split(direction);
+        self.quadratic(direction).roots().map(|t| ldexp(t, self.scale - k))
+    }
+
+    /// Which of the functions below gives [`Roots::first_positive`] of [`SphereSeen::roots`] at the
+    /// least cost; `plain` where all directions to come are [plain](is_plain_direction).
+    pub(crate) fn kernel(&self, plain: bool) -> Kernel {
+        match self.form {
+            _ if !plain || self.scale != 0 => Kernel::Any,
+            Form::Near => Kernel::Near,
+            Form::Far => Kernel::Far,
+        }
+    }
+
+    /// The first hit's `t`, infinite or NaN where there is none; see [`SphereSeen::kernel`].
+    pub(crate) fn first_hit(&self, direction: DVec3) -> f64 {
+        self.roots(direction).first_positive().unwrap_or(f64::INFINITY)
+    }
+
+    /// As [`SphereSeen::first_hit`], for [`Kernel::Near`].
+    pub(crate) fn first_hit_near(&self, direction: DVec3) -> f64 {
+        self.quadratic_near(direction).first_hit()
+    }
+
+    /// As [`SphereSeen::first_hit`], for [`Kernel::Far`].
+    pub(crate) fn first_hit_far(&self, direction: DVec3) -> f64 {
+        self.quadratic_far(direction).first_hit()
     }
 }
 
-/// `D` by Lagrange's identity, `a |oc|^2 - (d.oc)^2 = |oc x d|^2`, which puts the cancellation
-/// where it does the least harm: grazing rays and distant spheres.
-fn quadratic(from_center: DVec3, radius: f64, c: f64, direction: DVec3) -> SphereQuadratic {
-    let a = direction.length_squared();
-    let b = direction.dot(from_center);
-    let discriminant = radius * radius * a - from_center.cross(direction).length_squared();
-    SphereQuadratic { a, b, c, discriminant }
+/// See [`SphereSeen::kernel`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kernel {
+    /// [`SphereSeen::first_hit`]
+    Any,
+    /// [`SphereSeen::first_hit_near`]
+    Near,
+    /// [`SphereSeen::first_hit_far`]
+    Far,
 }
 
-/// The roots without cancellation: `q = -(b + sign(b) sqrt D)`, `t = q / a` and `t = c / q`
-/// (Press et al., *Numerical Recipes*, 3rd ed., section 5.6).
-fn solve(quadratic: &SphereQuadratic) -> Roots {
-    let SphereQuadratic { a, b, c, discriminant } = *quadratic;
-    if discriminant < 0.0 {
-        return Roots::None;
+impl SphereQuadratic {
+    /// `-(b + sign(b) sqrt D)`, free of cancellation: the roots are `q / a` and `c / q` (Press et
+    /// al., *Numerical Recipes*, 3rd ed., section 5.6).
+    fn q(&self) -> f64 {
+        -(self.b + self.discriminant.sqrt().copysign(self.b))
     }
-    if discriminant == 0.0 {
-        return Roots::One(-b / a);
+
+    fn roots(&self) -> Roots {
+        let SphereQuadratic { a, b, c, discriminant } = *self;
+        let roots = if discriminant > 0.0 {
+            let q = self.q();
+            // |q / a| >= |c / q|, but for rounding.
+            let (inner, outer) = (c / q, q / a);
+            if q > 0.0 {
+                Roots::Two(inner, outer.max(inner))
+            } else {
+                Roots::Two(outer.min(inner), inner)
+            }
+        } else if discriminant == 0.0 {
+            Roots::One(-b / a)
+        } else {
+            Roots::None
+        };
+        roots.in_range()
     }
-    let q = -(b + discriminant.sqrt().copysign(b));
-    let (t0, t1) = (q / a, c / q);
-    if t0 <= t1 { Roots::Two(t0, t1) } else { Roots::Two(t1, t0) }
+
+    /// [`Roots::first_positive`] of the roots; infinite, zero or negative where there is none.
+    fn first_hit(&self) -> f64 {
+        let SphereQuadratic { a, b, c, discriminant } = *self;
+        if discriminant > 0.0 {
+            let q = self.q();
+            // From outside (c > 0) both roots have the sign of q, and c / q is the nearer one.
+            if c <= 0.0 && q > 0.0 { q / a } else { c / q }
+        } else if discriminant == 0.0 {
+            -b / a
+        } else {
+            f64::INFINITY
+        }
+    }
 }

@@ -63,28 +63,39 @@ impl Viewport {
     }
 
     /// The viewport with this vertical field of view (radians), the same distance, and the same
-    /// ratio of width to height.
+    /// ratio of width to height. Where there is no such ratio (a height of 0) the width stays.
     pub fn with_vertical_fov(&self, fov: f64) -> Viewport {
         let height = extent_of_fov(fov, self.distance);
-        Viewport { width: self.width / self.height * height, height, ..*self }
+        Viewport { width: in_proportion(self.width, self.height, height), height, ..*self }
     }
 
     /// The viewport with this horizontal field of view (radians), the same distance, and the same
-    /// ratio of width to height.
+    /// ratio of width to height. Where there is no such ratio (a width of 0) the height stays.
     pub fn with_horizontal_fov(&self, fov: f64) -> Viewport {
         let width = extent_of_fov(fov, self.distance);
-        Viewport { width, height: self.height / self.width * width, ..*self }
+        Viewport { width, height: in_proportion(self.height, self.width, width), ..*self }
     }
 }
 
+/// `x * new / old`; `x` where that is no positive, finite number.
+fn in_proportion(x: f64, old: f64, new: f64) -> f64 {
+    // x / old first: a square stays a square to the bit.
+    let ratio = x / old;
+    let scaled = if ratio.is_normal() { ratio * new } else { x * (new / old) };
+    if scaled.is_finite() && scaled > 0.0 { scaled } else { x }
+}
+
 /// `2 atan(extent / (2 distance))`: the angle, in radians, under which the eye sees a width or
-/// height of the viewport.
+/// height of the viewport. In `(0, pi)` but for rounding where both are positive.
 pub fn fov_of_extent(extent: f64, distance: f64) -> f64 {
     2.0 * (0.5 * extent).atan2(distance)
 }
 
 /// `2 distance tan(fov / 2)`: the width or height of a viewport at `distance` that the eye sees
 /// under the angle `fov`, in radians, in `(0, pi)`.
+///
+/// For any other `fov` no viewport is right, and the result is 0, which [`Viewport::check`] refuses.
 pub fn extent_of_fov(fov: f64, distance: f64) -> f64 {
-    2.0 * distance * (0.5 * fov).tan()
+    let is_angle = fov > 0.0 && fov <= std::f64::consts::PI;
+    if is_angle { 2.0 * (distance * (0.5 * fov).tan()) } else { 0.0 }
 }

@@ -8,6 +8,7 @@ use std::num::NonZeroU32;
 use std::sync::Arc;
 use std::time::Duration;
 use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
+use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
 use winit::window::Window;
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
@@ -29,6 +30,9 @@ pub(super) struct Cpu {
     canvas: Canvas,
     /// The display may not have what the canvas has: the next frame is handed over as a whole.
     stale: bool,
+    /// Whether the display keeps what it was handed. X11 does not, and the loss of a part can come
+    /// in one event with a redraw that was asked for, so there every frame goes over whole.
+    keeps_picture: bool,
     failures: u32,
     info: RendererInfo,
 }
@@ -50,6 +54,9 @@ impl Cpu {
             painter: Painter::new(),
             canvas: Canvas::new(),
             stale: true,
+            keeps_picture: window
+                .window_handle()
+                .is_ok_and(|handle| matches!(handle.as_raw(), RawWindowHandle::Wayland(_))),
             failures: 0,
             info: RendererInfo { renderer: Renderer::Cpu, detail: reason },
         })
@@ -119,7 +126,7 @@ impl Surface for Cpu {
                 screenshot.complete(Arc::clone(&image));
             }
         }
-        self.stale |= frame.exposed;
+        self.stale |= frame.exposed || !self.keeps_picture;
         match self.present(frame.window, frame.size, &rects) {
             Ok(()) => self.failures = 0,
             Err(error) => {

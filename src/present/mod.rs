@@ -101,7 +101,8 @@ pub struct WindowOptions {
 }
 
 /// Place and size of the window.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
 pub struct WindowGeometry {
     /// Size of its content.
     pub inner_size: [f32; 2],

@@ -1,0 +1,35 @@
+//! Verbs that are not plain edits of the document or session.
+
+use std::path::PathBuf;
+
+use crate::formats::scene_argument::SceneSource;
+
+/// Something to do once, after the panels and before anything is derived.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Open a scene, asking first if there are unsaved changes.
+    Open(SceneSource),
+    /// Ask for the path of a scene to open.
+    AskOpen,
+    /// Save to where the scene came from; ask where if it came from nowhere.
+    Save,
+    /// Ask for a path to save to.
+    AskSaveAs,
+    /// Save to this path.
+    SaveAs(PathBuf),
+    /// Close the window, asking first if there are unsaved changes.
+    Quit,
+    /// Close the window or open the scene without saving.
+    Discard(Box<Action>),
+    /// Save, then go on with this if that worked.
+    SaveThen(Box<Action>),
+    /// Put the observer where everything can be seen.
+    FrameAll,
+    /// Move the selected pixel that many rows down and columns right.
+    Step {
+        /// Rows down.
+        rows: i64,
+        /// Columns right.
+        columns: i64,
+    },
+}

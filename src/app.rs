@@ -1,0 +1,361 @@
+//! The window's program: the only place that fixes the order of a frame.
+//!
+//! inputs (keys, panels, mouse in the views) -> apply (actions) -> derive -> outputs (views,
+//! readouts). Where an edit changes what a panel above it has already drawn, egui is asked to run
+//! the pass again before anything is presented, so that nothing on screen is older than the rest.
+
+use std::path::{Path, PathBuf};
+
+use egui::{CentralPanel, Context, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+use egui::{ThemePreference, UiBuilder, ViewportCommand};
+
+use crate::action::Action;
+use crate::derive::{Derived, Deriver};
+use crate::document::Document;
+use crate::files::{OpenDocument, argument_of, remember, title_of};
+use crate::formats::scene_argument::SceneSource;
+use crate::observer::Observer;
+use crate::panels::dialogs::{self, Dialog, PathField};
+use crate::panels::readouts::NumberStyle;
+use crate::panels::{camera, objects, readouts, selection, top_bar, views};
+use crate::present::{WindowGeometry, fonts};
+use crate::session::{Session, Settings, ThemeName};
+use crate::store::{Remembered, Store};
+use crate::view_texture::ViewTexture;
+
+/// The open document, how it is looked at, and what is shown of it.
+pub struct App {
+    open: OpenDocument,
+    session: Session,
+    recent: Vec<PathBuf>,
+    chosen_object: usize,
+    dialog: Option<Dialog>,
+    deriver: Deriver,
+    derived: Derived,
+    world_texture: ViewTexture,
+    camera_texture: ViewTexture,
+    store: Option<Store>,
+    geometry: WindowGeometry,
+    title: String,
+    /// What draws the window, in words.
+    renderer: String,
+    may_close: bool,
+    /// What the last pass showed.
+    known: Option<(Document, Session)>,
+}
+
+impl App {
+    /// The program on this document, with what the last run remembered.
+    pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
+        let mut app = App {
+            open,
+            session: Session {
+                selection: remembered.selection.map_or(Session::default().selection, Into::into),
+                observer: None,
+                settings: remembered.settings,
+            },
+            recent: remembered.recent,
+            chosen_object: 0,
+            dialog: None,
+            deriver: Deriver::default(),
+            derived: Derived::default(),
+            world_texture: ViewTexture::default(),
+            camera_texture: ViewTexture::default(),
+            store,
+            geometry: remembered.window,
+            title: String::new(),
+            renderer: String::new(),
+            may_close: false,
+            known: None,
+        };
+        if let Some(path) = app.open.file().map(Path::to_owned) {
+            remember(&mut app.recent, &path);
+        }
+        app
+    }
+
+    /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
+    pub fn set_up(ctx: &Context, settings: &Settings) {
+        fonts::install(ctx);
+        ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
+        ctx.all_styles_mut(|style| style.interaction.selectable_labels = true);
+        // egui's greys are for one reader near the screen, not for the back row.
+        for (theme, text) in [(egui::Theme::Dark, 0xea), (egui::Theme::Light, 0x10)] {
+            ctx.style_mut_of(theme, |style| {
+                let visuals = &mut style.visuals;
+                visuals.widgets.noninteractive.fg_stroke.color = egui::Color32::from_gray(text);
+                visuals.widgets.inactive.fg_stroke.color = egui::Color32::from_gray(text);
+                visuals.weak_text_alpha = 0.75;
+            });
+        }
+    }
+
+    /// Says what draws the window.
+    pub fn drawn_by(&mut self, renderer: String) {
+        self.renderer = renderer;
+    }
+
+    /// Tells the user something that went wrong before the window was there.
+    pub fn tell(&mut self, title: &str, text: String) {
+        self.dialog = Some(Dialog::Message { title: title.to_owned(), text });
+    }
+
+    /// The open document.
+    pub fn document(&self) -> &Document {
+        &self.open.document
+    }
+
+    /// How the document is looked at.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// What the last frame showed.
+    pub fn derived(&self) -> &Derived {
+        &self.derived
+    }
+
+    /// How many pictures were traced so far.
+    pub fn pictures_traced(&self) -> u64 {
+        self.deriver.traced()
+    }
+
+    /// One frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        let mut actions = Vec::new();
+        self.window_inputs(&ctx, &mut actions);
+        self.panels(ui, &mut actions);
+        CentralPanel::default().show(ui, |ui| {
+            let image = self.open.document.camera.image;
+            let places = views::places(ui, &mut self.session.settings, image);
+            if let (None, Some(rect)) = (self.session.observer, places.world) {
+                self.session.observer = Some(self.framed(rect.aspect_ratio()));
+            }
+            if self.dialog.is_none() {
+                views::inputs(ui, &places, &mut self.session, &self.derived, &mut actions);
+            }
+            for action in actions {
+                self.apply(&ctx, action);
+            }
+            let sizes = views::sizes(ui, &places);
+            self.derived = self.deriver.derive(&self.open.document, &self.session, &sizes);
+            self.outputs(ui, &places);
+        });
+        self.window_outputs(&ctx);
+        if self.known.as_ref().is_none_or(|(d, s)| *d != self.open.document || *s != self.session) {
+            // Panels drawn before the edit still show what was before it.
+            ctx.request_discard("the document or the session changed");
+            self.known = Some((self.open.document.clone(), self.session.clone()));
+        }
+    }
+
+    /// Keys, dropped files and the close button.
+    fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
+        let shifted = KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+        let pressed = |shortcut| ctx.input_mut(|i| i.consume_shortcut(&shortcut));
+        // The longer shortcut first: the shorter one would match it too.
+        for (shortcut, action) in [
+            (shifted, Action::AskSaveAs),
+            (command(Key::S), Action::Save),
+            (command(Key::O), Action::AskOpen),
+            (command(Key::Q), Action::Quit),
+        ] {
+            if pressed(shortcut) && self.dialog.is_none() {
+                actions.push(action);
+            }
+        }
+        let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
+        actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
+        if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
+            if self.open.has_changes() {
+                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+                self.ask_about_changes(Action::Quit);
+            } else {
+                self.may_close = true;
+            }
+        }
+        self.geometry.update(ctx);
+    }
+
+    fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
+        let ctx = ui.ctx().clone();
+        dialogs::ui(&ctx, &mut self.dialog, actions);
+        Panel::top("top bar").show(ui, |ui| {
+            top_bar::ui(ui, &self.open, &self.recent, &mut self.session.settings, actions);
+        });
+        let panel =
+            Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
+        panel.show(ui, |ui| {
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.left_panel(ui));
+        });
+        let settings = &self.session.settings;
+        ctx.set_theme(match settings.theme {
+            ThemeName::System => ThemePreference::System,
+            ThemeName::Dark => ThemePreference::Dark,
+            ThemeName::Light => ThemePreference::Light,
+        });
+    }
+
+    fn left_panel(&mut self, ui: &mut Ui) {
+        ui.add_space(4.0);
+        if !self.open.document.note.is_empty() {
+            egui::CollapsingHeader::new("What to look for").default_open(true).show(ui, |ui| {
+                for paragraph in self.open.document.note.split("\n\n") {
+                    ui.label(paragraph.replace('\n', " "));
+                }
+            });
+            ui.separator();
+        }
+        let document = &mut self.open.document;
+        let settings = &mut self.session.settings;
+        camera::ui(ui, &mut document.camera, &mut settings.square_pixels);
+        ui.separator();
+        let posed = document.camera.posed().ok();
+        let from_one = settings.count_from_one;
+        selection::ui(ui, &mut self.session.selection, posed.as_ref(), from_one);
+        ui.separator();
+        objects::ui(ui, document, &mut self.chosen_object);
+        ui.add_space(8.0);
+    }
+
+    /// Where everything can be seen from.
+    fn framed(&self, aspect: f32) -> Observer {
+        let document = &self.open.document;
+        // An object at fault is not there yet; the camera is.
+        let scene = document.scene().unwrap_or_default();
+        Observer::frame_all(&document.camera, &scene, f64::from(aspect))
+    }
+
+    fn outputs(&mut self, ui: &mut Ui, places: &views::Places) {
+        let image = self.open.document.camera.image;
+        views::strips(ui, places, &mut self.session.settings, image);
+        let dimmed = self.derived.fault.is_some();
+        if let (Some(rect), Some(shown)) = (places.world, &self.derived.world_view) {
+            views::show(ui, rect, shown, &mut self.world_texture, false);
+        }
+        if let (Some(rect), Some(shown)) = (places.camera, &self.derived.camera_view) {
+            views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
+        }
+        if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
+            views::reason(ui, rect, &fault.to_string());
+        }
+        let settings = &self.session.settings;
+        let style =
+            NumberStyle { digits: settings.digits, count_from_one: settings.count_from_one };
+        ui.scope_builder(UiBuilder::new().max_rect(places.readouts), |ui| {
+            ui.set_clip_rect(places.readouts);
+            readouts::ui(ui, &self.derived, &self.open.document, style);
+        });
+    }
+
+    fn window_outputs(&mut self, ctx: &Context) {
+        self.session.settings.zoom = ctx.zoom_factor();
+        let changed = if self.open.has_changes() { "*" } else { "" };
+        let title = format!("{}{changed} - Pinhole", title_of(&self.open.source));
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
+    fn apply(&mut self, ctx: &Context, action: Action) {
+        match action {
+            Action::Open(_) | Action::Quit if self.open.has_changes() => {
+                self.ask_about_changes(action);
+            }
+            Action::Open(source) => self.load(source),
+            Action::Quit => {
+                self.may_close = true;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
+            Action::Discard(then) => match *then {
+                Action::Open(source) => self.load(source),
+                _ => {
+                    self.may_close = true;
+                    ctx.send_viewport_cmd(ViewportCommand::Close);
+                }
+            },
+            Action::SaveThen(then) => match self.open.file().map(Path::to_owned) {
+                Some(path) => {
+                    self.save_to(&path);
+                    if !self.open.has_changes() {
+                        self.apply(ctx, *then);
+                    }
+                }
+                None => self.ask_save_as(),
+            },
+            Action::AskOpen => {
+                self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
+            }
+            Action::Save => match self.open.file().map(Path::to_owned) {
+                Some(path) => self.save_to(&path),
+                None => self.ask_save_as(),
+            },
+            Action::AskSaveAs => self.ask_save_as(),
+            Action::SaveAs(path) => self.save_to(&path),
+            Action::FrameAll => {
+                // The next frame, which knows the view's proportions, frames everything.
+                self.session.observer = None;
+                ctx.request_repaint();
+            }
+            Action::Step { rows, columns } => {
+                if let Ok(posed) = self.open.document.camera.posed() {
+                    let selection = self.session.selection.inside(posed.image());
+                    self.session.selection = selection.stepped(&posed, rows, columns);
+                }
+            }
+        }
+    }
+
+    fn ask_about_changes(&mut self, then: Action) {
+        self.dialog = Some(Dialog::Unsaved { title: title_of(&self.open.source), then });
+    }
+
+    fn ask_save_as(&mut self) {
+        let name = match &self.open.source {
+            SceneSource::Builtin(scene) => format!("{}.toml", scene.name),
+            file => title_of(file),
+        };
+        self.dialog = Some(Dialog::SaveAs(PathField::near(self.open.file(), &name)));
+    }
+
+    fn load(&mut self, source: SceneSource) {
+        match source.load() {
+            Ok(document) => {
+                if let SceneSource::File(path) = &source {
+                    remember(&mut self.recent, path);
+                }
+                self.open = OpenDocument::new(document, source);
+                self.session.observer = None;
+                self.session.selection = Session::default().selection;
+                self.chosen_object = 0;
+            }
+            Err(error) => self.tell("This scene cannot be opened", error.to_string()),
+        }
+    }
+
+    fn save_to(&mut self, path: &Path) {
+        match self.open.save_to(path) {
+            Ok(()) => remember(&mut self.recent, path),
+            Err(reason) => self.tell("The scene was not saved", reason),
+        }
+    }
+
+    /// Remembers settings, window, recent files and the open scene for the next run.
+    pub fn on_exit(&mut self) {
+        let Some(store) = &self.store else { return };
+        let remembered = Remembered {
+            settings: self.session.settings.clone(),
+            window: self.geometry,
+            selection: Some(self.session.selection.into()),
+            recent: self.recent.clone(),
+            renderer: self.renderer.clone(),
+            last: Some(argument_of(&self.open.source)),
+        };
+        if let Err(error) = store.save(&remembered) {
+            eprintln!("pinhole: settings were not saved: {error}");
+        }
+    }
+}

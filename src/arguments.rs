@@ -1,0 +1,173 @@
+//! What may stand on the command line.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand};
+use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+
+use crate::present::Renderer;
+
+/// See what a pinhole camera sees, and why.
+///
+/// Without a command, opens the window.
+#[derive(Clone, Debug, Parser)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    after_help = "SCENE is the path of a scene file or the name of a built-in scene."
+)]
+pub struct Arguments {
+    /// What to do instead of opening the window.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// How to open the window.
+    #[command(flatten)]
+    pub window: WindowArguments,
+}
+
+/// How to open the window.
+#[derive(Args, Clone, Debug)]
+pub struct WindowArguments {
+    /// The scene to open
+    pub scene: Option<PathBuf>,
+    /// How the window is drawn; without this, whichever works best here
+    #[arg(long, value_name = "wgpu|cpu")]
+    pub renderer: Option<Renderer>,
+}
+
+/// A headless command.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Command {
+    /// List the built-in scenes, a line each
+    Scenes,
+    /// Show one ray: its camera, its numbers, and everything it meets
+    Inspect(InspectArguments),
+    /// Write the picture as PNG
+    Render(RenderArguments),
+    /// Send rays from a CSV file into a scene
+    Trace(TraceArguments),
+}
+
+/// `pinhole inspect`
+#[derive(Args, Clone, Debug)]
+pub struct InspectArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// Which ray.
+    #[command(flatten)]
+    pub ray: RayArguments,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Which view ray: exactly one of these.
+#[derive(Args, Clone, Copy, Debug)]
+#[group(required = true, multiple = false)]
+pub struct RayArguments {
+    /// The ray through a pixel's centre; rows and columns count from 0, row 0 on top
+    #[arg(long, value_name = "ROW,COL", allow_hyphen_values = true, value_parser = pixel)]
+    pub pixel: Option<Pixel>,
+    /// The ray through a point of the viewport, in world units from its centre
+    #[arg(long, value_name = "U,V", allow_hyphen_values = true, value_parser = uv)]
+    pub uv: Option<DVec2>,
+}
+
+/// `pinhole render`
+#[derive(Args, Clone, Debug)]
+pub struct RenderArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The PNG file to write
+    #[arg(short, long, value_name = "OUT.png")]
+    pub output: PathBuf,
+    /// Columns; given alone, the rows follow in the ratio of the scene's image
+    #[arg(long, value_name = "W", value_parser = image_measure())]
+    pub width: Option<u32>,
+    /// Rows; given alone, the columns follow in the ratio of the scene's image
+    #[arg(long, value_name = "H", value_parser = image_measure())]
+    pub height: Option<u32>,
+    /// What the camera sees, or the scene with the camera in it
+    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = view())]
+    pub view: View,
+    /// Draw the basis, the viewport and the rays over it
+    #[arg(long)]
+    pub overlay: bool,
+    /// How a hit becomes a colour
+    #[arg(
+        long,
+        value_name = "normal|lambert|t|object",
+        default_value = "lambert",
+        value_parser = shade()
+    )]
+    pub shade: Shade,
+    /// Also write t, normal, u, v and object of every pixel as OpenEXR
+    ///
+    /// Float channels t, N.X, N.Y, N.Z, u, v and a uint channel object. Where nothing is hit, t is
+    /// infinite, N is 0 and object is 4294967295.
+    #[arg(long, value_name = "OUT.exr")]
+    pub aov: Option<PathBuf>,
+}
+
+/// Which of the two views.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// What the edited camera sees.
+    Camera,
+    /// The scene with the camera in it, as the observer sees it.
+    World,
+}
+
+/// `pinhole trace`
+#[derive(Args, Clone, Debug)]
+pub struct TraceArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input
+    #[arg(long, value_name = "IN.csv")]
+    pub rays: PathBuf,
+    /// Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output
+    #[arg(short, long, value_name = "OUT.csv")]
+    pub output: Option<PathBuf>,
+}
+
+fn view() -> impl TypedValueParser<Value = View> {
+    PossibleValuesParser::new(["camera", "world"])
+        .map(|name| if name == "world" { View::World } else { View::Camera })
+}
+
+fn shade() -> impl TypedValueParser<Value = Shade> {
+    PossibleValuesParser::new(Shade::ALL.map(Shade::name))
+        .map(|name| Shade::ALL.into_iter().find(|shade| shade.name() == name).unwrap_or_default())
+}
+
+fn image_measure() -> impl TypedValueParser<Value = u32> {
+    clap::value_parser!(u32).range(1..=i64::from(ImageSize::MAX))
+}
+
+fn pixel(text: &str) -> Result<Pixel, String> {
+    let part = |text: &str| {
+        text.trim().parse::<u32>().map_err(|_| {
+            format!("{:?} is no row or column: whole numbers from 0, such as 99,199", text.trim())
+        })
+    };
+    let (row, column) = pair(text, "99,199")?;
+    Ok(Pixel { row: part(row)?, column: part(column)? })
+}
+
+fn uv(text: &str) -> Result<DVec2, String> {
+    let part = |text: &str| match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(format!("{:?} is no finite number: write it such as 0.2,-0.1", text.trim())),
+    };
+    let (u, v) = pair(text, "0.2,-0.1")?;
+    Ok(DVec2::new(part(u)?, part(v)?))
+}
+
+fn pair<'a>(text: &'a str, such_as: &str) -> Result<(&'a str, &'a str), String> {
+    match text.split(',').collect::<Vec<_>>()[..] {
+        [first, second] => Ok((first, second)),
+        _ => Err(format!("there must be two numbers with a comma between, such as {such_as}")),
+    }
+}

@@ -1,0 +1,161 @@
+//! The readout as text.
+
+use std::fmt::Write;
+
+use pinhole_core::{DVec3, Orientation, PixelOfUv, Root, shortest};
+
+use super::Readout;
+
+impl Readout<'_> {
+    /// `sphere` or `plane`.
+    pub(super) fn kind_of(&self, object: u32) -> &'static str {
+        if (object as usize) < self.document.sphere_count() { "sphere" } else { "plane" }
+    }
+
+    pub(super) fn to_text(&self) -> String {
+        let mut text = String::new();
+        for (title, lines) in
+            [("camera", self.camera_lines()), ("ray", self.ray_lines()), ("hits", self.hit_lines())]
+        {
+            text.push_str(title);
+            text.push('\n');
+            for line in lines {
+                let _ = writeln!(text, "  {}", line.trim_end());
+            }
+        }
+        text
+    }
+
+    fn camera_lines(&self) -> Vec<String> {
+        let camera = &self.document.camera;
+        let basis = self.camera.basis();
+        let viewport = self.camera.viewport();
+        let mut lines = vec![row("eye", triple(camera.eye))];
+        match camera.orientation {
+            Orientation::At { at, up } => {
+                lines.extend([row("at", triple(at)), row("up", triple(up))]);
+            }
+            Orientation::View { view, up } => {
+                lines.extend([row("view", triple(view)), row("up", triple(up))]);
+            }
+            Orientation::Basis(_) => {}
+        }
+        lines.extend([
+            row("u (right)", triple(basis.u)),
+            row("v (up in the image)", triple(basis.v)),
+            row("w (backwards)", triple(basis.w)),
+        ]);
+        if !matches!(camera.orientation, Orientation::Basis(_)) {
+            let degrees = shortest(self.up_angle.angle.to_degrees());
+            lines.push(row("angle of up and view", format!("{degrees} degrees")));
+            let conditioning = shortest(self.up_angle.conditioning);
+            let roll = "(degrees of roll for each degree that up is tipped sideways)";
+            lines.push(row("conditioning", format!("{conditioning} {roll}")));
+        }
+        lines.push(row(
+            "viewport",
+            format!(
+                "{} x {} at distance {}, field of view {:.2} x {:.2} degrees",
+                shortest(viewport.width),
+                shortest(viewport.height),
+                shortest(viewport.distance),
+                viewport.horizontal_fov().to_degrees(),
+                viewport.vertical_fov().to_degrees()
+            ),
+        ));
+        let image = self.camera.image();
+        let size = format!("{} x {} pixels", image.width(), image.height());
+        lines.push(row("image", size));
+        lines
+    }
+
+    fn ray_lines(&self) -> Vec<String> {
+        let inspection = &self.inspection;
+        let (uv, ray) = (inspection.uv, inspection.ray);
+        vec![
+            row("(u, v)", format!("({}, {})", shortest(uv.x), shortest(uv.y))),
+            row("pixel", self.pixel_text()),
+            row("origin p", triple(ray.origin)),
+            row("direction d", triple(ray.direction)),
+            row("length of d", shortest(ray.distance_along(1.0))),
+        ]
+    }
+
+    fn pixel_text(&self) -> String {
+        let inspection = &self.inspection;
+        match (inspection.pixel(), inspection.place) {
+            (Some(pixel), _) => {
+                format!("row {}, column {} (counted from 0)", pixel.row, pixel.column)
+            }
+            (None, None) => "none: outside the viewport".to_owned(),
+            (None, Some(place)) => {
+                let PixelOfUv { column_edge, row_edge, .. } = place;
+                let what = if column_edge.is_some() && row_edge.is_some() {
+                    "the corner of"
+                } else {
+                    "on the edge of"
+                };
+                let pixels = place.touching(self.camera.image());
+                let names: Vec<String> =
+                    pixels.iter().map(|p| format!("{},{}", p.row, p.column)).collect();
+                format!("none: {what} row,column {}", names.join("  "))
+            }
+        }
+    }
+
+    fn hit_lines(&self) -> Vec<String> {
+        let roots = &self.inspection.roots;
+        let mut table = vec![["object", "t", "distance", "point", "normal"].map(str::to_owned)];
+        table.extend(roots.iter().map(|root| {
+            [
+                self.object_text(root.object),
+                shortest(root.t),
+                shortest(self.inspection.ray.distance_along(root.t)),
+                triple(root.point),
+                triple(root.normal),
+            ]
+        }));
+        let mut lines = if roots.is_empty() { Vec::new() } else { columns(&table) };
+        lines.push(match self.inspection.first_hit() {
+            Some(first) => format!(
+                "first: {} at t = {}, the smallest t above 0{}",
+                self.object_text(first.object),
+                shortest(first.t),
+                if self.has_tie(first) { " (of equal ones, the object listed first)" } else { "" }
+            ),
+            None if roots.is_empty() => "first: none, the ray's line meets nothing".to_owned(),
+            None => "first: none, no t is above 0".to_owned(),
+        });
+        lines
+    }
+
+    fn has_tie(&self, first: &Root) -> bool {
+        self.inspection.roots.iter().any(|root| root.t == first.t && root.object != first.object)
+    }
+
+    fn object_text(&self, object: u32) -> String {
+        let kind = self.kind_of(object);
+        match self.document.name_of(object) {
+            Some(name) => format!("{kind} {object} {name:?}"),
+            None => format!("{kind} {object}"),
+        }
+    }
+}
+
+fn row(name: &str, value: impl std::fmt::Display) -> String {
+    format!("{name:22}{value}")
+}
+
+fn triple(v: DVec3) -> String {
+    format!("({}, {}, {})", shortest(v.x), shortest(v.y), shortest(v.z))
+}
+
+fn columns<const N: usize>(table: &[[String; N]]) -> Vec<String> {
+    let width = |k: usize| table.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..N).map(width).collect();
+    let line = |row: &[String; N]| {
+        let cells = row.iter().zip(&widths).map(|(cell, width)| format!("{cell:width$}"));
+        cells.collect::<Vec<_>>().join("  ")
+    };
+    table.iter().map(line).collect()
+}

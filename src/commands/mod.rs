@@ -1,0 +1,92 @@
+//! The headless commands, one a file. None of them touches a display or a graphics driver.
+
+mod inspect;
+mod progress;
+mod render;
+pub mod render_view;
+mod scenes;
+mod trace;
+
+use std::fmt;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+use crate::arguments::Command;
+use crate::document::Document;
+use crate::formats::FileError;
+use crate::formats::scene_argument::SceneSource;
+
+/// Why a command did not do what it was asked to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CommandError {
+    /// The input is at fault: exit status 1.
+    Input(String),
+    /// The arguments do not go together: exit status 2.
+    Arguments(String),
+    /// Nobody reads standard output any more. Nothing is wrong.
+    ReaderGone,
+}
+
+impl fmt::Display for CommandError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CommandError::Input(message) | CommandError::Arguments(message) => f.write_str(message),
+            CommandError::ReaderGone => f.write_str("nobody reads standard output"),
+        }
+    }
+}
+
+impl std::error::Error for CommandError {}
+
+impl From<FileError> for CommandError {
+    fn from(error: FileError) -> Self {
+        CommandError::Input(error.to_string())
+    }
+}
+
+/// Runs a command.
+///
+/// # Errors
+/// Why it could not be done.
+pub fn run(command: &Command) -> Result<(), CommandError> {
+    match command {
+        Command::Scenes => scenes::run(),
+        Command::Inspect(arguments) => inspect::run(arguments),
+        Command::Render(arguments) => render::run(arguments),
+        Command::Trace(arguments) => trace::run(arguments),
+    }
+}
+
+/// The exit status of a command; its error goes to standard error.
+pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
+    let status = match &result {
+        Ok(()) | Err(CommandError::ReaderGone) => return ExitCode::SUCCESS,
+        Err(CommandError::Input(_)) => 1,
+        Err(CommandError::Arguments(_)) => 2,
+    };
+    if let Err(error) = result {
+        // Where standard error is closed too, the status has to do.
+        let _ = writeln!(io::stderr(), "pinhole: {error}");
+    }
+    ExitCode::from(status)
+}
+
+/// Reads the scene that an argument means.
+fn load(scene: &Path) -> Result<Document, CommandError> {
+    Ok(SceneSource::of(scene)?.load()?)
+}
+
+/// Turns what is wrong with a scene's camera or objects into what is wrong with the scene.
+fn of_scene(scene: &Path, error: impl fmt::Display) -> CommandError {
+    CommandError::Input(format!("{}: {error}", scene.display()))
+}
+
+/// Writes to standard output, with care for a reader who has seen enough.
+fn to_stdout(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CommandError> {
+    let mut out = BufWriter::new(io::stdout().lock());
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => CommandError::ReaderGone,
+        _ => CommandError::Input(format!("standard output cannot be written: {error}")),
+    })
+}

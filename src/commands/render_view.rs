@@ -1,0 +1,112 @@
+//! The picture of either view, for `pinhole render`.
+
+use egui::Pos2;
+use pinhole_core::{
+    Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace, trace_reporting,
+};
+
+use super::CommandError;
+use crate::arguments::View;
+use crate::derive::{Deriver, ViewSizes};
+use crate::document::Document;
+use crate::label_text;
+use crate::observer::Observer;
+use crate::overlay::{Item, OverlayItems, Style};
+use crate::present::headless;
+use crate::session::{Session, Settings};
+
+/// What to draw, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RenderOptions {
+    /// How large the picture is.
+    pub size: ImageSize,
+    /// Which of the two views.
+    pub view: View,
+    /// Whether the basis, the viewport and the rays are drawn over it.
+    pub overlay: bool,
+    /// How a hit becomes a colour.
+    pub shade: Shade,
+    /// Whether normals are computed even if the shading does not need them.
+    pub normals: bool,
+}
+
+/// A finished picture.
+#[derive(Clone, Debug)]
+pub struct Rendering {
+    /// Opaque sRGB pixels with alpha 255, row by row from the top.
+    pub pixels: Vec<[u8; 4]>,
+    /// What the camera's rays meet, pixel by pixel, where it was asked for or needed anyway.
+    pub frame: Option<Frame>,
+}
+
+/// Draws a view of the document, `options.size` large. `done` hears of finished rows.
+///
+/// A camera view of another size than the document's image is that of a camera with as many
+/// pixels; the world view keeps the camera's pixels and draws them on its viewport.
+///
+/// # Errors
+/// A camera that sees nothing, or an object that is none.
+pub fn render_view(
+    document: &Document,
+    options: RenderOptions,
+    done: impl Fn(usize) + Sync,
+) -> Result<Rendering, CommandError> {
+    let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
+    let mut document = document.clone();
+    if options.view == View::Camera {
+        document.camera.image = options.size;
+    }
+    let camera = document.camera.posed().map_err(|error| input(&error))?;
+    let scene = document.scene().map_err(|error| input(&error))?;
+    if options.view == View::Camera && !options.overlay {
+        let outputs = Outputs { normal: options.normals };
+        let raster = Raster::full(camera.image());
+        let frame = trace_reporting(&scene, &camera, &raster, outputs, done);
+        let color_of = |object| document.color_of(object);
+        let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
+        return Ok(Rendering { pixels, frame: Some(frame) });
+    }
+    let pixels = with_overlay(&document, &scene, options);
+    done(options.size.height() as usize);
+    let frame = options
+        .normals
+        .then(|| trace(&scene, &camera, &Raster::full(camera.image()), Outputs { normal: true }));
+    Ok(Rendering { pixels, frame })
+}
+
+/// The view as the window shows it, labels included. No ray is selected, so none is drawn.
+fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> Vec<[u8; 4]> {
+    let size = [options.size.width(), options.size.height()];
+    // Strokes and text stay in proportion on large pictures.
+    let scale = (size[0].min(size[1]) as f32 / 720.0).max(1.0);
+    let world = options.view == View::World;
+    let items = if options.overlay {
+        OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false)
+    } else {
+        // A plane has no end: the world view draws a patch of it.
+        OverlayItems::NONE.with(Item::Planes, true)
+    };
+    let aspect = options.size.aspect();
+    let session = Session {
+        observer: Some(Observer::frame_all(&document.camera, scene, aspect)),
+        settings: Settings { shade: options.shade.into(), items, ..Settings::default() },
+        ..Session::default()
+    };
+    let sizes = ViewSizes {
+        world: world.then_some(size),
+        camera: (!world).then_some(size),
+        scale,
+        style: Style::Light,
+    };
+    let derived = Deriver::default().derive(document, &session, &sizes);
+    let Some(shown) = (if world { derived.world_view } else { derived.camera_view }) else {
+        return Vec::new();
+    };
+    let mut pixels = shown.image.pixels.clone();
+    headless::draw_text(&mut pixels, shown.image.size, scale, |painter| {
+        for label in shown.labels.iter() {
+            label_text::write(painter, Pos2::ZERO, scale, label);
+        }
+    });
+    pixels.into_iter().map(|pixel| pixel.to_array()).collect()
+}

@@ -1,0 +1,80 @@
+//! What several test files use.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+pub(crate) mod oracle;
+
+use pinhole_core::*;
+
+/// A point or direction.
+pub(crate) fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+/// A sphere.
+pub(crate) fn sphere(center: [f64; 3], radius: f64) -> Sphere {
+    Sphere { center: DVec3::from_array(center), radius }
+}
+
+/// A plane.
+pub(crate) fn plane(point: [f64; 3], normal: [f64; 3]) -> Plane {
+    Plane { point: DVec3::from_array(point), normal: DVec3::from_array(normal) }
+}
+
+/// How many `f64`s apart two numbers are, counted across 0.
+pub(crate) fn ulps(a: f64, b: f64) -> u64 {
+    assert!(!a.is_nan() && !b.is_nan(), "{a} against {b}");
+    let place = |x: f64| {
+        let bits = x.to_bits() as i64;
+        if bits < 0 { i64::MIN - bits } else { bits }
+    };
+    place(a).abs_diff(place(b))
+}
+
+/// Asserts that two numbers are at most `most` ulp apart; 0 must be 0.
+#[track_caller]
+pub(crate) fn assert_ulps(actual: f64, expected: f64, most: u64) {
+    let apart = ulps(actual, expected);
+    assert!(apart <= most, "{actual:?} is {apart} ulp from {expected:?}");
+}
+
+/// [`assert_ulps`] of each coordinate.
+#[track_caller]
+pub(crate) fn assert_ulps3(actual: DVec3, expected: DVec3, most: u64) {
+    for axis in 0..3 {
+        let apart = ulps(actual[axis], expected[axis]);
+        assert!(apart <= most, "{actual:?} is {apart} ulp from {expected:?} in coordinate {axis}");
+    }
+}
+
+/// A camera at `eye` along `view`, level with y up, with the canonical viewport.
+pub(crate) fn camera(eye: DVec3, view: DVec3, up: DVec3, width: u32, height: u32) -> Camera {
+    Camera {
+        eye,
+        orientation: Orientation::View { view, up },
+        image: ImageSize::new(width, height).unwrap(),
+        ..Camera::CANONICAL
+    }
+}
+
+/// A fixed sequence of numbers in `[0, 1)` (Knuth's MMIX generator).
+pub(crate) struct Numbers(pub(crate) u64);
+
+impl Numbers {
+    /// The next number in `[0, 1)`.
+    pub(crate) fn next(&mut self) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// The next number in `[from, to)`.
+    pub(crate) fn between(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * self.next()
+    }
+
+    /// A point in the cube from `-reach` to `reach`.
+    pub(crate) fn point(&mut self, reach: f64) -> DVec3 {
+        let mut x = || self.between(-reach, reach);
+        DVec3::new(x(), x(), x())
+    }
+}

@@ -1,0 +1,134 @@
+//! The lecture's answers, to 2 ulp.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
+
+use common::{assert_ulps, assert_ulps3, plane, sphere, vec3};
+use pinhole_core::*;
+
+const BACK_WALL: Plane = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
+const WARM_UP: DVec2 = DVec2::new(0.2, -0.1);
+
+fn with_distance(distance: f64) -> PosedCamera {
+    let viewport = Viewport { distance, ..Viewport::CANONICAL };
+    Camera { viewport, ..Camera::CANONICAL }.posed().unwrap()
+}
+
+fn first_hit(planes: Vec<Plane>, ray: &Ray) -> Root {
+    Scene::new(vec![], planes).unwrap().first_hit(ray).unwrap()
+}
+
+#[test]
+fn warm_up_1a_the_view_ray() {
+    let ray = with_distance(1.0).ray(WARM_UP);
+    assert_eq!(ray, Ray { origin: DVec3::ZERO, direction: vec3(0.2, -0.1, -1.0) });
+}
+
+#[test]
+fn warm_up_1b_the_back_wall() {
+    let hit = first_hit(vec![BACK_WALL], &with_distance(1.0).ray(WARM_UP));
+    assert_ulps(hit.t, 6.0, 0);
+    assert_ulps3(hit.point, vec3(1.2, -0.6, -6.0), 2);
+    assert_eq!(hit.normal, DVec3::Z);
+}
+
+#[test]
+fn at_distance_two_z_becomes_minus_two() {
+    let ray = with_distance(2.0).ray(WARM_UP);
+    assert_eq!(ray.direction, vec3(0.2, -0.1, -2.0));
+    let hit = first_hit(vec![BACK_WALL], &ray);
+    assert_ulps(hit.t, 3.0, 0);
+    assert_ulps3(hit.point, vec3(0.6, -0.3, -6.0), 2);
+}
+
+fn assert_forty_five(orientation: Orientation) {
+    let camera = Camera { orientation, ..Camera::CANONICAL }.posed().unwrap();
+    let Basis { u, v, w } = *camera.basis();
+    assert_ulps3(u, vec3(S, 0.0, -S), 2);
+    assert_ulps3(v, DVec3::Y, 2);
+    assert_ulps3(w, vec3(S, 0.0, S), 2);
+    let ray = camera.ray(WARM_UP);
+    assert_ulps3(ray.direction, vec3(-0.8 * S, -0.1, -1.2 * S), 2);
+    let hit = first_hit(vec![BACK_WALL], &ray);
+    assert_ulps(hit.t, 5.0 * SQRT_2, 2);
+    assert_ulps3(hit.point, vec3(-4.0, -SQRT_2 / 2.0, -6.0), 2);
+}
+
+#[test]
+fn forty_five_degrees_however_it_is_given() {
+    let by_hand = Basis { u: vec3(S, 0.0, -S), v: DVec3::Y, w: vec3(S, 0.0, S) };
+    assert_forty_five(Orientation::Basis(by_hand));
+    assert_forty_five(Orientation::View { view: vec3(-1.0, 0.0, -1.0), up: DVec3::Y });
+    assert_forty_five(Orientation::At { at: vec3(-3.0, 0.0, -3.0), up: vec3(0.0, 2.0, 0.0) });
+}
+
+#[test]
+fn the_warm_ups_uv_is_the_corner_of_four_pixels() {
+    let camera = with_distance(1.0);
+    let place = camera.pixel_of_uv(WARM_UP).unwrap();
+    assert_eq!((place.column_edge, place.row_edge), (Some(280), Some(240)));
+    assert_eq!(place.pixel, Pixel { row: 240, column: 280 });
+    let touching = [(239, 279), (239, 280), (240, 279), (240, 280)];
+    assert_eq!(place.touching(camera.image()), touching.map(|(row, column)| Pixel { row, column }));
+}
+
+#[test]
+fn the_courses_pixel_100_200() {
+    let pixel = Pixel { row: 99, column: 199 };
+    let uv = with_distance(1.0).uv_of_pixel(pixel);
+    assert_ulps(uv.x, -1.0 / 800.0, 0);
+    assert_ulps(uv.y, 201.0 / 800.0, 0);
+}
+
+#[test]
+fn a_sphere_through_the_middle() {
+    let ball = sphere([0.0, 0.0, -5.0], 1.0);
+    let camera = with_distance(1.0);
+    assert_eq!(ball.roots(&camera.ray(DVec2::ZERO)), Roots::Two(4.0, 6.0));
+    assert_eq!(ball.roots(&camera.ray(WARM_UP)), Roots::None);
+    let quadratic = SphereQuadratic { a: 1.0, b: -5.0, c: 24.0, discriminant: 1.0 };
+    assert_eq!(ball.quadratic(&camera.ray(DVec2::ZERO)), quadratic);
+}
+
+#[test]
+fn looking_down_with_up_aslant() {
+    let basis = Basis::from_view_up(vec3(0.0, -1.0, 0.0), vec3(1.0, 1.0, 0.0)).unwrap();
+    assert_eq!(basis, Basis { u: DVec3::Z, v: DVec3::X, w: DVec3::Y });
+}
+
+#[test]
+fn look_at() {
+    let (eye, at) = (vec3(20.0, 4.0, 10.0), vec3(-1.0, 0.0, -5.0));
+    let Basis { u, v, w } = Basis::from_eye_at_up(eye, at, DVec3::Y).unwrap();
+    assert_ulps3(u, vec3(5.0, 0.0, -7.0) / 74_f64.sqrt(), 2);
+    assert_ulps3(w, vec3(21.0, 4.0, 15.0) / 682_f64.sqrt(), 2);
+    // w x u, over the common denominator sqrt(682 * 74).
+    assert_ulps3(v, vec3(-28.0, 222.0, -20.0) / 50_468_f64.sqrt(), 2);
+}
+
+/// The lecture's lines in two dimensions are planes parallel to the z axis.
+#[test]
+fn lines_in_two_dimensions() {
+    let ray = Ray { origin: DVec3::ZERO, direction: vec3(1.0, 1.0, 0.0) };
+    let ahead = plane([2.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
+    assert_eq!(ahead.implicit(vec3(5.0, 7.0, 0.0)), 10.0);
+    assert_eq!(ahead.roots(&ray), Roots::One(1.0));
+    assert_eq!(ahead.point_and_normal(&ray, 1.0).0, vec3(1.0, 1.0, 0.0));
+
+    let behind = plane([0.0, 1.0, 0.0], [2.0, -1.0, 0.0]);
+    assert_eq!(behind.implicit(vec3(5.0, 7.0, 0.0)), 4.0);
+    assert_eq!(behind.roots(&ray), Roots::One(-1.0));
+    assert_eq!(behind.roots(&ray).first_positive(), None);
+    assert_eq!(Scene::new(vec![], vec![behind]).unwrap().first_hit(&ray), None);
+}
+
+/// The course's floor: the ray straight down from the eye meets it 1 below.
+#[test]
+fn the_planet_under_the_eye() {
+    let planet = sphere([0.0, -5001.0, 0.0], 5000.0);
+    let down = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Y };
+    assert_eq!(planet.roots(&down), Roots::Two(1.0, 10_001.0));
+    assert_eq!(planet.point_and_normal(&down, 1.0), (DVec3::NEG_Y, DVec3::Y));
+}

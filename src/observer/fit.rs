@@ -1,0 +1,233 @@
+//! Where an observer must stand to have all that matters in sight.
+
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera, Ray, Scene, extent_of_fov};
+
+use super::{FOV, Observer};
+
+/// Spheres this many times larger than all smaller ones and the camera together do not count for
+/// what must be in sight.
+const OUT_OF_SCALE: f64 = 50.0;
+
+/// The share of the picture's half that is left free around what must be in sight.
+const MARGIN: f64 = 0.1;
+
+/// Of very many spheres, so many are asked where they are.
+const ASKED_SPHERES: usize = 2048;
+
+/// How far, in degrees, the observer may stand to the right of the line behind the camera, and
+/// above it.
+const TO_THE_RIGHT: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
+const ABOVE: [f64; 4] = [26.0, 19.0, 14.0, 9.0];
+
+/// How far the frustum should be in sight: to this share of the way to the farthest sphere, and to
+/// so many times the viewport's distance.
+const FRUSTUM_PART: f64 = 0.6;
+const LONGEST_FRUSTUM: f64 = 3.2;
+
+/// From this size on, as a share of the picture's height, the camera is large enough.
+const LARGE_ENOUGH: f64 = 0.24;
+
+/// The observer turns around a point at most so many near sizes from the eye: around something far
+/// away it would lose the camera.
+const FARTHEST_MIDDLE: f64 = 15.0;
+
+/// How long the arrows are taken to be, as a share of the near size.
+const ARROW: f64 = 1.2;
+
+/// Something that must be in sight.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    center: DVec3,
+    radius: f64,
+}
+
+/// What must be in sight, and the camera in it.
+struct Subject {
+    balls: Vec<Ball>,
+    eye: DVec3,
+    /// From the scene to the camera: w, or what is known of it.
+    back: DVec3,
+    /// The camera's right.
+    right: DVec3,
+    /// The extent of the frustum from the eye to the viewport.
+    near_size: f64,
+    /// What the observer turns around: the middle of camera and scene.
+    middle: DVec3,
+}
+
+impl Observer {
+    /// An observer that has in sight the eye, the viewport, the basis arrows, at, and the spheres,
+    /// but for those that are out of all scale; from behind the camera's right shoulder, so far to
+    /// the side as the camera does not get too small. `aspect` is the picture's width by height.
+    ///
+    /// Perspective does the work: close behind a small camera, even what it looks at from afar is in
+    /// sight, small, in the distance, as it is on a whiteboard.
+    pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
+        let aspect = if aspect.is_finite() { aspect.clamp(0.1, 10.0) } else { 1.0 };
+        let subject = Subject::of(camera, scene);
+        let behind = match (subject.back.x, subject.back.z) {
+            (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
+            // Looking straight up or down: behind is where right x up points.
+            _ => (-subject.right.z).atan2(subject.right.x),
+        };
+        let mut best: Option<(f64, Observer)> = None;
+        for to_the_right in TO_THE_RIGHT {
+            for above in ABOVE {
+                let (azimuth, elevation) = (behind + to_the_right.to_radians(), above.to_radians());
+                let from = Observer::new(DVec3::ZERO, azimuth, elevation, 1.0);
+                let observer = subject.fit(&from, aspect);
+                let score = subject.score(&observer);
+                if best.is_none_or(|(most, _)| score > most) {
+                    best = Some((score, observer));
+                }
+            }
+        }
+        best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
+    }
+}
+
+impl Subject {
+    fn of(camera: &Camera, scene: &Scene) -> Subject {
+        let tame = |p: DVec3| p.is_finite() && p.abs().max_element() < 1e12;
+        let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
+        let mut balls = vec![Ball { center: eye, radius: 0.0 }];
+        let (mut near_size, mut back, mut right) = (1.0, DVec3::Z, DVec3::X);
+        if let Ok(posed) = camera.posed() {
+            (back, right) = (posed.basis().w, posed.basis().u);
+            let viewport = posed.viewport();
+            let size = viewport.width.max(viewport.height).max(viewport.distance);
+            near_size = size.clamp(1e-9, 1e12);
+            balls.extend(near_part(&posed, near_size));
+        }
+        let given = match camera.orientation {
+            Orientation::At { at, .. } => Some(at),
+            Orientation::View { .. } | Orientation::Basis(_) => None,
+        };
+        balls.extend(given.map(|at| Ball { center: at, radius: 0.0 }));
+        let spheres = spheres_in_scale(scene, eye, near_size);
+        if let Ok(posed) = camera.posed() {
+            let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
+            let t = (FRUSTUM_PART * farthest / posed.viewport().distance).min(LONGEST_FRUSTUM);
+            balls.extend(frustum_part(&posed, 1.0, t));
+            balls.extend(walls(&posed, scene, 2.0 * farthest.max(10.0 * near_size)));
+        }
+        balls.retain(|ball| tame(ball.center));
+        let camera_balls = balls.len();
+        balls.extend(spheres);
+        let seen = &balls[if balls.len() > camera_balls { camera_balls } else { 0 }..];
+        let sum: DVec3 = seen.iter().map(|ball| ball.center).sum();
+        let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
+        let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
+        Subject { balls, eye, back, right, near_size, middle }
+    }
+
+    /// The nearest observer in this direction from which every ball is in sight.
+    ///
+    /// In the observer's own coordinates, a ball (x, z, r) is right of the left border if
+    /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and so on: with `A = max(x + k z + r')` and
+    /// `B = max(-x + k z + r')`, the nearest eye is `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
+    fn fit(&self, direction: &Observer, aspect: f64) -> Observer {
+        let back = direction.back();
+        let (right, up) = direction.right_and_up();
+        let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - MARGIN);
+        let reach = |axis: DVec3, k: f64| {
+            let widen = (1.0 + k * k).sqrt();
+            let most = |sign: f64| {
+                self.balls
+                    .iter()
+                    .map(|ball| {
+                        let q = ball.center - self.eye;
+                        sign * q.dot(axis) + k * q.dot(back) + ball.radius * widen
+                    })
+                    .fold(f64::NEG_INFINITY, f64::max)
+            };
+            let (a, b) = (most(1.0), most(-1.0));
+            (0.5 * (a - b), 0.5 * (a + b) / k)
+        };
+        let (x, z_across) = reach(right, slope * aspect);
+        let (y, z_upwards) = reach(up, slope);
+        let stand = self.eye + x * right + y * up + z_across.max(z_upwards) * back;
+        let distance = (stand - self.middle).dot(back).max(0.5 * self.near_size);
+        let target = stand - distance * back;
+        Observer { target: target.to_array(), distance, ..*direction }.in_range()
+    }
+
+    /// Better is: the camera large enough, its view seen from the side, its picture seen from the
+    /// front, nothing before it.
+    fn score(&self, observer: &Observer) -> f64 {
+        let back = observer.back();
+        let stand = observer.target() + observer.distance() * back;
+        let to_eye = stand - self.eye;
+        let depth = to_eye.dot(back).max(1e-12);
+        let size = self.near_size / extent_of_fov(FOV, depth);
+        let along = back.dot(self.back);
+        let sideways = (1.0 - along * along).max(0.0).sqrt();
+        // Foreshortened to less than half its width, the picture on the viewport is hard to read.
+        let from_front = along.clamp(-0.5, 0.6);
+        let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
+        (size / LARGE_ENOUGH).min(1.0) + 0.8 * sideways + from_front
+            - if hidden { 0.6 } else { 0.0 }
+    }
+}
+
+/// The viewport's corners, and the tips of arrows along u, v, w.
+fn near_part(posed: &PosedCamera, size: f64) -> Vec<Ball> {
+    let (eye, basis) = (posed.eye(), posed.basis());
+    let arrows = [basis.u, basis.v, basis.w].map(|axis| eye + ARROW * size * axis);
+    let arrows = arrows.map(|center| Ball { center, radius: 0.0 });
+    frustum_part(posed, 1.0, 1.0).into_iter().chain(arrows).collect()
+}
+
+/// The points at this t of the rays through four places of the viewport: a share of the way from its
+/// middle to its corners.
+fn frustum_part(posed: &PosedCamera, share: f64, t: f64) -> [Ball; 4] {
+    rays_around(posed, share).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
+}
+
+/// Where the rays half way to the corners meet planes, if not too far away.
+fn walls(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Ball> {
+    let rays = rays_around(posed, 0.5);
+    let first = rays.iter().filter_map(|ray| {
+        let hits = scene.planes().iter().filter_map(|plane| plane.roots(ray).first_positive());
+        let t = hits.fold(f64::INFINITY, f64::min);
+        (ray.distance_along(t) < farthest).then(|| Ball { center: ray.at(t), radius: 0.0 })
+    });
+    first.collect()
+}
+
+fn rays_around(posed: &PosedCamera, share: f64) -> [Ray; 4] {
+    let half = 0.5 * share * DVec2::new(posed.viewport().width, posed.viewport().height);
+    [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
+        .map(|(x, y)| posed.ray(half * DVec2::new(x, y)))
+}
+
+/// The spheres from the smallest on, until one is out of scale with those before it.
+fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
+    let mut balls: Vec<Ball> = scene
+        .spheres()
+        .iter()
+        .take(ASKED_SPHERES)
+        .map(|sphere| Ball { center: sphere.center, radius: sphere.radius })
+        .filter(|ball| ball.center.abs().max_element() < 1e12)
+        .collect();
+    balls.sort_by(|a, b| a.radius.total_cmp(&b.radius));
+    let mut extent = near_size;
+    let in_scale = balls.iter().take_while(|ball| {
+        let fits = ball.radius <= OUT_OF_SCALE * extent;
+        if fits {
+            extent = extent.max((ball.center - eye).length() + ball.radius);
+        }
+        fits
+    });
+    let count = in_scale.count();
+    balls.truncate(count);
+    // What lies around the camera cannot be seen as a whole from near it.
+    balls.retain(|ball| (ball.center - eye).length() > ball.radius);
+    balls
+}
+
+fn lies_between(ball: &Ball, a: DVec3, b: DVec3) -> bool {
+    let along = b - a;
+    let share = ((ball.center - a).dot(along) / along.length_squared().max(1e-300)).clamp(0.0, 1.0);
+    ball.radius > 0.0 && (a + share * along).distance(ball.center) < ball.radius
+}

@@ -1,0 +1,126 @@
+//! Who looks at the world view: a camera that moves around what it looks at, and that the edited
+//! camera knows nothing of.
+
+mod fit;
+mod seen;
+
+use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
+use serde::{Deserialize, Serialize};
+
+pub use seen::{encloses, seen_scene};
+
+/// Where the observer stands, as an orbit around a target: world y is up.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Observer {
+    /// What the observer looks at and turns around.
+    target: [f64; 3],
+    /// From +z towards +x, in radians.
+    azimuth: f64,
+    /// Above the target's level, in radians; short of straight up and down.
+    elevation: f64,
+    /// From the target, in world units.
+    distance: f64,
+}
+
+/// The vertical field of view.
+const FOV: f64 = 35.0 * std::f64::consts::PI / 180.0;
+
+/// Straight above or below the target, up would be parallel to the view direction.
+const STEEPEST: f64 = 89.0 * std::f64::consts::PI / 180.0;
+
+/// How close to and far from its target an observer can be.
+const DISTANCES: (f64, f64) = (1e-9, 1e12);
+
+/// How far from the origin the target can be.
+const FARTHEST_TARGET: f64 = 1e12;
+
+impl Default for Observer {
+    /// Shows the canonical camera.
+    fn default() -> Self {
+        Observer::frame_all(&Camera::CANONICAL, &Scene::default(), 1.25)
+    }
+}
+
+impl Observer {
+    /// An observer at `distance` from `target`. Values out of range are brought into it.
+    pub fn new(target: DVec3, azimuth: f64, elevation: f64, distance: f64) -> Observer {
+        Observer { target: target.to_array(), azimuth, elevation, distance }.in_range()
+    }
+
+    /// What the observer looks at and turns around.
+    pub fn target(&self) -> DVec3 {
+        DVec3::from_array(self.in_range().target)
+    }
+
+    /// How far from the target the observer is.
+    pub fn distance(&self) -> f64 {
+        self.in_range().distance
+    }
+
+    /// Stored values come from files, too.
+    fn in_range(&self) -> Observer {
+        let finite = |x: f64, otherwise: f64| if x.is_finite() { x } else { otherwise };
+        Observer {
+            target: self.target.map(|x| finite(x, 0.0).clamp(-FARTHEST_TARGET, FARTHEST_TARGET)),
+            azimuth: finite(self.azimuth, 0.0) % std::f64::consts::TAU,
+            elevation: finite(self.elevation, 0.0).clamp(-STEEPEST, STEEPEST),
+            distance: finite(self.distance, 10.0).clamp(DISTANCES.0, DISTANCES.1),
+        }
+    }
+
+    /// From the target to the observer, of length 1.
+    fn back(&self) -> DVec3 {
+        let (sin, cos) = self.azimuth.sin_cos();
+        let (rise, run) = self.elevation.sin_cos();
+        DVec3::new(run * sin, rise, run * cos)
+    }
+
+    /// The observer's right and up in the picture.
+    fn right_and_up(&self) -> (DVec3, DVec3) {
+        let (sin, cos) = self.azimuth.sin_cos();
+        let right = DVec3::new(cos, 0.0, -sin);
+        (right, self.back().cross(right))
+    }
+
+    /// The observer as a camera, for a picture of so many dots.
+    pub fn camera(&self, width: u32, height: u32) -> Camera {
+        let own = self.in_range();
+        let size = |x: u32| x.clamp(1, ImageSize::MAX);
+        let image = ImageSize::new(size(width), size(height)).unwrap_or(Camera::CANONICAL.image);
+        let extent = extent_of_fov(FOV, 1.0);
+        let viewport = Viewport { width: extent * image.aspect(), height: extent, distance: 1.0 };
+        let back = own.back();
+        let eye = own.target() + own.distance * back;
+        Camera {
+            eye,
+            orientation: Orientation::View { view: -back, up: DVec3::Y },
+            viewport,
+            image,
+        }
+    }
+
+    /// Turns around the target by angles in radians: to the right, and up.
+    pub fn orbit(&mut self, right: f64, up: f64) {
+        self.azimuth += right;
+        self.elevation += up;
+        *self = self.in_range();
+    }
+
+    /// Moves sideways: what is at the target moves by this share of the picture's height, to the
+    /// right and down, as a hand drags it.
+    pub fn pan(&mut self, right: f64, down: f64) {
+        let own = self.in_range();
+        let per_height = extent_of_fov(FOV, own.distance);
+        let (to_right, to_up) = own.right_and_up();
+        let target = own.target() + per_height * (down * to_up - right * to_right);
+        *self = Observer { target: target.to_array(), ..own }.in_range();
+    }
+
+    /// Moves towards the target (factor above 1) or away from it.
+    pub fn zoom(&mut self, factor: f64) {
+        if factor > 0.0 {
+            self.distance /= factor;
+        }
+        *self = self.in_range();
+    }
+}

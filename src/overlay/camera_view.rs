@@ -1,0 +1,250 @@
+//! The camera view: the traced picture, pixels as pixels, with what is selected in it.
+
+use egui::Color32;
+use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera};
+
+use crate::inspection::Inspection;
+use crate::overlay::camera_in_space::MARK_TEXT;
+use crate::overlay::drawing::{Drawing, Label, Mark, Shape, dot};
+use crate::overlay::items::{Item, OverlayItems};
+use crate::overlay::labels::{self, Request};
+use crate::overlay::layers::{contrast, mix};
+use crate::overlay::picture::Picture;
+use crate::overlay::style::{Colors, Style};
+
+/// Everything that the camera view shows.
+#[derive(Clone, Copy, Debug)]
+pub struct CameraView<'a> {
+    /// The edited camera.
+    pub posed: &'a PosedCamera,
+    /// What it sees.
+    pub picture: &'a Picture,
+    /// The selected ray.
+    pub inspection: Option<&'a Inspection>,
+    /// Width and height of the buffer in dots. All of the image is stretched over it.
+    pub size: [usize; 2],
+    /// What to draw.
+    pub items: OverlayItems,
+    /// Dots per point.
+    pub scale: f32,
+    /// The colours.
+    pub style: Style,
+}
+
+/// Pixels smaller than this many dots have no grid.
+const GRID_FROM: f64 = 8.0;
+
+/// Fills the buffer with the picture, paints over it, and says which text belongs where.
+pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Vec<Label> {
+    let [width, height] = view.size;
+    if width == 0 || dots.len() != width * height {
+        return Vec::new();
+    }
+    view.picture.show_on(width, dots);
+    if view.items.shows(Item::PixelGrid) {
+        view.paint_grid(dots);
+    }
+    let drawing = view.drawing();
+    drawing.paint(width, dots);
+    drawing.labels
+}
+
+/// The (u, v) at a place of the camera view, in dots; also beside the picture.
+pub fn camera_uv_at(posed: &PosedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
+    let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
+    let viewport = posed.viewport();
+    DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
+}
+
+/// Where in the camera view, in dots, a (u, v) is: the inverse of [`camera_uv_at`].
+pub fn camera_position_of_uv(posed: &PosedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
+    dot(place_of(posed, size, uv))
+}
+
+fn place_of(posed: &PosedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
+    let viewport = posed.viewport();
+    DVec2::new(
+        width as f64 * (0.5 + uv.x / viewport.width),
+        height as f64 * (0.5 - uv.y / viewport.height),
+    )
+}
+
+impl CameraView<'_> {
+    fn extent(&self) -> DVec2 {
+        DVec2::new(self.size[0] as f64, self.size[1] as f64)
+    }
+
+    /// Dots per pixel, across and down.
+    fn dots_per_pixel(&self) -> DVec2 {
+        let image = self.posed.image();
+        self.extent() / DVec2::new(image.width().into(), image.height().into())
+    }
+
+    fn paint_grid(&self, dots: &mut [Color32]) {
+        if self.dots_per_pixel().min_element() < GRID_FROM {
+            return;
+        }
+        let [width, height] = self.size;
+        let line = (self.scale.round() as usize).max(1);
+        let image: ImageSize = self.posed.image();
+        let (columns, rows) =
+            (edges(image.width(), width, line), edges(image.height(), height, line));
+        let darken = |dot: &mut Color32| *dot = mix(*dot, contrast(*dot), 0.3);
+        for (row, dots) in dots.chunks_exact_mut(width).enumerate() {
+            if rows[row] {
+                dots.iter_mut().for_each(darken);
+            } else {
+                let on_edge = dots.iter_mut().zip(&columns).filter(|(_, on)| **on);
+                on_edge.for_each(|(dot, _)| darken(dot));
+            }
+        }
+    }
+
+    /// The marks and labels, without painting them.
+    pub fn drawing(&self) -> Drawing {
+        let colors = self.style.colors();
+        let mut sheet = Sheet {
+            view: self,
+            colors,
+            drawing: Drawing { scale: self.scale, ..Drawing::default() },
+            requests: Vec::new(),
+        };
+        sheet.uv_axes();
+        sheet.marks();
+        sheet.selected();
+        let Sheet { mut drawing, requests, .. } = sheet;
+        drawing.labels = labels::place(&requests, &drawing, self.extent(), colors.halo);
+        drawing
+    }
+}
+
+/// Which of `dots` lie on an edge between two of `count` cells, lines `width` dots wide.
+fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
+    let mut on = vec![false; dots];
+    for k in 1..count as usize {
+        // The first dot that shows cell k, see `Picture::show_on`.
+        let first = (2 * k * dots).saturating_sub(count as usize).div_ceil(2 * count as usize);
+        let from = first.saturating_sub(width / 2);
+        on[from.min(dots)..(from + width).min(dots)].fill(true);
+    }
+    on
+}
+
+/// The camera view's drawing in the making.
+struct Sheet<'a> {
+    view: &'a CameraView<'a>,
+    colors: &'static Colors,
+    drawing: Drawing,
+    requests: Vec<Request>,
+}
+
+impl Sheet<'_> {
+    fn add(&mut self, item: Item, shape: Shape, color: Color32) {
+        if self.view.items.shows(item) {
+            let halo = Some(self.colors.halo);
+            self.drawing.marks.push(Mark { item, shape, color, halo, hidden: false });
+        }
+    }
+
+    fn line(&mut self, item: Item, points: &[DVec2], width: f32, color: Color32) {
+        let points = points.iter().copied().map(dot).collect();
+        self.add(item, Shape::Line { points, width: width * self.view.scale }, color);
+    }
+
+    fn label(
+        &mut self,
+        item: Item,
+        text: &'static str,
+        anchor: DVec2,
+        toward: DVec2,
+        color: Color32,
+    ) {
+        if self.view.items.shows(Item::Labels) && self.view.items.shows(item) {
+            let size = MARK_TEXT;
+            self.requests.push(Request { item, text, anchor, toward, color, size, bold: false });
+        }
+    }
+
+    fn uv_axes(&mut self) {
+        let (size, color) = (self.view.extent(), self.colors.ink);
+        let middle = 0.5 * size;
+        let across = [DVec2::new(0.0, middle.y), DVec2::new(size.x, middle.y)];
+        let down = [DVec2::new(middle.x, 0.0), DVec2::new(middle.x, size.y)];
+        for points in [across, down] {
+            self.line(Item::UvAxes, &points, 1.0, color);
+        }
+        let ends = [("u", DVec2::new(size.x - 1.0, middle.y)), ("v", DVec2::new(middle.x, 1.0))];
+        for (name, end) in ends {
+            self.label(Item::UvAxes, name, end, middle - end, color);
+        }
+    }
+
+    /// As in the world view: a thick top edge with a triangle at it, a triangle at pixel (0, 0).
+    fn marks(&mut self) {
+        let (size, color) = (self.view.extent(), self.colors.mark);
+        let scale = f64::from(self.view.scale);
+        let side = (0.045 * size.min_element()).clamp(7.0 * scale, 18.0 * scale);
+        let bar = 3.0 * scale;
+        let rectangle =
+            [DVec2::ZERO, DVec2::new(size.x, 0.0), DVec2::new(size.x, bar), DVec2::new(0.0, bar)];
+        let middle = DVec2::new(0.5 * size.x, 0.0);
+        let up =
+            [middle, middle + DVec2::new(0.7, 1.1) * side, middle + DVec2::new(-0.7, 1.1) * side];
+        let corner = [DVec2::ZERO, DVec2::new(side, 0.0), DVec2::new(0.0, side)];
+        for polygon in [&rectangle[..], &up, &corner] {
+            let points = polygon.iter().copied().map(dot).collect();
+            self.add(Item::Marks, Shape::Polygon { points }, color);
+        }
+        if size.min_element() > 160.0 * scale {
+            let below = DVec2::new(0.0, 1.2 * side);
+            self.label(Item::Marks, "top", middle + below, DVec2::Y, color);
+            self.label(Item::Marks, "(0, 0)", DVec2::splat(0.4 * side), DVec2::ONE, color);
+        }
+    }
+
+    /// The pixels that the selected ray touches, and a cross where it passes them other than
+    /// through the centre of one. Of pixels too small to be told apart, only the place.
+    fn selected(&mut self) {
+        let Some(inspection) = self.view.inspection else { return };
+        let color = self.colors.ray;
+        let scale = f64::from(self.view.scale);
+        let posed = self.view.posed;
+        let at = place_of(posed, self.view.size, inspection.uv);
+        let pixel_size = self.view.dots_per_pixel().min_element() / scale;
+        let touched = inspection.place.map(|place| place.touching(posed.image()));
+        let touched = touched.unwrap_or_default();
+        let centered = touched.len() == 1
+            && place_of(posed, self.view.size, posed.uv_of_pixel(touched[0])).distance(at) < 0.01;
+        if pixel_size >= 5.0 {
+            touched.iter().for_each(|pixel| self.pixel(*pixel));
+        } else if !touched.is_empty() {
+            let half = DVec2::splat(8.0 * scale);
+            self.frame(at - half, at + half);
+        }
+        let inside = at.cmpge(DVec2::ZERO).all() && at.cmple(self.view.extent()).all();
+        if !inside || pixel_size < 5.0 {
+            return;
+        }
+        if !centered {
+            for axis in [DVec2::X, DVec2::Y] {
+                let arm = 9.0 * scale * axis;
+                self.line(Item::Ray, &[at - arm, at + arm], 1.8, color);
+            }
+        }
+        if inspection.first.is_some() && pixel_size >= 12.0 {
+            let radius = 3.2 * self.view.scale;
+            self.add(Item::Hit, Shape::Disc { center: dot(at), radius }, color);
+        }
+    }
+
+    fn pixel(&mut self, Pixel { row, column }: Pixel) {
+        let per_pixel = self.view.dots_per_pixel();
+        let corner = |row: u32, column: u32| DVec2::new(column.into(), row.into()) * per_pixel;
+        self.frame(corner(row, column), corner(row + 1, column + 1));
+    }
+
+    fn frame(&mut self, from: DVec2, to: DVec2) {
+        let points = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y), from];
+        self.line(Item::Ray, &points, 2.2, self.colors.ray);
+    }
+}

@@ -1,0 +1,33 @@
+//! What is drawn over the traced pictures: the camera in its scene, and the selected ray.
+//!
+//! Pure functions from what is to be shown to a [`Drawing`]: marks and labels in dots (physical
+//! pixels). [`world`] and [`camera`] also paint it, on the CPU, straight into the picture; text is
+//! left to the caller, who has fonts. The window and exported figures use the same drawing.
+//!
+//! - `world_view`: what the world view shows; `camera_view`: what the camera view shows.
+//! - `screen`: projection and clipping; `flat`: the way back, from a dot to a place on a plane.
+//! - `layers`: what is filled dot by dot (planes, the picture on the viewport), and what hides what.
+//! - `sketch`: lines and arrows of the world into marks; `labels`: places for text;
+//!   `paint`: marks into pixels.
+
+mod camera_in_space;
+mod camera_view;
+mod drawing;
+mod flat;
+mod items;
+mod labels;
+mod layers;
+mod objects;
+mod paint;
+mod picture;
+mod screen;
+mod sketch;
+mod style;
+mod world_view;
+
+pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
+pub use drawing::{Drawing, Label, Mark, Shape};
+pub use items::{Item, OverlayItems};
+pub use picture::Picture;
+pub use style::{Colors, Style};
+pub use world_view::{WorldView, pick, world, world_position_of};

@@ -1,0 +1,154 @@
+//! The traced picture of the edited camera, and how it is shown with its pixels as pixels.
+
+use egui::Color32;
+use pinhole_core::{ImageSize, Raster};
+use rayon::prelude::*;
+
+/// What the edited camera sees: one colour per traced pixel of its image.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Which rows and columns of the image were traced.
+    pub raster: Raster,
+    /// The image that the raster samples.
+    pub image: ImageSize,
+    /// The colours of the raster, row by row; opaque.
+    pub pixels: Vec<Color32>,
+}
+
+/// For each row or column of the image, which of the traced ones is nearest.
+pub(crate) struct Nearest(Vec<u32>);
+
+impl Nearest {
+    /// `traced` is ascending. Of two equally near, the first.
+    fn new(traced: &[u32], count: u32) -> Nearest {
+        let mut index = 0;
+        Nearest(
+            (0..count)
+                .map(|own| {
+                    while let Some(next) = traced.get(index + 1)
+                        && next.abs_diff(own) < traced[index].abs_diff(own)
+                    {
+                        index += 1;
+                    }
+                    index as u32
+                })
+                .collect(),
+        )
+    }
+
+    /// The index in the raster.
+    pub(crate) fn of(&self, own: usize) -> usize {
+        self.0[own] as usize
+    }
+}
+
+impl Picture {
+    /// Whether there is a colour for every traced pixel, and at least one.
+    pub(crate) fn is_whole(&self) -> bool {
+        !self.raster.is_empty() && self.pixels.len() == self.raster.len()
+    }
+
+    /// The nearest traced row of every row of the image, and likewise for columns.
+    pub(crate) fn nearest(&self) -> (Nearest, Nearest) {
+        (
+            Nearest::new(self.raster.rows(), self.image.height()),
+            Nearest::new(self.raster.columns(), self.image.width()),
+        )
+    }
+
+    /// The colour of a pixel of the image, or of the nearest traced one; `None` outside the image.
+    pub fn color_of_pixel(&self, row: u32, column: u32) -> Option<Color32> {
+        if row >= self.image.height() || column >= self.image.width() {
+            return None;
+        }
+        let nearest = |traced: &[u32], own: u32| {
+            let after = traced.partition_point(|x| *x < own);
+            let before = after.saturating_sub(1);
+            match (traced.get(before), traced.get(after)) {
+                (Some(b), Some(a)) if a.abs_diff(own) < b.abs_diff(own) => after,
+                _ => before,
+            }
+        };
+        let row = nearest(self.raster.rows(), row);
+        let column = nearest(self.raster.columns(), column);
+        self.pixels.get(row * self.raster.columns().len() + column).copied()
+    }
+
+    /// Fills a buffer of `columns` dots a row with the picture, nearest-neighbour: dot `k` of `n`
+    /// shows pixel `floor((2k + 1) W / (2n))`, the pixel that [`Raster::shown_on`] traces for it.
+    pub fn show_on(&self, columns: usize, dots: &mut [Color32]) {
+        if columns == 0 || !self.is_whole() {
+            return;
+        }
+        let rows = dots.len() / columns;
+        let (nearest_row, nearest_column) = self.nearest();
+        let width = self.raster.columns().len();
+        let of_column: Vec<usize> = (0..columns)
+            .map(|k| nearest_column.of(shown(k, columns, self.image.width())))
+            .collect();
+        let rows_of = |k: usize| nearest_row.of(shown(k, rows, self.image.height()));
+        dots.par_chunks_exact_mut(columns).enumerate().with_min_len(16).for_each(|(k, dots)| {
+            let source = &self.pixels[rows_of(k) * width..][..width];
+            for (dot, column) in dots.iter_mut().zip(&of_column) {
+                *dot = source[*column];
+            }
+        });
+    }
+}
+
+/// The pixel of `count` in the middle of dot `k` of `dots`.
+fn shown(k: usize, dots: usize, count: u32) -> usize {
+    (2 * k + 1) * count as usize / (2 * dots)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counted(image: ImageSize, raster: Raster) -> Picture {
+        let color = |row: &u32, column: &u32| Color32::from_rgb(*row as u8, *column as u8, 7);
+        let pixels = raster
+            .rows()
+            .iter()
+            .flat_map(|row| raster.columns().iter().map(move |column| color(row, column)))
+            .collect();
+        Picture { raster, image, pixels }
+    }
+
+    #[test]
+    fn dots_show_what_the_raster_for_them_traced() {
+        for (w, h, columns, rows) in [(7, 5, 3, 4), (7, 5, 23, 17), (100, 60, 9, 60), (1, 1, 4, 4)]
+        {
+            let image = ImageSize::new(w, h).expect("a size");
+            let full = counted(image, Raster::full(image));
+            let some = counted(image, Raster::shown_on(image, columns, rows));
+            let (columns, rows) = (columns as usize, rows as usize);
+            let mut from_full = vec![Color32::BLACK; columns * rows];
+            let mut from_some = from_full.clone();
+            full.show_on(columns, &mut from_full);
+            some.show_on(columns, &mut from_some);
+            assert_eq!(from_full, from_some);
+            let last = from_full[columns * rows - 1];
+            let middle = |n: usize, count: u32| ((2 * n - 1) * count as usize / (2 * n)) as u8;
+            assert_eq!((last.r(), last.g()), (middle(rows, h), middle(columns, w)));
+        }
+    }
+
+    #[test]
+    fn a_pixel_left_out_has_the_colour_of_its_neighbour() {
+        let image = ImageSize::new(10, 10).expect("a size");
+        let picture = counted(image, Raster::shown_on(image, 2, 2));
+        assert_eq!(picture.raster.rows(), [2, 7]);
+        let row_of = |row| picture.color_of_pixel(row, 0).map(|c| c.r());
+        assert_eq!(row_of(0), Some(2));
+        assert_eq!(row_of(4), Some(2));
+        assert_eq!(row_of(5), Some(7));
+        assert_eq!(row_of(9), Some(7));
+        assert_eq!(row_of(10), None);
+        let (rows, _) = picture.nearest();
+        assert!((0..10).all(|row| {
+            let nearest = picture.raster.rows()[rows.of(row as usize)];
+            row_of(row) == Some(nearest as u8)
+        }));
+    }
+}

@@ -1,0 +1,284 @@
+//! Lines, arrows and points of the world into the marks of a [`Drawing`]: projected, cut, and
+//! parted into what is seen and what is hidden.
+
+use egui::Color32;
+use pinhole_core::{DVec2, DVec3};
+
+use crate::overlay::drawing::{Drawing, Mark, Shape, dot};
+use crate::overlay::items::{Item, OverlayItems};
+use crate::overlay::labels::Request;
+use crate::overlay::layers::Layers;
+use crate::overlay::screen::{CutLine, Screen, Spot};
+use crate::overlay::style::Colors;
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pen {
+    pub(crate) item: Item,
+    pub(crate) color: Color32,
+    /// In points.
+    pub(crate) width: f32,
+    pub(crate) halo: bool,
+    /// Drawn on the viewport's rectangle, and so not hidden by it.
+    pub(crate) on_viewport: bool,
+}
+
+/// The shape of an arrow's head.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Head {
+    /// A filled triangle.
+    Filled,
+    /// Two strokes.
+    Open,
+    /// Two filled triangles, one behind the other.
+    Double,
+}
+
+/// A drawing in the making.
+pub(crate) struct Sketch<'a> {
+    pub(crate) screen: Screen,
+    pub(crate) layers: &'a Layers<'a>,
+    pub(crate) items: OverlayItems,
+    pub(crate) colors: &'static Colors,
+    pub(crate) drawing: Drawing,
+    pub(crate) requests: Vec<Request>,
+}
+
+/// Dots between two questions of whether a line is hidden.
+const SAMPLE_SPACING: f64 = 1.5;
+
+/// A run shorter than this, in points, is drawn as its neighbour is.
+const SHORTEST_RUN: f64 = 3.0;
+
+/// A part of a line that is seen, or hidden, as a whole; shares of its length on the screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Run {
+    from: f64,
+    to: f64,
+    hidden: bool,
+}
+
+impl Pen {
+    pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
+        Pen { item, color, width, halo: true, on_viewport: false }
+    }
+
+    pub(crate) fn without_halo(self) -> Pen {
+        Pen { halo: false, ..self }
+    }
+
+    pub(crate) fn on_viewport(self) -> Pen {
+        Pen { on_viewport: true, ..self }
+    }
+}
+
+impl Sketch<'_> {
+    pub(crate) fn scale(&self) -> f64 {
+        f64::from(self.drawing.scale)
+    }
+
+    /// A straight line of the world.
+    pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: Pen) {
+        if self.items.shows(pen.item)
+            && let Some(cut) = self.screen.line(from, to)
+        {
+            self.cut_line(cut.from, cut.to, pen);
+        }
+    }
+
+    /// An arrow whose head keeps its size on the screen; where its tip is, if that is in sight.
+    pub(crate) fn arrow(&mut self, from: DVec3, to: DVec3, head: Head, pen: Pen) -> Option<Tip> {
+        if !self.items.shows(pen.item) {
+            return None;
+        }
+        let CutLine { from, to, whole_to, .. } = self.screen.line(from, to)?;
+        if !whole_to {
+            self.cut_line(from, to, pen);
+            return None;
+        }
+        let along = to.at - from.at;
+        let length = along.length();
+        let full = self.scale() * (4.0 + 3.0 * f64::from(pen.width));
+        let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
+            // It points at the observer, or away: only its end is seen.
+            self.disc(to, pen.width + 1.5, pen);
+            return Some(Tip { spot: to, direction: DVec2::ZERO });
+        };
+        let size = full.min(0.8 * length);
+        let neck = match head {
+            Head::Open => 0.1,
+            Head::Filled => 0.7,
+            Head::Double => 1.2,
+        };
+        self.cut_line(from, from.toward(to, 1.0 - (neck * size / length).min(1.0)), pen);
+        self.head(to, direction, size, head, pen);
+        Some(Tip { spot: to, direction })
+    }
+
+    fn head(&mut self, tip: Spot, direction: DVec2, size: f64, head: Head, pen: Pen) {
+        let side = direction.perp() * (0.42 * size);
+        let triangle = |tip: DVec2| {
+            let back = tip - direction * size;
+            [tip, back + side, back - side]
+        };
+        let hidden = self.is_hidden(tip, pen.on_viewport);
+        let mut add = |corners: &[DVec2], filled: bool| {
+            let mut points: Vec<[f32; 2]> = corners.iter().copied().map(dot).collect();
+            let shape = if filled && !hidden {
+                Shape::Polygon { points }
+            } else {
+                if filled {
+                    points.push(points[0]);
+                }
+                let thin = if hidden { 0.6 } else { 1.0 };
+                Shape::Line { points, width: thin * pen.width * self.drawing.scale }
+            };
+            let halo = (pen.halo && !hidden).then_some(self.colors.halo);
+            // A dashed head would be no head.
+            let mark = Mark { item: pen.item, shape, color: pen.color, halo, hidden: false };
+            self.drawing.marks.push(mark);
+        };
+        match head {
+            Head::Filled => add(&triangle(tip.at), true),
+            Head::Open => {
+                let [tip, left, right] = triangle(tip.at);
+                add(&[left, tip, right], false);
+            }
+            Head::Double => {
+                add(&triangle(tip.at - direction * (0.7 * size)), true);
+                add(&triangle(tip.at), true);
+            }
+        }
+    }
+
+    /// A point of the world as a disc, `radius` in points; where it is, if in sight.
+    pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: Pen) -> Option<Spot> {
+        if !self.items.shows(pen.item) {
+            return None;
+        }
+        let spot = self.screen.spot(at)?;
+        self.disc(spot, radius, pen);
+        Some(spot)
+    }
+
+    /// A hidden disc is a ring.
+    fn disc(&mut self, spot: Spot, radius: f32, pen: Pen) {
+        let hidden = self.is_hidden(spot, pen.on_viewport);
+        let radius = radius * self.drawing.scale;
+        let shape = if hidden {
+            let ring = (0..=24).map(|k| {
+                let angle = f64::from(k) * std::f64::consts::TAU / 24.0;
+                dot(spot.at + DVec2::from_angle(angle) * f64::from(radius))
+            });
+            Shape::Line { points: ring.collect(), width: 1.2 * self.drawing.scale }
+        } else {
+            Shape::Disc { center: dot(spot.at), radius }
+        };
+        let halo = pen.halo.then_some(self.colors.halo);
+        self.drawing.marks.push(Mark {
+            item: pen.item,
+            shape,
+            color: pen.color,
+            halo,
+            hidden: false,
+        });
+    }
+
+    /// A flat polygon on the viewport, if it is wholly in sight and its middle is not hidden.
+    pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: Pen) {
+        if !self.items.shows(pen.item) {
+            return;
+        }
+        let Some(spots) = corners.iter().map(|c| self.screen.spot(*c)).collect::<Option<Vec<_>>>()
+        else {
+            return;
+        };
+        let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen.on_viewport));
+        if seen {
+            let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };
+            let halo = pen.halo.then_some(self.colors.halo);
+            self.drawing.marks.push(Mark {
+                item: pen.item,
+                shape,
+                color: pen.color,
+                halo,
+                hidden: false,
+            });
+        }
+    }
+
+    /// Asks for a label.
+    pub(crate) fn label(
+        &mut self,
+        item: Item,
+        text: &'static str,
+        anchor: DVec2,
+        toward: DVec2,
+        font: (Color32, f32, bool),
+    ) {
+        let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
+        if self.items.shows(Item::Labels) && self.items.shows(item) && inside {
+            let (color, size, bold) = font;
+            self.requests.push(Request { item, text, anchor, toward, color, size, bold });
+        }
+    }
+
+    fn is_hidden(&self, spot: Spot, on_viewport: bool) -> bool {
+        self.layers.hides(spot.at, 1.0 / spot.inverse_t, on_viewport)
+    }
+
+    fn cut_line(&mut self, from: Spot, to: Spot, pen: Pen) {
+        let scale = self.drawing.scale;
+        for run in self.runs(from, to, pen.on_viewport) {
+            let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
+            let thin = if run.hidden { 0.65 } else { 1.0 };
+            let halo = (pen.halo && !run.hidden).then_some(self.colors.halo);
+            let shape = Shape::Line { points, width: thin * pen.width * scale };
+            let mark = Mark { item: pen.item, shape, color: pen.color, halo, hidden: run.hidden };
+            self.drawing.marks.push(mark);
+        }
+    }
+
+    fn runs(&self, from: Spot, to: Spot, on_viewport: bool) -> Vec<Run> {
+        let length = (to.at - from.at).length();
+        let count = (length / SAMPLE_SPACING).ceil().clamp(1.0, 16_384.0) as usize;
+        let shortest = SHORTEST_RUN * self.scale() / length.max(1e-9);
+        let mut runs: Vec<Run> = Vec::new();
+        for k in 0..count {
+            let share = |k: f64| k / count as f64;
+            let hidden = self.is_hidden(from.toward(to, share(k as f64 + 0.5)), on_viewport);
+            let to = share(k as f64 + 1.0);
+            match runs.last_mut() {
+                Some(last) if last.hidden == hidden => last.to = to,
+                _ => runs.push(Run { from: share(k as f64), to, hidden }),
+            }
+        }
+        merged(&runs, shortest)
+    }
+}
+
+/// Runs without those shorter than `shortest`, which become part of the run before them.
+fn merged(runs: &[Run], shortest: f64) -> Vec<Run> {
+    let mut merged: Vec<Run> = Vec::new();
+    for run in runs {
+        match merged.last_mut() {
+            Some(last) if last.hidden == run.hidden || run.to - run.from < shortest => {
+                last.to = run.to;
+            }
+            // The first run of a line has no run before it.
+            Some(last) if last.to - last.from < shortest => {
+                *last = Run { from: last.from, ..*run };
+            }
+            _ => merged.push(*run),
+        }
+    }
+    merged
+}
+
+/// Where an arrow ends on the screen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tip {
+    pub(crate) spot: Spot,
+    /// Of length 1, or zero for an arrow that points at the observer.
+    pub(crate) direction: DVec2,
+}

@@ -1,0 +1,182 @@
+//! The world view: the scene with the camera in it, as the observer sees it.
+
+use egui::Color32;
+use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Rgb, Scene};
+
+use crate::inspection::Inspection;
+use crate::observer::{Observer, encloses};
+use crate::overlay::drawing::{Drawing, Label};
+use crate::overlay::flat::{Flat, Grid};
+use crate::overlay::items::{Item, OverlayItems};
+use crate::overlay::labels;
+use crate::overlay::layers::{Layers, PictureLookup, ViewportLayer};
+use crate::overlay::objects::{self, Onlooker};
+use crate::overlay::picture::Picture;
+use crate::overlay::screen::Screen;
+use crate::overlay::sketch::Sketch;
+use crate::overlay::style::Style;
+
+/// Everything that the world view shows.
+#[derive(Clone, Copy)]
+pub struct WorldView<'a> {
+    /// The edited camera as given, maybe without a basis.
+    pub camera: &'a Camera,
+    /// The edited camera, where it has a basis.
+    pub posed: Option<&'a PosedCamera>,
+    /// What it sees.
+    pub picture: Option<&'a Picture>,
+    /// The selected ray.
+    pub inspection: Option<&'a Inspection>,
+    /// What it looks at, all of it.
+    pub scene: &'a Scene,
+    /// The colour of each object of the scene.
+    pub color_of: &'a dyn Fn(u32) -> Rgb,
+    /// Who looks.
+    pub observer: &'a Observer,
+    /// The picture of [`observer::seen_scene`](crate::observer::seen_scene) by the observer's
+    /// camera, every pixel traced.
+    pub frame: &'a Frame,
+    /// What to draw.
+    pub items: OverlayItems,
+    /// Dots per point.
+    pub scale: f32,
+    /// The colours.
+    pub style: Style,
+}
+
+/// Paints the world view over the observer's traced and shaded picture, and says which text
+/// belongs where.
+pub fn world(view: &WorldView, dots: &mut [Color32]) -> Vec<Label> {
+    let layers = view.layers();
+    layers.paint(dots);
+    let drawing = view.sketch(&layers);
+    drawing.paint(view.frame.camera().image().width() as usize, dots);
+    drawing.labels
+}
+
+/// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
+/// viewport and where an object hides it.
+pub fn pick(posed: &PosedCamera, frame: &Frame, position: [f32; 2]) -> Option<DVec2> {
+    let observer = frame.camera();
+    let at = DVec2::new(position[0].into(), position[1].into());
+    let layers = Layers::new(frame, Color32::TRANSPARENT);
+    let layer = viewport_layer(posed, observer)?;
+    let spot = layer.spot(at)?;
+    let uv = spot.place * DVec2::new(posed.viewport().width, posed.viewport().height);
+    (spot.t <= layers.traced_t(at)).then_some(uv)
+}
+
+/// Where in the world view, in dots, a point of the world is seen; `None` behind the observer and
+/// outside the picture. What stands before the point does not count.
+pub fn world_position_of(frame: &Frame, point: DVec3) -> Option<[f32; 2]> {
+    let observer = frame.camera();
+    let unit = (point - observer.eye()).length();
+    let spot = Screen::new(observer, unit).spot(point)?;
+    Some([spot.at.x as f32, spot.at.y as f32])
+}
+
+fn viewport_layer<'a>(posed: &PosedCamera, observer: &PosedCamera) -> Option<ViewportLayer<'a>> {
+    let (basis, viewport) = (posed.basis(), posed.viewport());
+    let rays = Screen::new(observer, 1.0).ray_parts();
+    let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
+    let flat = Flat::new(&rays, posed.viewport_point(DVec2::ZERO), u, v)?;
+    Some(ViewportLayer { flat, image: posed.image(), picture: None, grid: None })
+}
+
+/// Pixel edges nearer to each other than this, in points, are left out by twos, fives, tens...
+const GRID_SPACING: f64 = 7.0;
+
+impl<'a> WorldView<'a> {
+    /// The marks and labels, without painting them.
+    pub fn drawing(&self) -> Drawing {
+        self.sketch(&self.layers())
+    }
+
+    fn screen(&self) -> Screen {
+        Screen::new(self.frame.camera(), self.observer.distance())
+    }
+
+    fn layers(&self) -> Layers<'a> {
+        let colors = self.style.colors();
+        let screen = self.screen();
+        let mut layers = Layers::new(self.frame, colors.background);
+        if self.items.shows(Item::Planes) {
+            let onlooker = Onlooker {
+                rays: screen.ray_parts(),
+                target: self.observer.target(),
+                distance: self.observer.distance(),
+                camera_eye: self.camera.eye,
+                scale: f64::from(self.scale),
+            };
+            let first = self.scene.spheres().len();
+            let color_of = |index: usize| (self.color_of)((first + index) as u32);
+            layers.patches = objects::patches(self.scene.planes(), color_of, &onlooker, colors);
+        }
+        if let Some(posed) = self.posed {
+            layers.viewport = viewport_layer(posed, self.frame.camera());
+            if let Some(layer) = &mut layers.viewport {
+                let picture = self.picture.filter(|_| self.items.shows(Item::Picture));
+                layer.picture = picture.and_then(|p| PictureLookup::new(p, posed.image()));
+                if self.items.shows(Item::PixelGrid) {
+                    layer.grid = pixel_grid(&screen, posed, f64::from(self.scale));
+                }
+            }
+        }
+        layers
+    }
+
+    fn sketch(&self, layers: &Layers<'a>) -> Drawing {
+        let colors = self.style.colors();
+        let screen = self.screen();
+        let mut sketch = Sketch {
+            screen,
+            layers,
+            items: self.items,
+            colors,
+            drawing: Drawing { scale: self.scale, ..Drawing::default() },
+            requests: Vec::new(),
+        };
+        let observer_eye = self.frame.camera().eye();
+        for (index, sphere) in (0..).zip(self.scene.spheres()) {
+            if encloses(sphere, self.camera.eye, observer_eye) {
+                sketch.circles(sphere, (self.color_of)(index));
+            }
+        }
+        sketch.camera_in_space(self);
+        let Sketch { mut drawing, requests, .. } = sketch;
+        drawing.labels = labels::place(&requests, &drawing, screen.size, colors.halo);
+        drawing
+    }
+}
+
+/// The densest grid of pixel edges that can be told apart on the screen, and how opaque it is.
+fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid, f32)> {
+    let center = posed.viewport_point(DVec2::ZERO);
+    let (basis, viewport, image) = (posed.basis(), posed.viewport(), posed.image());
+    let middle = screen.spot(center)?;
+    let dots_per = |axis: DVec3, extent: f64, count: u32| {
+        let half = 0.25 * extent * axis;
+        let ends = (screen.spot(center - half), screen.spot(center + half));
+        let half_extent = match ends {
+            (Some(a), Some(b)) => (b.at - a.at).length(),
+            (Some(end), None) | (None, Some(end)) => 2.0 * (end.at - middle.at).length(),
+            // Seen from so near that the whole screen is within the viewport.
+            (None, None) => screen.size.max_element(),
+        };
+        2.0 * half_extent / f64::from(count)
+    };
+    let dots = dots_per(basis.u, viewport.width, image.width()).min(dots_per(
+        basis.v,
+        viewport.height,
+        image.height(),
+    ));
+    let wanted = GRID_SPACING * scale / dots.max(1e-9);
+    let step = (0..5)
+        .flat_map(|power| [1, 2, 5].map(|m| m * 10u32.pow(power)))
+        .find(|step| f64::from(*step) >= wanted)?;
+    let opacity = if step == 1 { 0.45 } else { 0.28 };
+    let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+    // In (u / width, v / height), from the corner of pixel (0, 0).
+    let step = f64::from(step) / DVec2::new(w, h);
+    Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0)), opacity))
+}

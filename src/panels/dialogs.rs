@@ -1,0 +1,220 @@
+//! Dialogs over the window: which file to open or save to, unsaved changes, and messages.
+
+use std::path::{Path, PathBuf};
+
+use egui::{Context, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
+
+use super::number::error_color;
+use crate::action::Action;
+use crate::formats::scene_argument::SceneSource;
+
+/// The dialog that is open.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    /// Which file to open.
+    Open(PathField),
+    /// Which file to save to.
+    SaveAs(PathField),
+    /// What to do with unsaved changes before the action.
+    Unsaved {
+        /// What the document is called.
+        title: String,
+        /// What waits for the answer.
+        then: Action,
+    },
+    /// Something to read and close.
+    Message {
+        /// One line.
+        title: String,
+        /// The whole story.
+        text: String,
+    },
+}
+
+/// A path being typed or chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathField {
+    /// What is typed.
+    text: String,
+    /// The folder that is listed, and what it holds.
+    folder: PathBuf,
+    entries: Vec<Entry>,
+    /// Whether the existing file at this path may be overwritten.
+    overwrite: Option<PathBuf>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    name: String,
+    path: PathBuf,
+    is_folder: bool,
+}
+
+impl PathField {
+    /// Starts in the folder of `path`, with its name filled in if it is a file's.
+    pub(crate) fn near(path: Option<&Path>, name: &str) -> PathField {
+        let folder = path
+            .and_then(Path::parent)
+            .filter(|folder| !folder.as_os_str().is_empty())
+            .map(Path::to_owned)
+            .or_else(|| std::env::current_dir().ok())
+            .unwrap_or_default();
+        let text = match name {
+            "" => String::new(),
+            name => folder.join(name).display().to_string(),
+        };
+        let mut field =
+            PathField { text, folder: PathBuf::new(), entries: Vec::new(), overwrite: None };
+        field.list(folder);
+        field
+    }
+
+    fn list(&mut self, folder: PathBuf) {
+        let mut entries: Vec<Entry> = (std::fs::read_dir(&folder).into_iter().flatten().flatten())
+            .filter_map(|entry| {
+                let path = entry.path();
+                let name = entry.file_name().to_string_lossy().into_owned();
+                let is_folder = path.is_dir();
+                let is_scene = path.extension().is_some_and(|ext| ext == "toml");
+                (!name.starts_with('.') && (is_folder || is_scene)).then_some(Entry {
+                    name,
+                    path,
+                    is_folder,
+                })
+            })
+            .collect();
+        entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
+        self.entries = entries;
+        self.folder = folder;
+    }
+
+    /// Shows the field and the folder; a path once one is chosen.
+    fn ui(&mut self, ui: &mut Ui, verb: &str) -> Option<PathBuf> {
+        let mut chosen = None;
+        let field = TextEdit::singleline(&mut self.text).hint_text("path of a .toml scene");
+        let response = ui.add(field.desired_width(f32::INFINITY));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("path"));
+        if ui.memory(|memory| memory.focused().is_none()) {
+            response.request_focus();
+        }
+        if response.changed() {
+            self.overwrite = None;
+        }
+        let entered = response.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        ui.horizontal(|ui| {
+            if let Some(parent) = self.folder.parent().map(Path::to_owned)
+                && ui.button("Up").on_hover_text("The folder above").clicked()
+            {
+                self.list(parent);
+            }
+            ui.weak(self.folder.display().to_string());
+        });
+        let mut enter = None;
+        ScrollArea::vertical().max_height(240.0).auto_shrink([false, false]).show(ui, |ui| {
+            for entry in &self.entries {
+                let name =
+                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
+                if row.clicked() && entry.is_folder {
+                    enter = Some(entry.path.clone());
+                } else if row.clicked() {
+                    self.text = entry.path.display().to_string();
+                } else if row.double_clicked() {
+                    chosen = Some(entry.path.clone());
+                }
+            }
+        });
+        if let Some(folder) = enter {
+            self.list(folder);
+        }
+        let typed = self.text.trim();
+        let ready = ui.add_enabled(!typed.is_empty(), egui::Button::new(verb)).clicked() || entered;
+        if ready && !typed.is_empty() {
+            chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
+        }
+        chosen
+    }
+}
+
+/// Shows the dialog, if one is open; closes it when it is answered.
+pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<Action>) {
+    let Some(open) = dialog else { return };
+    let mut close = false;
+    let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+        ui.set_width(460.0);
+        match open {
+            Dialog::Open(field) => open_ui(ui, field, actions, &mut close),
+            Dialog::SaveAs(field) => save_ui(ui, field, actions, &mut close),
+            Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, actions, &mut close),
+            Dialog::Message { title, text } => {
+                ui.heading(title.as_str());
+                ui.label(text.as_str());
+                ui.add_space(8.0);
+                close |= ui.button("Close").clicked();
+            }
+        }
+    });
+    if close || response.should_close() {
+        *dialog = None;
+    }
+}
+
+fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close: &mut bool) {
+    ui.heading("Open a scene");
+    if let Some(path) = field.ui(ui, "Open") {
+        if path.is_dir() {
+            field.list(path);
+        } else {
+            actions.push(Action::Open(SceneSource::File(path)));
+            *close = true;
+        }
+    }
+}
+
+fn save_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close: &mut bool) {
+    ui.heading("Save the scene as");
+    if let Some(mut path) = field.ui(ui, "Save") {
+        if path.is_dir() {
+            field.list(path);
+            return;
+        }
+        if path.extension().is_none() {
+            path.set_extension("toml");
+        }
+        if path.exists() && field.overwrite.as_ref() != Some(&path) {
+            field.overwrite = Some(path);
+        } else {
+            actions.push(Action::SaveAs(path));
+            *close = true;
+        }
+    }
+    if let Some(path) = &field.overwrite {
+        let text = format!("{} exists. Save once more to replace it.", path.display());
+        ui.label(RichText::new(text).color(error_color(ui)));
+    }
+}
+
+fn unsaved_ui(
+    ui: &mut Ui,
+    title: &str,
+    then: &Action,
+    actions: &mut Vec<Action>,
+    close: &mut bool,
+) {
+    ui.heading(format!("Save the changes to {title}?"));
+    ui.label("Without saving, they are lost.");
+    ui.add_space(8.0);
+    ui.horizontal(|ui| {
+        let then = || Box::new(then.clone());
+        for (text, action) in [
+            ("Save", Some(Action::SaveThen(then()))),
+            ("Discard", Some(Action::Discard(then()))),
+            ("Cancel", None),
+        ] {
+            if ui.button(text).clicked() {
+                actions.extend(action);
+                *close = true;
+            }
+        }
+    });
+}

@@ -1,0 +1,11 @@
+//! The window's panels, one `ui` function a file. Each edits what it is given in place and says
+//! nothing else to anyone.
+
+pub(crate) mod camera;
+pub mod dialogs;
+mod number;
+pub(crate) mod objects;
+pub(crate) mod readouts;
+pub(crate) mod selection;
+pub(crate) mod top_bar;
+pub(crate) mod views;

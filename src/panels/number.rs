@@ -1,0 +1,240 @@
+//! Fields for numbers: drag, type, or type arithmetic. Each has a name for screen readers and
+//! tests, and says so where what was typed is no number.
+
+use std::cell::RefCell;
+
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
+use egui::{Color32, DragValue, Id, Response, RichText, Ui};
+use pinhole_core::{DVec3, shortest};
+
+use crate::expression::evaluate;
+use crate::overlay::Style;
+
+/// Significant digits shown in a field that is not being typed in.
+const FIELD_DIGITS: usize = 5;
+
+/// One number to edit.
+pub(super) struct NumberField<'a> {
+    name: &'a str,
+    value: &'a mut f64,
+    suffix: &'a str,
+    width: f32,
+}
+
+impl<'a> NumberField<'a> {
+    /// A field whose accessible name is `name`.
+    pub(super) fn new(name: &'a str, value: &'a mut f64) -> Self {
+        NumberField { name, value, suffix: "", width: 78.0 }
+    }
+
+    /// A unit behind the number.
+    pub(super) fn suffix(mut self, suffix: &'a str) -> Self {
+        self.suffix = suffix;
+        self
+    }
+
+    /// How wide the field is, in points.
+    pub(super) fn width(mut self, width: f32) -> Self {
+        self.width = width;
+        self
+    }
+
+    /// Shows the field; the response says whether the number changed.
+    pub(super) fn show(self, ui: &mut Ui) -> Response {
+        let id = ui.next_auto_id();
+        let typing = ui.memory(|memory| memory.has_focus(id));
+        let speed = drag_speed(ui, id, *self.value);
+        let fault: RefCell<Option<String>> = RefCell::new(None);
+        let exact = *self.value;
+        let field = DragValue::new(self.value)
+            .speed(speed)
+            .suffix(if typing { "" } else { self.suffix })
+            .clip_text(true)
+            .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
+            .custom_formatter(
+                |value, _| if typing { shortest(value) } else { rounded(value, FIELD_DIGITS) },
+            )
+            .custom_parser(|text| match evaluate(text) {
+                Ok(value) => {
+                    *fault.borrow_mut() = Some(String::new());
+                    Some(value)
+                }
+                Err(reason) => {
+                    *fault.borrow_mut() = Some(reason);
+                    None
+                }
+            });
+        let response = ui.add(field);
+        if response.clicked() && !typing {
+            select_all(ui, &response, &shortest(exact));
+        }
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(self.name));
+        show_fault(ui, id, typing, fault.into_inner(), &response);
+        if typing || response.dragged() {
+            response
+        } else {
+            response.on_hover_text(format!("{} = {}{}", self.name, shortest(exact), self.suffix))
+        }
+    }
+}
+
+/// A click starts typing with the exact number selected; egui would select only as much of it as
+/// the rounded form is long.
+fn select_all(ui: &Ui, response: &Response, exact: &str) {
+    let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+    let end = CCursor::new(exact.chars().count());
+    state.cursor.set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
+    state.store(ui.ctx(), response.id);
+}
+
+/// Under a field with something that is no number, the reason; until the next try.
+fn show_fault(ui: &Ui, id: Id, typing: bool, parsed: Option<String>, response: &Response) {
+    let key = id.with("fault");
+    if let Some(reason) = parsed {
+        ui.data_mut(|data| data.insert_temp(key, reason));
+    } else if !typing && (response.gained_focus() || response.dragged()) {
+        ui.data_mut(|data| data.remove::<String>(key));
+    }
+    let reason = ui.data(|data| data.get_temp::<String>(key)).unwrap_or_default();
+    if !reason.is_empty() {
+        let color = error_color(ui);
+        ui.painter().rect_stroke(
+            response.rect,
+            2.0,
+            egui::Stroke::new(1.5, color),
+            egui::StrokeKind::Inside,
+        );
+        egui::Tooltip::always_open(
+            ui.ctx().clone(),
+            ui.layer_id(),
+            key,
+            egui::PopupAnchor::from(response),
+        )
+        .show(|ui| ui.label(RichText::new(reason).color(color)));
+    }
+}
+
+/// A hundredth of the number's size a point, fixed when the drag begins: a speed that grew with the
+/// value would run away under the hand.
+fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
+    let key = id.with("speed");
+    let held = ui.ctx().is_being_dragged(id);
+    if held && let Some(speed) = ui.data(|data| data.get_temp::<f64>(key)) {
+        return speed;
+    }
+    let magnitude = value.abs();
+    let speed = if magnitude == 0.0 || (0.1..10.0).contains(&magnitude) {
+        0.01
+    } else {
+        10f64.powf(magnitude.log10().floor().clamp(-280.0, 280.0)) * 0.02
+    };
+    ui.data_mut(|data| data.insert_temp(key, speed));
+    speed
+}
+
+/// `value` with at most that many significant digits, marked with `…` where digits are left out.
+pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    let short = significant(value, digits);
+    if short.parse() == Ok(value) { short } else { format!("{short}…") }
+}
+
+/// `value` to that many significant digits, trailing zeros dropped; never `NaN` or `inf`.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "beyond f64".to_owned();
+    }
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = digits.max(1);
+    let scientific = format!("{:.*e}", digits - 1, value);
+    let exponent: i32 =
+        scientific.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or_default();
+    if (-5..digits.max(7) as i32).contains(&exponent) {
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        let fixed = format!("{value:.decimals$}");
+        if fixed.contains('.') {
+            return fixed.trim_end_matches('0').trim_end_matches('.').to_owned();
+        }
+        return fixed;
+    }
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) if mantissa.contains('.') => {
+            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+            format!("{mantissa}e{exponent}")
+        }
+        _ => scientific,
+    }
+}
+
+/// Three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Whether one changed.
+pub(super) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
+    let mut changed = false;
+    let width = ((ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0).max(56.0);
+    for (axis, coordinate) in [("x", &mut value.x), ("y", &mut value.y), ("z", &mut value.z)] {
+        let field = NumberField::new(&format!("{name} {axis}"), coordinate).width(width).show(ui);
+        changed |= field.changed();
+    }
+    changed
+}
+
+/// The colour that a vector has in the views; `None` for the other names.
+pub(super) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
+    let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+    let colors = style.colors();
+    Some(match name {
+        "u" => colors.basis[0],
+        "v" => colors.basis[1],
+        "w" => colors.basis[2],
+        "at" | "view" | "up" => colors.given,
+        "p" | "d" => colors.ray,
+        _ => return None,
+    })
+}
+
+/// The colour of what is wrong, legible on the theme's background.
+pub(super) fn error_color(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode {
+        Color32::from_rgb(0xff, 0x8a, 0x70)
+    } else {
+        Color32::from_rgb(0xb0, 0x20, 0x00)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rounded, significant};
+
+    #[test]
+    fn rounded_numbers_say_so() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (1.0, "1"),
+            (0.1, "0.1"),
+            (-0.25, "-0.25"),
+            (0.7071067811865476, "0.707107…"),
+            (1.0 / 3.0, "0.333333…"),
+            (5000.0, "5000"),
+            (-5001.25, "-5001.25"),
+            (1e300, "1e300"),
+            (1.5e-9, "1.5e-9"),
+            (1234567.891, "1234568…"),
+            (1e12, "1e12"),
+            (123456.0, "123456"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(rounded(value, 6), text, "{value:?}");
+        }
+    }
+
+    #[test]
+    fn digits_are_significant_ones() {
+        assert_eq!(significant(2f64.sqrt() * 5.0, 5), "7.0711");
+        assert_eq!(significant(0.000123456, 3), "0.000123");
+        assert_eq!(significant(-1.2 / 2f64.sqrt(), 12), "-0.848528137424");
+        assert_eq!(significant(f64::NAN, 5), "beyond f64");
+        assert_eq!(significant(f64::INFINITY, 5), "beyond f64");
+    }
+}

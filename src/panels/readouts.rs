@@ -1,0 +1,242 @@
+//! The numbers: the basis, the selected ray, and everything that the ray meets. All of it can be
+//! selected and copied.
+
+use egui::{Grid, RichText, ScrollArea, Ui};
+use pinhole_core::{DVec3, Object, Pixel, PosedCamera, Root, UpAngle};
+
+use super::number::{error_color, significant, vector_color};
+use crate::derive::Derived;
+use crate::document::Document;
+use crate::inspection::Inspection;
+
+/// Misses are listed one by one up to this many objects.
+const LISTED_MISSES: usize = 12;
+
+/// How numbers are written.
+#[derive(Clone, Copy)]
+pub(crate) struct NumberStyle {
+    /// Significant digits.
+    pub digits: usize,
+    /// Rows and columns counted from 1, as the course does.
+    pub count_from_one: bool,
+}
+
+impl NumberStyle {
+    fn number(self, x: f64) -> String {
+        significant(x, self.digits).replace('-', "−")
+    }
+
+    fn vector(self, v: DVec3) -> String {
+        format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
+    }
+
+    fn pixel(self, pixel: Pixel) -> String {
+        let from = u32::from(self.count_from_one);
+        format!("row {}, column {}", pixel.row + from, pixel.column + from)
+    }
+}
+
+/// Shows the three blocks side by side.
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+    if let Some(fault) = derived.fault {
+        ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
+        ui.label("No basis, no rays: the numbers come back with it.");
+        return;
+    }
+    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+        ui.horizontal_top(|ui| {
+            if let Some(posed) = &derived.posed {
+                ui.vertical(|ui| basis(ui, posed, derived.up_angle, style));
+                ui.separator();
+            }
+            if let (Some(inspection), Some(posed)) = (&derived.inspection, &derived.posed) {
+                ui.vertical(|ui| ray(ui, inspection, posed, style));
+                ui.separator();
+                ui.vertical(|ui| hits(ui, inspection, derived, document, style));
+            }
+        });
+    });
+}
+
+/// A block's title with a button that copies its lines.
+fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(text).strong());
+        let copy = ui.small_button("Copy");
+        ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label(format!("Copy {text}")));
+        if copy.clicked() {
+            ui.ctx().copy_text(lines());
+        }
+    });
+}
+
+/// One line `name = value`, the name in the vector's own colour.
+fn line(ui: &mut Ui, name: &str, value: String) {
+    let color = vector_color(ui, name);
+    let name_text = RichText::new(name).strong();
+    ui.label(match color {
+        Some(color) => name_text.color(color),
+        None => name_text,
+    });
+    let response = ui.label(RichText::new(format!("= {value}")));
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
+    ui.end_row();
+}
+
+fn basis_lines(
+    posed: &PosedCamera,
+    angle: Option<UpAngle>,
+    style: NumberStyle,
+) -> Vec<(&'static str, String)> {
+    let basis = posed.basis();
+    let mut lines = vec![
+        ("u", style.vector(basis.u)),
+        ("v", style.vector(basis.v)),
+        ("w", style.vector(basis.w)),
+    ];
+    if let Some(UpAngle { angle, conditioning }) = angle {
+        lines.push(("angle of up and view", format!("{}°", style.number(angle.to_degrees()))));
+        lines.push(("conditioning", style.number(conditioning)));
+    }
+    lines
+}
+
+fn joined(lines: &[(&str, String)]) -> String {
+    lines.iter().map(|(name, value)| format!("{name} = {value}\n")).collect()
+}
+
+fn basis(ui: &mut Ui, posed: &PosedCamera, angle: Option<UpAngle>, style: NumberStyle) {
+    let lines = basis_lines(posed, angle, style);
+    title(ui, "Basis", || joined(&lines));
+    Grid::new("basis").num_columns(2).show(ui, |ui| {
+        for (name, value) in lines {
+            line(ui, name, value);
+        }
+    });
+    if let Some(UpAngle { conditioning, .. }) = angle {
+        let text = if conditioning < 1.5 {
+            "up is well away from view".to_owned()
+        } else {
+            format!("1° of up tipped sideways rolls the camera {}°", style.number(conditioning))
+        };
+        ui.weak(text);
+    }
+}
+
+fn ray_lines(
+    inspection: &Inspection,
+    posed: &PosedCamera,
+    style: NumberStyle,
+) -> Vec<(&'static str, String)> {
+    let place = match inspection.place {
+        None => "outside the image".to_owned(),
+        Some(place) => match inspection.pixel() {
+            Some(pixel) => style.pixel(pixel),
+            None => match place.touching(posed.image()).len() {
+                4 => "the corner of four pixels".to_owned(),
+                _ => "on the edge between pixels".to_owned(),
+            },
+        },
+    };
+    let (u, v) = (style.number(inspection.uv.x), style.number(inspection.uv.y));
+    let length = inspection.ray.distance_along(1.0);
+    vec![
+        ("pixel", place),
+        ("(u, v)", format!("({u}, {v})")),
+        ("p", style.vector(inspection.ray.origin)),
+        ("d", style.vector(inspection.ray.direction)),
+        ("|d|", style.number(length)),
+    ]
+}
+
+fn ray(ui: &mut Ui, inspection: &Inspection, posed: &PosedCamera, style: NumberStyle) {
+    let lines = ray_lines(inspection, posed, style);
+    title(ui, "Ray", || joined(&lines));
+    Grid::new("ray").num_columns(2).show(ui, |ui| {
+        for (name, value) in lines {
+            line(ui, name, value);
+        }
+    });
+    ui.weak("p + t d, t = 1 on the viewport");
+}
+
+/// Why a root is, or is not, the first hit.
+fn verdict(root: &Root, index: usize, inspection: &Inspection) -> &'static str {
+    match inspection.first {
+        Some(first) if first == index => "first: smallest t > 0",
+        _ if root.t < 0.0 => "behind the eye",
+        _ if root.t == 0.0 => "at the eye: no hit",
+        Some(first) if inspection.roots[first].t == root.t => "same t, listed later",
+        _ => "farther",
+    }
+}
+
+fn hits(
+    ui: &mut Ui,
+    inspection: &Inspection,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) {
+    let rows: Vec<[String; 6]> = (inspection.roots.iter().enumerate())
+        .map(|(index, root)| {
+            [
+                document.title_of(root.object as usize),
+                style.number(root.t),
+                style.number(inspection.ray.distance_along(root.t)),
+                style.vector(root.point),
+                style.vector(root.normal),
+                verdict(root, index, inspection).to_owned(),
+            ]
+        })
+        .collect();
+    title(ui, "Hits", || rows.iter().map(|row| row.join("\t") + "\n").collect());
+    if rows.is_empty() {
+        ui.label("The ray meets nothing.");
+    } else {
+        Grid::new("hits").num_columns(6).striped(true).show(ui, |ui| {
+            for heading in ["object", "t", "distance", "point", "normal", ""] {
+                ui.weak(heading);
+            }
+            ui.end_row();
+            for (index, row) in rows.into_iter().enumerate() {
+                let first = inspection.first == Some(index);
+                for cell in row {
+                    let text = RichText::new(cell);
+                    ui.label(if first { text.strong() } else { text });
+                }
+                ui.end_row();
+            }
+        });
+    }
+    if let Some(scene) = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_MISSES) {
+        ui.add_space(4.0);
+        for (index, object) in scene.objects().enumerate() {
+            ui.weak(parts(&document.title_of(index), &object, inspection, style));
+        }
+    }
+}
+
+/// The numbers that decide hit or miss for one object.
+fn parts(title: &str, object: &Object, inspection: &Inspection, style: NumberStyle) -> String {
+    let number = |x| style.number(x);
+    match object {
+        Object::Sphere(sphere) => {
+            let q = sphere.quadratic(&inspection.ray);
+            let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
+            let meaning = match q.discriminant {
+                d if d < 0.0 => "< 0: missed",
+                0.0 => ": tangent",
+                _ => "> 0: two roots",
+            };
+            format!("{title}:  a = {a},  b = {b},  c = {c},  D = b² − ac = {d} {meaning}")
+        }
+        Object::Plane(plane) => {
+            let terms = plane.terms(&inspection.ray);
+            let (rate, offset) = (number(terms.rate), number(terms.offset));
+            let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
+            format!("{title}:  n·d = {rate},  n·(point − p) = {offset}{meaning}")
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! Which ray is looked at, typed: by row and column, or by (u, v).
+
+use egui::{Grid, Ui};
+use pinhole_core::{Pixel, PosedCamera};
+
+use super::number::NumberField;
+use crate::session::Selection;
+
+/// Edits the selection of a camera that has a basis.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    selection: &mut Selection,
+    posed: Option<&PosedCamera>,
+    count_from_one: bool,
+) {
+    ui.heading("Selected ray");
+    let Some(posed) = posed else {
+        ui.weak("The camera has no basis, so no ray.");
+        return;
+    };
+    *selection = selection.inside(posed.image());
+    let uv = selection.uv(posed);
+    let inside = match *selection {
+        Selection::Pixel(pixel) => Some(pixel),
+        Selection::Uv(_) => posed.pixel_of_uv(uv).map(|place| place.pixel),
+    };
+    Grid::new("selected ray").num_columns(4).show(ui, |ui| {
+        let from = u32::from(count_from_one);
+        let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
+        let row = index_field(ui, "row", &mut pixel.row, posed.image().height(), from);
+        let column = index_field(ui, "column", &mut pixel.column, posed.image().width(), from);
+        ui.end_row();
+        if row || column {
+            *selection = Selection::Pixel(pixel);
+        }
+        let mut typed = uv;
+        ui.label("u");
+        let u = NumberField::new("uv u", &mut typed.x).show(ui).changed();
+        ui.label("v");
+        let v = NumberField::new("uv v", &mut typed.y).show(ui).changed();
+        ui.end_row();
+        if u || v {
+            *selection = Selection::Uv(typed);
+        }
+    });
+}
+
+fn index_field(ui: &mut Ui, name: &str, index: &mut u32, count: u32, from: u32) -> bool {
+    ui.label(name);
+    let mut shown = *index + from;
+    let field = egui::DragValue::new(&mut shown).range(from..=count - 1 + from).speed(0.2);
+    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    *index = shown - from;
+    response.changed()
+}

@@ -1,0 +1,122 @@
+//! The bar on top: scenes and files, views, how pictures are coloured, and how numbers are written.
+
+use egui::{MenuBar, Ui};
+use pinhole_core::Shade;
+
+use crate::action::Action;
+use crate::files::{OpenDocument, title_of};
+use crate::formats::builtin;
+use crate::formats::scene_argument::SceneSource;
+use crate::overlay::Item;
+use crate::session::{Settings, ShadeName, ThemeName, ViewLayout};
+
+/// Shows the bar; what was chosen in it goes into `actions` and `settings`.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    open: &OpenDocument,
+    recent: &[std::path::PathBuf],
+    settings: &mut Settings,
+    actions: &mut Vec<Action>,
+) {
+    MenuBar::new().ui(ui, |ui| {
+        ui.menu_button("File", |ui| file_menu(ui, recent, actions));
+        ui.menu_button("Scenes", |ui| {
+            for scene in builtin::all() {
+                if ui.button(scene.name).on_hover_text(scene.summary()).clicked() {
+                    actions.push(Action::Open(SceneSource::Builtin(scene)));
+                }
+            }
+        });
+        ui.menu_button("Show", |ui| show_menu(ui, settings, actions));
+        ui.menu_button("Numbers", |ui| numbers_menu(ui, settings));
+        ui.separator();
+        layout(ui, settings);
+        ui.separator();
+        ui.label("Shade");
+        shade(ui, &mut settings.shade);
+        ui.separator();
+        let changed = if open.has_changes() { " (changed)" } else { "" };
+        ui.strong(format!("{}{changed}", title_of(&open.source)));
+    });
+}
+
+fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {
+    let mut entry = |ui: &mut Ui, text: &str, keys: &str, action: Action| {
+        if ui.add(egui::Button::new(text).shortcut_text(keys)).clicked() {
+            actions.push(action);
+        }
+    };
+    entry(ui, "Open…", "Ctrl+O", Action::AskOpen);
+    entry(ui, "Save", "Ctrl+S", Action::Save);
+    entry(ui, "Save as…", "Ctrl+Shift+S", Action::AskSaveAs);
+    ui.separator();
+    ui.menu_button("Recent", |ui| {
+        if recent.is_empty() {
+            ui.weak("no file yet");
+        }
+        for path in recent {
+            if ui.button(path.display().to_string()).clicked() {
+                actions.push(Action::Open(SceneSource::File(path.clone())));
+            }
+        }
+    });
+    ui.separator();
+    if ui.add(egui::Button::new("Quit").shortcut_text("Ctrl+Q")).clicked() {
+        actions.push(Action::Quit);
+    }
+}
+
+fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
+    if ui.add(egui::Button::new("Frame all").shortcut_text("F")).clicked() {
+        actions.push(Action::FrameAll);
+    }
+    ui.separator();
+    ui.label("Drawn over the views");
+    for item in Item::ALL {
+        let mut shown = settings.items.shows(item);
+        if ui.checkbox(&mut shown, item.label()).changed() {
+            settings.items.set(item, shown);
+        }
+    }
+    ui.separator();
+    ui.label("Colours");
+    for (theme, text) in [
+        (ThemeName::System, "As the system"),
+        (ThemeName::Dark, "Dark"),
+        (ThemeName::Light, "Light"),
+    ] {
+        ui.radio_value(&mut settings.theme, theme, text);
+    }
+    ui.separator();
+    ui.weak("Zoom: Ctrl + and Ctrl −");
+}
+
+fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
+    ui.horizontal(|ui| {
+        ui.label("Significant digits");
+        let response = ui.add(egui::DragValue::new(&mut settings.digits).range(2..=17).speed(0.05));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("significant digits"));
+    });
+    ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
+}
+
+fn layout(ui: &mut Ui, settings: &mut Settings) {
+    for (layout, text, hint) in [
+        (ViewLayout::Both, "Both views", "World view and camera view side by side"),
+        (ViewLayout::World, "World", "The world view alone"),
+        (ViewLayout::Camera, "Camera", "The camera view alone"),
+    ] {
+        ui.selectable_value(&mut settings.layout, layout, text).on_hover_text(hint);
+    }
+}
+
+fn shade(ui: &mut Ui, chosen: &mut ShadeName) {
+    for (name, hint) in [
+        (ShadeName::Lambert, "Lit from the eye"),
+        (ShadeName::Normal, "The normal's x, y, z as red, green, blue"),
+        (ShadeName::T, "Nearest t white, farther darker"),
+        (ShadeName::Object, "Each object's own colour, flat"),
+    ] {
+        ui.selectable_value(chosen, name, Shade::from(name).name()).on_hover_text(hint);
+    }
+}

@@ -1,0 +1,310 @@
+//! The two views: where they lie, what the mouse and keys do in them, and putting the finished
+//! pictures there.
+
+use egui::{
+    Color32, EventFilter, Key, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+};
+use pinhole_core::ImageSize;
+
+use crate::action::Action;
+use crate::derive::{Derived, Shown, ViewSizes};
+use crate::label_text;
+use crate::overlay;
+use crate::session::{Selection, Session, Settings, ViewLayout};
+use crate::view_texture::ViewTexture;
+
+/// Height of the strip above each view, in points.
+const STRIP: f32 = 26.0;
+/// Width of the handle between two areas.
+const HANDLE: f32 = 8.0;
+/// No view gets smaller than this.
+const SMALLEST: f32 = 120.0;
+
+/// Where everything in the middle of the window lies, in points, on whole physical pixels.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Places {
+    /// The world view's picture.
+    pub world: Option<Rect>,
+    /// The part that the camera view may fill.
+    pub camera_area: Option<Rect>,
+    /// The camera view's picture, in the image's proportions.
+    pub camera: Option<Rect>,
+    /// The readouts.
+    pub readouts: Rect,
+}
+
+/// Lays out views and readouts, with handles between them that change `settings`.
+pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> Places {
+    let area = ui.available_rect_before_wrap();
+    let most = (area.height() - SMALLEST - STRIP).max(80.0);
+    settings.readouts_height = settings.readouts_height.clamp(80.0, most);
+    let boundary = area.bottom() - settings.readouts_height;
+    let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
+    settings.readouts_height -= drag(ui, handle, "readouts handle").y;
+    let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
+    let readouts = Rect::from_min_max(pos2(area.left(), boundary), area.max);
+
+    let (world, camera) = match settings.layout {
+        ViewLayout::World => (Some(views), None),
+        ViewLayout::Camera => (None, Some(views)),
+        ViewLayout::Both => {
+            let share = SMALLEST / views.width().max(2.0 * SMALLEST);
+            settings.views_split = settings.views_split.clamp(share, 1.0 - share);
+            let x = views.left() + settings.views_split * views.width();
+            let handle =
+                Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, views.y_range());
+            settings.views_split += drag(ui, handle, "views handle").x / views.width();
+            let left = Rect::from_min_max(views.min, pos2(handle.left(), views.bottom()));
+            let right = Rect::from_min_max(pos2(handle.right(), views.top()), views.max);
+            (Some(left), Some(right))
+        }
+    };
+    let per_point = ui.ctx().pixels_per_point();
+    let below_strip = |rect: Rect| {
+        snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + STRIP), rect.max), per_point)
+    };
+    let camera_area = camera.map(below_strip);
+    Places {
+        world: world.map(below_strip),
+        camera_area,
+        camera: camera_area.map(|area| fitted(area, image, per_point)),
+        readouts,
+    }
+}
+
+/// A handle that is dragged; how far it was just now.
+fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
+    let vertical = rect.height() > rect.width();
+    let cursor = if vertical {
+        egui::CursorIcon::ResizeHorizontal
+    } else {
+        egui::CursorIcon::ResizeVertical
+    };
+    let response =
+        ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
+    let visuals = ui.style().interact(&response);
+    let line = if vertical {
+        Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
+    } else {
+        Rect::from_center_size(rect.center(), vec2(36.0, 2.0))
+    };
+    ui.painter().rect_filled(line, 1.0, visuals.fg_stroke.color.gamma_multiply(0.5));
+    response.drag_delta()
+}
+
+/// The rectangle with its corners on physical pixels, so that pictures stay sharp.
+fn snapped(rect: Rect, per_point: f32) -> Rect {
+    let snap = |x: f32| (x * per_point).round() / per_point;
+    Rect::from_min_max(
+        pos2(snap(rect.left()), snap(rect.top())),
+        pos2(snap(rect.right()), snap(rect.bottom())),
+    )
+}
+
+/// The largest rectangle in the image's proportions, centred; large pixels get a whole number of
+/// physical ones each, so that all are alike.
+fn fitted(area: Rect, image: ImageSize, per_point: f32) -> Rect {
+    let available = area.size() * per_point;
+    let pixels = vec2(image.width() as f32, image.height() as f32);
+    let scale = (available.x / pixels.x).min(available.y / pixels.y);
+    let scale = if scale >= 3.0 { scale.floor() } else { scale };
+    let size = vec2((pixels.x * scale).round().max(1.0), (pixels.y * scale).round().max(1.0));
+    let min = area.center() - 0.5 * size / per_point;
+    let min = pos2((min.x * per_point).round(), (min.y * per_point).round()) / per_point;
+    Rect::from_min_size(min, size / per_point)
+}
+
+/// How large the views are, in physical pixels.
+pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
+    let per_point = ui.ctx().pixels_per_point();
+    let physical = |rect: Rect| {
+        let size = rect.size() * per_point;
+        [size.x.round().max(1.0) as u32, size.y.round().max(1.0) as u32]
+    };
+    ViewSizes {
+        world: places.world.map(physical),
+        camera: places.camera.map(physical),
+        scale: per_point,
+        style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
+    }
+}
+
+/// What mouse and keys did in the views. `shown` is what they were done to: the last frame.
+pub(crate) fn inputs(
+    ui: &mut Ui,
+    places: &Places,
+    session: &mut Session,
+    shown: &Derived,
+    actions: &mut Vec<Action>,
+) {
+    let mut views = Vec::new();
+    if let Some(rect) = places.world {
+        let response = view(ui, rect, "World view", shown);
+        world_input(ui, &response, session, shown);
+        views.push(response);
+    }
+    if let Some(rect) = places.camera {
+        let response = view(ui, rect, "Camera view", shown);
+        camera_input(ui, &response, session, shown);
+        views.push(response);
+    }
+    let focused = ui.memory(|memory| memory.focused());
+    if focused.is_none_or(|id| views.iter().any(|view| view.id == id)) {
+        keys(ui, actions);
+    }
+}
+
+/// A view's area: takes clicks, drags and the focus, and tells a screen reader what is selected.
+fn view(ui: &Ui, rect: Rect, name: &str, shown: &Derived) -> Response {
+    let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
+    if response.clicked() || response.drag_started() {
+        response.request_focus();
+    }
+    let arrows =
+        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(egui::accesskit::Role::Image);
+        node.set_label(name);
+        node.set_value(spoken(shown));
+    });
+    response
+}
+
+/// The selected ray in words.
+fn spoken(shown: &Derived) -> String {
+    if let Some(fault) = shown.fault {
+        return fault.to_string();
+    }
+    let Some(inspection) = &shown.inspection else { return String::new() };
+    let place = match inspection.pixel() {
+        Some(pixel) => format!("row {}, column {}", pixel.row, pixel.column),
+        None => format!("u {}, v {}", inspection.uv.x, inspection.uv.y),
+    };
+    match inspection.first_hit() {
+        Some(hit) => format!("{place}: hits object {} at t = {}", hit.object, hit.t),
+        None => format!("{place}: hits nothing"),
+    }
+}
+
+fn keys(ui: &Ui, actions: &mut Vec<Action>) {
+    let pressed = |key| ui.input(|i| i.modifiers.is_none() && i.key_pressed(key));
+    for (key, rows, columns) in [
+        (Key::ArrowUp, -1, 0),
+        (Key::ArrowDown, 1, 0),
+        (Key::ArrowLeft, 0, -1),
+        (Key::ArrowRight, 0, 1),
+    ] {
+        let presses = ui.input(|i| i.num_presses(key));
+        if presses > 0 && ui.input(|i| !i.modifiers.ctrl && !i.modifiers.alt) {
+            let by = presses as i64 * if ui.input(|i| i.modifiers.shift) { 10 } else { 1 };
+            actions.push(Action::Step { rows: rows * by, columns: columns * by });
+        }
+    }
+    if pressed(Key::F) || pressed(Key::Home) {
+        actions.push(Action::FrameAll);
+    }
+}
+
+fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
+    let (Some(pointer), Some(posed), true) =
+        (response.interact_pointer_pos(), &shown.posed, pressed)
+    else {
+        return;
+    };
+    let per_point = ui.ctx().pixels_per_point();
+    let size = (response.rect.size() * per_point).round();
+    let at = (pointer - response.rect.min) * per_point;
+    let uv = overlay::camera_uv_at(posed, [size.x as usize, size.y as usize], [at.x, at.y]);
+    if let Some(place) = posed.pixel_of_uv(uv) {
+        session.selection = Selection::Pixel(place.pixel);
+    }
+}
+
+fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    let per_point = ui.ctx().pixels_per_point();
+    if let (true, Some(pointer), Some(frame), Some(posed)) =
+        (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.posed)
+    {
+        let at = (pointer - response.rect.min) * per_point;
+        let uv = overlay::pick(posed, frame, [at.x, at.y]);
+        if let Some(place) = uv.and_then(|uv| posed.pixel_of_uv(uv)) {
+            session.selection = Selection::Pixel(place.pixel);
+        }
+    }
+    let Some(observer) = &mut session.observer else { return };
+    let shift = ui.input(|i| i.modifiers.shift);
+    let delta = response.drag_delta();
+    let height = response.rect.height().max(1.0);
+    let (dx, dy) = (f64::from(delta.x / height), f64::from(delta.y / height));
+    if delta != Vec2::ZERO {
+        if response.dragged_by(egui::PointerButton::Primary) && !shift {
+            observer.orbit(dx, dy);
+        } else {
+            observer.pan(dx, dy);
+        }
+    }
+    if response.contains_pointer() {
+        let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
+        let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
+        if factor != 1.0 {
+            observer.zoom(factor);
+        }
+    }
+}
+
+/// Titles above the views, with a button that gives one all the room.
+pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
+    let mut strip = |rect: Rect, text: String, own: ViewLayout| {
+        let above = Rect::from_min_max(pos2(rect.left(), rect.top() - STRIP), rect.right_top());
+        ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+            ui.horizontal_centered(|ui| {
+                ui.strong(text);
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    let alone = settings.layout == own;
+                    let (text, to) =
+                        if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
+                    if ui.small_button(text).clicked() {
+                        settings.layout = to;
+                    }
+                });
+            });
+        });
+    };
+    if let Some(rect) = places.world {
+        strip(rect, "World view".to_owned(), ViewLayout::World);
+    }
+    if let Some(rect) = places.camera_area {
+        let text = format!("Camera view, {} × {} pixels", image.width(), image.height());
+        strip(rect, text, ViewLayout::Camera);
+    }
+}
+
+/// One view's finished picture, with its labels.
+pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
+    let tint = if dimmed { Color32::from_gray(90) } else { Color32::WHITE };
+    let texture = texture.of(ui.ctx(), &shown.image);
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    ui.painter_at(rect).image(texture, rect, whole, tint);
+    if !dimmed {
+        let painter = ui.painter_at(rect);
+        let per_point = ui.ctx().pixels_per_point();
+        for label in shown.labels.iter() {
+            label_text::write(&painter, rect.min, per_point, label);
+        }
+    }
+}
+
+/// The reason for a picture that is not new, written across it.
+pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
+    let band =
+        Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));
+    ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
+    let inside = band.shrink2(vec2(16.0, 6.0));
+    ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| {
+        ui.centered_and_justified(|ui| {
+            ui.label(RichText::new(text).size(17.0).strong().color(Color32::WHITE))
+        });
+    });
+}

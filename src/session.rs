@@ -1,0 +1,178 @@
+//! How the document is looked at: what a scene file does not hold, but the next run remembers.
+
+use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
+use serde::{Deserialize, Serialize};
+
+use crate::observer::Observer;
+use crate::overlay::OverlayItems;
+
+/// Everything about the window that is not the document. Changing it never marks the document as
+/// edited.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Session {
+    /// The ray that is looked at closely.
+    pub selection: Selection,
+    /// Who looks at the world view; `None` until it is framed for the first time.
+    pub observer: Option<Observer>,
+    /// What is remembered across runs as it is.
+    pub settings: Settings,
+}
+
+/// The selected ray: by pixel, or by (u, v) where it is no pixel's centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Selection {
+    /// Through a pixel's centre.
+    Pixel(Pixel),
+    /// Through a position in the viewport.
+    Uv(DVec2),
+}
+
+/// Preferences, kept across runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Which views are shown.
+    pub layout: ViewLayout,
+    /// How the pictures are coloured.
+    pub shade: ShadeName,
+    /// What is drawn over the pictures.
+    pub items: OverlayItems,
+    /// Significant digits of the readouts.
+    pub digits: usize,
+    /// Rows and columns are shown counted from 1, as the course does.
+    pub count_from_one: bool,
+    /// Changing the viewport or image keeps pixels square.
+    pub square_pixels: bool,
+    /// The world view's share of the width.
+    pub views_split: f32,
+    /// The readouts' height, in points.
+    pub readouts_height: f32,
+    /// Dark, light, or what the system says.
+    pub theme: ThemeName,
+    /// Zoom of the whole window.
+    pub zoom: f32,
+}
+
+/// Which of the two views are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ViewLayout {
+    /// Side by side.
+    #[default]
+    Both,
+    /// The world view alone.
+    World,
+    /// The camera view alone.
+    Camera,
+}
+
+/// [`Shade`], in a form that is written to disk.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the same names as pinhole_core::Shade, explained there")]
+pub enum ShadeName {
+    #[default]
+    Lambert,
+    Normal,
+    T,
+    Object,
+}
+
+/// The window's colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ThemeName {
+    /// As the system says; dark where it says nothing.
+    #[default]
+    System,
+    /// Dark.
+    Dark,
+    /// Light.
+    Light,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            layout: ViewLayout::Both,
+            shade: ShadeName::Lambert,
+            items: OverlayItems::default(),
+            digits: 5,
+            count_from_one: false,
+            square_pixels: true,
+            views_split: 0.54,
+            readouts_height: 200.0,
+            theme: ThemeName::System,
+            zoom: 1.0,
+        }
+    }
+}
+
+impl From<ShadeName> for Shade {
+    fn from(name: ShadeName) -> Shade {
+        match name {
+            ShadeName::Lambert => Shade::Lambert,
+            ShadeName::Normal => Shade::Normal,
+            ShadeName::T => Shade::T,
+            ShadeName::Object => Shade::Object,
+        }
+    }
+}
+
+impl From<Shade> for ShadeName {
+    fn from(shade: Shade) -> ShadeName {
+        match shade {
+            Shade::Lambert => ShadeName::Lambert,
+            Shade::Normal => ShadeName::Normal,
+            Shade::T => ShadeName::T,
+            Shade::Object => ShadeName::Object,
+        }
+    }
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Session {
+            selection: Selection::Uv(DVec2::new(0.2, -0.1)),
+            observer: None,
+            settings: Settings::default(),
+        }
+    }
+}
+
+impl Selection {
+    /// Where the selected ray passes through the viewport.
+    pub fn uv(self, camera: &PosedCamera) -> DVec2 {
+        match self {
+            Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
+            Selection::Uv(uv) => uv,
+        }
+    }
+
+    /// The selection with a pixel moved back into an image that may have shrunk.
+    pub fn inside(self, image: ImageSize) -> Selection {
+        match self {
+            Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {
+                row: row.min(image.height() - 1),
+                column: column.min(image.width() - 1),
+            }),
+            uv => uv,
+        }
+    }
+
+    /// The neighbouring pixel that many rows down and columns right, as the arrow keys go; from a
+    /// (u, v), the pixel it falls into first.
+    pub fn stepped(self, camera: &PosedCamera, rows: i64, columns: i64) -> Selection {
+        let Pixel { row, column } = match self {
+            Selection::Pixel(pixel) => pixel,
+            Selection::Uv(uv) => match camera.pixel_of_uv(uv) {
+                Some(place) => return Selection::Pixel(place.pixel),
+                None => return self,
+            },
+        };
+        let step = |from: u32, by: i64, count: u32| {
+            (i64::from(from) + by).clamp(0, i64::from(count) - 1) as u32
+        };
+        Selection::Pixel(Pixel {
+            row: step(row, rows, camera.image().height()),
+            column: step(column, columns, camera.image().width()),
+        })
+    }
+}

@@ -1,0 +1,102 @@
+//! What one run remembers for the next: settings, window, recent files and the last scene.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
+use pinhole_core::{DVec2, Pixel};
+use serde::{Deserialize, Serialize};
+
+use crate::present::WindowGeometry;
+use crate::session::{Selection, Settings};
+
+/// The remembered state, as it is on disk.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Remembered {
+    /// Preferences.
+    pub settings: Settings,
+    /// The window's place.
+    pub window: WindowGeometry,
+    /// The selected ray of the scene that was open.
+    pub selection: Option<RememberedRay>,
+    /// Files opened or saved lately, newest first.
+    pub recent: Vec<PathBuf>,
+    /// What drew the window, for reports of what went wrong.
+    pub renderer: String,
+    /// The scene that was open, as the command line names it.
+    pub last: Option<PathBuf>,
+}
+
+/// A [`Selection`], in a form that is written to disk.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RememberedRay {
+    /// Row and column, from 0.
+    Pixel(u32, u32),
+    /// u and v.
+    Uv(f64, f64),
+}
+
+impl From<Selection> for RememberedRay {
+    fn from(selection: Selection) -> Self {
+        match selection {
+            Selection::Pixel(pixel) => RememberedRay::Pixel(pixel.row, pixel.column),
+            Selection::Uv(uv) => RememberedRay::Uv(uv.x, uv.y),
+        }
+    }
+}
+
+impl From<RememberedRay> for Selection {
+    fn from(ray: RememberedRay) -> Self {
+        match ray {
+            RememberedRay::Pixel(row, column) => Selection::Pixel(Pixel { row, column }),
+            RememberedRay::Uv(u, v) => Selection::Uv(DVec2::new(u, v)),
+        }
+    }
+}
+
+/// A file that keeps [`Remembered`].
+#[derive(Clone, Debug)]
+pub struct Store {
+    path: PathBuf,
+}
+
+impl Store {
+    /// The user's own, in the place that the system has for it; `None` where there is no such
+    /// place (no home directory).
+    pub fn of_user() -> Option<Store> {
+        let strategy = choose_app_strategy(AppStrategyArgs {
+            top_level_domain: "org".to_owned(),
+            author: "Pinhole".to_owned(),
+            app_name: "pinhole".to_owned(),
+        })
+        .ok()?;
+        let folder = strategy.state_dir().unwrap_or_else(|| strategy.data_dir());
+        Some(Store { path: folder.join("state.json") })
+    }
+
+    /// A store in this file.
+    pub fn at(path: &Path) -> Store {
+        Store { path: path.to_owned() }
+    }
+
+    /// What was remembered; the defaults where nothing was, or where it cannot be read.
+    pub fn load(&self) -> Remembered {
+        let text = std::fs::read_to_string(&self.path).unwrap_or_default();
+        serde_json::from_str(&text).unwrap_or_default()
+    }
+
+    /// Remembers `state`, whole or not at all.
+    ///
+    /// # Errors
+    /// Why it could not be written.
+    pub fn save(&self, state: &Remembered) -> std::io::Result<()> {
+        let folder = self.path.parent().unwrap_or(Path::new("."));
+        std::fs::create_dir_all(folder)?;
+        let mut file = tempfile::NamedTempFile::new_in(folder)?;
+        file.write_all(serde_json::to_string_pretty(state)?.as_bytes())?;
+        file.persist(&self.path)?;
+        Ok(())
+    }
+}

@@ -1,0 +1,128 @@
+//! Opening the window on a scene.
+
+use std::fmt;
+use std::path::Path;
+
+use crate::app::App;
+use crate::document::Document;
+use crate::files::OpenDocument;
+use crate::formats::FileError;
+use crate::formats::builtin;
+use crate::formats::scene_argument::SceneSource;
+use crate::frame_log::{FRAME_TIMES, FrameLog};
+use crate::present::{self, FrameTimes, PresentError, Program, Renderer, WindowOptions};
+use crate::store::{Remembered, Store};
+
+/// Why the window did not open, or broke off.
+#[derive(Debug)]
+pub enum WindowError {
+    /// The scene named cannot be read.
+    Scene(FileError),
+    /// There is nothing to draw on.
+    Present(PresentError),
+}
+
+impl fmt::Display for WindowError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            WindowError::Scene(error) => error.fmt(f),
+            WindowError::Present(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for WindowError {}
+
+/// Opens the window on the scene named, else on the last run's, else on the lecture's own, and
+/// returns when it is closed.
+///
+/// # Errors
+/// Where the scene named cannot be read, or there is no display.
+pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), WindowError> {
+    let store = Store::of_user();
+    let remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    let Start { open, remembered, trouble } =
+        start(scene, remembered).map_err(WindowError::Scene)?;
+    let options = WindowOptions {
+        title: "Pinhole".to_owned(),
+        app_id: "pinhole".to_owned(),
+        geometry: remembered.window,
+        icon: None,
+    };
+    let mut app = App::new(open, remembered, store);
+    if let Some(trouble) = trouble {
+        app.tell("The last scene cannot be opened again", trouble);
+    }
+    let frame_log = std::env::var_os(FRAME_TIMES).map(FrameLog::to);
+    let make = |ctx: &egui::Context, info: &present::RendererInfo| {
+        App::set_up(ctx, &app.session().settings);
+        app.drawn_by(info.to_string());
+        Box::new(InWindow { app, frame_log }) as Box<dyn Program>
+    };
+    present::run(renderer, options, make).map_err(WindowError::Present)
+}
+
+/// The app as the window drives it.
+struct InWindow {
+    app: App,
+    frame_log: Option<FrameLog>,
+}
+
+impl Program for InWindow {
+    fn ui(&mut self, ui: &mut egui::Ui) {
+        self.app.ui(ui);
+    }
+
+    fn presented(&mut self, times: &FrameTimes) {
+        if let Some(log) = &mut self.frame_log {
+            log.frames.push(*times);
+        }
+    }
+
+    fn on_exit(&mut self) {
+        self.app.on_exit();
+        if let Some(log) = &self.frame_log
+            && let Err(error) = log.save()
+        {
+            eprintln!("pinhole: {}: {error}", log.path.display());
+        }
+    }
+}
+
+/// What the window opens on.
+struct Start {
+    open: OpenDocument,
+    remembered: Remembered,
+    /// Why it is not the scene of the last run.
+    trouble: Option<String>,
+}
+
+/// Reads the scene to open: the one named, else the last run's, else the lecture's own.
+fn start(scene: Option<&Path>, remembered: Remembered) -> Result<Start, FileError> {
+    let load = |argument: &Path| {
+        let source = SceneSource::of(argument)?;
+        Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
+    };
+    if let Some(argument) = scene {
+        // A ray selected in another scene means nothing in this one.
+        let remembered = Remembered { selection: None, ..remembered };
+        return Ok(Start { open: load(argument)?, remembered, trouble: None });
+    }
+    let last = remembered.last.as_deref().map(load);
+    match last {
+        Some(Ok(open)) => Ok(Start { open, remembered, trouble: None }),
+        Some(Err(error)) => Ok(Start {
+            open: canonical()?,
+            remembered: Remembered { selection: None, ..remembered },
+            trouble: Some(error.to_string()),
+        }),
+        None => Ok(Start { open: canonical()?, remembered, trouble: None }),
+    }
+}
+
+fn canonical() -> Result<OpenDocument, FileError> {
+    match builtin::find("canonical") {
+        Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
+        None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+    }
+}

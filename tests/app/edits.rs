@@ -1,0 +1,184 @@
+//! The way of an edit: from a field to the document, the picture and every readout, in one frame.
+
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel};
+
+use super::harness::{assert_says, says, type_into, window};
+
+#[test]
+fn an_edit_reaches_document_picture_and_readouts_in_the_same_frame() {
+    let mut window = window("canonical");
+    let before = window.state().derived().camera_view.clone().unwrap().image;
+    let traced = window.state().pictures_traced();
+    window.get_by_role_and_label(Role::SpinButton, "eye x").set_value_accesskit(0.5);
+    window.step();
+    let app = window.state();
+    assert_eq!(app.document().camera.eye, DVec3::new(0.5, 0.0, 0.0));
+    let inspection = app.derived().inspection.clone().unwrap();
+    assert_eq!(inspection.ray.origin.x, 0.5);
+    let after = app.derived().camera_view.clone().unwrap().image;
+    assert_ne!(before, after, "the picture is the old one");
+    assert_eq!(app.pictures_traced(), traced + 1, "one edit, one picture");
+    assert_says(&window, "p = (0.5, 0, 0)");
+    let eye = window.get_by_role_and_label(Role::SpinButton, "eye x");
+    assert_eq!(eye.value().as_deref(), Some("0.5"));
+}
+
+#[test]
+fn an_idle_window_traces_nothing() {
+    let mut window = window("canonical");
+    let traced = window.state().pictures_traced();
+    window.hover_at(egui::pos2(700.0, 300.0));
+    window.run_steps(5);
+    window.hover_at(egui::pos2(200.0, 300.0));
+    window.run_steps(5);
+    assert_eq!(window.state().pictures_traced(), traced);
+}
+
+#[test]
+fn every_camera_field_is_there_and_edits_what_it_says() {
+    let mut window = window("canonical");
+    for (field, read) in [
+        ("eye x", (|c: &Camera| c.eye.x) as fn(&Camera) -> f64),
+        ("eye y", |c| c.eye.y),
+        ("eye z", |c| c.eye.z),
+        ("at x", |c| at(c).x),
+        ("at y", |c| at(c).y),
+        ("at z", |c| at(c).z),
+        ("up x", |c| c.up().x),
+        ("up y", |c| c.up().y),
+        ("up z", |c| c.up().z),
+        ("distance", |c| c.viewport.distance),
+        ("width", |c| c.viewport.width),
+        ("height", |c| c.viewport.height),
+    ] {
+        type_into(&mut window, field, "3.25");
+        assert_eq!(read(&window.state().document().camera), 3.25, "{field}");
+    }
+    for (field, read) in
+        [("W", (|c: &Camera| c.image.width()) as fn(&Camera) -> u32), ("H", |c| c.image.height())]
+    {
+        type_into(&mut window, field, "321");
+        assert_eq!(read(&window.state().document().camera), 321, "{field}");
+    }
+}
+
+fn at(camera: &Camera) -> DVec3 {
+    match camera.orientation {
+        Orientation::At { at, .. } => at,
+        other => panic!("given by {other:?}"),
+    }
+}
+
+#[test]
+fn fields_take_arithmetic_and_refuse_what_is_no_number() {
+    let mut window = window("canonical");
+    for (text, value) in
+        [("sqrt(2)/2", 2f64.sqrt() / 2.0), ("1/3", 1.0 / 3.0), ("-2*pi", -std::f64::consts::TAU)]
+    {
+        type_into(&mut window, "eye x", text);
+        assert_eq!(window.state().document().camera.eye.x, value, "{text}");
+    }
+    let before = window.state().document().clone();
+    type_into(&mut window, "eye x", "1/0");
+    assert_eq!(*window.state().document(), before, "nothing is taken over");
+    assert_says(&window, "“1/0” is not a finite number");
+}
+
+#[test]
+fn switching_how_the_camera_is_given_changes_no_ray() {
+    let mut window = window("look-at");
+    let direction = |app: &pinhole::app::App| {
+        app.document().camera.posed().unwrap().ray_of_pixel(Pixel { row: 10, column: 20 }).direction
+    };
+    let before = direction(window.state());
+    for (button, kind) in [
+        ("eye, view, up", OrientationKind::View),
+        ("u, v, w", OrientationKind::Basis),
+        ("eye, at, up", OrientationKind::At),
+        ("u, v, w", OrientationKind::Basis),
+        ("eye, view, up", OrientationKind::View),
+    ] {
+        window.get_by_role_and_label(Role::Button, button).click();
+        window.run();
+        assert_eq!(window.state().document().camera.orientation.kind(), kind);
+        let now = direction(window.state());
+        assert!((now - before).length() < 1e-14, "{button}: {before} became {now}");
+    }
+    for field in ["view x", "up z"] {
+        window.get_by_role_and_label(Role::SpinButton, field);
+    }
+}
+
+#[test]
+fn a_basis_is_set_by_hand() {
+    let mut window = window("canonical");
+    window.get_by_role_and_label(Role::Button, "u, v, w").click();
+    window.run();
+    for (field, text) in
+        [("u x", "sqrt(2)/2"), ("u z", "-sqrt(2)/2"), ("w x", "sqrt(2)/2"), ("w z", "sqrt(2)/2")]
+    {
+        type_into(&mut window, field, text);
+    }
+    assert_says(&window, "d = (−0.56569, −0.1, −0.84853)");
+}
+
+#[test]
+fn square_pixels_hold_until_let_go() {
+    let mut window = window("canonical");
+    type_into(&mut window, "W", "800");
+    assert_eq!(window.state().document().camera.viewport.height, 0.5);
+    type_into(&mut window, "height", "2");
+    assert_eq!(window.state().document().camera.viewport.width, 4.0);
+    window.get_by_label("Square pixels").click();
+    window.run();
+    type_into(&mut window, "width", "2");
+    assert_eq!(window.state().document().camera.viewport.height, 2.0);
+    assert!(says(&window, "Pixels are 0.5 times as wide as high: spheres look stretched"));
+}
+
+#[test]
+fn the_field_of_view_is_shown_and_edited() {
+    let mut window = window("canonical");
+    let field = window.get_by_role_and_label(Role::SpinButton, "vertical field of view");
+    assert_eq!(field.value().as_deref(), Some("53.13…°"));
+    type_into(&mut window, "vertical field of view", "90");
+    let viewport = window.state().document().camera.viewport;
+    assert!((viewport.height - 2.0).abs() < 1e-15 && viewport.distance == 1.0, "{viewport:?}");
+}
+
+#[test]
+fn one_button_brings_the_canonical_camera_back() {
+    let mut window = window("look-at");
+    window.get_by_label("Canonical camera").click();
+    window.run();
+    assert_eq!(window.state().document().camera, Camera::CANONICAL);
+}
+
+#[test]
+fn objects_are_added_edited_and_removed() {
+    let mut window = window("canonical");
+    let objects = window.state().document().object_count();
+    window.get_by_label("+ Sphere").click();
+    window.run();
+    let spheres = window.state().document().spheres.len();
+    type_into(&mut window, "center x", "2");
+    type_into(&mut window, "radius", "1/4");
+    let name = window.get_by_role_and_label(Role::TextInput, "name");
+    name.focus();
+    name.type_text("pea");
+    window.run();
+    let pea = &window.state().document().spheres[spheres - 1];
+    assert_eq!((pea.shape.center.x, pea.shape.radius), (2.0, 0.25));
+    assert_eq!(pea.name.as_deref(), Some("pea"));
+    window.get_by_label("+ Plane").click();
+    window.run();
+    type_into(&mut window, "normal x", "1");
+    type_into(&mut window, "point y", "-3");
+    let plane = window.state().document().planes.last().unwrap().shape;
+    assert_eq!((plane.normal.x, plane.point.y), (1.0, -3.0));
+    window.get_by_label("Remove").click();
+    window.run();
+    assert_eq!(window.state().document().object_count(), objects + 1);
+}

@@ -1,0 +1,68 @@
+//! A camera without a basis: the last good picture stays, and the reason is said.
+
+use std::sync::Arc;
+
+use egui_kittest::kittest::Queryable as _;
+use pinhole::derive::Fault;
+
+use super::harness::{assert_says, texts_with, type_into, window};
+
+#[test]
+fn the_last_good_picture_stays_and_the_reason_is_written() {
+    let mut window = window("canonical");
+    let before = window.state().derived().camera_view.clone().unwrap().image;
+    type_into(&mut window, "at z", "0");
+    let app = window.state();
+    assert!(matches!(app.derived().fault, Some(Fault::Camera(_))));
+    assert!(Arc::ptr_eq(&before, &app.derived().camera_view.clone().unwrap().image));
+    let reason = "eye and at are the same point (0, 0, 0): move one of them";
+    // Across the picture, beside the field, and where the numbers were.
+    let places = window.query_all_by_value(reason).filter(|node| node.value().is_some()).count();
+    assert!(places >= 3, "{places}: {:?}", texts_with(&window, reason));
+    type_into(&mut window, "at z", "-1");
+    assert!(window.state().derived().fault.is_none());
+    assert_says(&window, "w = (0, 0, 1)");
+}
+
+#[test]
+fn every_fault_has_its_words_and_no_nan_is_shown() {
+    for (field, text, reason) in [
+        ("up y", "0", "up is (0, 0, 0): it must point somewhere"),
+        ("width", "0", "viewport width is 0: it must be finite and greater than 0"),
+        ("height", "-1", "viewport height is -1: it must be finite and greater than 0"),
+        ("distance", "0", "viewport distance is 0: it must be finite and greater than 0"),
+    ] {
+        let mut window = window("canonical");
+        window.get_by_label("Square pixels").click();
+        window.run();
+        type_into(&mut window, field, text);
+        assert_says(&window, reason);
+        for wrong in ["NaN", "nan", "inf"] {
+            let found = texts_with(&window, wrong);
+            assert!(found.iter().all(|text| text.contains("infinite")), "{field}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn up_along_the_view_is_a_fault_and_nearly_along_it_is_not() {
+    let mut window = window("canonical");
+    type_into(&mut window, "up y", "0");
+    type_into(&mut window, "up z", "1");
+    assert_says(
+        &window,
+        "up (0, 0, 1) is parallel to the view direction (0, 0, -1): turn one of them",
+    );
+    type_into(&mut window, "up y", "1e-9");
+    assert!(window.state().derived().fault.is_none());
+    assert_says(&window, "v = (0, 1, 0)");
+    assert_says(&window, "conditioning = 1e9");
+}
+
+#[test]
+fn a_sphere_without_a_radius_is_a_fault_too() {
+    let mut window = window("canonical");
+    type_into(&mut window, "radius", "-1");
+    assert!(matches!(window.state().derived().fault, Some(Fault::Scene(_))));
+    assert_says(&window, "radius is -1: it must be finite and greater than 0");
+}

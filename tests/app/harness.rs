@@ -1,0 +1,69 @@
+//! The program in a window that is only in memory.
+
+use std::path::Path;
+
+use egui::accesskit::Role;
+use egui::vec2;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::app::App;
+use pinhole::files::OpenDocument;
+use pinhole::formats::scene_argument::SceneSource;
+use pinhole::store::{Remembered, Store};
+
+/// The window is this large, in points, unless a test says otherwise.
+pub(crate) const SIZE: egui::Vec2 = vec2(1280.0, 1000.0);
+
+/// A window on a scene, by name or path, with a store that is remembered in `folder`.
+pub(crate) fn window_with(
+    scene: impl AsRef<Path>,
+    remembered: Remembered,
+    store: Option<Store>,
+) -> Harness<'static, App> {
+    let source = SceneSource::of(scene.as_ref()).unwrap();
+    let settings = remembered.settings.clone();
+    let app = App::new(OpenDocument::new(source.load().unwrap(), source), remembered, store);
+    let mut harness = Harness::builder()
+        .with_size(SIZE)
+        .with_max_steps(30)
+        .with_context_setup(move |ctx| App::set_up(ctx, &settings))
+        .build_ui_state(|ui, app: &mut App| app.ui(ui), app);
+    harness.run();
+    harness
+}
+
+/// A window on a scene, by name or path.
+pub(crate) fn window(scene: impl AsRef<Path>) -> Harness<'static, App> {
+    window_with(scene, Remembered::default(), None)
+}
+
+/// Types into the number field of this name, as a person does: click, type over, Enter.
+pub(crate) fn type_into(harness: &mut Harness<'_, App>, field: &str, text: &str) {
+    harness.get_by_role_and_label(Role::SpinButton, field).click();
+    harness.run();
+    harness.get_by_role_and_label(Role::SpinButton, field).type_text(text);
+    harness.run();
+    harness.key_press(egui::Key::Enter);
+    harness.run();
+}
+
+/// Whether a readout with exactly this text is there.
+pub(crate) fn says(harness: &Harness<'_, App>, text: &str) -> bool {
+    harness.query_all_by_label(text).next().is_some()
+}
+
+/// Every text on the screen that contains this, for a failing test to show.
+pub(crate) fn texts_with(harness: &Harness<'_, App>, part: &str) -> Vec<String> {
+    let texts = harness
+        .root()
+        .children_recursive()
+        .filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value()));
+    texts.filter(|text| text.contains(part)).collect()
+}
+
+/// Fails, with what there is instead, unless the readout is there.
+#[track_caller]
+pub(crate) fn assert_says(harness: &Harness<'_, App>, text: &str) {
+    let near = text.split(' ').next().unwrap_or_default();
+    assert!(says(harness, text), "no “{text}”; there is {:?}", texts_with(harness, near));
+}

@@ -1,0 +1,10 @@
+//! The window's program, driven by accessible labels: the way of an edit from field to picture,
+//! every field, every readout, faults, files and keys.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
+
+mod edits;
+mod faults;
+mod harness;
+mod scene_files;
+mod selection;

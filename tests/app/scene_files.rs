@@ -1,0 +1,138 @@
+//! Open, save, drop, recent files, unsaved changes, and what the next run remembers.
+
+use std::fs;
+
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::document::Document;
+use pinhole::formats::scene_file;
+use pinhole::store::{Remembered, Store};
+
+use super::harness::{assert_says, type_into, window, window_with};
+
+fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, key: egui::Key) {
+    window.key_press_modifiers(egui::Modifiers::COMMAND, key);
+    window.run();
+}
+
+#[test]
+fn a_scene_is_edited_and_saved_as_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "0.25");
+    ctrl(&mut window, egui::Key::S);
+    let field = window.get_by_role_and_label(Role::TextInput, "path");
+    field.focus();
+    window.run();
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Save").click();
+    window.run();
+    let saved = scene_file::load(&path).unwrap();
+    assert_eq!(saved.camera.eye.x, 0.25);
+    assert_eq!(saved, *window.state().document());
+    assert_says(&window, "mine.toml");
+    type_into(&mut window, "eye x", "0.5");
+    assert_says(&window, "mine.toml (changed)");
+    ctrl(&mut window, egui::Key::S);
+    assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 0.5);
+}
+
+#[test]
+fn a_built_in_scene_opens_from_the_menu() {
+    let mut window = window("canonical");
+    window.get_by_label("Scenes").click();
+    window.run();
+    window.get_by_label("forty-five").click();
+    window.run();
+    assert_says(&window, "d = (−0.56569, −0.1, −0.84853)");
+}
+
+#[test]
+fn a_dropped_file_opens_and_a_bad_one_says_what_is_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = folder.path().join("good.toml");
+    scene_file::save(&Document::default(), &good).unwrap();
+    let bad = folder.path().join("bad.toml");
+    fs::write(&bad, "pinhole = 1\n[camera]\neye = [0.0, 0.0]\n").unwrap();
+    let mut window = window("canonical");
+    drop_file(&mut window, &bad);
+    assert_says(&window, "This scene cannot be opened");
+    assert!(window.state().document().object_count() > 0, "the open scene is still there");
+    window.get_by_label("Close").click();
+    window.run();
+    drop_file(&mut window, &good);
+    assert_eq!(*window.state().document(), Document::default());
+}
+
+fn drop_file(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, path: &std::path::Path) {
+    window.input_mut().dropped_files = vec![std::sync::Arc::new(Dropped(path.to_owned()))];
+    window.run();
+}
+
+#[derive(Debug)]
+struct Dropped(std::path::PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &std::path::Path {
+        &self.0
+    }
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+#[test]
+fn unsaved_changes_are_asked_about_before_another_scene_opens() {
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "7");
+    for (answer, eye) in [("Cancel", 7.0), ("Discard", 0.0)] {
+        window.get_by_label("Scenes").click();
+        window.run();
+        window.get_by_label("distance-two").click();
+        window.run();
+        assert_says(&window, "Save the changes to canonical?");
+        window.get_by_label(answer).click();
+        window.run();
+        assert_eq!(window.state().document().camera.eye.x, eye, "{answer}");
+    }
+    assert_eq!(window.state().document().camera.viewport.distance, 2.0);
+}
+
+#[test]
+fn closing_with_changes_asks_first() {
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "7");
+    ctrl(&mut window, egui::Key::Q);
+    assert_says(&window, "Save the changes to canonical?");
+    window.get_by_label("Cancel").click();
+    window.run();
+    assert_eq!(window.state().document().camera.eye.x, 7.0);
+}
+
+#[test]
+fn settings_scene_and_ray_are_remembered() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    assert_eq!(store.load(), Remembered::default());
+    let mut window = window_with("forty-five", Remembered::default(), Some(store.clone()));
+    window.get_by_role_and_label(Role::Button, "normal").click();
+    window.run();
+    type_into(&mut window, "row", "12");
+    window.state_mut().on_exit();
+    let remembered = store.load();
+    assert_eq!(remembered.last.as_deref(), Some(std::path::Path::new("forty-five")));
+    let again = window_with("forty-five", remembered, Some(store));
+    assert_eq!(again.state().session().settings, window.state().session().settings);
+    assert_eq!(again.state().session().selection, window.state().session().selection);
+}
+
+#[test]
+fn a_broken_store_is_no_reason_not_to_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.json");
+    fs::write(&path, "{ not json").unwrap();
+    assert_eq!(Store::at(&path).load(), Remembered::default());
+}

@@ -1,0 +1,160 @@
+//! Which ray is looked at: by mouse, by keys, by typing; and what the readouts say of it.
+
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::session::Selection;
+use pinhole_core::Pixel;
+
+use super::harness::{assert_says, type_into, window};
+
+#[test]
+fn the_warm_up_is_selected_at_first_and_read_off() {
+    let window = window("canonical");
+    for text in [
+        "u = (1, 0, 0)",
+        "v = (0, 1, 0)",
+        "w = (0, 0, 1)",
+        "conditioning = 1",
+        "(u, v) = (0.2, −0.1)",
+        "pixel = the corner of four pixels",
+        "p = (0, 0, 0)",
+        "d = (0.2, −0.1, −1)",
+        "first: smallest t > 0",
+        "(1.2, −0.6, −6)",
+    ] {
+        assert_says(&window, text);
+    }
+}
+
+#[test]
+fn a_click_in_the_camera_view_selects_the_pixel_under_it() {
+    let mut window = window("canonical");
+    let rect = window.get_by_role_and_label(Role::Image, "Camera view").rect();
+    let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
+    window.hover_at(at);
+    window.run();
+    window.drag_at(at);
+    window.run();
+    window.drop_at(at);
+    window.run();
+    assert_eq!(
+        window.state().session().selection,
+        Selection::Pixel(Pixel { row: 300, column: 100 })
+    );
+    assert_says(&window, "pixel = row 300, column 100");
+}
+
+#[test]
+fn arrow_keys_move_the_selection_and_stop_at_the_edge() {
+    let mut window = window("canonical");
+    type_into(&mut window, "row", "0");
+    type_into(&mut window, "column", "5");
+    let focused = window.get_by_role_and_label(Role::Image, "Camera view");
+    focused.focus();
+    window.run();
+    for key in
+        [egui::Key::ArrowUp, egui::Key::ArrowLeft, egui::Key::ArrowLeft, egui::Key::ArrowDown]
+    {
+        window.key_press(key);
+        window.run();
+    }
+    assert_eq!(window.state().session().selection, Selection::Pixel(Pixel { row: 1, column: 3 }));
+}
+
+#[test]
+fn a_ray_is_selected_by_typing_row_and_column_or_uv() {
+    let mut window = window("canonical");
+    type_into(&mut window, "row", "99");
+    type_into(&mut window, "column", "199");
+    assert_says(&window, "(u, v) = (−0.00125, 0.25125)");
+    type_into(&mut window, "uv u", "0");
+    type_into(&mut window, "uv v", "0");
+    assert_says(&window, "d = (0, 0, −1)");
+    let hits = window.state().derived().inspection.clone().unwrap();
+    let t: Vec<f64> = hits.roots.iter().map(|root| root.t).collect();
+    assert_eq!(t, [4.0, 6.0, 6.0]);
+    assert_eq!(hits.first, Some(0));
+}
+
+#[test]
+fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
+    let mut window = window("canonical");
+    let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
+    let derived = window.state().derived();
+    let (posed, frame) = (derived.posed.unwrap(), derived.world_frame.clone().unwrap());
+    let wanted = Pixel { row: 300, column: 120 };
+    let point = posed.viewport_point(posed.uv_of_pixel(wanted));
+    let [x, y] = pinhole::overlay::world_position_of(&frame, point).unwrap();
+    let at = rect.min + egui::vec2(x, y);
+    window.drag_at(at);
+    window.run();
+    window.drop_at(at);
+    window.run();
+    let Selection::Pixel(pixel) = window.state().session().selection else { panic!("no pixel") };
+    let off = pixel.row.abs_diff(wanted.row).max(pixel.column.abs_diff(wanted.column));
+    assert!(off <= 2, "{pixel:?} is not {wanted:?}");
+}
+
+#[test]
+fn rows_and_columns_are_counted_as_the_course_does_when_asked() {
+    let mut window = window("canonical");
+    type_into(&mut window, "row", "99");
+    type_into(&mut window, "column", "199");
+    window.get_by_label("Numbers").click();
+    window.run();
+    window.get_by_label("Count rows and columns from 1").click();
+    window.run();
+    assert_says(&window, "pixel = row 100, column 200");
+    let row = window.get_by_role_and_label(Role::SpinButton, "row");
+    assert_eq!(row.value().as_deref(), Some("100"));
+    assert_eq!(
+        window.state().session().selection,
+        Selection::Pixel(Pixel { row: 99, column: 199 }),
+        "the same pixel"
+    );
+}
+
+#[test]
+fn everything_can_be_copied() {
+    let mut window = window("canonical");
+    window.get_by_label("Copy Basis").click();
+    window.step();
+    let copied =
+        window.output().platform_output.commands.iter().find_map(|command| match command {
+            egui::OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        });
+    assert!(copied.unwrap().starts_with("u = (1, 0, 0)\nv = (0, 1, 0)\nw = (0, 0, 1)\n"));
+}
+
+#[test]
+fn the_mouse_moves_the_observer_and_never_the_camera() {
+    let mut window = window("canonical");
+    let before = window.state().document().clone();
+    let observer = window.state().session().observer;
+    let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
+    let from = rect.min + egui::vec2(40.0, 40.0);
+    window.drag_at(from);
+    window.run();
+    window.hover_at(from + egui::vec2(60.0, 25.0));
+    window.run();
+    window.drop_at(from + egui::vec2(60.0, 25.0));
+    window.run();
+    let orbited = window.state().session().observer;
+    assert_ne!(orbited, observer, "a drag orbits");
+    window.hover_at(from);
+    window.run();
+    window.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, 80.0),
+        modifiers: egui::Modifiers::NONE,
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+    });
+    window.run();
+    assert_ne!(window.state().session().observer, orbited, "the wheel zooms");
+    assert_eq!(*window.state().document(), before);
+    window.key_press(egui::Key::F);
+    window.run();
+    assert_eq!(window.state().session().observer, observer, "F frames all again");
+}

@@ -1,0 +1,199 @@
+//! `pinhole inspect`
+
+use std::fs;
+
+use expect_test::expect;
+use serde_json::Value;
+
+use super::{run, run_in};
+
+fn json(line: &str) -> Value {
+    serde_json::from_str(&run(line).done()).unwrap()
+}
+
+/// Asserts that numbers at a path are these, to 2 ulp.
+fn close(value: &Value, pointer: &str, expected: &[f64]) {
+    let found = value.pointer(pointer).unwrap_or_else(|| panic!("no {pointer} in {value}"));
+    let numbers: Vec<f64> = match found {
+        Value::Array(numbers) => numbers.iter().map(|x| x.as_f64().unwrap()).collect(),
+        number => vec![number.as_f64().unwrap()],
+    };
+    assert_eq!(numbers.len(), expected.len(), "{pointer}");
+    for (number, expected) in numbers.iter().zip(expected) {
+        let ulp = (expected.abs().next_up() - expected.abs()).max(f64::MIN_POSITIVE);
+        assert!((number - expected).abs() <= 2.0 * ulp, "{pointer}: {number} is not {expected}");
+    }
+}
+
+#[test]
+fn the_warm_up() {
+    for uv in ["--uv 0.2,-0.1", "--uv=0.2,-0.1"] {
+        let inspect = json(&format!("inspect canonical {uv} --json"));
+        close(&inspect, "/camera/eye", &[0.0, 0.0, 0.0]);
+        close(&inspect, "/camera/u", &[1.0, 0.0, 0.0]);
+        close(&inspect, "/camera/v", &[0.0, 1.0, 0.0]);
+        close(&inspect, "/camera/w", &[0.0, 0.0, 1.0]);
+        close(&inspect, "/camera/up_view_angle_deg", &[90.0]);
+        close(&inspect, "/camera/conditioning", &[1.0]);
+        // The corner of four pixels is in none.
+        assert_eq!(inspect["pixel"], Value::Null);
+        close(&inspect, "/uv", &[0.2, -0.1]);
+        close(&inspect, "/ray/origin", &[0.0, 0.0, 0.0]);
+        close(&inspect, "/ray/direction", &[0.2, -0.1, -1.0]);
+        assert_eq!(inspect["hits"].as_array().unwrap().len(), 1);
+        assert_eq!(inspect["first"], 0);
+        assert_eq!(inspect["hits"][0]["object"], "plane");
+        assert_eq!(inspect["hits"][0]["index"], 2);
+        assert_eq!(inspect["hits"][0]["name"], "back wall");
+        close(&inspect, "/hits/0/t", &[6.0]);
+        close(&inspect, "/hits/0/distance", &[6.0 * 1.05f64.sqrt()]);
+        close(&inspect, "/hits/0/point", &[1.2, -0.6, -6.0]);
+        close(&inspect, "/hits/0/normal", &[0.0, 0.0, 1.0]);
+    }
+}
+
+#[test]
+fn forty_five_degrees() {
+    let s = 0.5f64.sqrt();
+    let inspect = json("inspect forty-five --uv 0.2,-0.1 --json");
+    close(&inspect, "/camera/u", &[s, 0.0, -s]);
+    close(&inspect, "/camera/v", &[0.0, 1.0, 0.0]);
+    close(&inspect, "/camera/w", &[s, 0.0, s]);
+    close(&inspect, "/ray/direction", &[-0.8 * s, -0.1, -1.2 * s]);
+    let first = inspect["first"].as_u64().unwrap();
+    close(&inspect, &format!("/hits/{first}/t"), &[5.0 * 2f64.sqrt()]);
+    close(&inspect, &format!("/hits/{first}/point"), &[-4.0, -s, -6.0]);
+    assert_eq!(inspect["hits"][first as usize]["name"], "back wall");
+}
+
+#[test]
+fn a_pixel_is_its_centre() {
+    let inspect = json("inspect canonical --pixel 99,199 --json");
+    assert_eq!(inspect["pixel"], serde_json::json!({ "row": 99, "column": 199 }));
+    close(&inspect, "/uv", &[-1.0 / 800.0, 201.0 / 800.0]);
+    let same = json("inspect canonical --uv -0.00125,0.25125 --json");
+    assert_eq!(same["pixel"], inspect["pixel"]);
+}
+
+#[test]
+fn all_roots_with_the_negative_ones() {
+    let inspect = json("inspect inside --uv 0,0 --json");
+    close(&inspect, "/hits/0/t", &[-3.0]);
+    close(&inspect, "/hits/0/distance", &[-3.0]);
+    close(&inspect, "/hits/1/t", &[5.0]);
+    assert_eq!(inspect["first"], 1);
+
+    let nothing = json("inspect tiny-far --uv 0,0.4 --json");
+    assert_eq!((&nothing["hits"], &nothing["first"]), (&serde_json::json!([]), &Value::Null));
+
+    let outside = json("inspect canonical --uv 3,0 --json");
+    assert_eq!(outside["pixel"], Value::Null);
+}
+
+#[test]
+fn the_shape_is_the_contract_s() {
+    let text = run("inspect grazing --pixel 200,200 --json").done();
+    let keys: Vec<&str> = text.split('"').skip(1).step_by(2).collect();
+    let hit = "object sphere index name NAME t distance point normal ";
+    let hits = hit.replace("NAME", "upper")
+        + &hit.replace("NAME", "lower")
+        + &hit.replace("sphere", "plane").replace("NAME", "back wall");
+    let camera = "camera eye u v w up_view_angle_deg conditioning pixel row column uv ray origin direction hits ";
+    assert_eq!(keys.join(" "), format!("{camera}{hits}first"));
+    assert!(!text.contains("-0.0"), "{text}");
+}
+
+#[test]
+fn numbers_beyond_the_range_are_null_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let inspect = |up: &str, uv: &str| {
+        let camera = format!("[camera]\neye = [0, 0, 0]\nview = [0, 0, -1e300]\nup = {up}\n");
+        let objects = "[[plane]]\npoint = [0, 1, 0]\nnormal = [1e-300, 1e-300, 0]\n";
+        fs::write(folder.path().join("wild.toml"), format!("pinhole = 1\n{camera}{objects}"))
+            .unwrap();
+        run_in(folder.path(), &["inspect", "wild.toml", "--json", "--uv", uv])
+    };
+    let text = inspect("[1e-310, 0, 1]", "1e-309,0").done();
+    let value: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(value["camera"]["conditioning"], Value::Null);
+    // The line is all but parallel to the plane: they meet nowhere within the range.
+    assert_eq!((&value["hits"], &value["first"]), (&serde_json::json!([]), &Value::Null));
+    inspect("[1, 1, 0]", "1.7e308,1.7e308").failed(
+        1,
+        "wild.toml: the ray's direction is beyond the range of numbers: make the viewport, its \
+         distance or (u, v) smaller",
+    );
+}
+
+#[test]
+fn the_readout() {
+    expect![[r#"
+        camera
+          eye                   (0, 0, 0)
+          at                    (0, 0, -1)
+          up                    (0, 1, 0)
+          u (right)             (1, 0, 0)
+          v (up in the image)   (0, 1, 0)
+          w (backwards)         (0, 0, 1)
+          angle of up and view  90 degrees
+          conditioning          1 (degrees of roll for each degree that up is tipped sideways)
+          viewport              1 x 1 at distance 1, field of view 53.13 x 53.13 degrees
+          image                 400 x 400 pixels
+        ray
+          (u, v)                (0.2, -0.1)
+          pixel                 none: the corner of row,column 239,279  239,280  240,279  240,280
+          origin p              (0, 0, 0)
+          direction d           (0.2, -0.1, -1)
+          length of d           1.02469507659596
+        hits
+          object               t  distance           point                                          normal
+          plane 2 "back wall"  6  6.148170459575759  (1.2000000000000002, -0.6000000000000001, -6)  (0, 0, 1)
+          first: plane 2 "back wall" at t = 6, the smallest t above 0
+    "#]].assert_eq(&run("inspect canonical --uv 0.2,-0.1").done());
+    expect![[r#"
+        camera
+          eye                   (0, 0, 0)
+          at                    (0, 0, -1)
+          up                    (0, 1, 0)
+          u (right)             (1, 0, 0)
+          v (up in the image)   (0, 1, 0)
+          w (backwards)         (0, 0, 1)
+          angle of up and view  90 degrees
+          conditioning          1 (degrees of roll for each degree that up is tipped sideways)
+          viewport              1 x 1 at distance 1, field of view 53.13 x 53.13 degrees
+          image                 400 x 400 pixels
+        ray
+          (u, v)                (-0.24875, 0.00125)
+          pixel                 row 199, column 100 (counted from 0)
+          origin p              (0, 0, 0)
+          direction d           (-0.24875, 0.00125, -1)
+          length of d           1.0304747085688226
+        hits
+          object           t                   distance             point                                                             normal
+          sphere 0 "room"  -2.932903402384796  -3.0222827788329814  (0.7295597213432181, -0.0036661292529809957, 2.9329034023847966)  (0.18238993033580453, -0.0009165323132452489, 0.9832258505961992)
+          sphere 1 "left"  2.6785116467038623  2.7601385085353596   (-0.6662797721175857, 0.003348139558379759, -2.6785116467038623)  (0.4674404557648285, 0.6066962791167595, 0.6429767065922752)
+          sphere 1 "left"  3.3928065660147584  3.496201357344446    (-0.8439606332961711, 0.004241008207518326, -3.3928065660147584)  (0.11207873340765778, 0.6084820164150366, -0.7856131320295164)
+          sphere 0 "room"  4.8163587188788615  4.963135847199602    (-1.198069231321117, 0.006020448398598578, -4.8163587188788615)   (-0.29951730783027924, 0.0015051120996496445, -0.9540896797197155)
+          first: sphere 1 "left" at t = 2.6785116467038623, the smallest t above 0
+    "#]].assert_eq(&run("inspect inside --pixel 199,100").done());
+}
+
+#[test]
+fn errors_say_what_is_wrong() {
+    run("inspect canonicl --uv 0,0")
+        .failed(1, "canonicl: neither a file nor a built-in scene: did you mean canonical?");
+    run("inspect no/such.toml --uv 0,0")
+        .failed(1, "no/such.toml: cannot be read: no such file or directory");
+    run("inspect canonical --pixel 400,0").failed(
+        1,
+        "canonical: pixel 400,0 is outside the image of 400 rows and 400 columns: rows are 0 to \
+         399, columns 0 to 399",
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let write = |text: &str| fs::write(folder.path().join("s.toml"), text).unwrap();
+    let inspect = || run_in(folder.path(), &["inspect", "s.toml", "--uv", "0,0", "--json"]);
+    write("pinhole = 1\n[camera]\neye = [1, 2, 3]\nat = [1, 2, 3]\nup = [0, 1, 0]\n");
+    inspect().failed(1, "s.toml: eye and at are the same point (1, 2, 3): move one of them");
+    write("pinhole = 1\n[camera]\neye = [1, 2, x]\n");
+    inspect().failed(1, "s.toml:3:14: not TOML: x is no value: write a number, or text in quotes");
+}

@@ -1,0 +1,196 @@
+//! `pinhole render`
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::Path;
+
+use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
+use pinhole::arguments::View;
+use pinhole::commands::render_view::{RenderOptions, render_view};
+use pinhole::document::Document;
+use pinhole::formats::builtin;
+use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace};
+
+use super::{Run, entries, run_in};
+
+fn render(folder: &Path, line: &str) -> Run {
+    run_in(folder, &format!("render {line}").split(' ').collect::<Vec<_>>())
+}
+
+/// Width, height and pixels of a PNG file.
+fn decode(path: &Path) -> (u32, u32, Vec<Rgb>) {
+    let mut reader =
+        png::Decoder::new(BufReader::new(File::open(path).unwrap())).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    assert_eq!((info.color_type, info.bit_depth), (png::ColorType::Rgb, png::BitDepth::Eight));
+    (info.width, info.height, bytes.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect())
+}
+
+fn document(name: &str, width: u32, height: u32) -> Document {
+    let mut document = builtin::find(name).unwrap().load().unwrap();
+    document.camera.image = ImageSize::new(width, height).unwrap();
+    document
+}
+
+fn traced(document: &Document) -> Frame {
+    let camera = document.camera.posed().unwrap();
+    let outputs = Outputs { normal: true };
+    trace(&document.scene().unwrap(), &camera, &Raster::full(camera.image()), outputs)
+}
+
+#[test]
+fn the_picture_is_the_core_s_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out.png");
+    for shading in Shade::ALL {
+        for name in ["canonical", "planet"] {
+            let line =
+                format!("{name} -o out.png --width 90 --height 70 --shade {}", shading.name());
+            assert_eq!(render(folder.path(), &line).done(), "");
+            let document = document(name, 90, 70);
+            let color_of = |object| document.color_of(object);
+            let scene = document.scene().unwrap();
+            let expected = shade(&traced(&document), &scene, shading, color_of, |rgb| rgb);
+            assert!(expected.iter().any(|rgb| *rgb != expected[0]));
+            assert_eq!(decode(&out), (90, 70, expected), "{name} {}", shading.name());
+        }
+    }
+    assert_eq!(entries(folder.path()), ["out.png"]);
+}
+
+#[test]
+fn progress_hears_of_every_row_once() {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    let document = document("planet", 30, 333);
+    let rows = AtomicUsize::new(0);
+    let options =
+        RenderOptions { view: View::Camera, overlay: false, shade: Shade::Lambert, normals: false };
+    let rendering = render_view(&document, options, |done| {
+        rows.fetch_add(done, Ordering::Relaxed);
+    })
+    .unwrap();
+    assert_eq!(rows.into_inner(), 333);
+    assert_eq!(rendering.frame.t, traced(&document).t);
+    assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
+}
+
+#[test]
+fn the_size_is_the_scene_s_unless_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(
+        folder.path().join("wide.toml"),
+        "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+         [image]\nwidth = 60\nheight = 20\n",
+    )
+    .unwrap();
+    let cases = [
+        ("", 60, 20),
+        (" --width 30", 30, 10),
+        (" --height 40", 120, 40),
+        (" --width 5 --height 7", 5, 7),
+    ];
+    for (arguments, width, height) in cases {
+        render(folder.path(), &format!("wide.toml -o out.png{arguments}")).done();
+        let (w, h, pixels) = decode(&folder.path().join("out.png"));
+        assert_eq!((w, h, pixels.len() as u32), (width, height, width * height));
+    }
+    render(folder.path(), "wide.toml -o out.png --height 10000").failed(
+        2,
+        "image width is 30000: it must be 1 to 16384 pixels; give both --width and --height",
+    );
+}
+
+#[test]
+fn the_exr_file_holds_what_the_rays_meet() {
+    let folder = tempfile::tempdir().unwrap();
+    render(folder.path(), "planet -o out.png --width 50 --height 30 --aov out.exr").done();
+    assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
+    let document = document("planet", 50, 30);
+    let frame = traced(&document);
+    let camera = document.camera.posed().unwrap();
+
+    let image = read_first_flat_layer_from_file(folder.path().join("out.exr")).unwrap();
+    assert_eq!((image.layer_data.size.width(), image.layer_data.size.height()), (50, 30));
+    let channels = &image.layer_data.channel_data.list;
+    let names: Vec<String> = channels.iter().map(|c| c.name.to_string()).collect();
+    assert_eq!(names, ["N.X", "N.Y", "N.Z", "object", "t", "u", "v"]);
+    let floats = |name: &str| -> &[f32] {
+        let channel = channels.iter().find(|c| c.name.to_string() == name).unwrap();
+        let FlatSamples::F32(samples) = &channel.sample_data else { panic!("{name} is no float") };
+        samples
+    };
+    let FlatSamples::U32(objects) = &channels[3].sample_data else { panic!("object is no uint") };
+    assert_eq!(objects, &frame.object);
+    assert!(objects.contains(&NO_OBJECT) && objects.contains(&0));
+    assert_eq!(NO_OBJECT, 4_294_967_295);
+    for (k, object) in objects.iter().enumerate() {
+        let (t, n) = (frame.t[k], frame.normal[k]);
+        assert_eq!(floats("t")[k], t as f32);
+        assert_eq!(*object == NO_OBJECT, floats("t")[k].is_infinite());
+        assert_eq!(
+            [floats("N.X")[k], floats("N.Y")[k], floats("N.Z")[k]],
+            n.to_array().map(|x| x as f32)
+        );
+        let uv = camera.uv_of_pixel(frame.at(k / 50, k % 50).pixel);
+        assert_eq!([floats("u")[k], floats("v")[k]], [uv.x as f32, uv.y as f32]);
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_leaves_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(
+        folder.path().join("s.toml"),
+        "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 2, 0]\nup = [0, 1, 0]\n",
+    )
+    .unwrap();
+    render(folder.path(), "s.toml -o out.png").failed(
+        1,
+        "s.toml: up (0, 1, 0) is parallel to the view direction (0, 2, 0): turn one of them",
+    );
+    render(folder.path(), "canonical -o out.png --aov out.png")
+        .failed(2, "--aov and -o both write out.png");
+    render(folder.path(), "canonical -o out.png --view world --aov out.exr")
+        .failed(2, "--aov writes what the camera's rays meet: leave out --view world");
+    render(folder.path(), "canonical -o no/out.png")
+        .failed(1, "no/out.png: cannot be written: no such file or directory");
+    assert_eq!(entries(folder.path()), ["s.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_the_old_files() {
+    use std::process::Command;
+
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["out.png", "out.exr"] {
+        fs::write(folder.path().join(name), "old").unwrap();
+    }
+    // No file may grow beyond a block; without the signal, that is an error like a full disk.
+    let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
+    let run = super::finished(
+        Command::new("sh")
+            .args(["-c", script, env!("CARGO_BIN_EXE_pinhole")])
+            .args("render planet -o out.png --aov out.exr".split(' '))
+            .current_dir(folder.path())
+            .output()
+            .unwrap(),
+    );
+    run.failed(1, "out.png: cannot be written: file too large");
+    for name in ["out.png", "out.exr"] {
+        assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), "old");
+    }
+    assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_device_is_written_to_and_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    render(folder.path(), "canonical -o /dev/null --width 8").done();
+    assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    render(folder.path(), "canonical -o /dev/full --width 8")
+        .failed(1, "/dev/full: cannot be written: no space left on device");
+}

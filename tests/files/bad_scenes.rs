@@ -1,0 +1,285 @@
+//! Scene files with a fault, each with the message that it gets, to the letter.
+
+use std::path::Path;
+
+use pinhole::formats::scene_file;
+
+/// What is at fault, behind what [`check`] puts before it, and the message behind `scene.toml:`.
+type Cases = &'static [(&'static str, &'static str)];
+
+const WHOLE_FILES: Cases = &[
+    ("", "1:1: pinhole is missing: write pinhole = 1 (the format version) at the top"),
+    (
+        "# only a comment\n",
+        "1:1: pinhole is missing: write pinhole = 1 (the format version) at the top",
+    ),
+    (
+        "pinhole = 2\nwarp = 9\n",
+        "1:11: pinhole is 2: this scene format is newer than this program, which reads 1: get a newer Pinhole",
+    ),
+    ("pinhole = 0\n", "1:11: pinhole is 0: the format version must be 1"),
+    ("pinhole = \"1\"\n", "1:11: pinhole is \"1\": the format version must be 1"),
+    ("pinhole = 1.0\n", "1:11: pinhole is 1.0: the format version must be 1"),
+    (
+        "[camera]\neye = [0, 0, 0]\n",
+        "1:1: pinhole is missing: write pinhole = 1 (the format version) at the top",
+    ),
+    ("pinhole = 1\n", "1:1: camera is missing: write [camera] with eye, at and up"),
+    ("pinhole = 1\ncamera = 3\n", "2:10: camera is 3: it must be one table, [camera]"),
+    (
+        "pinhole = 1\n[[camera]]\neye = [0, 0, 0]\n",
+        "2:1: camera is a list of tables: it must be one table, [camera]",
+    ),
+    ("pinhole = 1\n[camra]\neye = [0, 0, 0]\n", "2:2: camra is unknown: did you mean camera?"),
+    (
+        "pinhole = 1\nsphere = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "2:10: sphere is 1: each one must be a table that begins with [[sphere]]",
+    ),
+    (
+        "pinhole = 1\nsphere = [{ center = [0, 0, -5], radius = 1 }, 5]\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "2:48: sphere[1] is 5: each one must be a table that begins with [[sphere]]",
+    ),
+    (
+        "pinhole = 1\nspheres = 5\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "2:11: spheres is 5: it must be the path of a CSV file",
+    ),
+    (
+        "pinhole = 1\nspheres = \"no-such.csv\"\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "2:11: spheres is \"no-such.csv\": no-such.csv: cannot be read: no such file or directory",
+    ),
+    ("pinhole 1\n", "1:9: not TOML: key with no value, expected `=`"),
+    (
+        "\u{feff}pinhole = 3\n",
+        "1:11: pinhole is 3: this scene format is newer than this program, which reads 1: get a newer Pinhole",
+    ),
+    (
+        "pinhole = 1\r\n[camera]\r\neye = [0, 0, x]\r\n",
+        "3:14: not TOML: x is no value: write a number, or text in quotes",
+    ),
+];
+
+const CAMERA_START: &str = "pinhole = 1\n[camera]\n";
+
+const CAMERAS: Cases = &[
+    ("eys = [0, 0, 0]\n", "3:1: camera.eys is unknown: did you mean eye?"),
+    (
+        "at = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "2:1: camera.eye is missing: write eye = [0.0, 0.0, 0.0]",
+    ),
+    (
+        "eye = [0, 0, 0]\nup = [0, 1, 0]\n",
+        "2:1: camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
+    ),
+    ("eye = [0, 0, 0]\nat = [0, 0, -1]\n", "2:1: camera.up is missing: write up = [0.0, 1.0, 0.0]"),
+    (
+        "eye = [0, 0, 0]\nview = [0, 0, -1]\n",
+        "2:1: camera.up is missing: write up = [0.0, 1.0, 0.0]",
+    ),
+    (
+        "eye = [0, 0, 0]\nat = [0, 0, -1]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "5:8: camera.view is there beside camera.at: keep exactly one of at, view and basis",
+    ),
+    (
+        "eye = [0, 0, 0]\nup = [0, 1, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0], w = [0, 0, 1] }\nat = [0, 0, -1]\n",
+        "5:9: camera.basis is there beside camera.at: keep exactly one of at, view and basis",
+    ),
+    (
+        "eye = [0, 0, 0]\nup = [0, 1, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0], w = [0, 0, 1] }\n",
+        "4:6: camera.up is there beside camera.basis: a basis needs no up, leave it out",
+    ),
+    (
+        "eye = [0, 0, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0] }\n",
+        "4:9: camera.basis.w is missing: write w = [0.0, 0.0, 1.0]",
+    ),
+    (
+        "eye = [0, 0, 0]\nbasis = { u = [1, 0, 0], v = [0, 1, 0], w = [0, 0, 1], z = 1 }\n",
+        "4:56: camera.basis.z is unknown: the fields here are u, v, w",
+    ),
+    (
+        "eye = [0, 0, 0]\nbasis = [1, 0, 0]\n",
+        "4:9: camera.basis is [1, 0, 0]: it must be one table, [camera.basis]",
+    ),
+    ("eye = 0\n", "3:7: camera.eye is 0: it must be three numbers, such as [0.0, 1.0, 0.0]"),
+    (
+        "eye = [0, 0]\n",
+        "3:7: camera.eye is [0, 0]: it must be three numbers, such as [0.0, 1.0, 0.0]",
+    ),
+    (
+        "eye = [0, 0, 0, 1]\n",
+        "3:7: camera.eye is [0, 0, 0, 1]: it must be three numbers, such as [0.0, 1.0, 0.0]",
+    ),
+    ("eye = [0, 0, \"far\"]\n", "3:14: camera.eye[2] is \"far\": it must be a number"),
+    ("eye = [0, nan, 0]\n", "3:11: camera.eye[1] is nan: it must be a finite number"),
+    ("eye = [0, 0, -inf]\n", "3:14: camera.eye[2] is -inf: it must be a finite number"),
+    ("eye = [true, 0, 0]\n", "3:8: camera.eye[0] is true: it must be a number"),
+    ("eye = [0, [1], 0]\n", "3:11: camera.eye[1] is [1]: it must be a number"),
+    ("eye = [0, 0, { z = 1 }]\n", "3:14: camera.eye[2] is a table: it must be a number"),
+    (
+        "eye = { x = 1, y = 0, z = 0 }\n",
+        "3:7: camera.eye is a table: it must be three numbers, such as [0.0, 1.0, 0.0]",
+    ),
+    (
+        "eye = [0, 0, 0]\nat = 1979-05-27\n",
+        "4:6: camera.at is 1979-05-27: it must be three numbers, such as [0.0, 1.0, 0.0]",
+    ),
+    (
+        "eye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, inf]\n",
+        "5:13: camera.up[2] is inf: it must be a finite number",
+    ),
+    ("eye = [0, 0, 0\n", "3:15: not TOML: unclosed array, expected `]`"),
+    ("eye = \n", "3:7: not TOML: the value after = is missing"),
+    ("eye = [0, 0, 0]\neye = [0, 0, 1]\n", "4:1: not TOML: eye is given twice"),
+    ("[camera]\n", "3:2: not TOML: camera is given twice"),
+    ("eye = [0, 0, 1e999]\n", "3:14: not TOML: 1e999 is too large a number"),
+    ("eye = [0, 0, 01]\n", "3:14: not TOML: unexpected leading zero"),
+    ("name = \"ö\" eye = 1\n", "3:12: not TOML: unexpected key or value, expected newline, `#`"),
+    (
+        "eye = [0, 0, 0]\nat = [\n  0.0,\n  # the depth\n  nan,\n  1,\n]\n",
+        "7:3: camera.at[1] is nan: it must be a finite number",
+    ),
+];
+
+const CAMERA: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n";
+
+const BEHIND_THE_CAMERA: Cases = &[
+    (
+        "[lights]\nsun = 1\n",
+        "6:2: lights is unknown: the fields here are pinhole, spheres, camera, viewport, image, sphere, plane",
+    ),
+    ("[viewport]\nwidth = 0\n", "7:9: viewport.width is 0: it must be greater than 0"),
+    ("[viewport]\nheight = -1.5\n", "7:10: viewport.height is -1.5: it must be greater than 0"),
+    ("[viewport]\ndistance = nan\n", "7:12: viewport.distance is nan: it must be a finite number"),
+    ("[viewport]\ndistance = \"1\"\n", "7:12: viewport.distance is \"1\": it must be a number"),
+    (
+        "[viewport]\nfov = 60\n",
+        "7:1: viewport.fov is unknown: the fields here are width, height, distance",
+    ),
+    ("[viewport]\nhieght = 1\n", "7:1: viewport.hieght is unknown: did you mean height?"),
+    (
+        "viewport = 1\n",
+        "6:1: camera.viewport is unknown: the fields here are eye, at, view, up, basis",
+    ),
+    (
+        "[[viewport]]\nwidth = 1\n",
+        "6:1: viewport is a list of tables: it must be one table, [viewport]",
+    ),
+    (
+        "[image]\nwidth = 0\n",
+        "7:9: image.width is 0: it must be a whole number of pixels, 1 to 16384",
+    ),
+    (
+        "[image]\nwidth = 16385\n",
+        "7:9: image.width is 16385: it must be a whole number of pixels, 1 to 16384",
+    ),
+    (
+        "[image]\nheight = 400.0\n",
+        "7:10: image.height is 400.0: it must be a whole number of pixels, 1 to 16384",
+    ),
+    (
+        "[image]\nheight = -400\n",
+        "7:10: image.height is -400: it must be a whole number of pixels, 1 to 16384",
+    ),
+    (
+        "[image]\ndistance = 1\n",
+        "7:1: image.distance is unknown: the fields here are width, height",
+    ),
+    ("[[sphere]]\ncenter = [0, 0, -5]\n", "6:1: sphere[0].radius is missing: write radius = 1.0"),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",
+        "8:10: sphere[0].radius is 0: it must be greater than 0",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n[[sphere]]\ncenter = [0, 0, -5]\nradius = -2.5\n",
+        "14:10: sphere[2].radius is -2.5: it must be greater than 0",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = inf\n",
+        "8:10: sphere[0].radius is inf: it must be a finite number",
+    ),
+    (
+        "[[sphere]]\nradius = 1\n",
+        "6:1: sphere[0].center is missing: write center = [0.0, 0.0, -5.0]",
+    ),
+    (
+        "[[sphere]]\ncentre = [0, 0, -5]\nradius = 1\n",
+        "7:1: sphere[0].centre is unknown: did you mean center?",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\ncolour = \"#ffffff\"\n",
+        "9:1: sphere[0].colour is unknown: did you mean color?",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\ncolor = \"red\"\n",
+        "9:9: sphere[0].color is \"red\": it must be a colour such as \"#e69f00\"",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\ncolor = \"#e69f0\"\n",
+        "9:9: sphere[0].color is \"#e69f0\": it must be a colour such as \"#e69f00\"",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\ncolor = 0xe69f00\n",
+        "9:9: sphere[0].color is 0xe69f00: it must be a colour such as \"#e69f00\"",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\nname = 7\n",
+        "9:8: sphere[0].name is 7: it must be text in quotes",
+    ),
+    (
+        "[sphere]\ncenter = [0, 0, -5]\nradius = 1\n",
+        "6:1: sphere is a table: each one must be a table that begins with [[sphere]]",
+    ),
+    (
+        "[[plane]]\npoint = [0, 0, -6]\n",
+        "6:1: plane[0].normal is missing: write normal = [0.0, 0.0, 1.0]",
+    ),
+    (
+        "[[plane]]\npoint = [0, 0, -6]\nnormal = [0, 0, 0.0]\n",
+        "8:10: plane[0].normal is [0, 0, 0.0]: it must point somewhere",
+    ),
+    (
+        "[[plane]]\npoint = [0, 0, -6]\nnormal = [0, nan, 1]\n",
+        "8:14: plane[0].normal[1] is nan: it must be a finite number",
+    ),
+    (
+        "[[plane]]\nnormal = [0, 0, 1]\n",
+        "6:1: plane[0].point is missing: write point = [0.0, 0.0, -6.0]",
+    ),
+    (
+        "[[plane]]\npoint = [0, 0, -6]\nnormal = [0, 0, 1]\nradius = 1\n",
+        "9:1: plane[0].radius is unknown: the fields here are name, point, normal, color",
+    ),
+    (
+        "[[plane]]\npoint = [0, 0, -6]\nnormal = [0, 0, 1]\nspheres = \"balls.csv\"\n",
+        "9:1: plane[0].spheres is unknown: it belongs at the top of the file, before the first [table]",
+    ),
+    (
+        "[[sphere]]\ncenter = [0, 0, -5]\nradius = 1.\n",
+        "8:12: not TOML: invalid fraction, expected digits",
+    ),
+];
+
+fn check(before: &str, cases: Cases) {
+    for (text, expected) in cases {
+        let text = format!("{before}{text}");
+        let message = match scene_file::parse(&text, Path::new("scene.toml"), Path::new("")) {
+            Ok(document) => panic!("no error in:\n{text}\n{document:?}"),
+            Err(error) => error.to_string(),
+        };
+        assert_eq!(message, format!("scene.toml:{expected}"), "in:\n{text}");
+    }
+}
+
+#[test]
+fn whole_files() {
+    check("", WHOLE_FILES);
+}
+
+#[test]
+fn cameras() {
+    check(CAMERA_START, CAMERAS);
+}
+
+#[test]
+fn behind_the_camera() {
+    check(CAMERA, BEHIND_THE_CAMERA);
+}

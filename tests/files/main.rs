@@ -1,0 +1,8 @@
+//! Scene files and the CSV files beside them: read, refused, saved.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+
+mod bad_scenes;
+mod csv;
+mod good_scenes;
+mod round_trip;
+mod saving;

@@ -1,0 +1,121 @@
+//! The invariants of the layout, absences included.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn source_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            source_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+fn sources(folder: &str) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    source_files(&root().join(folder), &mut found);
+    assert!(!found.is_empty());
+    found
+        .into_iter()
+        .map(|path| {
+            let name = path.strip_prefix(root()).unwrap().to_str().unwrap().to_owned();
+            let text = fs::read_to_string(path).unwrap();
+            (name, text)
+        })
+        .collect()
+}
+
+#[test]
+fn core_depends_on_no_window_and_no_file_format() {
+    let tree = Command::new(env!("CARGO"))
+        .args(["tree", "--offline", "-p", "pinhole-core", "-e", "normal", "--prefix", "none"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    assert!(tree.status.success(), "{}", String::from_utf8_lossy(&tree.stderr));
+    let tree = String::from_utf8(tree.stdout).unwrap();
+    let crates: BTreeSet<&str> = tree.lines().filter_map(|line| line.split(' ').next()).collect();
+    assert!(crates.contains("glam") && crates.contains("pinhole-core"), "{crates:?}");
+    for forbidden in [
+        "egui",
+        "epaint",
+        "eframe",
+        "wgpu",
+        "winit",
+        "tiny-skia",
+        "toml_edit",
+        "serde_json",
+        "csv",
+        "png",
+        "exr",
+    ] {
+        assert!(!crates.contains(forbidden), "pinhole-core depends on {forbidden}");
+    }
+}
+
+#[test]
+fn wgpu_is_known_to_one_file_only() {
+    let knows = |text: &str| text.contains("wgpu::");
+    let files: Vec<String> = sources("src")
+        .into_iter()
+        .filter_map(|(name, text)| knows(&text).then_some(name))
+        .collect();
+    assert_eq!(files, ["src/present/gpu.rs"]);
+}
+
+#[test]
+fn what_is_pure_knows_no_effect() {
+    for (name, text) in sources("src") {
+        let pure = name.starts_with("src/core/")
+            || name.starts_with("src/overlay/")
+            || ["src/document.rs", "src/derive.rs", "src/inspection.rs"].contains(&name.as_str());
+        if pure && !name.contains("/tests/") {
+            for effect in
+                ["std::fs", "std::env", "std::process", "std::time", "println!", "eprintln!"]
+            {
+                assert!(!text.contains(effect), "{name} uses {effect}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_top_level_holds_what_it_should() {
+    let listed = Command::new("git").args(["ls-files"]).current_dir(root()).output().unwrap();
+    let listed = String::from_utf8(listed.stdout).unwrap();
+    let top: BTreeSet<&str> = listed.lines().filter_map(|path| path.split('/').next()).collect();
+    let known = [
+        ".ci",
+        ".gitignore",
+        ".rustfmt.toml",
+        "Cargo.lock",
+        "Cargo.toml",
+        "LICENSE-APACHE",
+        "LICENSE-MIT",
+        "README.md",
+        "assets",
+        "src",
+        "tests",
+    ];
+    let strangers: Vec<_> = top.iter().filter(|name| !known.contains(name)).collect();
+    assert!(strangers.is_empty(), "{strangers:?}");
+}
+
+#[test]
+fn files_stay_readable_in_one_sitting() {
+    for (name, text) in sources("src") {
+        let lines = text.lines().count();
+        assert!(lines <= 450, "{name} has {lines} lines: find the idea that splits it");
+    }
+}
