@@ -15,7 +15,7 @@ pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
     // A missing libxkbcommon-x11, or an X server without an extension, is a panic in winit.
     match without_panic(|| builder.build()) {
         Ok(Ok(event_loop)) => Ok(event_loop),
-        Ok(Err(error)) => Err(PresentError::NoDisplay(first_line(&error.to_string()))),
+        Ok(Err(error)) => Err(PresentError::NoDisplay(cause(&error))),
         Err(panic) => Err(PresentError::NoDisplay(panic)),
     }
 }
@@ -47,13 +47,26 @@ pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
-fn first_line(text: &str) -> String {
-    text.lines().next().unwrap_or_default().to_owned()
+/// What went wrong, without winit's file and line: `os error at FILE.rs:LINE: TEXT`.
+pub(super) fn cause(error: &impl std::fmt::Display) -> String {
+    let text = error.to_string();
+    let text = text.lines().next().unwrap_or_default();
+    let after_place = text.strip_prefix("os error at ").and_then(|rest| {
+        let (_, after_file) = rest.split_once(".rs:")?;
+        after_file.split_once(": ").map(|(_, cause)| cause)
+    });
+    after_place.unwrap_or(text).trim_end_matches('.').to_owned()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn causes_name_no_source_files() {
+        assert_eq!(cause(&"os error at /a/b.rs:12: no server: gone."), "no server: gone");
+        assert_eq!(cause(&"gone\nwith details"), "gone");
+    }
 
     #[test]
     fn a_panic_becomes_its_message() {

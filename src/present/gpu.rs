@@ -4,7 +4,7 @@ use super::display::without_panic;
 use super::window::{Frame, Surface};
 use super::{Renderer, RendererInfo};
 use eframe::egui_wgpu::{
-    RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew,
+    RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuError, WgpuSetup, WgpuSetupCreateNew,
     winit::Painter,
 };
 use eframe::wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
@@ -68,7 +68,7 @@ impl Gpu {
         let options = RendererOptions { dithering: false, ..RendererOptions::default() };
         let mut painter = pollster::block_on(Painter::new(ctx.clone(), config, false, options));
         pollster::block_on(painter.set_window(ViewportId::ROOT, Some(Arc::clone(window))))
-            .map_err(|error| error.to_string())?;
+            .map_err(|error| reason(&error))?;
         let state = painter.render_state().ok_or("the adapter did not start")?;
         let failure = watch(&state.device);
         let info =
@@ -108,6 +108,16 @@ impl Surface for Gpu {
             Some(failure) => Err(failure),
             None => Ok(Duration::try_from_secs_f32(waited).unwrap_or_default()),
         }
+    }
+}
+
+/// Why there is no adapter, in words for the user.
+fn reason(error: &WgpuError) -> String {
+    match error {
+        WgpuError::CustomNativeAdapterSelectionError(reason) => reason.clone(),
+        // What wgpu says when it found no driver at all is a list of nothing.
+        WgpuError::CreateSurfaceError(_) => "no graphics driver found".to_owned(),
+        error => error.to_string(),
     }
 }
 

@@ -1,11 +1,13 @@
 //! Opening the window, and finding what can draw it.
 
 use super::cpu::Cpu;
+use super::display::cause;
 use super::gpu::Gpu;
 use super::window::Surface;
 use super::{PresentError, Renderer, WindowOptions};
 use egui::ViewportBuilder;
 use std::sync::Arc;
+use std::time::Duration;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
@@ -66,7 +68,7 @@ pub(super) fn surface(
 ) -> Result<(Arc<Window>, Box<dyn Surface>), PresentError> {
     let open = || {
         let window = egui_winit::create_window(ctx, event_loop, builder);
-        window.map(Arc::new).map_err(|error| PresentError::NoWindow(error.to_string()))
+        window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
     };
     let reason = if choice == Some(Renderer::Cpu) {
         "chosen by hand".to_owned()
@@ -83,4 +85,21 @@ pub(super) fn surface(
     let window = open()?;
     let cpu = Cpu::new(event_loop, &window, reason).map_err(PresentError::NoWindow)?;
     Ok((window, Box::new(cpu)))
+}
+
+/// The least time between two frames of an animation.
+///
+/// An adapter waits for the display by itself. Our painter would draw as fast as it can, and keep
+/// a processor busy with frames that nobody sees.
+pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
+    const USUAL_MILLIHERTZ: u32 = 60_000;
+    match renderer {
+        Renderer::Wgpu => Duration::ZERO,
+        Renderer::Cpu => {
+            let monitor = window.current_monitor();
+            let rate = monitor.and_then(|monitor| monitor.refresh_rate_millihertz());
+            let rate = rate.filter(|&rate| rate > 0).unwrap_or(USUAL_MILLIHERTZ);
+            Duration::from_secs_f64(1000.0 / f64::from(rate))
+        }
+    }
 }

@@ -136,7 +136,6 @@ where
         });
         let program = make_program(&ctx, surface.info());
         let mut open = Open {
-            surface,
             program,
             state,
             ctx,
@@ -148,6 +147,9 @@ where
             input_since: None,
             maximize: self.options.geometry.maximized,
             shown: false,
+            began: Instant::now(),
+            pace: start::pace(surface.info().renderer, &window),
+            surface,
             window,
         };
         // Painted before it is shown: no flash of an empty window.
@@ -220,7 +222,7 @@ where
             UserEvent::Repaint { when, pass } => {
                 let now = open.ctx.cumulative_pass_nr();
                 if now == pass || now == pass + 1 {
-                    open.repaint_by(when);
+                    open.repaint_by(when.max(open.began + open.pace));
                 }
                 Ok(false)
             }
@@ -253,6 +255,9 @@ struct Open {
     input_since: Option<Instant>,
     maximize: bool,
     shown: bool,
+    /// When the last frame was begun, and how long after it one that is only animation may follow.
+    began: Instant,
+    pace: Duration,
     window: Arc<Window>,
 }
 
@@ -331,6 +336,7 @@ impl Open {
             // Its input waits until it is seen again.
             return Ok(false);
         }
+        self.began = began;
         self.repaint_at = self.repaint_at.filter(|&at| at > began);
         let mut input = self.state.take_egui_input(&self.window);
         input.viewports.insert(ViewportId::ROOT, self.info.clone());
