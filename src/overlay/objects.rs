@@ -65,7 +65,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
         color: mix(color, colors.background, 0.35),
         grid_color: mix(color, colors.ink, 0.45),
         opacity: if between { OPACITY_BETWEEN } else { OPACITY },
-        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale),
+        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale as f32),
     })
 }
 
