@@ -13,7 +13,7 @@ use crate::overlay::style::Colors;
 
 /// The patch's radius, and how far its centre can be from the target, as shares of the observer's
 /// distance.
-const PATCH_RADIUS: f64 = 0.8;
+const PATCH_RADIUS: f64 = 0.9;
 const PATCH_REACH: f64 = 3.0;
 
 /// How opaque a patch is in its middle, and how opaque it is where it stands between the observer
