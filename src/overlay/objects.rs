@@ -13,7 +13,7 @@ use crate::overlay::style::Colors;
 
 /// The patch's radius, and how far its centre can be from the target, as shares of the observer's
 /// distance.
-const PATCH_RADIUS: f64 = 0.8;
+const PATCH_RADIUS: f64 = 0.9;
 const PATCH_REACH: f64 = 3.0;
 
 /// How opaque a patch is in its middle, and how opaque it is where it stands between the observer
@@ -65,7 +65,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
         color: mix(color, colors.background, 0.35),
         grid_color: mix(color, colors.ink, 0.45),
         opacity: if between { OPACITY_BETWEEN } else { OPACITY },
-        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale),
+        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale as f32),
     })
 }
 
