@@ -8,7 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
 
-use crate::whole_window;
+use crate::support::{self, whole_window};
 use pinhole::files::OpenDocument;
 use pinhole::formats::scene_argument::SceneSource;
 use pinhole::store::{Remembered, Store};
@@ -25,7 +25,7 @@ pub(crate) fn window_with(
     let source = SceneSource::of(scene.as_ref()).unwrap();
     let settings = remembered.settings.clone();
     let app = App::new(OpenDocument::new(source.load().unwrap(), source), remembered, store);
-    let mut harness = Harness::builder()
+    let mut harness = support::harness()
         .with_size(SIZE)
         .with_max_steps(30)
         .with_context_setup(move |ctx| App::set_up(ctx, &settings))

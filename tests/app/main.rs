@@ -8,5 +8,6 @@ mod faults;
 mod harness;
 mod scene_files;
 mod selection;
-#[path = "../support/whole_window.rs"]
-mod whole_window;
+mod snapshots;
+#[path = "../support/mod.rs"]
+mod support;
