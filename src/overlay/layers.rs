@@ -107,7 +107,7 @@ impl Patch {
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
         let radius = self.radius as f32;
-        let s = (1.3 - 1.3 / (radius * radius) * length_squared).max(0.0).min(1.0);
+        let s = (1.3 - 1.3 / (radius * radius) * length_squared).clamp(0.0, 1.0);
         self.opacity * s * s * (3.0 - 2.0 * s)
     }
 
@@ -289,7 +289,7 @@ fn is_nearer(t: f32, traced: f64) -> bool {
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     // 2^23 + x has x in its last bits; it is what a cast does, without the cast's other cases.
-    let weight = (share.max(0.0).min(1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff;
+    let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
     // Two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
     let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
     let two = |b: u32, t: u32| {

@@ -50,7 +50,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     let normal = unit(plane.normal)?;
     let height = |p: DVec3| normal.dot(p - plane.point);
     let away = height(onlooker.target);
-    if !(away.abs() <= PATCH_REACH * onlooker.distance) {
+    if away.is_nan() || away.abs() > PATCH_REACH * onlooker.distance {
         return None;
     }
     let center = onlooker.target - away * normal;
@@ -123,11 +123,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn grid_steps_are_round_and_some_sixteen() {
+    fn grid_steps_are_round_and_neither_few_nor_many() {
         for distance in [1e-6, 0.3, 1.0, 7.0, 10.0, 33.0, 9e8] {
             let step = grid_step(distance);
             let cells = 2.0 * PATCH_RADIUS * distance / step;
-            assert!((10.0..25.0).contains(&cells), "{distance}: {cells}");
+            assert!((10.0..30.0).contains(&cells), "{distance}: {cells}");
         }
         assert_eq!(grid_step(10.0), 1.0);
     }
