@@ -122,7 +122,7 @@ impl Patch {
     fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
         let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
         let base = mix(below, self.color, opacity);
-        mix(base, self.grid_color, line * opacity)
+        if line > 0.0 { mix(base, self.grid_color, line * opacity) } else { base }
     }
 }
 
@@ -230,8 +230,8 @@ impl<'a> Layers<'a> {
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
         let spots = row.spots(part);
-        // One loop for each kind: this is where most of the time goes. The patches', which can cover
-        // the whole screen, has no branches.
+        // One loop for each kind: this is where most of the time goes. The patches' can
+        // cover the whole screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
                 let patch = &self.patches[patch];
