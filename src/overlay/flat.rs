@@ -107,14 +107,13 @@ impl Flat {
                 from = from.max(zero);
             } else if slope < 0.0 {
                 to = to.min(zero);
-            } else if !(value >= 0.0) {
+            } else if value < 0.0 || value.is_nan() {
                 return 0..0;
             }
         }
-        if !(from < to) {
-            return 0..0;
-        }
-        from as usize..(to.ceil() as usize).min(width)
+        // Neither is NaN: `max` and `min` leave that out.
+        let to = (to.ceil() as usize).min(width);
+        (from as usize).min(to)..to
     }
 
     /// A row of dots at once: what [`Flat::at`] says of each dot of its span, and how much of it a
@@ -169,8 +168,8 @@ impl Flat {
             // Adding and taking away 1.5 * 2^23 rounds to a whole number, without a call.
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);
-            let near = (reach - (cells - whole).abs() * dots_per_cell).max(0.0).min(1.0);
-            let told_apart = (dots_per_cell * sparse - 1.0).max(0.0).min(1.0);
+            let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
+            let told_apart = (dots_per_cell * sparse - 1.0).clamp(0.0, 1.0);
             *line = line.max(near * told_apart);
         }
     }

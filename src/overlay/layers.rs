@@ -107,7 +107,7 @@ impl Patch {
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
         let radius = self.radius as f32;
-        let s = (1.3 - 1.3 / (radius * radius) * length_squared).max(0.0).min(1.0);
+        let s = (1.3 - 1.3 / (radius * radius) * length_squared).clamp(0.0, 1.0);
         self.opacity * s * s * (3.0 - 2.0 * s)
     }
 
@@ -122,7 +122,7 @@ impl Patch {
     fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
         let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
         let base = mix(below, self.color, opacity);
-        mix(base, self.grid_color, line * opacity)
+        if line > 0.0 { mix(base, self.grid_color, line * opacity) } else { base }
     }
 }
 
@@ -230,8 +230,8 @@ impl<'a> Layers<'a> {
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
         let spots = row.spots(part);
-        // One loop for each kind: this is where most of the time goes. The patches', which can cover
-        // the whole screen, has no branches.
+        // One loop for each kind: this is where most of the time goes. The patches' can
+        // cover the whole screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
                 let patch = &self.patches[patch];
@@ -289,7 +289,7 @@ fn is_nearer(t: f32, traced: f64) -> bool {
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     // 2^23 + x has x in its last bits; it is what a cast does, without the cast's other cases.
-    let weight = (share.max(0.0).min(1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff;
+    let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
     // Two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
     let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
     let two = |b: u32, t: u32| {
