@@ -3,7 +3,7 @@
 // Each test program takes a part of it.
 #![allow(dead_code)]
 
-pub mod naive;
+pub(crate) mod naive;
 
 use egui::epaint::textures::TexturesDelta;
 use egui::{Color32, Vec2};
@@ -14,7 +14,7 @@ use pinhole::present::painter::Painter;
 /// Draws egui_kittest's pictures with the program's own painter: no driver, no display, and the
 /// same bytes on every machine.
 #[derive(Default)]
-pub struct PainterRenderer {
+pub(crate) struct PainterRenderer {
     painter: Painter,
 }
 
@@ -44,14 +44,14 @@ impl TestRenderer for PainterRenderer {
 ///
 /// A picture that differs in one pixel fails (per pixel 0.6 of dify's scale is let pass, which
 /// is less than anyone can see).
-pub fn harness<State>() -> HarnessBuilder<State> {
+pub(crate) fn harness<State>() -> HarnessBuilder<State> {
     HarnessBuilder::default()
         .renderer(PainterRenderer::default())
-        .with_options(SnapshotOptions::new().threshold(0.6).failed_pixel_count_threshold(0))
+        .with_options(SnapshotOptions::new().threshold(0.6).max_failed_pixels(0))
 }
 
 /// Pixels as a picture of the `image` crate.
-pub fn image(pixels: &[Color32], size: [usize; 2]) -> Option<RgbaImage> {
+pub(crate) fn image(pixels: &[Color32], size: [usize; 2]) -> Option<RgbaImage> {
     let bytes = pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
     RgbaImage::from_raw(size[0] as u32, size[1] as u32, bytes)
 }

@@ -6,7 +6,12 @@ use egui::{Color32, ColorImage, TextureFilter};
 
 /// Draws a triangle, vertices in pixels, over the pixels of `canvas`; the texture is clamped at its
 /// edges.
-pub fn draw(canvas: &mut ColorImage, texture: &ColorImage, filter: TextureFilter, t: [&Vertex; 3]) {
+pub(crate) fn draw(
+    canvas: &mut ColorImage,
+    texture: &ColorImage,
+    filter: TextureFilter,
+    t: [&Vertex; 3],
+) {
     // Places in 1/256 of a pixel, as GPUs snap them; of the two orders, the one that turns right.
     let snap = |v: &Vertex| [v.pos.x, v.pos.y].map(|x| (f64::from(x) * 256.0).round());
     let mut t = t;
