@@ -50,7 +50,7 @@ fn core_depends_on_no_window_and_no_file_format() {
     for forbidden in [
         "egui",
         "epaint",
-        "eframe",
+        "egui-wgpu",
         "wgpu",
         "winit",
         "tiny-skia",

@@ -28,7 +28,7 @@ pub(super) struct Cpu {
     size: [u32; 2],
     painter: Painter,
     canvas: Canvas,
-    /// The display may not have what the canvas has: the next frame is handed over as a whole.
+    /// The buffers may not have what the canvas had: the next frame is copied as a whole.
     stale: bool,
     /// Whether the display keeps what it was handed. X11 does not, and the loss of a part can come
     /// in one event with a redraw that was asked for, so there every frame goes over whole.
@@ -62,12 +62,14 @@ impl Cpu {
         })
     }
 
-    /// Hands the canvas to the display, where only `rects` changed since the last time.
+    /// Hands the canvas to the display. Only `rects` of it changed since the last time; the
+    /// display needs all of it if it was `exposed`.
     fn present(
         &mut self,
         window: &Arc<Window>,
         size: [u32; 2],
         rects: &[PixelRect],
+        exposed: bool,
     ) -> Result<(), softbuffer::SoftBufferError> {
         let [Some(width), Some(height)] = size.map(NonZeroU32::new) else { return Ok(()) };
         let buffers = match &mut self.buffers {
@@ -80,17 +82,17 @@ impl Cpu {
             self.stale = true;
         }
         let whole = [PixelRect::whole(self.canvas.size())];
-        let rects = if self.stale { &whole } else { rects };
-        if rects.is_empty() {
+        let shown = if self.stale || exposed { &whole } else { rects };
+        if shown.is_empty() {
             return Ok(());
         }
         let mut buffer = buffers.buffer_mut()?;
         // Displays that take turns with two buffers give the one from before the last frame.
-        let copied = if buffer.age() == 1 { rects } else { &whole };
+        let copied = if buffer.age() == 1 && !self.stale { rects } else { &whole };
         for &rect in copied {
             copy(self.canvas.pixels(), self.canvas.size()[0], &mut buffer, rect);
         }
-        let damage: Vec<_> = rects.iter().filter_map(|&rect| damage(rect)).collect();
+        let damage: Vec<_> = shown.iter().filter_map(|&rect| damage(rect)).collect();
         self.stale = true;
         window.pre_present_notify();
         buffer.present_with_damage(&damage)?;
@@ -126,8 +128,8 @@ impl Surface for Cpu {
                 screenshot.complete(Arc::clone(&image));
             }
         }
-        self.stale |= frame.exposed || !self.keeps_picture;
-        match self.present(frame.window, frame.size, &rects) {
+        let exposed = frame.exposed || !self.keeps_picture;
+        match self.present(frame.window, frame.size, &rects, exposed) {
             Ok(()) => self.failures = 0,
             Err(error) => {
                 // A connection that hiccups is given new buffers; one that is gone ends the window.

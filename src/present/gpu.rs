@@ -3,15 +3,15 @@
 use super::display::without_panic;
 use super::window::{Frame, Surface};
 use super::{Renderer, RendererInfo};
-use eframe::egui_wgpu::{
+use egui::ViewportId;
+use egui_wgpu::{
     RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuError, WgpuSetup, WgpuSetupCreateNew,
     winit::Painter,
 };
-use eframe::wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
-use egui::ViewportId;
 use std::num::NonZeroU32;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
+use wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 

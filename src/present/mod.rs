@@ -7,7 +7,7 @@
 //!   one that is itself software, because the drivers made for that take more than twice as long
 //!   for the same picture.
 //!
-//! Both are driven by the same event loop (`window.rs`), so everything else about the window is
+//! Both are driven by the same event loop (`window.rs`, `open.rs`), so everything else about the window is
 //! the same. `gpu.rs` is the only file that knows wgpu.
 
 mod cpu;
@@ -15,6 +15,7 @@ mod display;
 pub mod fonts;
 mod gpu;
 pub mod headless;
+mod open;
 pub mod painter;
 mod start;
 mod window;

@@ -28,7 +28,8 @@ impl Rectangle {
         let [a, b, c, ..] = vertices;
         let low = pos2(a.pos.x.min(b.pos.x).min(c.pos.x), a.pos.y.min(b.pos.y).min(c.pos.y));
         let high = pos2(a.pos.x.max(b.pos.x).max(c.pos.x), a.pos.y.max(b.pos.y).max(c.pos.y));
-        if !(low.x < high.x && low.y < high.y) || !(high - low).is_finite() {
+        let size = high - low;
+        if !(size.x > 0.0 && size.y > 0.0 && size.is_finite()) {
             return None;
         }
         let mut corners = [usize::MAX; 6];

@@ -159,10 +159,7 @@ pub(super) fn draw(band: &mut Band<'_>, texture: &Texture, vertices: [&Vertex; 3
 
 /// The vertices so ordered that the area is positive, their snapped places, and twice the area;
 /// nothing for a triangle without area or with a coordinate that is not a number.
-fn oriented<'a>(
-    [a, b, c]: [&'a Vertex; 3],
-    scale: f32,
-) -> Option<([&'a Vertex; 3], [Place; 3], f64)> {
+fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Place; 3], f64)> {
     let sum = a.pos.to_vec2() + b.pos.to_vec2() + c.pos.to_vec2();
     if !(sum.x + sum.y).is_finite() {
         return None;
