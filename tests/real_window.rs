@@ -5,6 +5,7 @@
 //! memory at the same size, says where each accessible label is.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot drive its window has failed")]
+#![allow(clippy::print_stdout, reason = "says what it ran on, and how fast")]
 
 #[path = "support/whole_window.rs"]
 mod whole_window;
