@@ -138,8 +138,8 @@ fn the_world_view_shows_the_camera_only_with_its_overlay() {
     assert_eq!((w, h), (600, 400));
     let colors = pinhole::overlay::Style::Light.colors();
     for vector in colors.basis {
-        assert_eq!(count(&plain, vector), 0);
-        assert!(count(&world, vector) > 20, "the arrow and its label");
+        // A shaded sphere may have a dot of the arrow's very colour.
+        assert!(count(&world, vector) > count(&plain, vector) + 20, "the arrow and its label");
     }
     assert_eq!(count(&world, colors.ray), 0, "no ray is selected");
 }
