@@ -113,7 +113,7 @@ fn a_camera_without_a_basis_loads_and_says_why() {
         ),
         (
             "basis = { u = [1, 0, 0], v = [0, 1, 0], w = [0, 0, -1] }",
-            "the basis is left-handed (u x v is -w): reverse one of u, v, w",
+            "the basis is left-handed: u x v is -w and must be w, which points backwards",
         ),
     ];
     for (orientation, reason) in cases {
