@@ -59,3 +59,58 @@ pub(crate) fn dot2<const N: usize>(factors: [(f64, f64); N], small: f64) -> f64 
     }
     sum + error
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use dashu_float::FBig;
+    use dashu_float::round::mode::HalfEven;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn big(x: f64) -> FBig<HalfEven, 2> {
+        FBig::try_from(x).unwrap().with_precision(5000).value()
+    }
+
+    /// Any bits, with an exponent between -400 and 400.
+    fn number() -> impl Strategy<Value = f64> {
+        (any::<u64>(), -400..400_i32).prop_map(|(bits, exponent)| {
+            let mantissa = f64::from_bits(bits & !(0x7ff << 52) | (1023 << 52));
+            mantissa * 2_f64.powi(exponent)
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+
+        #[test]
+        fn sums_are_exact(a in number(), b in number(), close in any::<bool>()) {
+            let b = if close { a * 1e-9 + b * 1e-200 } else { b };
+            let (sum, error) = two_sum(a, b);
+            prop_assert_eq!(sum, a + b);
+            prop_assert_eq!(big(sum) + big(error), big(a) + big(b));
+        }
+
+        #[test]
+        fn products_are_exact(a in number(), b in number()) {
+            let (product, error) = two_product(a, b);
+            prop_assert_eq!(product, a * b);
+            prop_assert_eq!(big(product) + big(error), big(a) * big(b));
+        }
+
+        /// Terms that cancel to the last digit leave what exact arithmetic leaves.
+        #[test]
+        fn dot_products_that_cancel(a in 1.0..2.0_f64, b in 1.0..2.0_f64, c in 1.0..2.0_f64, d in 1.0..2.0_f64) {
+            let small = 1e-25;
+            let factors = [(a, b), (c, d), (-a, b), (-c, d)];
+            prop_assert!((dot2(factors, small) - small).abs() <= 1e-30);
+            let exact = big(a) * big(b) - big(c) * big(d);
+            let found = dot2([(a, b), (-c, d)], 0.0);
+            let error = (big(found) - exact.clone()).to_f64().value().abs();
+            let size = exact.to_f64().value().abs();
+            prop_assert!(error <= f64::EPSILON * size + 1e-30, "{error:e}");
+        }
+    }
+}

@@ -10,7 +10,7 @@ use crate::image::{ImageSize, Pixel};
 use crate::plane::PlaneSeen;
 use crate::posed::PosedCamera;
 use crate::ray::Ray;
-use crate::scene::Scene;
+use crate::scene::{Normals, Scene};
 use crate::sphere::{Kernel, Sphere, SphereSeen};
 
 /// [`Frame::object`] where the ray hits nothing.
@@ -193,6 +193,7 @@ struct Plan<'a> {
     /// `u*U` of each column of the raster.
     column_parts: Vec<DVec3>,
     planes: Vec<PlaneSeen>,
+    normals: Normals<'a>,
     /// Whether no view ray's direction needs scaling.
     plain: bool,
 }
@@ -255,6 +256,7 @@ impl<'a> Plan<'a> {
                 .map(|column| camera.column_part(camera.u_of_column(*column)))
                 .collect(),
             planes: scene.planes().iter().map(|p| PlaneSeen::new(p, camera.eye())).collect(),
+            normals: Normals::new(scene),
             plain: camera.has_plain_directions(raster),
         }
     }
@@ -327,9 +329,10 @@ impl<'a> Plan<'a> {
     fn fill_normals(&self, row: usize, t: &[f64], object: &[u32], normals: &mut [DVec3]) {
         let row_part = self.row_part(row);
         for (column, normal) in normals.iter_mut().enumerate() {
-            if let Some(hit) = self.scene.object(object[column]) {
+            if object[column] != NO_OBJECT {
                 let direction = self.column_parts[column] + row_part;
-                *normal = hit.normal(&Ray { origin: self.camera.eye(), direction }, t[column]);
+                let ray = Ray { origin: self.camera.eye(), direction };
+                *normal = self.normals.at(object[column], &ray, t[column]);
             }
         }
     }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// Squared lengths within these lose no digits to underflow and do not overflow, and neither do
 /// their reciprocals.
-const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
+pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
 
 /// Whether the direction's squared length is so far from 0 and infinity that intersections need no
 /// scaling.
@@ -71,9 +71,45 @@ pub(crate) fn unit(v: DVec3) -> DVec3 {
 
 /// `|v|`, free of intermediate overflow and underflow.
 pub(crate) fn length(v: DVec3) -> f64 {
-    if v == DVec3::ZERO || !v.is_finite() {
-        return v.length();
+    let squared = v.length_squared();
+    if PLAIN_LENGTH_SQUARED.contains(&squared) || v == DVec3::ZERO || !v.is_finite() {
+        return squared.sqrt();
     }
     let (m, k) = split(v);
     ldexp(m.length(), k)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use dashu_float::FBig;
+    use dashu_float::round::mode::HalfEven;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+
+        /// Rounded once, also where the result is subnormal.
+        #[test]
+        fn ldexp_rounds_once(bits in any::<u64>(), to in -1080..1025_i32, far in -2100..2100_i32) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite() && x != 0.0);
+            // Half of the time to where the result is an ordinary or a subnormal number.
+            for k in [far, to - exponent(x)] {
+                let exact = FBig::<HalfEven, 2>::try_from(x).unwrap() << k as isize;
+                prop_assert_eq!(ldexp(x, k).to_bits(), exact.to_f64().value().to_bits());
+            }
+        }
+
+        #[test]
+        fn exponent_is_that_of_the_leading_bit(bits in any::<u64>()) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite() && x != 0.0);
+            let mantissa = ldexp(x, -exponent(x)).abs();
+            prop_assert!((1.0..2.0).contains(&mantissa), "{mantissa}");
+        }
+    }
 }

@@ -9,7 +9,7 @@ use crate::number::{shortest, triple};
 use crate::plane::Plane;
 use crate::ray::Ray;
 use crate::roots::Roots;
-use crate::scale::unit;
+use crate::scale::{is_plain_direction, unit};
 use crate::sphere::Sphere;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
@@ -242,12 +242,45 @@ impl Object {
         };
         Root { object: index, t, point, normal }
     }
+}
 
-    /// The outward unit normal at a known root `t`.
-    pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
-        match self {
-            Object::Sphere(sphere) => sphere.normal(ray, t),
-            Object::Plane(plane) => unit(plane.normal),
+/// The outward normals of a scene's objects, for many hits.
+pub(crate) struct Normals<'a> {
+    spheres: &'a [Sphere],
+    of_planes: Vec<DVec3>,
+}
+
+impl<'a> Normals<'a> {
+    pub(crate) fn new(scene: &'a Scene) -> Self {
+        let of_planes = scene.planes.iter().map(|plane| unit(plane.normal)).collect();
+        Normals { spheres: &scene.spheres, of_planes }
+    }
+
+    /// The outward unit normal where the ray meets the object at the root `t`, as
+    /// [`Object::root`] gives it; zero for an object that the scene does not have.
+    #[inline(always)]
+    pub(crate) fn at(&self, object: u32, ray: &Ray, t: f64) -> DVec3 {
+        let index = object as usize;
+        match self.spheres.get(index) {
+            Some(sphere) => sphere.normal(ray, t),
+            None => self.of_planes.get(index - self.spheres.len()).copied().unwrap_or_default(),
+        }
+    }
+
+    /// `|n.d| / |d|` of the same normal n. Not by way of [`Normals::at`], because a vector that
+    /// either arm may make goes through memory, which costs more than all the arithmetic.
+    #[inline(always)]
+    pub(crate) fn cosine(&self, object: u32, ray: &Ray, t: f64) -> f64 {
+        let (index, direction) = (object as usize, ray.direction);
+        match self.spheres.get(index) {
+            Some(sphere) => sphere.cosine(ray, t),
+            None => match self.of_planes.get(index - self.spheres.len()) {
+                Some(normal) if is_plain_direction(direction) => {
+                    normal.dot(direction).abs() / direction.length()
+                }
+                Some(normal) => normal.dot(unit(direction)).abs(),
+                None => 0.0,
+            },
         }
     }
 }

@@ -7,8 +7,7 @@ use rayon::prelude::*;
 
 use crate::frame::{Frame, NO_OBJECT};
 use crate::ray::Ray;
-use crate::scale::unit;
-use crate::scene::Scene;
+use crate::scene::{Normals, Scene};
 
 /// sRGB bytes.
 pub type Rgb = [u8; 3];
@@ -64,18 +63,22 @@ pub fn shade<P: Send>(
         raster.columns().iter().map(|c| camera.column_part(camera.u_of_column(*c))).collect();
     let row_parts: Vec<DVec3> =
         raster.rows().iter().map(|r| camera.row_part(camera.v_of_row(*r))).collect();
-    let width = column_parts.len();
-    (0..frame.t.len())
+    let shader = Shader::new(scene, shade, nearest);
+    // A frame has at most 2^28 pixels; dividing u32 takes half the time of usize.
+    let width = column_parts.len() as u32;
+    (0..frame.t.len() as u32)
         .into_par_iter()
         .with_min_len(4096)
         .map(|index| {
+            let (row, column) = ((index / width) as usize, (index % width) as usize);
+            let index = index as usize;
             let object = frame.object[index];
             if object == NO_OBJECT {
                 return to_pixel(BACKGROUND);
             }
-            let direction = column_parts[index % width] + row_parts[index / width];
+            let direction = column_parts[column] + row_parts[row];
             let ray = Ray { origin: camera.eye(), direction };
-            to_pixel(shade_hit(scene, shade, &ray, object, frame.t[index], nearest, &color_of))
+            to_pixel(shader.color(&ray, object, frame.t[index], &color_of))
         })
         .collect()
 }
@@ -88,69 +91,78 @@ pub fn shade_pixel(
     nearest: f64,
     color_of: impl Fn(u32) -> Rgb,
 ) -> Rgb {
+    let shader = Shader::new(scene, shade, nearest);
     match scene.first_hit(ray) {
         None => BACKGROUND,
-        Some(hit) => shade_hit(scene, shade, ray, hit.object, hit.t, nearest, &color_of),
+        Some(hit) => shader.color(ray, hit.object, hit.t, &color_of),
     }
 }
 
-fn shade_hit(
-    scene: &Scene,
+/// What the pixels of a picture share.
+struct Shader<'a> {
     shade: Shade,
-    ray: &Ray,
-    object: u32,
-    t: f64,
     nearest: f64,
-    color_of: &impl Fn(u32) -> Rgb,
-) -> Rgb {
-    let normal = || scene.object(object).map_or(DVec3::ZERO, |o| o.normal(ray, t));
-    match shade {
-        Shade::Object => color_of(object),
-        Shade::T => [(255.0 * (nearest / t)).round() as u8; 3],
-        Shade::Normal => {
-            let n = normal();
-            [n.x, n.y, n.z].map(|x| (127.5 * (x + 1.0)).round() as u8)
-        }
-        Shade::Lambert => {
-            let cosine = normal().dot(unit(ray.direction)).abs();
-            let light = 0.15 + 0.85 * cosine.min(1.0);
-            color_of(object).map(|byte| srgb_byte(light as f32 * LINEAR[usize::from(byte)]))
+    normals: Normals<'a>,
+    srgb: &'static Srgb,
+}
+
+impl<'a> Shader<'a> {
+    fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> Self {
+        Shader { shade, nearest, normals: Normals::new(scene), srgb: &SRGB }
+    }
+
+    #[inline(always)]
+    fn color(&self, ray: &Ray, object: u32, t: f64, color_of: &impl Fn(u32) -> Rgb) -> Rgb {
+        match self.shade {
+            Shade::Object => color_of(object),
+            Shade::T => [rounded(255.0 * (self.nearest / t)); 3],
+            Shade::Normal => {
+                let n = self.normals.at(object, ray, t);
+                [n.x, n.y, n.z].map(|x| rounded(127.5 * (x + 1.0)))
+            }
+            Shade::Lambert => {
+                let light = 0.15 + 0.85 * self.normals.cosine(object, ray, t).min(1.0);
+                let [r, g, b] = color_of(object);
+                [r, g, b].map(|byte| self.srgb.dimmed(byte, light as f32))
+            }
         }
     }
 }
 
-/// sRGB byte to linear light (IEC 61966-2-1).
-static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
-    std::array::from_fn(|byte| {
-        let s = byte as f32 / 255.0;
-        if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
-    })
-});
+/// To the nearest byte; `x` is not negative.
+fn rounded(x: f64) -> u8 {
+    (x + 0.5) as u8
+}
 
-/// The linear light above which each sRGB byte begins: half way between it and the byte below. One
-/// more stands at the end, which nothing reaches.
-static BYTE_STARTS: LazyLock<[f32; 257]> = LazyLock::new(|| {
-    std::array::from_fn(|b| match b {
-        0 => 0.0,
-        256 => f32::INFINITY,
-        _ => 0.5 * (LINEAR[b] + LINEAR[b - 1]),
-    })
-});
+/// Tables of the sRGB transfer curve (IEC 61966-2-1).
+struct Srgb {
+    /// Byte to linear light.
+    linear: [f32; 256],
+    /// From linear light in parts of 1 to the byte nearest in linear light. Where the curve is
+    /// steepest, at 0, a byte has 20 parts.
+    bytes: Vec<u8>,
+}
 
-/// In how many parts [`BYTE_OF_PART`] cuts linear light from 0 to 1: so many that no part holds the
-/// start of two bytes (sRGB is steepest at 0, 12.92 * 255 bytes for 1).
-const PARTS: usize = 4096;
+static SRGB: LazyLock<Srgb> = LazyLock::new(Srgb::new);
 
-/// The byte at the lower end of each part.
-static BYTE_OF_PART: LazyLock<[u8; PARTS + 1]> = LazyLock::new(|| {
-    std::array::from_fn(|part| {
-        let linear = part as f32 / PARTS as f32;
-        (BYTE_STARTS.partition_point(|start| *start <= linear) - 1) as u8
-    })
-});
+impl Srgb {
+    const PARTS: usize = 1 << 16;
 
-/// The sRGB byte nearest in linear light, which is in `[0, 1]`.
-fn srgb_byte(linear: f32) -> u8 {
-    let byte = BYTE_OF_PART[((linear * PARTS as f32) as usize).min(PARTS)];
-    byte + u8::from(linear >= BYTE_STARTS[usize::from(byte) + 1])
+    fn new() -> Srgb {
+        let linear: [f32; 256] = std::array::from_fn(|byte| {
+            let s = byte as f32 / 255.0;
+            if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
+        });
+        let half_way: Vec<f32> = linear.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+        let byte_of = |light: f32| half_way.partition_point(|end| *end <= light) as u8;
+        let bytes = (0..=Srgb::PARTS).map(|part| byte_of(part as f32 / Srgb::PARTS as f32));
+        Srgb { linear, bytes: bytes.collect() }
+    }
+
+    /// The byte's light times `factor`, from 0 to 1, as a byte.
+    #[inline(always)]
+    fn dimmed(&self, byte: u8, factor: f32) -> u8 {
+        let light = factor * self.linear[usize::from(byte)];
+        self.bytes[((light * Srgb::PARTS as f32 + 0.5) as usize).min(Srgb::PARTS)]
+    }
 }

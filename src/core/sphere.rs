@@ -5,7 +5,9 @@ use glam::DVec3;
 use crate::error_free::{difference_with_rest, dot2};
 use crate::ray::Ray;
 use crate::roots::Roots;
-use crate::scale::{exponent, is_plain_direction, ldexp, ldexp3, split, unit};
+use crate::scale::{
+    PLAIN_LENGTH_SQUARED, exponent, is_plain_direction, ldexp, ldexp3, split, unit,
+};
 use crate::wide;
 
 /// All points at distance `radius` from `center`.
@@ -80,21 +82,43 @@ impl Sphere {
     }
 
     /// The outward unit normal where the ray meets the sphere at the root `t`.
+    #[inline(always)]
     pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
-        /// Up to this many radii away, `p + t d - center` has all but four of its digits.
-        const NEAR: f64 = 1e4;
-        let from_center = ray.origin - self.center;
-        let offset = from_center + t * ray.direction;
-        if offset.is_finite()
-            && offset != DVec3::ZERO
-            && from_center.abs().max_element() < NEAR * self.radius
-        {
-            return unit(offset);
-        }
-        self.normal_from_afar(ray, t)
+        // A copy for the rare case: a ray whose address is taken would live in memory, and going
+        // there costs more than all the arithmetic here.
+        let copy = *ray;
+        let (offset, length) = self.offset(ray.origin, ray.direction, t);
+        if length > 0.0 { offset / length } else { self.normal_from_afar(copy, t) }
     }
 
-    fn normal_from_afar(&self, ray: &Ray, t: f64) -> DVec3 {
+    /// `|n.d| / |d|` of that normal n.
+    #[inline(always)]
+    pub(crate) fn cosine(&self, ray: &Ray, t: f64) -> f64 {
+        let Ray { origin, direction } = *ray;
+        let (offset, length) = self.offset(origin, direction, t);
+        if length > 0.0 && is_plain_direction(direction) {
+            offset.dot(direction).abs() / (length * direction.length())
+        } else {
+            self.normal_from_afar(Ray { origin, direction }, t).dot(unit(direction)).abs()
+        }
+    }
+
+    /// `p + t d - center` and its length; a length of 0 where the digits of the normal are lost.
+    #[inline(always)]
+    fn offset(&self, origin: DVec3, direction: DVec3, t: f64) -> (DVec3, f64) {
+        /// Up to this many radii away, `p + t d - center` has all but four of its digits.
+        const NEAR: f64 = 1e4;
+        let from_center = origin - self.center;
+        let near = NEAR * self.radius;
+        let offset = from_center + t * direction;
+        let length_squared = offset.length_squared();
+        let is_kept = from_center.length_squared() < near * near
+            && PLAIN_LENGTH_SQUARED.contains(&length_squared);
+        (offset, if is_kept { length_squared.sqrt() } else { 0.0 })
+    }
+
+    #[cold]
+    fn normal_from_afar(&self, ray: Ray, t: f64) -> DVec3 {
         if ray.check().is_err() {
             return DVec3::ZERO;
         }

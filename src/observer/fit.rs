@@ -1,6 +1,8 @@
 //! Where an observer must stand to have all that matters in sight.
 
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera, Ray, Scene, extent_of_fov};
+use pinhole_core::{
+    Camera, DVec2, DVec3, Object, Orientation, PosedCamera, Ray, Root, Scene, extent_of_fov,
+};
 
 use super::{FOV, Observer};
 
@@ -11,12 +13,13 @@ const OUT_OF_SCALE: f64 = 50.0;
 /// The share of the picture's half that is left free around what must be in sight.
 const MARGIN: f64 = 0.1;
 
-/// Of very many spheres, so many are asked where they are.
+/// Of very many objects, so many are asked where they are.
 const ASKED_SPHERES: usize = 2048;
+const ASKED_PLANES: usize = 64;
 
-/// How far, in degrees, the observer may stand to the right of the line behind the camera, and
-/// above it.
-const TO_THE_RIGHT: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
+/// How far, in degrees, the observer may stand to one side of the line behind the camera, and above
+/// it.
+const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
 const ABOVE: [f64; 4] = [26.0, 19.0, 14.0, 9.0];
 
 /// How far the frustum should be in sight: to this share of the way to the farthest sphere, and to
@@ -25,14 +28,14 @@ const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
 /// From this size on, as a share of the picture's height, the camera is large enough.
-const LARGE_ENOUGH: f64 = 0.24;
+const LARGE_ENOUGH: f64 = 0.22;
 
 /// The observer turns around a point at most so many near sizes from the eye: around something far
 /// away it would lose the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// How long the arrows are taken to be, as a share of the near size.
-const ARROW: f64 = 1.2;
+/// How far the arrows are taken to reach from the eye, as a share of the near size.
+const ARROWS: f64 = 1.15;
 
 /// Something that must be in sight.
 #[derive(Clone, Copy, Debug)]
@@ -51,14 +54,16 @@ struct Subject {
     right: DVec3,
     /// The extent of the frustum from the eye to the viewport.
     near_size: f64,
+    /// Where the camera looks at planes.
+    walls: Vec<Root>,
     /// What the observer turns around: the middle of camera and scene.
     middle: DVec3,
 }
 
 impl Observer {
     /// An observer that has in sight the eye, the viewport, the basis arrows, at, and the spheres,
-    /// but for those that are out of all scale; from behind the camera's right shoulder, so far to
-    /// the side as the camera does not get too small. `aspect` is the picture's width by height.
+    /// but for those that are out of all scale; from behind the camera's shoulder, so far to the
+    /// side as the camera does not get too small. `aspect` is the picture's width by height.
     ///
     /// Perspective does the work: close behind a small camera, even what it looks at from afar is in
     /// sight, small, in the distance, as it is on a whiteboard.
@@ -71,12 +76,13 @@ impl Observer {
             _ => (-subject.right.z).atan2(subject.right.x),
         };
         let mut best: Option<(f64, Observer)> = None;
-        for to_the_right in TO_THE_RIGHT {
-            for above in ABOVE {
-                let (azimuth, elevation) = (behind + to_the_right.to_radians(), above.to_radians());
-                let from = Observer::new(DVec3::ZERO, azimuth, elevation, 1.0);
+        // Of equals the right side, from where the camera looks to the right in the picture.
+        for side in [1.0, -1.0] {
+            for (beside, above) in TO_THE_SIDE.iter().flat_map(|b| ABOVE.map(|a| (b, a))) {
+                let azimuth = behind + side * beside.to_radians();
+                let from = Observer::new(DVec3::ZERO, azimuth, above.to_radians(), 1.0);
                 let observer = subject.fit(&from, aspect);
-                let score = subject.score(&observer);
+                let score = subject.score(&observer) + 0.1 * side;
                 if best.is_none_or(|(most, _)| score > most) {
                     best = Some((score, observer));
                 }
@@ -90,14 +96,15 @@ impl Subject {
     fn of(camera: &Camera, scene: &Scene) -> Subject {
         let tame = |p: DVec3| p.is_finite() && p.abs().max_element() < 1e12;
         let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
-        let mut balls = vec![Ball { center: eye, radius: 0.0 }];
+        let mut balls = Vec::new();
+        let mut walls = Vec::new();
         let (mut near_size, mut back, mut right) = (1.0, DVec3::Z, DVec3::X);
         if let Ok(posed) = camera.posed() {
             (back, right) = (posed.basis().w, posed.basis().u);
             let viewport = posed.viewport();
             let size = viewport.width.max(viewport.height).max(viewport.distance);
             near_size = size.clamp(1e-9, 1e12);
-            balls.extend(near_part(&posed, near_size));
+            balls.extend(frustum_part(&posed, 1.0));
         }
         let given = match camera.orientation {
             Orientation::At { at, .. } => Some(at),
@@ -108,9 +115,11 @@ impl Subject {
         if let Ok(posed) = camera.posed() {
             let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
             let t = (FRUSTUM_PART * farthest / posed.viewport().distance).min(LONGEST_FRUSTUM);
-            balls.extend(frustum_part(&posed, 1.0, t));
-            balls.extend(walls(&posed, scene, 2.0 * farthest.max(10.0 * near_size)));
+            balls.extend(frustum_part(&posed, t));
+            walls = walls_seen(&posed, scene, 2.0 * farthest.max(10.0 * near_size));
+            balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
         }
+        balls.push(Ball { center: eye, radius: ARROWS * near_size });
         balls.retain(|ball| tame(ball.center));
         let camera_balls = balls.len();
         balls.extend(spheres);
@@ -118,7 +127,7 @@ impl Subject {
         let sum: DVec3 = seen.iter().map(|ball| ball.center).sum();
         let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
         let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
-        Subject { balls, eye, back, right, near_size, middle }
+        Subject { balls, eye, back, right, near_size, walls, middle }
     }
 
     /// The nearest observer in this direction from which every ball is in sight.
@@ -152,8 +161,8 @@ impl Subject {
         Observer { target: target.to_array(), distance, ..*direction }.in_range()
     }
 
-    /// Better is: the camera large enough, its view seen from the side, its picture seen from the
-    /// front, nothing before it.
+    /// Better is: the camera large enough, its view seen from the side, its picture and the walls
+    /// seen from the front, nothing before it.
     fn score(&self, observer: &Observer) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
@@ -163,38 +172,34 @@ impl Subject {
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
         // Foreshortened to less than half its width, the picture on the viewport is hard to read.
-        let from_front = along.clamp(-0.5, 0.6);
+        let from_front = along.clamp(-0.5, 0.62);
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
-        (size / LARGE_ENOUGH).min(1.0) + 0.8 * sideways + from_front
+        let facing: f64 = self.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
+        let facing = facing / self.walls.len().max(1) as f64;
+        (size / LARGE_ENOUGH).min(1.0) + 0.95 * sideways + from_front + 0.2 * facing
             - if hidden { 0.6 } else { 0.0 }
     }
 }
 
-/// The viewport's corners, and the tips of arrows along u, v, w.
-fn near_part(posed: &PosedCamera, size: f64) -> Vec<Ball> {
-    let (eye, basis) = (posed.eye(), posed.basis());
-    let arrows = [basis.u, basis.v, basis.w].map(|axis| eye + ARROW * size * axis);
-    let arrows = arrows.map(|center| Ball { center, radius: 0.0 });
-    frustum_part(posed, 1.0, 1.0).into_iter().chain(arrows).collect()
-}
-
-/// The points at this t of the rays through four places of the viewport: a share of the way from its
-/// middle to its corners.
-fn frustum_part(posed: &PosedCamera, share: f64, t: f64) -> [Ball; 4] {
-    rays_around(posed, share).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
+/// The points of the frustum's edges at this t.
+fn frustum_part(posed: &PosedCamera, t: f64) -> [Ball; 4] {
+    rays_around(posed, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
 }
 
 /// Where the rays half way to the corners meet planes, if not too far away.
-fn walls(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Ball> {
-    let rays = rays_around(posed, 0.5);
-    let first = rays.iter().filter_map(|ray| {
-        let hits = scene.planes().iter().filter_map(|plane| plane.roots(ray).first_positive());
-        let t = hits.fold(f64::INFINITY, f64::min);
-        (ray.distance_along(t) < farthest).then(|| Ball { center: ray.at(t), radius: 0.0 })
-    });
-    first.collect()
+fn walls_seen(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
+    let first_wall = |ray: &Ray| {
+        let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
+        let hits = planes.filter_map(|(index, plane)| {
+            let t = plane.roots(ray).first_positive()?;
+            Some(Object::Plane(*plane).root(index, ray, t))
+        });
+        hits.min_by(|a, b| a.t.total_cmp(&b.t)).filter(|hit| ray.distance_along(hit.t) < farthest)
+    };
+    rays_around(posed, 0.5).iter().filter_map(first_wall).collect()
 }
 
+/// The rays through the viewport, a share of the way from its middle to its corners.
 fn rays_around(posed: &PosedCamera, share: f64) -> [Ray; 4] {
     let half = 0.5 * share * DVec2::new(posed.viewport().width, posed.viewport().height);
     [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]

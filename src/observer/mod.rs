@@ -124,3 +124,6 @@ impl Observer {
         *self = self.in_range();
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,7 @@ use pinhole_core::{DVec3, Scene, Sphere};
 ///
 /// A plane has no end. Traced, it would fill the picture up to its horizon and, seen from behind,
 /// hide the camera; the overlay draws the part of it near the target instead. A sphere
-/// that [encloses](encloses) the camera hides it likewise, and is shrunk to a point where it stands,
+/// that [encloses] the camera hides it likewise, and is shrunk to a point where it stands,
 /// so that the others keep their indices; the overlay draws its outline.
 pub fn seen_scene<'a>(scene: &'a Scene, camera_eye: DVec3, observer_eye: DVec3) -> Cow<'a, Scene> {
     let hides = |sphere: &Sphere| encloses(sphere, camera_eye, observer_eye);

@@ -1,5 +1,7 @@
 //! A plane of the world as the observer sees it: from dots to places on the plane, without tracing.
 
+use std::ops::Range;
+
 use pinhole_core::{DVec2, DVec3};
 
 use crate::overlay::screen::{RayParts, unit};
@@ -16,6 +18,7 @@ use crate::overlay::screen::{RayParts, unit};
 /// and since d is linear in x and y, t, a and b are quotients of linear functions of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Flat {
+    /// Greater than 0: dots see the plane where the rate is, too.
     offset: f64,
     rate: Linear,
     a: Linear,
@@ -29,17 +32,6 @@ pub(crate) struct FlatSpot {
     pub(crate) t: f64,
     /// (a, b).
     pub(crate) place: DVec2,
-    /// `1 / n.d`.
-    inverse_rate: f64,
-}
-
-/// The part of a [`Flat`] that there is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Extent {
-    /// `|a|` and `|b|` up to this.
-    Square(f64),
-    /// `a^2 + b^2` up to this squared.
-    Disc(f64),
 }
 
 /// `x*X + y*Y + Z`.
@@ -58,7 +50,8 @@ impl Linear {
 
 impl Flat {
     /// The plane through `origin`, on which a grows by 1 along `axis_a` and b by 1 along `axis_b`;
-    /// the two are at right angles. `None` where the numbers leave the range of `f64`.
+    /// the two are at right angles. `None` where the numbers leave the range of `f64`, and for an
+    /// observer in the plane.
     pub(crate) fn new(
         rays: &RayParts,
         origin: DVec3,
@@ -70,85 +63,176 @@ impl Flat {
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
         let rate = Linear::of(rays, normal);
+        // All four may be scaled together: rows of dots are computed in f32, near 1.
+        let scale = offset.signum() / rate.0.abs().max_element();
         let numerator = |direction: DVec3, length: f64| {
             let along = direction / length;
-            Linear(along.dot(from_origin) * rate.0 + offset * Linear::of(rays, along).0)
+            let sum = along.dot(from_origin) * rate.0 + offset * Linear::of(rays, along).0;
+            Linear(sum * scale)
         };
         let flat = Flat {
-            offset,
-            rate,
+            offset: offset * scale,
+            rate: Linear(rate.0 * scale),
             a: numerator(unit_a, axis_a.length()),
             b: numerator(unit_b, axis_b.length()),
         };
         let finite = flat.offset.is_finite()
             && [flat.rate, flat.a, flat.b].iter().all(|linear| linear.0.is_finite());
-        finite.then_some(flat)
+        (finite && flat.offset > 0.0).then_some(flat)
     }
 
-    /// Where the ray through a dot meets this part of the plane, if it does in front of the
-    /// observer. Most dots are beside it, and are told so before any division.
-    pub(crate) fn at(&self, dot: DVec2, extent: Extent) -> Option<FlatSpot> {
+    /// Where the ray through a dot meets the plane, if it does in front of the observer and with
+    /// `|a|` and `|b|` up to `half`.
+    pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
-        let (a, b) = (self.a.at(dot), self.b.at(dot));
-        let inside = match extent {
-            Extent::Square(half) => a.abs().max(b.abs()) <= half * rate.abs(),
-            Extent::Disc(radius) => a * a + b * b <= radius * radius * (rate * rate),
-        };
-        if !(inside && self.offset * rate > 0.0) {
+        let place = DVec2::new(self.a.at(dot), self.b.at(dot));
+        if !(rate > 0.0 && place.abs().max_element() <= half * rate) {
             return None;
         }
-        let inverse_rate = 1.0 / rate;
-        let t = self.offset * inverse_rate;
-        let place = DVec2::new(a, b) * inverse_rate;
-        (t > 0.0 && t.is_finite() && place.is_finite()).then_some(FlatSpot {
-            t,
-            place,
-            inverse_rate,
-        })
+        let (t, place) = (self.offset / rate, place / rate);
+        (t > 0.0 && t.is_finite() && place.is_finite()).then_some(FlatSpot { t, place })
     }
 
-    /// How much of the dot a grid line covers, 0 to 1. Lines too dense to be told apart fade away.
-    pub(crate) fn grid_coverage(&self, spot: &FlatSpot, grid: &Grid) -> f64 {
-        let cells = (spot.place - grid.shift) * grid.inverse_step;
-        let reach = 0.5 * grid.width + 0.5;
-        let cover = |cells: f64, inverse_step: f64, numerator: Linear, place: f64| {
-            // Cells per dot, squared: most dots are beside the lines, and need no root to know.
-            let change = (numerator.0.truncate() - place * self.rate.0.truncate())
-                * (spot.inverse_rate * inverse_step);
-            let per_dot = change.length_squared();
-            let off = to_whole(cells);
-            if !(off * off < reach * reach * per_dot) {
-                return 0.0;
+    /// The dots of a row that [`Flat::at`] finds on the plane, give or take one at each end.
+    fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
+        // Each condition is linear in x: value + slope x >= 0.
+        let reach = half * self.rate.0;
+        let conditions =
+            [self.rate.0, reach - self.a.0, reach + self.a.0, reach - self.b.0, reach + self.b.0];
+        let (mut from, mut to) = (0.0f64, width as f64);
+        for condition in conditions {
+            let (slope, value) = (condition.x, condition.y * y + condition.z);
+            let zero = -value / slope;
+            if slope > 0.0 {
+                from = from.max(zero);
+            } else if slope < 0.0 {
+                to = to.min(zero);
+            } else if value < 0.0 || value.is_nan() {
+                return 0..0;
             }
-            let dots_per_cell = 1.0 / per_dot.sqrt();
-            let line = (reach - off * dots_per_cell).clamp(0.0, 1.0);
-            line * (dots_per_cell / (3.0 * grid.width) - 1.0).clamp(0.0, 1.0)
-        };
-        let across = cover(cells.x, grid.inverse_step.x, self.a, spot.place.x);
-        let covered = across.max(cover(cells.y, grid.inverse_step.y, self.b, spot.place.y));
-        if covered.is_nan() { 0.0 } else { covered }
+        }
+        // Neither is NaN: `max` and `min` leave that out.
+        let to = (to.ceil() as usize).min(width);
+        (from as usize).min(to)..to
+    }
+
+    /// A row of dots at once: what [`Flat::at`] says of each dot of its span, and how much of it a
+    /// grid line covers. Plain loops over `f32`, which the compiler makes into SIMD.
+    pub(crate) fn fill_row(
+        &self,
+        row: &mut FlatRow,
+        y: f64,
+        width: usize,
+        half: f64,
+        grid: Option<&Grid>,
+    ) {
+        let span = self.span(y, width, half);
+        row.resize(&span);
+        let first = DVec2::new(span.start as f64 + 0.5, y);
+        let start = |linear: Linear| (linear.at(first) as f32, linear.0.x as f32);
+        let (rate, a, b, offset) =
+            (start(self.rate), start(self.a), start(self.b), self.offset as f32);
+        let values = row.t.iter_mut().zip(&mut row.a).zip(&mut row.b).zip(&mut row.inverse_rate);
+        for (k, (((t_of, a_of), b_of), inverse_of)) in values.enumerate() {
+            let x = k as f32;
+            let inverse = 1.0 / (rate.0 + rate.1 * x);
+            *inverse_of = inverse;
+            *t_of = offset * inverse;
+            *a_of = (a.0 + a.1 * x) * inverse;
+            *b_of = (b.0 + b.1 * x) * inverse;
+        }
+        if let Some(grid) = grid {
+            self.cover(&mut row.line, &row.a, &row.inverse_rate, self.a, &grid.of_a);
+            self.cover(&mut row.line, &row.b, &row.inverse_rate, self.b, &grid.of_b);
+        }
+    }
+
+    /// Raises the coverage of each dot to that by the lines across one coordinate.
+    fn cover(
+        &self,
+        line: &mut [f32],
+        place: &[f32],
+        inverse_rate: &[f32],
+        numerator: Linear,
+        lines: &Lines,
+    ) {
+        // How much numerator and rate change from dot to dot, across and down.
+        let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
+        let reach = 0.5 * lines.width + 0.5;
+        let sparse = 1.0 / (3.0 * lines.width);
+        for ((line, place), inverse_rate) in line.iter_mut().zip(place).zip(inverse_rate) {
+            let (across, down) = (n.x - place * r.x, n.y - place * r.y);
+            let per_dot =
+                (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
+            let cells = (place - lines.shift) * lines.inverse_step;
+            // Adding and taking away 1.5 * 2^23 rounds to a whole number, without a call.
+            let whole = (cells + 12_582_912.0) - 12_582_912.0;
+            let dots_per_cell = 1.0 / per_dot.max(1e-30);
+            let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
+            let told_apart = (dots_per_cell * sparse - 1.0).clamp(0.0, 1.0);
+            *line = line.max(near * told_apart);
+        }
+    }
+}
+
+/// The dots of one row that see a [`Flat`], with what is known of each.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FlatRow {
+    /// Which dots of the row.
+    pub(crate) span: Range<usize>,
+    pub(crate) t: Vec<f32>,
+    pub(crate) a: Vec<f32>,
+    pub(crate) b: Vec<f32>,
+    /// How much of the dot a grid line covers, 0 to 1. Lines too dense to be told apart fade away.
+    pub(crate) line: Vec<f32>,
+    inverse_rate: Vec<f32>,
+}
+
+impl FlatRow {
+    fn resize(&mut self, span: &Range<usize>) {
+        for values in
+            [&mut self.t, &mut self.a, &mut self.b, &mut self.line, &mut self.inverse_rate]
+        {
+            values.clear();
+            values.resize(span.len(), 0.0);
+        }
+        self.span = span.clone();
+    }
+}
+
+impl FlatRow {
+    /// t and (a, b, coverage by grid lines) of a part of the span.
+    pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
+        let part = part.start - self.span.start..part.end - self.span.start;
+        let values = self.t[part.clone()].iter().zip(&self.a[part.clone()]);
+        let values = values.zip(&self.b[part.clone()]).zip(&self.line[part]);
+        values.map(|(((t, a), b), line)| (*t, [*a, *b, *line]))
     }
 }
 
 /// Lines at all whole multiples of a step of a and of b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
-    inverse_step: DVec2,
-    /// (a, b) of one crossing of lines.
-    shift: DVec2,
-    /// Of the lines, in dots.
-    width: f64,
+    of_a: Lines,
+    of_b: Lines,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lines {
+    inverse_step: f32,
+    shift: f32,
+    /// In dots.
+    width: f32,
 }
 
 impl Grid {
-    pub(crate) fn new(step: DVec2, shift: DVec2, width: f64) -> Grid {
-        Grid { inverse_step: 1.0 / step, shift, width }
+    /// Lines `width` dots wide; `shift` is (a, b) of one crossing.
+    pub(crate) fn new(step: DVec2, shift: DVec2, width: f32) -> Grid {
+        let lines = |step: f64, shift: f64| Lines {
+            inverse_step: (1.0 / step) as f32,
+            shift: shift as f32,
+            width,
+        };
+        Grid { of_a: lines(step.x, shift.x), of_b: lines(step.y, shift.y) }
     }
-}
-
-/// How far it is to the nearest whole number. Without a call to `round`, which is no instruction on
-/// every processor.
-fn to_whole(x: f64) -> f64 {
-    let fraction = (x - x as i64 as f64).abs();
-    fraction.min(1.0 - fraction).max(0.0)
 }

@@ -124,7 +124,7 @@ fn obstacles(drawing: &Drawing) -> Vec<DVec2> {
             Shape::Line { points: chain, .. } | Shape::Polygon { points: chain } => {
                 for pair in chain.windows(2) {
                     let [a, b] = [pair[0], pair[1]].map(|[x, y]| DVec2::new(x.into(), y.into()));
-                    let count = ((b - a).length() / spacing).ceil().min(4096.0).max(1.0);
+                    let count = ((b - a).length() / spacing).ceil().clamp(1.0, 4096.0);
                     points.extend((0..=count as usize).map(|k| a.lerp(b, k as f64 / count)));
                 }
             }

@@ -2,11 +2,13 @@
 //! patches, and the viewport with the picture on it. Near ones cover far ones, and spheres cover
 //! and are covered as their t says.
 
+use std::ops::Range;
+
 use egui::Color32;
 use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT};
 use rayon::prelude::*;
 
-use crate::overlay::flat::{Extent, Flat, FlatSpot, Grid};
+use crate::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
 use crate::overlay::picture::{Nearest, Picture};
 
 /// Everything flat in one world view, and the t-buffer that it is compared with.
@@ -53,6 +55,12 @@ pub(crate) struct Patch {
 /// themselves.
 const TOLERANCE: f64 = 1e-3;
 
+/// The same for layers over the traced picture, which do not touch it: the rounding of `f32`.
+const PAINT_TOLERANCE: f32 = 1e-6;
+
+/// (u / width, v / height) of the viewport's edges.
+const HALF_VIEWPORT: f64 = 0.5;
+
 /// Through a patch that is more transparent than this, lines are seen as if it were not there.
 const SEEN_THROUGH: f32 = 0.25;
 
@@ -75,41 +83,46 @@ impl<'a> PictureLookup<'a> {
 impl ViewportLayer<'_> {
     /// Where on the rectangle the dot's ray passes; `None` beside it.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
-        self.flat.at(dot, Extent::Square(0.5))
+        self.flat.at(dot, HALF_VIEWPORT)
     }
 
-    fn paint(&self, spot: &FlatSpot, below: Color32) -> Color32 {
+    /// A dot at (a, b), covered by grid lines to the share `line`, over what is below it.
+    #[inline(always)]
+    fn paint(&self, [a, b, line]: [f32; 3], below: Color32) -> Color32 {
         let (w, h) = (self.image.width(), self.image.height());
-        let cell = |x: f64, count: u32| ((x * f64::from(count)) as usize).min(count as usize - 1);
+        let cell = |x: f32, count: u32| ((x * count as f32) as usize).min(count as usize - 1);
         let base = match &self.picture {
-            Some(picture) => {
-                picture.color(cell(0.5 - spot.place.y, h), cell(spot.place.x + 0.5, w))
-            }
+            Some(picture) => picture.color(cell(0.5 - b, h), cell(a + 0.5, w)),
             None => below,
         };
-        let Some((grid, opacity)) = &self.grid else { return base };
-        let covered = self.flat.grid_coverage(spot, grid) as f32;
-        mix(base, contrast(base), covered * opacity)
+        match self.grid {
+            Some((_, opacity)) => mix(base, contrast(base), line * opacity),
+            None => base,
+        }
     }
 }
 
 impl Patch {
-    fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
-        self.flat.at(dot, Extent::Disc(self.radius))
-    }
-
-    /// How opaque the patch is at a spot: it fades to nothing at its rim.
-    fn opacity_at(&self, spot: &FlatSpot) -> f32 {
-        let inward = 1.0 - spot.place.length_squared() / (self.radius * self.radius);
-        let s = (1.3 * inward).clamp(0.0, 1.0) as f32;
+    /// How opaque the patch is at `|(a, b)|^2`: it fades to nothing at its rim.
+    #[inline(always)]
+    fn opacity_at(&self, length_squared: f32) -> f32 {
+        let radius = self.radius as f32;
+        let s = (1.3 - 1.3 / (radius * radius) * length_squared).clamp(0.0, 1.0);
         self.opacity * s * s * (3.0 - 2.0 * s)
     }
 
-    fn paint(&self, spot: &FlatSpot, below: Color32) -> Color32 {
-        let opacity = self.opacity_at(spot);
-        let line = self.flat.grid_coverage(spot, &self.grid) as f32;
+    fn hides(&self, dot: DVec2, covers: impl Fn(f64) -> bool) -> bool {
+        self.flat.at(dot, self.radius).is_some_and(|spot| {
+            covers(spot.t) && self.opacity_at(spot.place.length_squared() as f32) > SEEN_THROUGH
+        })
+    }
+
+    /// A dot at (a, b), covered by grid lines to the share `line`, over what is below it.
+    #[inline(always)]
+    fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
+        let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
         let base = mix(below, self.color, opacity);
-        mix(base, self.grid_color, line * opacity)
+        if line > 0.0 { mix(base, self.grid_color, line * opacity) } else { base }
     }
 }
 
@@ -154,11 +167,7 @@ impl<'a> Layers<'a> {
         if picture.and_then(|layer| layer.spot(dot)).is_some_and(|spot| covers(spot.t)) {
             return true;
         }
-        self.patches.iter().any(|patch| {
-            patch
-                .spot(dot)
-                .is_some_and(|spot| covers(spot.t) && patch.opacity_at(&spot) > SEEN_THROUGH)
-        })
+        self.patches.iter().any(|patch| patch.hides(dot, covers))
     }
 
     /// Paints all layers over the traced picture.
@@ -166,64 +175,128 @@ impl<'a> Layers<'a> {
         if !self.is_traced() || dots.len() != self.frame.t.len() {
             return;
         }
-        dots.par_chunks_exact_mut(self.width).with_min_len(8).enumerate().for_each(
-            |(row, dots)| {
-                let start = row * self.width;
-                let (t, object) = (&self.frame.t[start..], &self.frame.object[start..]);
-                let mut found = Vec::with_capacity(self.patches.len() + 1);
-                for (column, dot) in dots.iter_mut().enumerate() {
-                    if object[column] == NO_OBJECT {
-                        *dot = self.background;
-                    }
-                    let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                    *dot = self.over(at, t[column] * (1.0 + 1e-6), *dot, &mut found);
-                }
+        let rows = dots.par_chunks_exact_mut(self.width).with_min_len(16).enumerate();
+        rows.for_each_init(
+            || vec![FlatRow::default(); self.patches.len() + 1],
+            |layers, (row, dots)| {
+                self.fill(layers, row);
+                self.paint_row(layers, row, dots);
             },
         );
     }
 
-    /// The colour of one dot under all layers nearer than `t`. `found` is scratch space.
-    fn over(
+    /// The viewport's row of dots, then the patches'.
+    fn fill(&self, layers: &mut [FlatRow], row: usize) {
+        let (y, width) = (row as f64 + 0.5, self.width);
+        if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
+            let grid = grid.as_ref().map(|(grid, _)| grid);
+            flat.fill_row(&mut layers[0], y, width, HALF_VIEWPORT, grid);
+        }
+        for (layer, Patch { flat, radius, grid, .. }) in layers[1..].iter_mut().zip(&self.patches) {
+            flat.fill_row(layer, y, width, *radius, Some(grid));
+        }
+    }
+
+    fn paint_row(&self, layers: &[FlatRow], row: usize, dots: &mut [Color32]) {
+        let start = row * self.width;
+        let t = &self.frame.t[start..start + self.width];
+        for (dot, object) in dots.iter_mut().zip(&self.frame.object[start..]) {
+            if *object == NO_OBJECT {
+                *dot = self.background;
+            }
+        }
+        // Between two ends of spans, the same layers are there.
+        let mut ends: Vec<usize> = layers.iter().flat_map(|l| [l.span.start, l.span.end]).collect();
+        ends.sort_unstable();
+        for pair in ends.windows(2) {
+            let part = pair[0]..pair[1];
+            let there = |l: &FlatRow| l.span.start <= part.start && part.end <= l.span.end;
+            let there: Vec<usize> = (0..layers.len()).filter(|l| there(&layers[*l])).collect();
+            match there[..] {
+                [] => {}
+                [only] => self.paint_one(&layers[only], only, part, t, dots),
+                _ => self.paint_many(layers, &there, part, t, dots),
+            }
+        }
+    }
+
+    fn paint_one(
         &self,
-        at: DVec2,
-        t: f64,
-        mut color: Color32,
-        found: &mut Vec<(FlatSpot, Option<usize>)>,
-    ) -> Color32 {
-        found.clear();
-        let viewport = self.viewport.as_ref();
-        found.extend(viewport.and_then(|v| v.spot(at)).map(|spot| (spot, None)));
-        for (index, patch) in self.patches.iter().enumerate() {
-            found.extend(patch.spot(at).map(|spot| (spot, Some(index))));
+        row: &FlatRow,
+        index: usize,
+        part: Range<usize>,
+        traced: &[f64],
+        dots: &mut [Color32],
+    ) {
+        let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
+        let spots = row.spots(part);
+        // One loop for each kind: this is where most of the time goes. The patches' can
+        // cover the whole screen.
+        match (index.checked_sub(1), &self.viewport) {
+            (Some(patch), _) => {
+                let patch = &self.patches[patch];
+                for ((dot, (t, spot)), traced) in dots.iter_mut().zip(spots).zip(traced) {
+                    *dot = patch.paint(spot, is_nearer(t, *traced), *dot);
+                }
+            }
+            (None, Some(viewport)) => {
+                let nearer = dots.iter_mut().zip(spots).zip(traced);
+                let nearer = nearer.filter(|((_, (t, _)), traced)| is_nearer(*t, **traced));
+                nearer.for_each(|((dot, (_, spot)), _)| *dot = viewport.paint(spot, *dot));
+            }
+            (None, None) => {}
         }
-        found.retain(|(spot, _)| spot.t <= t);
-        if found.len() > 1 {
-            found.sort_by(|a, b| b.0.t.total_cmp(&a.0.t));
+    }
+
+    fn paint_many(
+        &self,
+        layers: &[FlatRow],
+        there: &[usize],
+        part: Range<usize>,
+        traced: &[f64],
+        dots: &mut [Color32],
+    ) {
+        let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
+        for column in part {
+            let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
+            found.clear();
+            found.extend(there.iter().map(|index| (t(index), *index)));
+            found.retain(|(t, _)| is_nearer(*t, traced[column]));
+            found.sort_by(|a, b| b.0.total_cmp(&a.0));
+            for (_, index) in &found {
+                dots[column] = self.layer_over(&layers[*index], *index, column, dots[column]);
+            }
         }
-        for (spot, of) in found.iter() {
-            color = match (of, viewport) {
-                (Some(index), _) => self.patches[*index].paint(spot, color),
-                (None, Some(viewport)) => viewport.paint(spot, color),
-                (None, None) => color,
-            };
+    }
+
+    fn layer_over(&self, row: &FlatRow, index: usize, column: usize, below: Color32) -> Color32 {
+        let k = column - row.span.start;
+        let spot = [row.a[k], row.b[k], row.line[k]];
+        match (index.checked_sub(1), &self.viewport) {
+            (Some(patch), _) => self.patches[patch].paint(spot, true, below),
+            (None, Some(viewport)) => viewport.paint(spot, below),
+            (None, None) => below,
         }
-        color
     }
 }
 
+/// Whether a layer's dot lies before what was traced there.
+fn is_nearer(t: f32, traced: f64) -> bool {
+    (t > 0.0) & (t <= traced as f32 * (1.0 + PAINT_TOLERANCE))
+}
+
 /// `share` of `top` over `bottom`, both opaque.
+#[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
-    if share <= 0.0 {
-        return bottom;
-    }
-    let weight = (share.min(1.0) * 256.0) as u32;
-    let channel =
-        |b: u8, t: u8| ((u32::from(b) * (256 - weight) + u32::from(t) * weight) >> 8) as u8;
-    Color32::from_rgb(
-        channel(bottom.r(), top.r()),
-        channel(bottom.g(), top.g()),
-        channel(bottom.b(), top.b()),
-    )
+    // 2^23 + x has x in its last bits; it is what a cast does, without the cast's other cases.
+    let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
+    // Two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
+    let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
+    let two = |b: u32, t: u32| {
+        (((b & 0x00ff_00ff) * (256 - weight) + (t & 0x00ff_00ff) * weight) >> 8) & 0x00ff_00ff
+    };
+    let [r, g, b, a] = (two(b, t) | two(b >> 8, t >> 8) << 8).to_le_bytes();
+    Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
 /// Black on a light colour, white on a dark one (luma of ITU-R BT.601).

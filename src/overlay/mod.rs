@@ -31,3 +31,6 @@ pub use items::{Item, OverlayItems};
 pub use picture::Picture;
 pub use style::{Colors, Style};
 pub use world_view::{WorldView, pick, world, world_position_of};
+
+#[cfg(test)]
+mod tests;

@@ -11,9 +11,9 @@ use crate::overlay::screen::{RayParts, unit};
 use crate::overlay::sketch::{Pen, Sketch};
 use crate::overlay::style::Colors;
 
-/// The patch's radius, and how far its centre can be from the target, as shares of the observer's
-/// distance.
-const PATCH_RADIUS: f64 = 0.8;
+/// The patch's radius, as a share of the observer's distance to the target and on to the plane; and
+/// how far the plane can be from the target, as a multiple of the observer's distance to it.
+const PATCH_RADIUS: f64 = 0.75;
 const PATCH_REACH: f64 = 3.0;
 
 /// How opaque a patch is in its middle, and how opaque it is where it stands between the observer
@@ -50,7 +50,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     let normal = unit(plane.normal)?;
     let height = |p: DVec3| normal.dot(p - plane.point);
     let away = height(onlooker.target);
-    if !(away.abs() <= PATCH_REACH * onlooker.distance) {
+    if away.is_nan() || away.abs() > PATCH_REACH * onlooker.distance {
         return None;
     }
     let center = onlooker.target - away * normal;
@@ -61,11 +61,11 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     let color = Color32::from_rgb(r, g, b);
     Some(Patch {
         flat: Flat::new(&onlooker.rays, center, axis_a, axis_b)?,
-        radius: PATCH_RADIUS * onlooker.distance,
+        radius: PATCH_RADIUS * (onlooker.distance + away.abs()),
         color: mix(color, colors.background, 0.35),
         grid_color: mix(color, colors.ink, 0.45),
         opacity: if between { OPACITY_BETWEEN } else { OPACITY },
-        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale),
+        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale as f32),
     })
 }
 
@@ -83,9 +83,9 @@ fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     (a, normal.cross(a))
 }
 
-/// 1, 2 or 5 times a power of ten: some sixteen cells across a patch.
+/// 1, 2 or 5 times a power of ten: some fourteen cells across a patch.
 fn grid_step(distance: f64) -> f64 {
-    let about = 2.0 * PATCH_RADIUS * distance / 16.0;
+    let about = 2.0 * PATCH_RADIUS * distance / 14.0;
     let power = 10f64.powf(about.log10().floor());
     let mantissa = about / power;
     power
@@ -123,11 +123,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn grid_steps_are_round_and_some_sixteen() {
+    fn grid_steps_are_round_and_neither_few_nor_many() {
         for distance in [1e-6, 0.3, 1.0, 7.0, 10.0, 33.0, 9e8] {
             let step = grid_step(distance);
             let cells = 2.0 * PATCH_RADIUS * distance / step;
-            assert!((10.0..25.0).contains(&cells), "{distance}: {cells}");
+            assert!((9.0..25.0).contains(&cells), "{distance}: {cells}");
         }
         assert_eq!(grid_step(10.0), 1.0);
     }

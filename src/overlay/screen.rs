@@ -106,7 +106,7 @@ impl Screen {
                 s1 = s1.min(from / (from - to));
             }
         }
-        if !(s0 <= s1) {
+        if s0 > s1 {
             return None;
         }
         let spot = |s: f64| {

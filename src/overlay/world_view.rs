@@ -178,5 +178,5 @@ fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid,
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
     // In (u / width, v / height), from the corner of pixel (0, 0).
     let step = f64::from(step) / DVec2::new(w, h);
-    Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0)), opacity))
+    Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0) as f32), opacity))
 }

@@ -40,10 +40,10 @@ impl NumberStyle {
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
         ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
-        ui.label("No basis, no rays: the numbers come back with it.");
+        ui.label("There is nothing to read off until this is mended.");
         return;
     }
-    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
             if let Some(posed) = &derived.posed {
                 ui.vertical(|ui| basis(ui, posed, derived.up_angle, style));
@@ -172,6 +172,53 @@ fn verdict(root: &Root, index: usize, inspection: &Inspection) -> &'static str {
     }
 }
 
+/// What is said of one root.
+struct RootLines {
+    object: String,
+    verdict: &'static str,
+    numbers: [(&'static str, String); 4],
+}
+
+impl RootLines {
+    fn new(
+        index: usize,
+        root: &Root,
+        inspection: &Inspection,
+        document: &Document,
+        style: NumberStyle,
+    ) -> RootLines {
+        RootLines {
+            object: document.title_of(root.object as usize),
+            verdict: verdict(root, index, inspection),
+            numbers: [
+                ("t", style.number(root.t)),
+                ("distance", style.number(inspection.ray.distance_along(root.t))),
+                ("point", style.vector(root.point)),
+                ("normal", style.vector(root.normal)),
+            ],
+        }
+    }
+
+    fn joined(&self) -> String {
+        let numbers = self.numbers.each_ref().map(|(name, value)| format!("{name} = {value}"));
+        format!("{}\t{}\t{}\n", self.object, numbers.join("\t"), self.verdict)
+    }
+
+    fn show(&self, ui: &mut Ui, first: bool) {
+        let text = |text: &str| if first { RichText::new(text).strong() } else { text.into() };
+        ui.horizontal_wrapped(|ui| {
+            ui.label(text(&self.object));
+            ui.label(text(self.verdict));
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.add_space(12.0);
+            for (name, value) in &self.numbers {
+                ui.label(text(&format!("{name} = {value}")));
+            }
+        });
+    }
+}
+
 fn hits(
     ui: &mut Ui,
     inspection: &Inspection,
@@ -179,36 +226,15 @@ fn hits(
     document: &Document,
     style: NumberStyle,
 ) {
-    let rows: Vec<[String; 6]> = (inspection.roots.iter().enumerate())
-        .map(|(index, root)| {
-            [
-                document.title_of(root.object as usize),
-                style.number(root.t),
-                style.number(inspection.ray.distance_along(root.t)),
-                style.vector(root.point),
-                style.vector(root.normal),
-                verdict(root, index, inspection).to_owned(),
-            ]
-        })
+    let roots: Vec<RootLines> = (inspection.roots.iter().enumerate())
+        .map(|(index, root)| RootLines::new(index, root, inspection, document, style))
         .collect();
-    title(ui, "Hits", || rows.iter().map(|row| row.join("\t") + "\n").collect());
-    if rows.is_empty() {
+    title(ui, "Hits", || roots.iter().map(RootLines::joined).collect());
+    if roots.is_empty() {
         ui.label("The ray meets nothing.");
-    } else {
-        Grid::new("hits").num_columns(6).striped(true).show(ui, |ui| {
-            for heading in ["object", "t", "distance", "point", "normal", ""] {
-                ui.weak(heading);
-            }
-            ui.end_row();
-            for (index, row) in rows.into_iter().enumerate() {
-                let first = inspection.first == Some(index);
-                for cell in row {
-                    let text = RichText::new(cell);
-                    ui.label(if first { text.strong() } else { text });
-                }
-                ui.end_row();
-            }
-        });
+    }
+    for (index, root) in roots.iter().enumerate() {
+        root.show(ui, inspection.first == Some(index));
     }
     if let Some(scene) = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_MISSES) {
         ui.add_space(4.0);

@@ -7,6 +7,8 @@ use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
+
+use crate::support::{self, whole_window};
 use pinhole::files::OpenDocument;
 use pinhole::formats::scene_argument::SceneSource;
 use pinhole::store::{Remembered, Store};
@@ -23,11 +25,11 @@ pub(crate) fn window_with(
     let source = SceneSource::of(scene.as_ref()).unwrap();
     let settings = remembered.settings.clone();
     let app = App::new(OpenDocument::new(source.load().unwrap(), source), remembered, store);
-    let mut harness = Harness::builder()
+    let mut harness = support::harness()
         .with_size(SIZE)
         .with_max_steps(30)
         .with_context_setup(move |ctx| App::set_up(ctx, &settings))
-        .build_ui_state(|ui, app: &mut App| app.ui(ui), app);
+        .build_ui_state(whole_window::show, app);
     harness.run();
     harness
 }

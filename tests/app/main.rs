@@ -8,3 +8,6 @@ mod faults;
 mod harness;
 mod scene_files;
 mod selection;
+mod snapshots;
+#[path = "../support/mod.rs"]
+mod support;

@@ -20,7 +20,8 @@ fn the_warm_up_is_selected_at_first_and_read_off() {
         "p = (0, 0, 0)",
         "d = (0.2, −0.1, −1)",
         "first: smallest t > 0",
-        "(1.2, −0.6, −6)",
+        "point = (1.2, −0.6, −6)",
+        "t = 6",
     ] {
         assert_says(&window, text);
     }

@@ -65,14 +65,19 @@ fn progress_hears_of_every_row_once() {
 
     let document = document("planet", 30, 333);
     let rows = AtomicUsize::new(0);
-    let options =
-        RenderOptions { view: View::Camera, overlay: false, shade: Shade::Lambert, normals: false };
+    let options = RenderOptions {
+        size: document.camera.image,
+        view: View::Camera,
+        overlay: false,
+        shade: Shade::Lambert,
+        normals: false,
+    };
     let rendering = render_view(&document, options, |done| {
         rows.fetch_add(done, Ordering::Relaxed);
     })
     .unwrap();
     assert_eq!(rows.into_inner(), 333);
-    assert_eq!(rendering.frame.t, traced(&document).t);
+    assert_eq!(rendering.frame.unwrap().t, traced(&document).t);
     assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
 }
 
@@ -100,6 +105,43 @@ fn the_size_is_the_scene_s_unless_asked_for() {
         2,
         "image width is 30000: it must be 1 to 16384 pixels; give both --width and --height",
     );
+}
+
+/// How many pixels have exactly this colour.
+fn count(pixels: &[Rgb], color: egui::Color32) -> usize {
+    pixels.iter().filter(|pixel| **pixel == [color.r(), color.g(), color.b()]).count()
+}
+
+#[test]
+fn the_overlay_marks_the_top_edge_and_leaves_the_rest_of_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    render(folder.path(), "canonical -o plain.png").done();
+    render(folder.path(), "canonical -o overlay.png --overlay").done();
+    let (_, _, plain) = decode(&folder.path().join("plain.png"));
+    let (w, h, overlay) = decode(&folder.path().join("overlay.png"));
+    assert_eq!((w, h), (400, 400));
+    let mark = pinhole::overlay::Style::Light.colors().mark;
+    assert_eq!(count(&plain, mark), 0);
+    assert!(count(&overlay, mark) > 300, "the bar along the top edge, and the label's words");
+    let lower_half = 200 * 400..;
+    assert_eq!(plain[lower_half.clone()], overlay[lower_half]);
+}
+
+#[test]
+fn the_world_view_shows_the_camera_only_with_its_overlay() {
+    let folder = tempfile::tempdir().unwrap();
+    render(folder.path(), "look-at -o plain.png --view world --width 600 --height 400").done();
+    render(folder.path(), "look-at -o world.png --view world --overlay --width 600 --height 400")
+        .done();
+    let (_, _, plain) = decode(&folder.path().join("plain.png"));
+    let (w, h, world) = decode(&folder.path().join("world.png"));
+    assert_eq!((w, h), (600, 400));
+    let colors = pinhole::overlay::Style::Light.colors();
+    for vector in colors.basis {
+        // A shaded sphere may have a dot of the arrow's very colour.
+        assert!(count(&world, vector) > count(&plain, vector) + 20, "the arrow and its label");
+    }
+    assert_eq!(count(&world, colors.ray), 0, "no ray is selected");
 }
 
 #[test]

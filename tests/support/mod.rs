@@ -1,9 +1,9 @@
 //! What several tests of the program need.
 
-// Each test program takes a part of it.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test program takes a part of it")]
 
 pub(crate) mod naive;
+pub(crate) mod whole_window;
 
 use egui::epaint::textures::TexturesDelta;
 use egui::{Color32, Vec2};

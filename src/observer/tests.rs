@@ -1,0 +1,202 @@
+//! Observers: what they see, and how they move.
+
+use std::f64::consts::FRAC_PI_2;
+
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, PosedCamera, Scene, Sphere};
+use proptest::prelude::*;
+
+use super::*;
+
+fn posed(observer: &Observer) -> PosedCamera {
+    observer.camera(400, 300).posed().expect("observers have a basis")
+}
+
+/// Where a point is seen: from -1 to 1 across the picture, and likewise upwards.
+fn seen_at(observer: &Observer, point: DVec3) -> DVec2 {
+    let camera = posed(observer);
+    let projection = camera.project(point);
+    assert!(projection.is_in_front(), "{point} is behind {observer:?}");
+    projection.uv / (0.5 * DVec2::new(camera.viewport().width, camera.viewport().height))
+}
+
+fn is_in_sight(observer: &Observer, point: DVec3) -> bool {
+    seen_at(observer, point).abs().max_element() < 1.0
+}
+
+fn looking(eye: DVec3, at: DVec3) -> Camera {
+    Camera { eye, orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL }
+}
+
+fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
+    Sphere { center: DVec3::new(x, y, z), radius }
+}
+
+/// The points that belong in sight.
+fn must_be_seen(camera: &Camera, spheres: &[Sphere]) -> Vec<DVec3> {
+    let own = camera.posed().expect("a camera");
+    let half = 0.5 * DVec2::new(own.viewport().width, own.viewport().height);
+    let corners = [DVec2::ONE, DVec2::NEG_ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0)];
+    let mut points: Vec<DVec3> = corners.map(|c| own.viewport_point(half * c)).to_vec();
+    points.push(own.eye());
+    for sphere in spheres {
+        points.extend(
+            DVec3::AXES.iter().flat_map(|axis| {
+                [1.0, -1.0].map(|sign| sphere.center + sign * sphere.radius * *axis)
+            }),
+        );
+    }
+    points
+}
+
+#[test]
+fn everything_is_in_sight() {
+    let wall = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
+    let down = Orientation::View { view: DVec3::NEG_Y, up: DVec3::X };
+    let cases = [
+        (Camera::CANONICAL, vec![ball(0.0, 0.0, -5.0, 1.0)], vec![wall]),
+        (Camera::CANONICAL, vec![], vec![]),
+        (
+            looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0)),
+            vec![ball(0.0, 0.0, -5.0, 1.0), ball(-2.5, 0.0, -5.0, 1.5)],
+            vec![],
+        ),
+        (Camera::CANONICAL, vec![ball(0.0, 0.0, -1e5, 1.0)], vec![]),
+        (
+            Camera { orientation: down, ..Camera::CANONICAL },
+            vec![ball(0.0, -5.0, 0.0, 1.0)],
+            vec![],
+        ),
+    ];
+    for (camera, spheres, planes) in cases {
+        let scene = Scene::new(spheres.clone(), planes).expect("a scene");
+        let observer = Observer::frame_all(&camera, &scene, 4.0 / 3.0);
+        for point in must_be_seen(&camera, &spheres) {
+            assert!(is_in_sight(&observer, point), "{point} by {observer:?}");
+        }
+    }
+}
+
+#[test]
+fn a_planet_is_not_framed() {
+    let with = |spheres: Vec<Sphere>| {
+        let scene = Scene::new(spheres, vec![]).expect("a scene");
+        Observer::frame_all(&Camera::CANONICAL, &scene, 1.0)
+    };
+    let small = ball(0.0, 0.0, -5.0, 1.0);
+    assert_eq!(with(vec![small]), with(vec![ball(0.0, -5001.0, 0.0, 5000.0), small]));
+}
+
+#[test]
+fn the_camera_is_never_lost_from_afar() {
+    for far in [5.0, 100.0, 1e4, 1e7] {
+        let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -far));
+        let scene = Scene::new(vec![ball(0.0, 0.0, -far, 1.0)], vec![]).expect("a scene");
+        let observer = Observer::frame_all(&camera, &scene, 1.25);
+        let own = camera.posed().expect("a camera");
+        let top = seen_at(&observer, own.viewport_point(DVec2::new(0.0, 0.5)));
+        let bottom = seen_at(&observer, own.viewport_point(DVec2::new(0.0, -0.5)));
+        // In a picture 2 high.
+        assert!(top.distance(bottom) > 0.2, "{far}: {}", top.distance(bottom));
+        assert!(is_in_sight(&observer, DVec3::new(0.0, 0.0, -far)));
+    }
+}
+
+#[test]
+fn every_scale_is_framed_alike() {
+    let framed = |scale: f64, shift: DVec3| {
+        let mut camera = looking(shift, shift + DVec3::new(0.0, 0.0, -5.0 * scale));
+        camera.viewport.width *= scale;
+        camera.viewport.height *= scale;
+        camera.viewport.distance *= scale;
+        let center = shift + DVec3::new(0.0, 0.0, -5.0 * scale);
+        let scene = Scene::new(vec![Sphere { center, radius: scale }], vec![]).expect("a scene");
+        let observer = Observer::frame_all(&camera, &scene, 1.25);
+        seen_at(&observer, camera.eye)
+    };
+    let ordinary = framed(1.0, DVec3::ZERO);
+    for scale in [1e-6, 1e-3, 1e3, 1e9] {
+        assert!(framed(scale, DVec3::ZERO).distance(ordinary) < 1e-6, "{scale}");
+    }
+    assert!(framed(1.0, DVec3::new(1e9, -1e9, 1e9)).distance(ordinary) < 1e-4);
+}
+
+#[test]
+fn azimuth_and_elevation() {
+    let eye = |azimuth, elevation| {
+        posed(&Observer::new(DVec3::new(1.0, 2.0, 3.0), azimuth, elevation, 4.0)).eye()
+    };
+    assert!(eye(0.0, 0.0).distance(DVec3::new(1.0, 2.0, 7.0)) < 1e-12);
+    assert!(eye(FRAC_PI_2, 0.0).distance(DVec3::new(5.0, 2.0, 3.0)) < 1e-12);
+    // Straight up is stopped short of.
+    let above = eye(0.0, 10.0);
+    assert!(above.distance(DVec3::new(1.0, 6.0, 3.0)) < 0.1 && above.z > 3.0);
+}
+
+#[test]
+fn panning_moves_what_is_at_the_target_with_the_hand() {
+    let mut observer = Observer::new(DVec3::new(1.0, 2.0, 3.0), 0.7, 0.4, 9.0);
+    let point = observer.target();
+    assert!(seen_at(&observer, point).length() < 1e-12);
+    observer.pan(0.25, 0.1);
+    // A quarter of the height to the right, a tenth of it down, in a picture 2 x 2 of these units.
+    let expected = DVec2::new(0.25 * 2.0 * 300.0 / 400.0, -0.1 * 2.0);
+    assert!(seen_at(&observer, point).distance(expected) < 1e-12);
+}
+
+#[test]
+fn zooming_in_brings_the_target_nearer() {
+    let mut observer = Observer::new(DVec3::ZERO, 0.0, 0.0, 8.0);
+    observer.zoom(2.0);
+    assert_eq!(observer.distance(), 4.0);
+    for nonsense in [0.0, -1.0, f64::NAN] {
+        observer.zoom(nonsense);
+        assert_eq!(observer.distance(), 4.0);
+    }
+}
+
+#[test]
+fn stored_nonsense_is_brought_into_range() {
+    let stored = r#"{"target": [1e300, 0, 0], "azimuth": 1e300, "elevation": 9, "distance": -1}"#;
+    let mut observer: Observer = serde_json::from_str(stored).expect("an observer");
+    posed(&observer);
+    observer.target[1] = f64::NAN;
+    observer.distance = f64::NAN;
+    posed(&observer);
+    observer.orbit(f64::INFINITY, f64::NAN);
+    posed(&observer);
+}
+
+#[test]
+fn a_scene_is_seen_without_planes_and_what_encloses_the_camera() {
+    let wall = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
+    let around = ball(0.0, 0.0, 0.0, 3.0);
+    let small = ball(0.0, 0.0, -5.0, 1.0);
+    let scene = Scene::new(vec![around, small], vec![wall]).expect("a scene");
+    let (eye, outside, inside) = (DVec3::ZERO, DVec3::new(9.0, 0.0, 0.0), DVec3::X);
+    let seen = seen_scene(&scene, eye, outside);
+    assert_eq!(seen.planes(), []);
+    assert_eq!(seen.spheres()[1], small);
+    assert!(seen.spheres()[0].radius < 1e-100);
+    assert_eq!(seen_scene(&scene, eye, inside).spheres(), scene.spheres());
+    let plain = Scene::new(vec![small], vec![]).expect("a scene");
+    assert!(matches!(seen_scene(&plain, eye, outside), std::borrow::Cow::Borrowed(_)));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn observers_always_have_a_basis(
+        target in prop::array::uniform3(prop::num::f64::ANY),
+        angles in prop::array::uniform2(prop::num::f64::ANY),
+        distance in prop::num::f64::ANY,
+        moves in prop::array::uniform5(-1e3..1e3f64),
+    ) {
+        let mut observer = Observer::new(target.into(), angles[0], angles[1], distance);
+        posed(&observer);
+        observer.orbit(moves[0], moves[1]);
+        observer.pan(moves[2], moves[3]);
+        observer.zoom(moves[4]);
+        posed(&observer);
+    }
+}

@@ -1,0 +1,75 @@
+//! The camera view.
+
+use egui::Color32;
+use pinhole_core::{Camera, DVec2, Raster, Scene, Viewport};
+
+use super::*;
+
+#[test]
+fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
+    let stage = canonical();
+    let posed = Camera { image: image(5, 3), ..Camera::CANONICAL }.posed().expect("a camera");
+    let pixels = (0..15).map(|k| Color32::from_gray(100 + 10 * k)).collect();
+    let picture = Picture { raster: Raster::full(posed.image()), image: posed.image(), pixels };
+    let size = [63, 40];
+    let inspection = None;
+    let view = CameraView {
+        posed: &posed,
+        picture: &picture,
+        inspection,
+        size,
+        items: OverlayItems::NONE,
+        scale: 1.0,
+        style: Style::Light,
+    };
+    let mut plain = vec![Color32::BLACK; 63 * 40];
+    camera(&view, &mut plain);
+    let mut lined = plain.clone();
+    camera(&CameraView { items: stage.items.with(Item::Marks, false), ..view }, &mut lined);
+    for (k, (plain_dot, lined_dot)) in plain.iter().zip(&lined).enumerate() {
+        let (row, column) = (k / 63, k % 63);
+        let new_column = column > 0 && plain[k] != plain[k - 1];
+        let new_row = row > 0 && plain[k] != plain[k - 63];
+        assert_eq!(plain_dot != lined_dot, new_column || new_row, "{row} {column}");
+    }
+}
+
+#[test]
+fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
+    let posed = Camera { image: image(10, 10), ..Camera::CANONICAL }.posed().expect("a camera");
+    let picture = Picture {
+        raster: Raster::full(posed.image()),
+        image: posed.image(),
+        pixels: vec![Color32::GRAY; 100],
+    };
+    let frames_and_crosses = |uv: DVec2| {
+        let inspection = Inspection::of_uv(&posed, &Scene::default(), uv);
+        let view = CameraView {
+            posed: &posed,
+            picture: &picture,
+            inspection: Some(&inspection),
+            size: [300, 300],
+            items: OverlayItems::NONE.with(Item::Ray, true),
+            scale: 1.0,
+            style: Style::Dark,
+        };
+        let lengths: Vec<usize> = view.drawing().marks.iter().map(|m| points(m).len()).collect();
+        [5, 2].map(|corners| lengths.iter().filter(|n| **n == corners).count())
+    };
+    assert_eq!(frames_and_crosses(DVec2::new(0.2, -0.1)), [4, 2]);
+    assert_eq!(frames_and_crosses(DVec2::new(0.2, -0.15)), [2, 2]);
+    assert_eq!(frames_and_crosses(DVec2::new(0.25, -0.15)), [1, 0]);
+}
+
+#[test]
+fn camera_view_places_and_uv_are_inverses() {
+    let viewport = Viewport { width: 3.0, height: 2.0, distance: 1.0 };
+    let posed = Camera { viewport, ..Camera::CANONICAL }.posed().expect("a camera");
+    let size = [600, 300];
+    assert_eq!(camera_uv_at(&posed, size, [0.0, 0.0]), DVec2::new(-1.5, 1.0));
+    assert_eq!(camera_uv_at(&posed, size, [450.0, 300.0]), DVec2::new(0.75, -1.0));
+    for uv in [DVec2::ZERO, DVec2::new(-1.2, 0.7), DVec2::new(1.5, -1.0)] {
+        let back = camera_uv_at(&posed, size, camera_position_of_uv(&posed, size, uv));
+        assert!(back.distance(uv) < 1e-6);
+    }
+}

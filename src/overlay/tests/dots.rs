@@ -1,0 +1,108 @@
+//! Exact dots of the world view, and picking them.
+
+use egui::Color32;
+use pinhole_core::{Camera, DVec2, Outputs, Pixel, Raster, Scene, trace};
+
+use super::*;
+
+#[test]
+fn the_picture_on_the_viewport_has_its_own_colours() {
+    let camera = Camera { image: image(8, 8), ..Camera::CANONICAL };
+    let mut stage = Stage::new(camera, vec![sphere(0.3, 0.2, -5.0, 1.5)], vec![]);
+    stage.items = OverlayItems::NONE.with(Item::Picture, true);
+    let mut dots = stage.dots();
+    assert_eq!(world(&stage.view(), &mut dots), []);
+    let picture = stage.picture.as_ref().expect("a picture");
+    let mut colors = std::collections::HashSet::new();
+    for pixel in (0..8).flat_map(|row| (0..8).map(move |column| Pixel { row, column })) {
+        let center = stage.posed().viewport_point(stage.posed().uv_of_pixel(pixel));
+        let at = stage.place(center);
+        let dot = dots[at.y as usize * SIZE.0 as usize + at.x as usize];
+        let traced = picture.color_of_pixel(pixel.row, pixel.column);
+        assert_eq!(Some(dot), traced, "{pixel:?}");
+        colors.insert(dot);
+    }
+    assert!(colors.len() > 5);
+}
+
+#[test]
+fn with_nothing_on_only_the_background_changes() {
+    let mut stage = canonical();
+    stage.items = OverlayItems::NONE;
+    let before = stage.dots();
+    let mut after = before.clone();
+    assert_eq!(world(&stage.view(), &mut after), []);
+    let sphere = opaque(color_of(0));
+    let background = Style::Light.colors().background;
+    for (before, after) in before.iter().zip(&after) {
+        assert_eq!(*after, if *before == sphere { sphere } else { background });
+    }
+    assert!(after.contains(&sphere) && after.contains(&background));
+}
+
+#[test]
+fn a_frame_of_another_size_is_no_panic() {
+    let stage = canonical();
+    let mut dots = vec![Color32::BLACK; 100];
+    world(&stage.view(), &mut dots);
+    let image = stage.frame.camera().image();
+    let part = Raster::shown_on(image, 7, 5);
+    let frame = trace(&stage.scene, stage.frame.camera(), &part, Outputs::default());
+    let mut dots = stage.dots();
+    world(&WorldView { frame: &frame, ..stage.view() }, &mut dots);
+}
+
+#[test]
+fn picking_is_the_inverse_of_seeing() {
+    let stage = canonical();
+    let mut found = 0;
+    for (i, j) in (0..20).flat_map(|i| (0..20).map(move |j| (i, j))) {
+        let uv = DVec2::new(f64::from(i) - 9.5, f64::from(j) - 9.5) / 20.0;
+        let at = stage.place(stage.posed().viewport_point(uv));
+        let picked = pick(stage.posed(), &stage.frame, [at.x as f32, at.y as f32]);
+        // Positions are f32: some 1e-5 dots, each of which is some 0.02 wide on the viewport.
+        assert!(picked.is_some_and(|picked| picked.distance(uv) < 1e-5), "{uv}: {picked:?}");
+        found += 1;
+    }
+    assert_eq!(found, 400);
+    let beside = stage.place(stage.posed().viewport_point(DVec2::new(0.6, 0.0)));
+    assert_eq!(pick(stage.posed(), &stage.frame, [beside.x as f32, beside.y as f32]), None);
+}
+
+#[test]
+fn what_a_sphere_hides_cannot_be_picked() {
+    let observer = Observer::new(DVec3::ZERO, 0.0, 0.0, 10.0);
+    let scene = Scene::new(vec![sphere(0.0, 0.0, 2.0, 0.3)], vec![]).expect("a scene");
+    let stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
+    let pick_at = |uv: DVec2| {
+        let at = stage.place(stage.posed().viewport_point(uv));
+        pick(stage.posed(), &stage.frame, [at.x as f32, at.y as f32])
+    };
+    assert_eq!(pick_at(DVec2::ZERO), None);
+    assert!(pick_at(DVec2::new(0.45, 0.45)).is_some());
+}
+
+#[test]
+fn seen_from_behind_the_picture_is_mirrored() {
+    let camera = Camera { image: image(2, 1), ..Camera::CANONICAL };
+    let scene = Scene::default();
+    let mut stage = Stage::seen_by(camera, scene, Observer::new(DVec3::ZERO, 0.0, 0.0, 4.0));
+    let (left, right) = (Color32::from_rgb(9, 8, 7), Color32::from_rgb(1, 2, 3));
+    let raster = Raster::full(camera.image);
+    stage.picture = Some(Picture { raster, image: camera.image, pixels: vec![left, right] });
+    stage.items = OverlayItems::NONE.with(Item::Picture, true);
+    let seen = |stage: &Stage| {
+        let mut dots = stage.dots();
+        world(&stage.view(), &mut dots);
+        let row = &dots[SIZE.0 as usize * (SIZE.1 as usize / 2)..][..SIZE.0 as usize];
+        let at = |color: Color32| row.iter().position(|dot| *dot == color);
+        (at(left).expect("a left pixel"), at(right).expect("a right pixel"))
+    };
+    let (l, r) = seen(&stage);
+    assert!(l < r);
+    let opposite = Observer::new(DVec3::ZERO, std::f64::consts::PI, 0.0, 4.0);
+    let Stage { picture, items, camera, scene, .. } = stage;
+    let stage = Stage { picture, items, ..Stage::seen_by(camera, scene, opposite) };
+    let (l, r) = seen(&stage);
+    assert!(l > r);
+}

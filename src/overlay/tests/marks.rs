@@ -1,0 +1,149 @@
+//! World views read as lists of marks and labels.
+
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, Scene};
+
+use super::*;
+
+/// The lines of an item, from left to right: where each begins and ends, and `-` or `.` if hidden.
+fn runs(drawing: &Drawing, item: Item) -> Vec<(char, i64, i64)> {
+    let lines = drawing.marks.iter().filter(|mark| {
+        mark.item == item && matches!(&mark.shape, Shape::Line { points, .. } if points.len() == 2)
+    });
+    let mut runs: Vec<_> = lines
+        .map(|mark| {
+            let ends = points(mark);
+            let whole = |x: f32| x.round() as i64;
+            (if mark.hidden { '.' } else { '-' }, whole(ends[0][0]), whole(ends[1][0]))
+        })
+        .collect();
+    runs.sort_by_key(|(_, from, _)| *from);
+    runs
+}
+
+#[test]
+fn a_ray_behind_a_sphere_is_dashed_there() {
+    // The sphere of radius 0.5 stands half way to the ray: it covers 2 of the ray's 10 units.
+    let scene = Scene::new(vec![sphere(5.0, 0.0, -5.0, 0.5)], vec![]).expect("a scene");
+    let observer = from_the_right(DVec3::new(0.0, 0.0, -5.0), 10.0);
+    let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
+    stage.items = OverlayItems::NONE.with(Item::Ray, true);
+    let ray = Inspection::of_uv(stage.posed(), &stage.scene, DVec2::ZERO);
+    assert_eq!(ray.first, None);
+    stage.inspection = Some(ray);
+    let drawing = stage.view().drawing();
+    // The tangents from the observer, 5 away, meet the ray at 10 * 0.5 / sqrt(25 - 0.25) from the
+    // middle.
+    let half = 10.0 * 0.5 / (24.75f64).sqrt();
+    let place = |z: f64| stage.place(DVec3::new(0.0, 0.0, z)).x.round() as i64;
+    let [eye, from, to] = [0.0, half - 5.0, -half - 5.0].map(place);
+    // The selected pixel's frame is a dot wide.
+    let long = |(_, from, to): &(char, i64, i64)| to - from > 5;
+    let found: Vec<_> = runs(&drawing, Item::Ray).into_iter().filter(long).collect();
+    let kinds: String = found.iter().map(|run| run.0).collect();
+    assert_eq!(kinds, "-.-");
+    assert_eq!(found[0].1, eye);
+    for (end, expected) in [(found[0].2, from), (found[1].1, from), (found[1].2, to)] {
+        assert!((end - expected).abs() <= 2, "{found:?} {from} {to}");
+    }
+}
+
+#[test]
+fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
+    let scene = Scene::new(vec![sphere(-2.0, 0.0, -3.0, 1.0), sphere(0.0, 0.0, -7.0, 1.0)], vec![])
+        .expect("a scene");
+    let observer = from_the_right(DVec3::new(0.0, 0.0, -4.0), 14.0);
+    let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
+    stage.items = OverlayItems::NONE.with(Item::Ray, true);
+    stage.inspection = Some(Inspection::of_uv(stage.posed(), &stage.scene, DVec2::ZERO));
+    let place = |z: f64| stage.place(DVec3::new(0.0, 0.0, z)).x.round() as i64;
+    let ray: Vec<_> = runs(&stage.view().drawing(), Item::Ray)
+        .into_iter()
+        .filter(|(_, from, to)| to - from > 20)
+        .collect();
+    assert_eq!(ray, [('-', place(0.0), place(-6.0))]);
+}
+
+#[test]
+fn the_picture_hides_what_is_behind_it_and_not_what_is_drawn_on_it() {
+    let stage = canonical();
+    let drawing = stage.view().drawing();
+    let hidden = |item: Item| drawing.marks.iter().any(|m| m.item == item && m.hidden);
+    assert!(hidden(Item::Ray));
+    assert!(!hidden(Item::Viewport));
+    assert!(!hidden(Item::Marks));
+    assert!(!hidden(Item::Basis));
+}
+
+#[test]
+fn a_wall_between_observer_and_camera_does_not_hide_the_camera() {
+    let camera = Camera::CANONICAL;
+    let behind = Plane { point: DVec3::new(0.0, 0.0, 2.0), normal: DVec3::Z };
+    let scene = Scene::new(vec![], vec![behind]).expect("a scene");
+    let observer = Observer::new(DVec3::ZERO, 0.3, 0.3, 8.0);
+    let stage = Stage::seen_by(camera, scene, observer);
+    let drawing = stage.view().drawing();
+    let basis: Vec<_> = drawing.marks.iter().filter(|m| m.item == Item::Basis).collect();
+    assert!(!basis.is_empty() && basis.iter().all(|mark| !mark.hidden));
+    let eye = drawing.marks.iter().find(|m| m.item == Item::Eye).map(|m| &m.shape);
+    assert!(matches!(eye, Some(Shape::Disc { .. })), "{eye:?}");
+}
+
+#[test]
+fn lines_behind_a_wall_are_dashed() {
+    let wall = Plane { point: DVec3::new(0.0, 0.0, -4.0), normal: DVec3::Z };
+    let scene = Scene::new(vec![], vec![wall]).expect("a scene");
+    let at = DVec3::new(0.0, 0.0, -5.0);
+    let camera = Camera { orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL };
+    let stage = Stage::seen_by(camera, scene, Observer::new(DVec3::ZERO, 0.6, 0.3, 14.0));
+    let drawing = stage.view().drawing();
+    let at = drawing.marks.iter().find(|m| m.item == Item::At).map(|m| &m.shape);
+    assert!(matches!(at, Some(Shape::Line { .. })), "a ring, not {at:?}");
+}
+
+#[test]
+fn each_item_can_be_drawn_alone_and_left_out() {
+    let mut stage = canonical();
+    let of_marks = |stage: &Stage| {
+        let Drawing { marks, labels, .. } = stage.view().drawing();
+        let of: Vec<Item> =
+            marks.iter().map(|m| m.item).chain(labels.iter().map(|l| l.item)).collect();
+        of
+    };
+    let all = of_marks(&stage);
+    // The others have no marks of their own in the world view.
+    let filled = [Item::Picture, Item::PixelGrid, Item::Planes, Item::UvAxes, Item::Labels];
+    for item in Item::ALL {
+        assert_eq!(all.contains(&item), !filled.contains(&item), "{item:?}");
+        stage.items = OverlayItems::NONE.with(item, true).with(Item::Labels, true);
+        let alone = of_marks(&stage);
+        assert!(alone.iter().all(|other| *other == item), "{item:?}: {alone:?}");
+        assert_eq!(alone.is_empty(), filled.contains(&item), "{item:?}");
+        stage.items = OverlayItems::default().with(item, false);
+        assert!(!of_marks(&stage).contains(&item), "{item:?}");
+    }
+}
+
+#[test]
+fn labels_name_everything_in_the_canonical_scene() {
+    // The picture is small; so is everything that is measured in points.
+    let drawing = WorldView { scale: 0.3, ..canonical().view() }.drawing();
+    let mut texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
+    texts.sort_unstable();
+    let expected = ["at", "eye", "hit", "n", "u", "up", "v", "view", "w", "x", "y", "z"];
+    assert!(expected.iter().all(|text| texts.contains(text)), "{texts:?}");
+    check_labels(&drawing, DVec2::new(SIZE.0.into(), SIZE.1.into()));
+}
+
+#[test]
+fn a_camera_without_a_basis_is_drawn_as_far_as_it_is_known() {
+    let camera = Camera {
+        orientation: Orientation::At { at: DVec3::new(0.0, 3.0, 0.0), up: DVec3::Y },
+        ..Camera::CANONICAL
+    };
+    let stage = Stage::new(camera, vec![sphere(0.0, 0.0, -5.0, 1.0)], vec![]);
+    assert_eq!(stage.posed, None);
+    let drawing = stage.view().drawing();
+    let has = |item: Item| drawing.marks.iter().any(|mark| mark.item == item);
+    assert!(has(Item::Eye) && has(Item::At) && has(Item::ViewAndUp));
+    assert!(!has(Item::Basis) && !has(Item::Frustum) && !has(Item::Viewport));
+}

@@ -1,0 +1,42 @@
+//! Pictures of the window, drawn by the program's own painter: the same bytes on every machine.
+//!
+//! `UPDATE_SNAPSHOTS=1 cargo test --test app snapshots` writes them anew.
+
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::session::{Settings, ThemeName};
+use pinhole::store::Remembered;
+
+use super::harness::{type_into, window, window_with};
+
+#[test]
+fn the_lectures_scene() {
+    window("canonical").snapshot("window_canonical");
+}
+
+#[test]
+fn a_light_window_on_another_scene() {
+    let settings = Settings { theme: ThemeName::Light, ..Settings::default() };
+    let remembered = Remembered { settings, ..Remembered::default() };
+    window_with("look-at", remembered, None).snapshot("window_light");
+}
+
+#[test]
+fn a_camera_without_a_basis() {
+    let mut window = window("canonical");
+    type_into(&mut window, "up y", "0");
+    window.remove_cursor();
+    window.run();
+    window.snapshot("window_fault");
+}
+
+#[test]
+fn one_view_alone_with_few_large_pixels() {
+    let mut window = window("grazing");
+    type_into(&mut window, "W", "24");
+    type_into(&mut window, "H", "24");
+    window.get_by_role_and_label(Role::Button, "Camera").click();
+    window.remove_cursor();
+    window.run();
+    window.snapshot("window_large_pixels");
+}

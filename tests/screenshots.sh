@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Takes the README's pictures of the real window anew, into assets/screenshots.
+# Needs Xvfb, openbox, xdotool and ImageMagick; builds the release binary first.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cargo build --locked --release
+out=$PWD/assets/screenshots
+work=$(mktemp -d)
+mkdir -p "$out"
+
+exec {display_pipe}<> <(:)
+Xvfb -displayfd "$display_pipe" -screen 0 1280x800x24 -nolisten tcp 2>/dev/null &
+server=$!
+trap 'kill "$server" 2>/dev/null; rm -rf "$work"' EXIT
+read -r number <&"$display_pipe"
+export DISPLAY=:$number WINIT_X11_SCALE_FACTOR=1 XDG_STATE_HOME=$work
+unset WAYLAND_DISPLAY
+openbox 2>/dev/null &
+
+# shot NAME SCENE SETTINGS: the window without its frame, on the whole screen.
+shot() {
+  mkdir -p "$work/pinhole"
+  printf '{"settings": %s, "window": {"maximized": true}}' "$3" >"$work/pinhole/state.json"
+  target/release/pinhole "$2" 2>/dev/null &
+  local program=$! window=
+  until window=$(xdotool search --onlyvisible --name ' - Pinhole'); do sleep 0.1; done
+  xdotool mousemove 1279 799
+  sleep 2
+  import -window "$window" "$out/$1.png"
+  kill "$program"
+  wait "$program" 2>/dev/null || true
+}
+
+shot canonical canonical '{}'
+shot look-at-light look-at '{"theme": "Light"}'
+shot planet planet '{}'
