@@ -4,11 +4,11 @@
 //!
 //! - a graphics adapter, by way of wgpu, where there is one made of hardware;
 //! - else [`painter`], on the CPU: with no adapter at all, with one that fails to start, and with
-//!   one that is itself software, because the drivers made for that take more than twice as long
-//!   for the same picture.
+//!   one that is itself software, because the drivers made for that take many times as long for
+//!   the same picture.
 //!
-//! Both are driven by the same event loop (`window.rs`, `open.rs`), so everything else about the window is
-//! the same. `gpu.rs` is the only file that knows wgpu.
+//! Both are driven by the same event loop (`window.rs`, `open.rs`), so everything else about the
+//! window is the same. `gpu.rs` is the only file that knows wgpu.
 
 mod cpu;
 mod display;

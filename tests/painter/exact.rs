@@ -1,58 +1,7 @@
-//! The painter: against exact expectations, against a naive rasteriser, against itself without
-//! its fast paths, and against itself drawing only what changed.
+//! Pixels that are known beforehand.
 
-mod support;
-
-use egui::epaint::{
-    ClippedPrimitive, ImageDelta, Primitive, Vertex, WHITE_UV, textures::TexturesDelta,
-};
-use egui::{Color32, ColorImage, Mesh, Pos2, Rect, TextureId, TextureOptions, pos2, vec2};
-use pinhole::present::painter::{Canvas, Painter};
-use proptest::prelude::*;
-use support::naive;
-
-const WHITE_TEXTURE: TextureId = TextureId::Managed(0);
-const PICTURE: TextureId = TextureId::Managed(1);
-
-/// A painter with a white texture, and a picture.
-fn painter(mut painter: Painter, picture: &ColorImage, options: TextureOptions) -> Painter {
-    let mut delta = TexturesDelta::default();
-    let white = ColorImage::filled([4, 4], Color32::WHITE);
-    delta.push(WHITE_TEXTURE, ImageDelta::full(white, TextureOptions::LINEAR));
-    delta.push(PICTURE, ImageDelta::full(picture.clone(), options));
-    painter.set_textures(&mut delta);
-    painter
-}
-
-fn plain() -> Painter {
-    painter(Painter::new(), &ColorImage::filled([1, 1], Color32::WHITE), TextureOptions::NEAREST)
-}
-
-fn clipped(clip_rect: Rect, mesh: Mesh) -> ClippedPrimitive {
-    ClippedPrimitive { clip_rect, primitive: Primitive::Mesh(mesh) }
-}
-
-fn rectangle(rect: Rect, color: Color32) -> Mesh {
-    let mut mesh = Mesh::default();
-    mesh.add_colored_rect(rect, color);
-    mesh
-}
-
-fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {
-    Rect::from_min_max(pos2(left, top), pos2(right, bottom))
-}
-
-/// Draws on a ground of one colour.
-fn draw(
-    painter: &Painter,
-    size: [usize; 2],
-    ground: Color32,
-    primitives: &[ClippedPrimitive],
-) -> Vec<Color32> {
-    let mut pixels = vec![ground; size[0] * size[1]];
-    painter.paint(&mut pixels, size, 1.0, primitives);
-    pixels
-}
+use super::*;
+use pinhole::present::painter::Canvas;
 
 /// A picture of characters: what each colour is called.
 fn text(pixels: &[Color32], width: usize, names: &[(Color32, char)]) -> Vec<String> {
@@ -125,18 +74,11 @@ fn points_are_scaled_to_pixels() {
     assert_eq!(text(&pixels, 4, &NAMES), [".bb.", "....", "...."]);
 }
 
-/// The picture that textures are tested with: red and green above blue and white.
-fn four_texels() -> ColorImage {
-    ColorImage::new([2, 2], vec![Color32::RED, Color32::GREEN, Color32::BLUE, Color32::WHITE])
-}
-
 fn pictured(rect: Rect, uv: Rect, tint: Color32) -> ClippedPrimitive {
     let mut mesh = Mesh::with_texture(PICTURE);
     mesh.add_rect_with_uv(rect, uv, tint);
     clipped(Rect::EVERYTHING, mesh)
 }
-
-const WHOLE: Rect = Rect { min: Pos2::ZERO, max: pos2(1.0, 1.0) };
 
 #[test]
 fn nearest_texels_are_blocks() {
@@ -199,6 +141,35 @@ fn parts_of_textures_are_replaced_and_textures_are_freed() {
 }
 
 #[test]
+fn a_part_that_lets_through_makes_the_texture_let_through() {
+    let mut painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
+    let mut delta = TexturesDelta::default();
+    let part = ColorImage::filled([1, 1], Color32::TRANSPARENT);
+    delta.push(PICTURE, ImageDelta::partial([1, 1], part, TextureOptions::NEAREST));
+    painter.set_textures(&mut delta);
+    let primitives = [pictured(rect(0.0, 0.0, 2.0, 2.0), WHOLE, Color32::WHITE)];
+    let pixels = draw(&painter, [2, 2], Color32::BLACK, &primitives);
+    assert_eq!(text(&pixels, 2, &NAMES), ["rg", "b."]);
+}
+
+/// All that two triangles between the corners of one rectangle can be: only some of them are it.
+#[test]
+fn triangles_that_only_look_like_a_rectangle() {
+    let corners = [pos2(1.0, 1.0), pos2(5.0, 1.0), pos2(1.0, 4.0), pos2(5.0, 4.0)];
+    let half = Color32::from_rgba_premultiplied(100, 50, 0, 128);
+    let corner = |digit: u32| Vertex::untextured(corners[digit as usize], half);
+    for case in 0..4_u32.pow(6) {
+        let vertices: Vec<_> = (0..6).map(|i| corner(case / 4_u32.pow(i) % 4)).collect();
+        let primitives = [clipped(Rect::EVERYTHING, mesh_of(&vertices, WHITE_TEXTURE))];
+        let [fast, general] = [Painter::new(), Painter::triangles_only()].map(|of| {
+            let painter = painter(of, &four_texels(), TextureOptions::NEAREST);
+            draw(&painter, [6, 5], Color32::BLACK, &primitives)
+        });
+        assert!(fast == general, "{vertices:?}");
+    }
+}
+
+#[test]
 fn broken_meshes_draw_nothing_and_do_not_panic() {
     let vertex = |x: f32, y: f32| Vertex::untextured(pos2(x, y), Color32::RED);
     let nan = Mesh {
@@ -223,155 +194,6 @@ fn far_away_vertices_fill_the_picture() {
     let mesh = rectangle(rect(-1e30, -1e9, 1e30, 1e9), Color32::RED);
     let pixels = draw(&plain(), [2, 2], Color32::BLACK, &[clipped(Rect::EVERYTHING, mesh)]);
     assert_eq!(text(&pixels, 2, &NAMES), ["rr", "rr"]);
-}
-
-// ---- random scenes
-
-const SIDE: usize = 24;
-
-fn place() -> impl Strategy<Value = Pos2> {
-    // Half of them on halves of pixels, where the rules for borders count.
-    let exact = (-8..=56_i32).prop_map(|x| x as f32 / 2.0);
-    let any = -6.0..30.0_f32;
-    let coordinate = prop_oneof![exact, any];
-    (coordinate.clone(), coordinate).prop_map(|(x, y)| pos2(x, y))
-}
-
-fn color() -> impl Strategy<Value = Color32> {
-    let any = any::<[u8; 4]>().prop_map(|[r, g, b, a]| Color32::from_rgba_unmultiplied(r, g, b, a));
-    prop_oneof![any, Just(Color32::WHITE), Just(Color32::from_rgb(200, 100, 50))]
-}
-
-fn vertex(textured: bool) -> impl Strategy<Value = Vertex> {
-    // Odd factors keep texture coordinates off the borders of texels, where rounding decides.
-    let uv = (0.013..0.987_f32, 0.013..0.987_f32);
-    (place(), color(), uv).prop_map(move |(pos, color, (u, v))| {
-        let uv = if textured { pos2(u, v) } else { WHITE_UV };
-        Vertex { pos, uv, color }
-    })
-}
-
-fn triangle(textured: bool) -> impl Strategy<Value = Vec<Vertex>> {
-    (prop::collection::vec(vertex(textured), 3), any::<bool>()).prop_map(|(mut t, flat)| {
-        if flat {
-            let color = t[0].color;
-            t.iter_mut().for_each(|vertex| vertex.color = color);
-        }
-        t
-    })
-}
-
-fn picture() -> impl Strategy<Value = ColorImage> {
-    (1..9_usize, 1..9_usize, any::<bool>()).prop_flat_map(|(width, height, opaque)| {
-        prop::collection::vec(color(), width * height).prop_map(move |mut texels| {
-            if opaque {
-                texels.iter_mut().for_each(|texel| *texel = texel.to_opaque());
-            }
-            ColorImage::new([width, height], texels)
-        })
-    })
-}
-
-fn options() -> impl Strategy<Value = TextureOptions> {
-    prop_oneof![Just(TextureOptions::NEAREST), Just(TextureOptions::LINEAR)]
-}
-
-fn mesh_of(vertices: &[Vertex], texture_id: TextureId) -> Mesh {
-    let indices = (0..vertices.len() as u32).collect();
-    Mesh { indices, vertices: vertices.to_vec(), texture_id }
-}
-
-/// The largest difference in a channel.
-fn difference(a: &[Color32], b: &[Color32]) -> u8 {
-    let channels =
-        |pixels: &[Color32]| pixels.iter().flat_map(|p| p.to_array()).collect::<Vec<_>>();
-    channels(a).iter().zip(channels(b)).map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
-}
-
-/// A rectangle as the two triangles that egui makes of it, anywhere on the picture, its pixels a
-/// whole multiple of the texels or not.
-fn any_rectangle() -> impl Strategy<Value = Mesh> {
-    let corner = place();
-    let size = prop_oneof![
-        (1..20_u8, 1..20_u8).prop_map(|(w, h)| vec2(w.into(), h.into())),
-        (0.1..25.0_f32, 0.1..25.0_f32).prop_map(|(w, h)| vec2(w, h)),
-    ];
-    let part = (0.0..0.5_f32, 0.5..1.0_f32);
-    let uv = prop_oneof![
-        Just(WHOLE),
-        Just(Rect::from_min_max(WHITE_UV, WHITE_UV)),
-        Just(rect(1.0, 0.0, 0.0, 1.0)),
-        (part.clone(), part).prop_map(|((l, r), (t, b))| rect(l, t, r, b)),
-    ];
-    (corner, size, uv, color()).prop_map(|(min, size, uv, color)| {
-        let mut mesh = Mesh::with_texture(PICTURE);
-        mesh.add_rect_with_uv(Rect::from_min_size(min, size), uv, color);
-        mesh
-    })
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
-
-    #[test]
-    fn triangles_are_as_the_naive_rasteriser_draws_them(
-        vertices in any::<bool>().prop_flat_map(triangle),
-        picture in picture(),
-        options in options(),
-        ground in color(),
-    ) {
-        let ground = ground.to_opaque();
-        let painter = painter(Painter::new(), &picture, options);
-        let mesh = mesh_of(&vertices, PICTURE);
-        let pixels = draw(&painter, [SIDE, SIDE], ground, &[clipped(Rect::EVERYTHING, mesh)]);
-        let mut expected = ColorImage::filled([SIDE, SIDE], ground);
-        let [a, b, c] = [&vertices[0], &vertices[1], &vertices[2]];
-        naive::draw(&mut expected, &picture, options.magnification, [a, b, c]);
-        // A half rounds up here and down there.
-        prop_assert!(difference(&pixels, &expected.pixels) <= 1);
-    }
-
-    #[test]
-    fn rectangles_are_the_pixels_of_their_triangles(
-        meshes in prop::collection::vec(any_rectangle(), 1..4),
-        picture in picture(),
-        options in options(),
-    ) {
-        let primitives: Vec<_> =
-            meshes.into_iter().map(|mesh| clipped(rect(2.0, 1.0, 22.6, 23.0), mesh)).collect();
-        let draw = |of| draw(&painter(of, &picture, options), [SIDE, SIDE], Color32::BLACK, &primitives);
-        prop_assert_eq!(draw(Painter::new()), draw(Painter::triangles_only()));
-    }
-
-    #[test]
-    fn what_changed_is_all_that_needs_drawing(
-        frames in prop::collection::vec(
-            prop::collection::vec(prop::collection::vec(any_rectangle(), 1..4), 0..4), 2..6),
-        keep in prop::collection::vec(any::<bool>(), 24),
-    ) {
-        let painter = painter(Painter::new(), &four_texels(), TextureOptions::NEAREST);
-        let mut canvas = Canvas::new();
-        let mut last: Vec<ClippedPrimitive> = Vec::new();
-        let mut keep = keep.iter().cycle();
-        for frame in frames {
-            let mut primitives: Vec<_> = frame.iter().map(|meshes| {
-                let mut all = Mesh::with_texture(PICTURE);
-                meshes.iter().for_each(|mesh| all.append_ref(mesh));
-                clipped(rect(1.0, 1.0, 23.0, 22.0), all)
-            }).collect();
-            // Most of a frame is what the last one was.
-            for (primitive, old) in primitives.iter_mut().zip(&last) {
-                if *keep.next().unwrap_or(&true) {
-                    *primitive = old.clone();
-                }
-            }
-            let size = [SIDE, SIDE];
-            canvas.show(&painter, &Default::default(), size, 1.0, Color32::BLACK, primitives.clone());
-            let expected = draw(&painter, size, Color32::BLACK, &primitives);
-            prop_assert_eq!(canvas.pixels(), expected.as_slice());
-            last = primitives;
-        }
-    }
 }
 
 #[test]
