@@ -2,7 +2,7 @@
 //! that its tests can drive it.
 //!
 //! The way of one edit: a panel changes the [`document::Document`] in place; [`app`] runs inputs,
-//! apply, derive, outputs, once; [`derive`] is pure; overlay, readouts and upload get what it made
+//! apply, derive, outputs, once; [`mod@derive`] is pure; overlay, readouts and upload get what it made
 //! and nothing else.
 
 pub mod action;

@@ -1,6 +1,7 @@
 //! Opening the window on a scene.
 
 use std::fmt;
+use std::io::Cursor;
 use std::path::Path;
 
 use crate::app::App;
@@ -47,7 +48,7 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
         title: "Pinhole".to_owned(),
         app_id: "pinhole".to_owned(),
         geometry: remembered.window,
-        icon: None,
+        icon: icon(),
     };
     let mut app = App::new(open, remembered, store);
     if let Some(trouble) = trouble {
@@ -60,6 +61,16 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
         Box::new(InWindow { app, frame_log }) as Box<dyn Program>
     };
     present::run(renderer, options, make).map_err(WindowError::Present)
+}
+
+/// The picture in the title bar. Not having one is no reason not to open the window.
+fn icon() -> Option<egui::IconData> {
+    let mut decoder = png::Decoder::new(Cursor::new(include_bytes!("../assets/icon.png")));
+    decoder.set_transformations(png::Transformations::ALPHA);
+    let mut reader = decoder.read_info().ok()?;
+    let mut rgba = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut rgba).ok()?;
+    Some(egui::IconData { rgba, width: info.width, height: info.height })
 }
 
 /// The app as the window drives it.
@@ -124,5 +135,15 @@ fn canonical() -> Result<OpenDocument, FileError> {
     match builtin::find("canonical") {
         Some(scene) => Ok(OpenDocument::new(scene.load()?, SceneSource::Builtin(scene))),
         None => Ok(OpenDocument::new(Document::default(), SceneSource::File("scene.toml".into()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_icon_is_a_picture() {
+        let icon = super::icon().expect("assets/icon.png is a PNG");
+        assert_eq!(icon.rgba.len(), (icon.width * icon.height * 4) as usize);
+        assert!(icon.rgba.chunks(4).any(|pixel| pixel != &icon.rgba[..4]));
     }
 }
