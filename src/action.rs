@@ -16,7 +16,12 @@ pub enum Action {
     /// Ask for a path to save to.
     AskSaveAs,
     /// Save to this path.
-    SaveAs(PathBuf),
+    SaveAs {
+        /// Where to.
+        path: PathBuf,
+        /// What to go on with if that worked.
+        then: Option<Box<Action>>,
+    },
     /// Close the window, asking first if there are unsaved changes.
     Quit,
     /// Close the window or open the scene without saving.

@@ -284,17 +284,22 @@ impl App {
                         self.apply(ctx, *then);
                     }
                 }
-                None => self.ask_save_as(),
+                None => self.ask_save_as(Some(then)),
             },
             Action::AskOpen => {
                 self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
             }
             Action::Save => match self.open.file().map(Path::to_owned) {
                 Some(path) => self.save_to(&path),
-                None => self.ask_save_as(),
+                None => self.ask_save_as(None),
             },
-            Action::AskSaveAs => self.ask_save_as(),
-            Action::SaveAs(path) => self.save_to(&path),
+            Action::AskSaveAs => self.ask_save_as(None),
+            Action::SaveAs { path, then } => {
+                self.save_to(&path);
+                if let Some(then) = then.filter(|_| !self.open.has_changes()) {
+                    self.apply(ctx, *then);
+                }
+            }
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
                 self.session.observer = None;
@@ -313,12 +318,13 @@ impl App {
         self.dialog = Some(Dialog::Unsaved { title: title_of(&self.open.source), then });
     }
 
-    fn ask_save_as(&mut self) {
+    fn ask_save_as(&mut self, then: Option<Box<Action>>) {
         let name = match &self.open.source {
             SceneSource::Builtin(scene) => format!("{}.toml", scene.name),
             file => title_of(file),
         };
-        self.dialog = Some(Dialog::SaveAs(PathField::near(self.open.file(), &name)));
+        let field = PathField::near(self.open.file(), &name);
+        self.dialog = Some(Dialog::SaveAs { field, then });
     }
 
     fn load(&mut self, source: SceneSource) {

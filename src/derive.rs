@@ -1,6 +1,8 @@
 //! From the document to everything that is shown: pure, and remembered on its inputs, so that an
 //! idle window does no work and one drag does only what it changes.
 
+mod memo;
+
 use std::fmt;
 use std::sync::Arc;
 
@@ -10,6 +12,7 @@ use pinhole_core::{
     SceneError, Shade, Sphere, UpAngle, shade, trace,
 };
 
+use self::memo::Memo;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::inspection::Inspection;
 use crate::observer::{Observer, encloses, seen_scene};
@@ -78,29 +81,6 @@ pub struct Shown {
     pub labels: Arc<Vec<Label>>,
 }
 
-/// A value remembered with what it was made from.
-#[derive(Debug)]
-struct Memo<K, V>(Option<(K, V)>);
-
-impl<K, V> Default for Memo<K, V> {
-    fn default() -> Self {
-        Memo(None)
-    }
-}
-
-impl<K: PartialEq, V: Clone> Memo<K, V> {
-    fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> V {
-        match &self.0 {
-            Some((known, value)) if *known == key => value.clone(),
-            _ => {
-                let value = make(&key);
-                self.0 = Some((key, value.clone()));
-                value
-            }
-        }
-    }
-}
-
 /// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
 #[derive(Debug, Default)]
 pub struct Deriver {
@@ -126,6 +106,26 @@ struct Objects {
     scene: Result<Arc<Scene>, SceneError>,
     colors: Arc<Vec<Rgb>>,
     generation: u64,
+}
+
+impl Objects {
+    fn of(document: &Document, generation: u64) -> Objects {
+        let colors = (0..document.object_count() as u32).map(|i| document.color_of(i)).collect();
+        Objects {
+            spheres: document.spheres.clone(),
+            csv_spheres: document.csv_spheres.clone(),
+            planes: document.planes.clone(),
+            scene: document.scene().map(Arc::new),
+            colors: Arc::new(colors),
+            generation,
+        }
+    }
+
+    fn are_those_of(&self, document: &Document) -> bool {
+        self.spheres == document.spheres
+            && self.csv_spheres == document.csv_spheres
+            && self.planes == document.planes
+    }
 }
 
 #[derive(Debug, PartialEq)]
@@ -167,12 +167,28 @@ struct WorldViewKey {
     style: Style,
 }
 
-/// What is shown while the document has a fault.
+/// What is shown while the document has a fault: the last that had none.
 #[derive(Debug, Default)]
 struct LastGood {
-    scene: Option<(Arc<Scene>, u64)>,
-    picture: Option<Arc<Picture>>,
-    camera_view: Option<Shown>,
+    world: Option<GoodWorld>,
+    picture: Option<GoodPicture>,
+}
+
+/// The objects of a document, all of which are some.
+#[derive(Clone, Debug)]
+struct GoodWorld {
+    scene: Arc<Scene>,
+    colors: Arc<Vec<Rgb>>,
+    generation: u64,
+}
+
+/// What a camera saw, and the ray that was selected.
+#[derive(Clone, Debug)]
+struct GoodPicture {
+    posed: PosedCamera,
+    picture: Arc<Picture>,
+    selection: Selection,
+    inspection: Arc<Inspection>,
 }
 
 impl Deriver {
@@ -183,9 +199,9 @@ impl Deriver {
 
     /// Everything to show of this document.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
-        let (scene, colors, generation) = self.scene_of(document);
+        let world = self.world_of(document);
         let posed = document.camera.posed();
-        let fault = match (&posed, &scene) {
+        let fault = match (&posed, &world) {
             (Err(e), _) => Some(Fault::Camera(*e)),
             (_, Err(e)) => Some(Fault::Scene(*e)),
             _ => None,
@@ -193,98 +209,83 @@ impl Deriver {
         let mut derived = Derived {
             posed: posed.ok(),
             up_angle: document.camera.up_angle().ok(),
-            scene: scene.as_ref().ok().cloned(),
+            scene: world.as_ref().ok().map(|world| Arc::clone(&world.scene)),
             fault,
             ..Derived::default()
         };
-        if let Ok(scene) = &scene {
-            self.last_good.scene = Some((Arc::clone(scene), generation));
+        if let (Some(posed), Ok(world)) = (derived.posed, &world) {
+            let good = self.picture(posed, world, session, sizes);
+            derived.inspection = Some(Arc::clone(&good.inspection));
+            self.last_good.picture = Some(good);
         }
-        if let (Some(posed), Ok(scene)) = (derived.posed, &scene) {
-            let selection = session.selection.inside(posed.image());
-            let inspection = self.inspection.get((posed, generation, selection), |_| {
-                Arc::new(match selection {
-                    Selection::Pixel(pixel) => Inspection::of_pixel(&posed, scene, pixel),
-                    Selection::Uv(uv) => Inspection::of_uv(&posed, scene, uv),
-                })
-            });
-            derived.inspection = Some(inspection);
-            self.camera_view(&mut derived, scene, &colors, generation, session, sizes);
-        } else {
-            derived.camera_view = self.last_good.camera_view.clone();
+        if let Ok(world) = world {
+            self.last_good.world = Some(world);
         }
-        self.world_view(&mut derived, document, &colors, session, sizes);
+        derived.camera_view = self.camera_view(session, sizes);
+        self.world_view(&mut derived, document, session, sizes);
         derived
     }
 
-    fn scene_of(
-        &mut self,
-        document: &Document,
-    ) -> (Result<Arc<Scene>, SceneError>, Arc<Vec<Rgb>>, u64) {
-        let known = self.objects.as_ref().filter(|known| {
-            known.spheres == document.spheres
-                && known.csv_spheres == document.csv_spheres
-                && known.planes == document.planes
-        });
-        if known.is_none() {
-            let generation = self.objects.as_ref().map_or(0, |objects| objects.generation + 1);
-            let colors = (0..document.object_count() as u32).map(|i| document.color_of(i));
-            self.objects = Some(Objects {
-                spheres: document.spheres.clone(),
-                csv_spheres: document.csv_spheres.clone(),
-                planes: document.planes.clone(),
-                scene: document.scene().map(Arc::new),
-                colors: Arc::new(colors.collect()),
-                generation,
-            });
-        }
-        match &self.objects {
-            Some(objects) => {
-                (objects.scene.clone(), Arc::clone(&objects.colors), objects.generation)
-            }
-            None => (Ok(Arc::default()), Arc::default(), 0),
-        }
+    /// The document's objects, made anew only where one of them has changed.
+    fn world_of(&mut self, document: &Document) -> Result<GoodWorld, SceneError> {
+        let objects = match self.objects.take() {
+            Some(known) if known.are_those_of(document) => known,
+            known => Objects::of(document, known.map_or(0, |known| known.generation + 1)),
+        };
+        let objects = self.objects.insert(objects);
+        let (colors, generation) = (Arc::clone(&objects.colors), objects.generation);
+        objects.scene.clone().map(|scene| GoodWorld { scene, colors, generation })
     }
 
-    fn camera_view(
+    /// What the camera sees, of which no more is traced than the screen shows.
+    fn picture(
         &mut self,
-        derived: &mut Derived,
-        scene: &Scene,
-        colors: &[Rgb],
-        generation: u64,
+        posed: PosedCamera,
+        world: &GoodWorld,
         session: &Session,
         sizes: &ViewSizes,
-    ) {
-        let Some(posed) = derived.posed else { return };
+    ) -> GoodPicture {
+        let GoodWorld { scene, colors, generation } = world;
+        let selection = session.selection.inside(posed.image());
+        let inspection = self.inspection.get((posed, *generation, selection), |_| {
+            Arc::new(match selection {
+                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, scene, pixel),
+                Selection::Uv(uv) => Inspection::of_uv(&posed, scene, uv),
+            })
+        });
         // With only the world view open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let raster = Raster::shown_on(posed.image(), size[0], size[1]);
         let mode = Shade::from(session.settings.shade);
         let pictures = &mut self.pictures;
-        let picture = self.camera_picture.get((posed, generation, raster, mode), |key| {
+        let picture = self.camera_picture.get((posed, *generation, raster, mode), |key| {
             *pictures += 1;
             let frame = trace(scene, &posed, &key.2, Outputs::default());
             let pixels = shade(&frame, scene, mode, |i| colors[i as usize], opaque);
             Arc::new(Picture { raster: key.2.clone(), image: posed.image(), pixels })
         });
-        self.last_good.picture = Some(Arc::clone(&picture));
-        let Some(size) = sizes.camera else { return };
+        GoodPicture { posed, picture, selection, inspection }
+    }
+
+    fn camera_view(&mut self, session: &Session, sizes: &ViewSizes) -> Option<Shown> {
+        let GoodPicture { posed, picture, selection, inspection } =
+            self.last_good.picture.clone()?;
+        let size = sizes.camera?;
         let key = CameraViewKey {
-            picture: *pictures,
+            picture: self.pictures,
             posed,
             size,
-            selection: session.selection.inside(posed.image()),
+            selection,
             items: session.settings.items,
             scale: sizes.scale,
             style: sizes.style,
         };
-        let inspection = derived.inspection.as_deref();
-        let shown = self.camera_view.get(key, |key| {
+        Some(self.camera_view.get(key, |key| {
             let mut pixels = blank(size);
             let view = CameraView {
                 picture: &picture,
                 posed: &posed,
-                inspection,
+                inspection: Some(&inspection),
                 items: key.items,
                 size: size.map(|n| n as usize),
                 scale: key.scale,
@@ -292,49 +293,45 @@ impl Deriver {
             };
             let labels = overlay::camera(&view, &mut pixels);
             shown(size, pixels, labels)
-        });
-        self.last_good.camera_view = Some(shown.clone());
-        derived.camera_view = Some(shown);
+        }))
     }
 
     fn world_view(
         &mut self,
         derived: &mut Derived,
         document: &Document,
-        colors: &[Rgb],
         session: &Session,
         sizes: &ViewSizes,
     ) {
-        let (Some(size), Some((scene, generation))) = (sizes.world, self.last_good.scene.clone())
+        let (Some(size), Some(good), Some(observer)) =
+            (sizes.world, self.last_good.world.clone(), session.observer)
         else {
             return;
         };
-        let Some(observer) = session.observer else { return };
+        let GoodWorld { scene, colors, generation } = good;
         let Some(observer_camera) = posed_observer(&observer, size) else { return };
-        // While an object is at fault, the last good scene's indices still fit its own colours.
         let color_of = |i: u32| colors.get(i as usize).copied().unwrap_or_default();
-        let world =
-            self.world_picture(&scene, document.camera.eye, observer_camera, generation, color_of);
+        let eye = document.camera.eye;
+        let world = self.world_picture(&scene, eye, observer_camera, generation, color_of);
+        let seen = self.last_good.picture.as_ref().filter(|_| derived.fault.is_none());
         let key = WorldViewKey {
             camera: document.camera,
             observer,
             size,
-            picture: derived.posed.is_some().then_some(self.pictures),
+            picture: seen.map(|_| self.pictures),
             generation,
             selection: session.selection,
             items: session.settings.items,
             scale: sizes.scale,
             style: sizes.style,
         };
-        let picture = self.last_good.picture.as_ref().filter(|_| derived.fault.is_none());
-        let posed = derived.posed;
-        let inspection = derived.inspection.as_deref();
+        let (posed, inspection) = (derived.posed, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
             let mut pixels = world.pixels.clone();
             let view = WorldView {
                 camera: &document.camera,
                 posed: posed.as_ref(),
-                picture: picture.map(|picture| &**picture),
+                picture: seen.map(|seen| &*seen.picture),
                 inspection,
                 scene: &scene,
                 color_of: &color_of,

@@ -24,9 +24,8 @@ impl Inspection {
         let mut roots = scene.roots(&ray);
         // A line that is all but parallel to a plane meets it beyond the range of numbers: nowhere.
         roots.retain(|root| root.t.is_finite());
-        let first = scene.first_hit(&ray).and_then(|hit| {
-            roots.iter().position(|root| root.object == hit.object && root.t == hit.t)
-        });
+        // By ascending t, equal ones in the order of objects: the first hit's own rule.
+        let first = roots.iter().position(|root| root.t > 0.0);
         Inspection { uv, place: camera.pixel_of_uv(uv), ray, roots, first }
     }
 

@@ -14,7 +14,12 @@ pub enum Dialog {
     /// Which file to open.
     Open(PathField),
     /// Which file to save to.
-    SaveAs(PathField),
+    SaveAs {
+        /// The path.
+        field: PathField,
+        /// What waits for the scene to be saved.
+        then: Option<Box<Action>>,
+    },
     /// What to do with unsaved changes before the action.
     Unsaved {
         /// What the document is called.
@@ -144,7 +149,12 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         ui.set_width(460.0);
         match open {
             Dialog::Open(field) => open_ui(ui, field, actions, &mut close),
-            Dialog::SaveAs(field) => save_ui(ui, field, actions, &mut close),
+            Dialog::SaveAs { field, then } => {
+                if let Some(path) = save_ui(ui, field) {
+                    actions.push(Action::SaveAs { path, then: then.take() });
+                    close = true;
+                }
+            }
             Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, actions, &mut close),
             Dialog::Message { title, text } => {
                 ui.heading(title.as_str());
@@ -171,12 +181,14 @@ fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close:
     }
 }
 
-fn save_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close: &mut bool) {
+/// The path once it is chosen and, where there is such a file, chosen once more.
+fn save_ui(ui: &mut Ui, field: &mut PathField) -> Option<PathBuf> {
     ui.heading("Save the scene as");
+    let mut chosen = None;
     if let Some(mut path) = field.ui(ui, "Save") {
         if path.is_dir() {
             field.list(path);
-            return;
+            return None;
         }
         if path.extension().is_none() {
             path.set_extension("toml");
@@ -184,14 +196,14 @@ fn save_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close:
         if path.exists() && field.overwrite.as_ref() != Some(&path) {
             field.overwrite = Some(path);
         } else {
-            actions.push(Action::SaveAs(path));
-            *close = true;
+            chosen = Some(path);
         }
     }
     if let Some(path) = &field.overwrite {
         let text = format!("{} exists. Save once more to replace it.", path.display());
         ui.label(RichText::new(text).color(error_color(ui)));
     }
+    chosen
 }
 
 fn unsaved_ui(

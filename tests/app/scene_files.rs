@@ -15,6 +15,14 @@ fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, key: egui::Ke
     window.run();
 }
 
+fn type_path(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, path: &std::path::Path) {
+    window.get_by_role_and_label(Role::TextInput, "path").focus();
+    window.run();
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
+    window.run();
+}
+
 #[test]
 fn a_scene_is_edited_and_saved_as_a_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -22,12 +30,7 @@ fn a_scene_is_edited_and_saved_as_a_file() {
     let mut window = window("canonical");
     type_into(&mut window, "eye x", "0.25");
     ctrl(&mut window, egui::Key::S);
-    let field = window.get_by_role_and_label(Role::TextInput, "path");
-    field.focus();
-    window.run();
-    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
-    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
-    window.run();
+    type_path(&mut window, &path);
     window.get_by_role_and_label(Role::Button, "Save").click();
     window.run();
     let saved = scene_file::load(&path).unwrap();
@@ -99,6 +102,25 @@ fn unsaved_changes_are_asked_about_before_another_scene_opens() {
         assert_eq!(window.state().document().camera.eye.x, eye, "{answer}");
     }
     assert_eq!(window.state().document().camera.viewport.distance, 2.0);
+}
+
+#[test]
+fn what_waited_for_saving_goes_on_after_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kept.toml");
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "7");
+    window.get_by_label("Scenes").click();
+    window.run();
+    window.get_by_label("distance-two").click();
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Save").click();
+    window.run();
+    type_path(&mut window, &path);
+    window.get_by_role_and_label(Role::Button, "Save").click();
+    window.run();
+    assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 7.0);
+    assert_says(&window, "distance-two");
 }
 
 #[test]
