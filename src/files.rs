@@ -1,5 +1,6 @@
 //! Where the open document came from, and getting it from and to there.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::document::Document;
@@ -35,6 +36,9 @@ pub struct OpenDocument {
     pub document: Document,
     /// The document as it was opened or last saved.
     saved: Document,
+    /// The source's text, whose comments stay with the document wherever it is saved; `None` where
+    /// it could not be read.
+    text: Option<String>,
     /// Where it came from.
     pub source: SceneSource,
 }
@@ -42,7 +46,11 @@ pub struct OpenDocument {
 impl OpenDocument {
     /// A document just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
-        OpenDocument { saved: document.clone(), document, source }
+        let text = match &source {
+            SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
+            SceneSource::File(path) => fs::read_to_string(path).ok(),
+        };
+        OpenDocument { saved: document.clone(), document, text, source }
     }
 
     /// Whether there is anything to lose.
@@ -58,18 +66,35 @@ impl OpenDocument {
         }
     }
 
-    /// Writes the document to `path`, from where it comes from now on.
+    /// Writes the document to `path`, from where it comes from now on. The comments are those of the
+    /// file that it came from until now, also where another file is overwritten.
     ///
     /// # Errors
     /// Why it could not be written; what was there before is still there.
     pub fn save_to(&mut self, path: &Path) -> Result<(), String> {
-        scene_file::save(&self.document, path).map_err(|error| error.to_string())?;
-        // The reference to a file of spheres is relative to where the scene lies.
-        self.document = scene_file::load(path).map_err(|error| error.to_string())?;
+        let saved = match self.text_on_disk(path) {
+            Some(text) => scene_file::save_over(&self.document, path, Some(&text)),
+            None => scene_file::save_over(&self.document, path, self.text.as_deref()),
+        };
+        let saved = saved.map_err(|error| error.to_string())?;
+        // As written: the reference to a file of spheres is relative to where the scene lies.
+        self.document = saved.document;
         self.saved = self.document.clone();
+        self.text = Some(saved.text);
         self.source = SceneSource::File(path.to_owned());
         Ok(())
     }
+
+    /// What the file at `path` holds now, if it is the one that the document came from: its
+    /// comments may have been edited since.
+    fn text_on_disk(&self, path: &Path) -> Option<String> {
+        let same = self.file().is_some_and(|file| resolved(file) == resolved(path));
+        same.then(|| fs::read_to_string(path).ok()).flatten()
+    }
+}
+
+fn resolved(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| absolute(path))
 }
 
 /// Puts a file at the head of the list of recent ones.

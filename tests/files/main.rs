@@ -4,5 +4,6 @@
 mod bad_scenes;
 mod csv;
 mod good_scenes;
+mod open_document;
 mod round_trip;
 mod saving;

@@ -81,15 +81,37 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
     read::document(text, path, Some(base))
 }
 
+/// What was written by [`save`].
+#[derive(Clone, Debug)]
+pub struct Saved {
+    /// The document as a reader of the file finds it. It shares the CSV file's spheres with the one
+    /// that was saved: that file is named, not written, and so not read again either.
+    pub document: Document,
+    /// The file's text.
+    pub text: String,
+}
+
+/// Writes a scene file, as a whole or not at all: [`save_over`] the file that is there.
+///
+/// # Errors
+/// As [`save_over`].
+pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
+    save_over(document, path, fs::read_to_string(path).ok().as_deref())
+}
+
 /// Writes a scene file, as a whole or not at all.
 ///
-/// The comments and layout of the file that is there stay where the values have not changed. The
+/// The comments and layout of the `previous` text stay where the values have not changed. The
 /// reference to a CSV file is kept, and written so that it means the same file from here.
 ///
 /// # Errors
 /// A document with a value that could not be read back, or a file that cannot be written; the old
 /// file is then as it was.
-pub fn save(document: &Document, path: &Path) -> Result<(), FileError> {
+pub fn save_over(
+    document: &Document,
+    path: &Path,
+    previous: Option<&str>,
+) -> Result<Saved, FileError> {
     let mut document = document.clone();
     if let Some(csv) = &mut document.csv_spheres {
         csv.path = path_from(path.parent().unwrap_or(Path::new("")), &csv.path, &csv.file)
@@ -97,25 +119,33 @@ pub fn save(document: &Document, path: &Path) -> Result<(), FileError> {
                 FileError::of_file(path, "cannot name the spheres' file: its path is not UTF-8")
             })?;
     }
-    let previous = fs::read_to_string(path).ok();
-    let text = to_text(&document, previous.as_deref());
-    if let Err(error) = read::document(&text, path, None) {
-        return Err(FileError::of_file(path, format!("not saved: {}", error.problem)));
-    }
-    atomic::write(path, |file| std::io::Write::write_all(file, text.as_bytes()))
+    let text = to_text(&document, previous);
+    let mut written = read::document(&text, path, None)
+        .map_err(|error| FileError::of_file(path, format!("not saved: {}", error.problem)))?;
+    written.csv_spheres = document.csv_spheres;
+    atomic::write(path, |file| std::io::Write::write_all(file, text.as_bytes()))?;
+    Ok(Saved { document: written, text })
 }
 
 /// How a scene file in `folder` names `file`: by `written` if that means the same file from there,
 /// else by the relative path, else by the whole path.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let absolute = |path: &Path| path.canonicalize().or_else(|_| std::path::absolute(path)).ok();
-    let file = absolute(file)?;
-    if absolute(&folder.join(written)).as_ref() == Some(&file) {
+    let file = resolved(file)?;
+    if resolved(&folder.join(written)).as_ref() == Some(&file) {
         return Some(written.to_owned());
     }
-    let relative = absolute(folder).and_then(|folder| relative_path(&folder, &file));
+    let relative = resolved(folder).and_then(|folder| relative_path(&folder, &file));
     relative.unwrap_or(file).to_str().map(str::to_owned)
+}
+
+/// The absolute path without links, also of a file that is gone while its folder is there.
+fn resolved(path: &Path) -> Option<PathBuf> {
+    let in_folder = || path.parent()?.canonicalize().ok().zip(path.file_name());
+    path.canonicalize()
+        .ok()
+        .or_else(|| in_folder().map(|(folder, name)| folder.join(name)))
+        .or_else(|| std::path::absolute(path).ok())
 }
 
 /// From one absolute path to another, by way of the folder that they share. Without one, as on two
