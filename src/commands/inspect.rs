@@ -5,7 +5,7 @@ mod text;
 
 use pinhole_core::{DVec2, Pixel, PosedCamera, UpAngle};
 
-use super::{CommandError, load, of_scene, to_stdout};
+use super::{CommandError, load, of_scene, pose, to_stdout};
 use crate::arguments::InspectArguments;
 use crate::document::Document;
 use crate::inspection::Inspection;
@@ -21,7 +21,7 @@ struct Readout<'a> {
 pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
     let at_fault = |error: &dyn std::fmt::Display| of_scene(&arguments.scene, error);
-    let camera = document.camera.posed().map_err(|e| at_fault(&e))?;
+    let camera = pose(&arguments.scene, &document)?;
     let up_angle = document.camera.up_angle().map_err(|e| at_fault(&e))?;
     let scene = document.scene().map_err(|e| at_fault(&e))?;
     let uv = match (arguments.ray.pixel, arguments.ray.uv) {

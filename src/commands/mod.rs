@@ -12,10 +12,12 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
+use pinhole_core::{CameraError, PosedCamera};
+
 use crate::arguments::Command;
 use crate::document::Document;
-use crate::formats::FileError;
 use crate::formats::scene_argument::SceneSource;
+use crate::formats::{FileError, scene_file};
 
 /// Why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,6 +77,20 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
 /// Reads the scene that an argument means.
 fn load(scene: &Path) -> Result<Document, CommandError> {
     Ok(SceneSource::of(scene)?.load()?)
+}
+
+/// The camera of a scene, ready for its rays.
+///
+/// What is wrong with it is told at its place in the scene file, as what cannot be read is.
+fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> {
+    let place_of = |error: &CameraError| match SceneSource::of(scene) {
+        Ok(SceneSource::File(path)) => scene_file::camera_fault(&path, error),
+        _ => None,
+    };
+    document.camera.posed().map_err(|error| match place_of(&error) {
+        Some(fault) => fault.into(),
+        None => of_scene(scene, error),
+    })
 }
 
 /// Turns what is wrong with a scene's camera or objects into what is wrong with the scene.

@@ -193,7 +193,53 @@ fn errors_say_what_is_wrong() {
     let write = |text: &str| fs::write(folder.path().join("s.toml"), text).unwrap();
     let inspect = || run_in(folder.path(), &["inspect", "s.toml", "--uv", "0,0", "--json"]);
     write("pinhole = 1\n[camera]\neye = [1, 2, 3]\nat = [1, 2, 3]\nup = [0, 1, 0]\n");
-    inspect().failed(1, "s.toml: eye and at are the same point (1, 2, 3): move one of them");
+    inspect().failed(
+        1,
+        "s.toml:4:6: camera.at: eye and at are the same point (1, 2, 3): move one of them",
+    );
     write("pinhole = 1\n[camera]\neye = [1, 2, x]\n");
     inspect().failed(1, "s.toml:3:14: not TOML: x is no value: write a number, or text in quotes");
+}
+
+#[test]
+fn a_camera_without_a_basis_is_told_at_the_field_at_fault() {
+    let cases = [
+        (
+            "at = [1, 2, 3]\nup = [0, 1, 0]",
+            "4:6: camera.at: eye and at are the same point (1, 2, 3): move one of them",
+        ),
+        (
+            "view = [0, 0, 0]\nup = [0, 1, 0]",
+            "4:8: camera.view: view is (0, 0, 0): it must point somewhere",
+        ),
+        (
+            "view = [0, 0, -1]\nup = [0, 0, 0]",
+            "5:6: camera.up: up is (0, 0, 0): it must point somewhere",
+        ),
+        (
+            "view = [0, 2, 0]\nup =   [0, 1, 0]",
+            "5:8: camera.up: up (0, 1, 0) is parallel to the view direction (0, 2, 0): turn one of them",
+        ),
+        (
+            "basis = { u = [1, 0, 0], v = [0, 2, 0], w = [0, 0, 1] }",
+            "4:30: camera.basis.v: v has length 2: it must be 1 within 1e-9",
+        ),
+        (
+            "[camera.basis]\nu = [1, 0, 0]\nv = [0, 1, 0]\nw = [0, 0, -1]",
+            "4:1: camera.basis: the basis is left-handed: u x v is -w and must be w, which points backwards",
+        ),
+        (
+            "basis = { u = [1, 0, 0], v = [1, 0, 0], w = [0, 0, 1] }",
+            "4:9: camera.basis: u . v is 1: it must be 0 within 1e-9",
+        ),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    for (camera, message) in cases {
+        let text = format!("pinhole = 1\n[camera]\neye = [1, 2, 3]\n{camera}\n");
+        fs::write(folder.path().join("s.toml"), text).unwrap();
+        for line in ["inspect s.toml --uv 0,0", "render s.toml -o out.png"] {
+            run_in(folder.path(), &line.split(' ').collect::<Vec<_>>())
+                .failed(1, &format!("s.toml:{message}"));
+        }
+    }
 }

@@ -111,6 +111,11 @@ impl<'a> Field<'a> {
         self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
     }
 
+    /// The error that this field is at fault, in words that say its value themselves.
+    pub(super) fn fault(&self, problem: impl std::fmt::Display) -> FileError {
+        self.source.error(&self.span, format!("{}: {problem}", self.name))
+    }
+
     /// The error that this field is there at all.
     pub(super) fn refuse(&self, why: &str) -> FileError {
         self.source.error(&self.span, format!("{} is there {why}", self.name))

@@ -43,6 +43,7 @@
 //! is none. What can be no value at all, such as a radius of 0, is an error here.
 
 mod edit;
+mod fault;
 mod fields;
 mod note;
 mod read;
@@ -54,6 +55,7 @@ use std::path::{Path, PathBuf};
 use super::{FileError, Place, atomic};
 use crate::document::Document;
 
+pub use fault::camera_fault;
 pub use write::to_text;
 
 /// The format version that this program reads and writes.
