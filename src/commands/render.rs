@@ -4,9 +4,9 @@ use pinhole_core::ImageSize;
 
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
-use super::{CommandError, load, of_scene};
+use super::{CommandError, load, of_scene, pose};
 use crate::arguments::{RenderArguments, View};
-use crate::formats::{exr, png};
+use crate::formats::{atomic, exr, png};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {
@@ -19,7 +19,11 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             return Err(CommandError::Arguments(problem));
         }
     }
+    for output in [Some(&arguments.output), arguments.aov.as_ref()].into_iter().flatten() {
+        atomic::check(output)?;
+    }
     let document = load(&arguments.scene)?;
+    pose(&arguments.scene, &document)?;
     let image = size(document.camera.image, arguments.width, arguments.height)?;
     let options = RenderOptions {
         size: image,
@@ -28,10 +32,14 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         shade: arguments.shade,
         normals: arguments.aov.is_some(),
     };
-    let progress = Progress::of_rows(image.height());
+    let progress = if arguments.overlay || arguments.view == View::World {
+        Progress::of("drawing")
+    } else {
+        Progress::of_rows(image.height())
+    };
     let rendering = render_view(&document, options, |rows| progress.add(rows))
         .map_err(|error| of_scene(&arguments.scene, error))?;
-    drop(progress);
+    progress.go_on("writing");
     png::save(&arguments.output, image.width(), image.height(), &rendering.pixels)?;
     if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
         exr::save(aov, frame)?;

@@ -1,9 +1,7 @@
 //! The picture of either view, for `pinhole render`.
 
 use egui::Pos2;
-use pinhole_core::{
-    Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace, trace_reporting,
-};
+use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
 
 use super::CommandError;
 use crate::arguments::View;
@@ -67,10 +65,12 @@ pub fn render_view(
         return Ok(Rendering { pixels, frame: Some(frame) });
     }
     let pixels = with_overlay(&document, &scene, options);
-    done(options.size.height() as usize);
-    let frame = options
-        .normals
-        .then(|| trace(&scene, &camera, &Raster::full(camera.image()), Outputs { normal: true }));
+    if !options.normals {
+        done(options.size.height() as usize);
+        return Ok(Rendering { pixels, frame: None });
+    }
+    let (raster, outputs) = (Raster::full(camera.image()), Outputs { normal: true });
+    let frame = Some(trace_reporting(&scene, &camera, &raster, outputs, done));
     Ok(Rendering { pixels, frame })
 }
 

@@ -1,6 +1,6 @@
 //! Writing a file so that a crash or a full disk leaves the old one.
 
-use std::fs::{self, File, Permissions};
+use std::fs::{self, File, Metadata, Permissions};
 use std::io::{self, Seek};
 use std::path::{Path, PathBuf};
 
@@ -25,28 +25,46 @@ pub fn write(
     replace(path, content).map_err(|error| FileError::unwritable(path, &error))
 }
 
-fn replace(path: &Path, content: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+/// Whether [`write`] has a place to write to, for those with long work before it. Nothing is
+/// written, so the disk may still turn out to be full, or the folder not ours to write in.
+///
+/// # Errors
+/// A folder, or a file in a folder that is not there, or one that is marked as read-only.
+pub fn check(path: &Path) -> Result<(), FileError> {
+    let check = || fs::metadata(folder_of(&target_of(path)?.0)).map(drop);
+    check().map_err(|error| FileError::unwritable(path, &error))
+}
+
+/// The file that is to be written, and what is there now, which may be replaced.
+fn target_of(path: &Path) -> io::Result<(PathBuf, Option<Metadata>)> {
     let target = follow_links(path)?;
     let old = match fs::metadata(&target) {
-        Ok(metadata) => Some(metadata),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+        Ok(metadata) => metadata,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok((target, None)),
         Err(error) => return Err(error),
     };
-    if let Some(old) = &old {
-        if old.is_dir() {
-            return Err(io::ErrorKind::IsADirectory.into());
-        }
-        if !old.is_file() {
-            return write_through(&target, content);
-        }
-        if old.permissions().readonly() {
-            return Err(io::Error::other("the file is read-only"));
-        }
+    if old.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
     }
-    let directory = match target.parent() {
+    if old.is_file() && old.permissions().readonly() {
+        return Err(io::Error::other("the file is read-only"));
+    }
+    Ok((target, Some(old)))
+}
+
+fn folder_of(target: &Path) -> &Path {
+    match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
-    };
+    }
+}
+
+fn replace(path: &Path, content: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    let (target, old) = target_of(path)?;
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        return write_through(&target, content);
+    }
+    let directory = folder_of(&target);
     let mut new = temporary_in(directory)?;
     content(new.as_file_mut())?;
     if let Some(old) = old {

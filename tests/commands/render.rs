@@ -64,21 +64,26 @@ fn progress_hears_of_every_row_once() {
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     let document = document("planet", 30, 333);
-    let rows = AtomicUsize::new(0);
-    let options = RenderOptions {
-        size: document.camera.image,
-        view: View::Camera,
-        overlay: false,
-        shade: Shade::Lambert,
-        normals: false,
-    };
-    let rendering = render_view(&document, options, |done| {
-        rows.fetch_add(done, Ordering::Relaxed);
-    })
-    .unwrap();
-    assert_eq!(rows.into_inner(), 333);
-    assert_eq!(rendering.frame.unwrap().t, traced(&document).t);
-    assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
+    for (overlay, normals) in [(false, false), (true, false), (true, true)] {
+        let rows = AtomicUsize::new(0);
+        let options = RenderOptions {
+            size: document.camera.image,
+            view: View::Camera,
+            overlay,
+            shade: Shade::Lambert,
+            normals,
+        };
+        let rendering = render_view(&document, options, |done| {
+            rows.fetch_add(done, Ordering::Relaxed);
+        })
+        .unwrap();
+        assert_eq!(rows.into_inner(), 333);
+        assert!(rendering.pixels.iter().all(|pixel| pixel[3] == 255));
+        match rendering.frame {
+            Some(frame) => assert_eq!(frame.t, traced(&document).t),
+            None => assert!(overlay && !normals),
+        }
+    }
 }
 
 #[test]
@@ -190,7 +195,8 @@ fn what_cannot_be_drawn_leaves_no_file() {
     .unwrap();
     render(folder.path(), "s.toml -o out.png").failed(
         1,
-        "s.toml: up (0, 1, 0) is parallel to the view direction (0, 2, 0): turn one of them",
+        "s.toml:5:6: camera.up: up (0, 1, 0) is parallel to the view direction (0, 2, 0): turn one \
+         of them",
     );
     render(folder.path(), "canonical -o out.png --aov out.png")
         .failed(2, "--aov and -o both write out.png");
@@ -199,6 +205,25 @@ fn what_cannot_be_drawn_leaves_no_file() {
     render(folder.path(), "canonical -o no/out.png")
         .failed(1, "no/out.png: cannot be written: no such file or directory");
     assert_eq!(entries(folder.path()), ["s.toml"]);
+}
+
+#[test]
+fn where_nothing_can_be_written_is_told_before_anything_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("dir")).unwrap();
+    fs::write(folder.path().join("file"), "").unwrap();
+    for (output, problem) in [
+        ("no/out", "no such file or directory"),
+        ("dir", "is a directory"),
+        ("file/out", "not a directory"),
+    ] {
+        // The scene is not there either: were it looked for first, that would be the message.
+        for line in [format!("-o {output}"), format!("-o out.png --aov {output}")] {
+            render(folder.path(), &format!("no.toml {line}"))
+                .failed(1, &format!("{output}: cannot be written: {problem}"));
+        }
+    }
+    assert_eq!(entries(folder.path()), ["dir", "file"]);
 }
 
 #[cfg(unix)]
