@@ -6,8 +6,9 @@ use serde::Serialize;
 use super::Readout;
 use crate::commands::CommandError;
 
-/// Numbers read back to the same `f64`. One that is beyond its range, such as the conditioning of
-/// an up within 1e-308 of the view direction, is `null`: JSON has no infinity.
+/// Numbers read back to the same `f64`. One beyond its range, such as the distance between two
+/// points at its ends, is `null`: JSON has no infinity. The conditioning never is, as the core caps
+/// it at the largest `f64`.
 #[derive(Serialize)]
 struct Inspect<'a> {
     camera: Camera,
