@@ -7,6 +7,7 @@ use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
 use pinhole_core::{DVec2, Pixel};
 use serde::{Deserialize, Serialize};
 
+use crate::formats::{FileError, atomic};
 use crate::present::WindowGeometry;
 use crate::session::{Selection, Settings};
 
@@ -91,12 +92,11 @@ impl Store {
     ///
     /// # Errors
     /// Why it could not be written.
-    pub fn save(&self, state: &Remembered) -> std::io::Result<()> {
+    pub fn save(&self, state: &Remembered) -> Result<(), FileError> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
-        std::fs::create_dir_all(folder)?;
-        let mut file = tempfile::NamedTempFile::new_in(folder)?;
-        file.write_all(serde_json::to_string_pretty(state)?.as_bytes())?;
-        file.persist(&self.path)?;
-        Ok(())
+        std::fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))?;
+        atomic::write(&self.path, |file| {
+            file.write_all(serde_json::to_string_pretty(state)?.as_bytes())
+        })
     }
 }
