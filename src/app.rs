@@ -4,13 +4,14 @@
 //! readouts). Where an edit changes what a panel above it has already drawn, egui is asked to run
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use egui::{CentralPanel, Context, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
 use egui::{ThemePreference, UiBuilder, ViewportCommand};
 
 use crate::action::Action;
-use crate::derive::{Derived, Deriver};
+use crate::derive::{Derived, Deriver, Fault};
 use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
@@ -40,8 +41,10 @@ pub struct App {
     /// What draws the window, in words.
     renderer: String,
     may_close: bool,
-    /// What the last pass showed.
-    known: Option<(Document, Session)>,
+    /// The user chose to lose the changes.
+    discarded: bool,
+    /// What the last pass showed, and whether it had changes.
+    known: Option<(Document, Session, bool)>,
 }
 
 impl App {
@@ -52,7 +55,7 @@ impl App {
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
                 observer: None,
-                settings: remembered.settings,
+                settings: remembered.settings.in_range(),
             },
             recent: remembered.recent,
             chosen_object: 0,
@@ -66,6 +69,7 @@ impl App {
             title: String::new(),
             renderer: String::new(),
             may_close: false,
+            discarded: false,
             known: None,
         };
         if let Some(path) = app.open.file().map(Path::to_owned) {
@@ -78,7 +82,11 @@ impl App {
     pub fn set_up(ctx: &Context, settings: &Settings) {
         fonts::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
-        ctx.all_styles_mut(|style| style.interaction.selectable_labels = true);
+        ctx.all_styles_mut(|style| {
+            style.interaction.selectable_labels = true;
+            // Bars that stay tell that there is more.
+            style.spacing.scroll = egui::style::ScrollStyle::solid();
+        });
         // egui's greys are for one reader near the screen, not for the back row.
         for (theme, text) in [(egui::Theme::Dark, 0xea), (egui::Theme::Light, 0x10)] {
             ctx.style_mut_of(theme, |style| {
@@ -143,10 +151,32 @@ impl App {
             self.outputs(ui, &places);
         });
         self.window_outputs(&ctx);
-        if self.known.as_ref().is_none_or(|(d, s)| *d != self.open.document || *s != self.session) {
-            // Panels drawn before the edit still show what was before it.
-            ctx.request_discard("the document or the session changed");
-            self.known = Some((self.open.document.clone(), self.session.clone()));
+        self.draw_again_if_stale(&ctx);
+    }
+
+    /// Panels are drawn from the top while they are edited. Where an edit changed what had already
+    /// been drawn, the pass is run again before anything is presented.
+    fn draw_again_if_stale(&mut self, ctx: &Context) {
+        let now = (&self.open.document, &self.session, self.open.has_changes());
+        let stale = match &self.known {
+            None => true,
+            Some(known) if (&known.0, &known.1, known.2) == now => return,
+            Some((document, session, had_changes)) => {
+                let (mut as_drawn, mut looked_at) = (now.0.clone(), now.1.clone());
+                // A drag of the camera or of the observer alone changes nothing above its field.
+                let camera = &document.camera;
+                let same_kind = camera.orientation.kind() == as_drawn.camera.orientation.kind();
+                if same_kind && camera.posed().is_ok() && as_drawn.camera.posed().is_ok() {
+                    as_drawn.camera.eye = camera.eye;
+                    as_drawn.camera.orientation = camera.orientation;
+                }
+                looked_at.observer = session.observer;
+                (document, session, *had_changes) != (&as_drawn, &looked_at, now.2)
+            }
+        };
+        self.known = Some((now.0.clone(), now.1.clone(), now.2));
+        if stale {
+            ctx.request_discard("an edit changed what is drawn above it");
         }
     }
 
@@ -167,6 +197,8 @@ impl App {
             }
         }
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
+        // Not under a dialog: its answer would then be about another scene.
+        let dropped = dropped.filter(|_| self.dialog.is_none());
         actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
         if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
             if self.open.has_changes() {
@@ -210,7 +242,10 @@ impl App {
         }
         let document = &mut self.open.document;
         let settings = &mut self.session.settings;
-        camera::ui(ui, &mut document.camera, &mut settings.square_pixels);
+        let image = document.camera.image;
+        camera::ui(ui, &mut document.camera, &mut settings.keep_pixel_shape);
+        let selection = &mut self.session.selection;
+        *selection = selection.in_another_image(image, document.camera.image);
         ui.separator();
         let posed = document.camera.posed().ok();
         let from_one = settings.count_from_one;
@@ -233,17 +268,23 @@ impl App {
         views::strips(ui, places, &mut self.session.settings, image);
         let dimmed = self.derived.fault.is_some();
         if let (Some(rect), Some(shown)) = (places.world, &self.derived.world_view) {
-            views::show(ui, rect, shown, &mut self.world_texture, false);
+            let stale = matches!(self.derived.fault, Some(Fault::Scene(_)));
+            views::show(ui, rect, shown, &mut self.world_texture, stale);
+            views::speak(ui, views::WORLD, &self.derived);
         }
         if let (Some(rect), Some(shown)) = (places.camera, &self.derived.camera_view) {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
+            views::speak(ui, views::CAMERA, &self.derived);
         }
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &fault.to_string());
         }
         let settings = &self.session.settings;
-        let style =
-            NumberStyle { digits: settings.digits, count_from_one: settings.count_from_one };
+        let style = NumberStyle {
+            digits: settings.digits,
+            count_from_one: settings.count_from_one,
+            exact: false,
+        };
         ui.scope_builder(UiBuilder::new().max_rect(places.readouts), |ui| {
             ui.set_clip_rect(places.readouts);
             readouts::ui(ui, &self.derived, &self.open.document, style);
@@ -273,7 +314,7 @@ impl App {
             Action::Discard(then) => match *then {
                 Action::Open(source) => self.load(source),
                 _ => {
-                    self.may_close = true;
+                    (self.may_close, self.discarded) = (true, true);
                     ctx.send_viewport_cmd(ViewportCommand::Close);
                 }
             },
@@ -334,6 +375,8 @@ impl App {
                     remember(&mut self.recent, path);
                 }
                 self.open = OpenDocument::new(document, source);
+                // What was good in another scene is nothing to show in this one.
+                self.deriver = Deriver::default();
                 self.session.observer = None;
                 self.session.selection = Session::default().selection;
                 self.chosen_object = 0;
@@ -351,7 +394,13 @@ impl App {
 
     /// Remembers settings, window, recent files and the open scene for the next run.
     pub fn on_exit(&mut self) {
-        let Some(store) = &self.store else { return };
+        let Some(store) = self.store.clone() else { return };
+        if self.open.has_changes() && !self.discarded {
+            // The window went away without asking: its display or its adapter did.
+            let path = store.unsaved();
+            self.save_to(&path);
+            complain(&format!("the unsaved changes are in {}", path.display()));
+        }
         let remembered = Remembered {
             settings: self.session.settings.clone(),
             window: self.geometry,
@@ -361,7 +410,12 @@ impl App {
             last: Some(argument_of(&self.open.source)),
         };
         if let Err(error) = store.save(&remembered) {
-            eprintln!("pinhole: settings were not saved: {error}");
+            complain(&format!("settings were not saved: {error}"));
         }
     }
+}
+
+/// Says something on standard error; where that is closed, there is nobody to tell.
+pub(crate) fn complain(text: &str) {
+    let _ = writeln!(std::io::stderr(), "pinhole: {text}");
 }

@@ -3,6 +3,7 @@
 
 mod memo;
 
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ use pinhole_core::{
 use self::memo::Memo;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::inspection::Inspection;
-use crate::observer::{Observer, encloses, seen_scene};
+use crate::observer::{Observer, enclosing, seen_scene};
 use crate::overlay::{self, CameraView, Label, OverlayItems, Picture, Style, WorldView};
 use crate::session::{Selection, Session};
 
@@ -87,7 +88,9 @@ pub struct Deriver {
     objects: Option<Objects>,
     camera_picture: Memo<(PosedCamera, u64, Raster, Shade), Arc<Picture>>,
     camera_view: Memo<CameraViewKey, Shown>,
-    world_picture: Memo<WorldPictureKey, Arc<WorldPicture>>,
+    enclosing: Memo<(u64, DVec3, DVec3), Arc<Vec<u32>>>,
+    seen_scene: Memo<(u64, Arc<Vec<u32>>), Arc<Scene>>,
+    world_picture: Memo<(PosedCamera, u64, Arc<Vec<u32>>), Arc<WorldPicture>>,
     world_view: Memo<WorldViewKey, Shown>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     last_good: LastGood,
@@ -139,19 +142,13 @@ struct CameraViewKey {
     style: Style,
 }
 
-#[derive(Debug, PartialEq)]
-struct WorldPictureKey {
-    observer: PosedCamera,
-    generation: u64,
-    /// Indices of the spheres that would hide the camera.
-    enclosing: Vec<usize>,
-}
-
 /// The scene as the observer sees it, before anything is drawn over it.
 #[derive(Debug)]
 struct WorldPicture {
     frame: Arc<Frame>,
     pixels: Vec<Color32>,
+    /// Indices of the spheres that would hide the camera.
+    enclosing: Arc<Vec<u32>>,
 }
 
 #[derive(Debug, PartialEq)]
@@ -308,11 +305,11 @@ impl Deriver {
         else {
             return;
         };
-        let GoodWorld { scene, colors, generation } = good;
+        let GoodWorld { scene, colors, generation } = good.clone();
         let Some(observer_camera) = posed_observer(&observer, size) else { return };
         let color_of = |i: u32| colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
-        let world = self.world_picture(&scene, eye, observer_camera, generation, color_of);
+        let world = self.world_picture(&good, eye, observer_camera, color_of);
         let seen = self.last_good.picture.as_ref().filter(|_| derived.fault.is_none());
         let key = WorldViewKey {
             camera: document.camera,
@@ -334,6 +331,7 @@ impl Deriver {
                 picture: seen.map(|seen| &*seen.picture),
                 inspection,
                 scene: &scene,
+                enclosing: &world.enclosing,
                 color_of: &color_of,
                 observer: &observer,
                 frame: &world.frame,
@@ -350,24 +348,29 @@ impl Deriver {
 
     fn world_picture(
         &mut self,
-        scene: &Scene,
+        good: &GoodWorld,
         eye: DVec3,
         observer: PosedCamera,
-        generation: u64,
         color_of: impl Fn(u32) -> Rgb + Sync,
     ) -> Arc<WorldPicture> {
-        let encloses = |sphere: &Sphere| encloses(sphere, eye, observer.eye());
-        let enclosing =
-            (scene.spheres().iter().enumerate()).filter_map(|(i, s)| encloses(s).then_some(i));
-        let key = WorldPictureKey { observer, generation, enclosing: enclosing.collect() };
+        let GoodWorld { scene, generation, .. } = good;
+        let enclosing = self.enclosing.get((*generation, eye, observer.eye()), |_| {
+            Arc::new(enclosing(scene, eye, observer.eye()))
+        });
+        let seen =
+            self.seen_scene.get((*generation, Arc::clone(&enclosing)), |_| {
+                match seen_scene(scene, &enclosing) {
+                    Cow::Borrowed(_) => Arc::clone(scene),
+                    Cow::Owned(seen) => Arc::new(seen),
+                }
+            });
         let world_pictures = &mut self.world_pictures;
-        self.world_picture.get(key, |_| {
+        self.world_picture.get((observer, *generation, enclosing), |(.., enclosing)| {
             *world_pictures += 1;
-            let seen = seen_scene(scene, eye, observer.eye());
             let raster = Raster::full(observer.image());
-            let frame = trace(&seen, &observer, &raster, Outputs::default());
+            let frame = Arc::new(trace(&seen, &observer, &raster, Outputs::default()));
             let pixels = shade(&frame, &seen, Shade::Lambert, color_of, opaque);
-            Arc::new(WorldPicture { frame: Arc::new(frame), pixels })
+            Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(enclosing) })
         })
     }
 }

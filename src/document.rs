@@ -28,7 +28,7 @@ pub struct Document {
 pub struct Item<S> {
     /// What it is called, if anything.
     pub name: Option<String>,
-    /// Its own colour; without one it has [`default_color`] of its index.
+    /// Its own colour; without one it has its kind's [`default_color`].
     pub color: Option<Rgb>,
     /// The sphere or plane.
     pub shape: S,
@@ -71,7 +71,7 @@ const PALETTE: [Rgb; 6] = [
     [0x00, 0x72, 0xb2],
 ];
 
-/// The colour of an object that has none of its own.
+/// The colour of the sphere, or plane, that has this place among its kind and no colour of its own.
 pub fn default_color(index: usize) -> Rgb {
     PALETTE[index % PALETTE.len()]
 }
@@ -130,7 +130,10 @@ impl Document {
 
     /// The colour of the object with this index.
     pub fn color_of(&self, index: u32) -> Rgb {
-        self.look_of(index).1.unwrap_or_else(|| default_color(index as usize))
+        // Planes have their own count: a new sphere does not turn them into other colours.
+        let place = index as usize;
+        let place = place.checked_sub(self.sphere_count()).unwrap_or(place);
+        self.look_of(index).1.unwrap_or_else(|| default_color(place))
     }
 
     fn look_of(&self, index: u32) -> (Option<&str>, Option<Rgb>) {

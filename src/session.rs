@@ -1,4 +1,4 @@
-//! How the document is looked at: what a scene file does not hold, but the next run remembers.
+//! How the document is looked at: what a scene file does not hold.
 
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,9 @@ pub enum Selection {
     Uv(DVec2),
 }
 
+/// How many significant digits the readouts can have.
+pub(crate) const DIGITS: (usize, usize) = (2, 17);
+
 /// Preferences, kept across runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -41,8 +44,8 @@ pub struct Settings {
     pub digits: usize,
     /// Rows and columns are shown counted from 1, as the course does.
     pub count_from_one: bool,
-    /// Changing the viewport or image keeps pixels square.
-    pub square_pixels: bool,
+    /// Changing the viewport or image keeps the pixels' shape.
+    pub keep_pixel_shape: bool,
     /// The world view's share of the width.
     pub views_split: f32,
     /// The readouts' height, in points.
@@ -96,12 +99,28 @@ impl Default for Settings {
             items: OverlayItems::default(),
             digits: 5,
             count_from_one: false,
-            square_pixels: true,
+            keep_pixel_shape: true,
             views_split: 0.54,
             readouts_height: 200.0,
             theme: ThemeName::System,
             zoom: 1.0,
         }
+    }
+}
+
+impl Settings {
+    /// The same with every value in the range that the window works with; what is remembered comes
+    /// from a file that anyone may have edited.
+    #[must_use]
+    pub fn in_range(mut self) -> Settings {
+        let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
+        let default = Settings::default();
+        self.digits = self.digits.clamp(DIGITS.0, DIGITS.1);
+        self.views_split = finite(self.views_split, default.views_split).clamp(0.0, 1.0);
+        self.readouts_height =
+            finite(self.readouts_height, default.readouts_height).clamp(0.0, 10_000.0);
+        self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
+        self
     }
 }
 
@@ -154,6 +173,21 @@ impl Selection {
                 column: column.min(image.width() - 1),
             }),
             uv => uv,
+        }
+    }
+
+    /// The selection after the image has got another size: the pixel at the same place.
+    pub fn in_another_image(self, before: ImageSize, now: ImageSize) -> Selection {
+        let place = |k: u32, before: u32, now: u32| {
+            let share = (f64::from(k) + 0.5) / f64::from(before);
+            ((share * f64::from(now)) as u32).min(now - 1)
+        };
+        match self {
+            Selection::Pixel(Pixel { row, column }) if before != now => Selection::Pixel(Pixel {
+                row: place(row, before.height(), now.height()),
+                column: place(column, before.width(), now.width()),
+            }),
+            same => same,
         }
     }
 

@@ -82,6 +82,11 @@ impl Store {
         Store { path: path.to_owned() }
     }
 
+    /// Where a scene goes whose window went away before it could be saved.
+    pub fn unsaved(&self) -> PathBuf {
+        self.path.with_file_name("unsaved.toml")
+    }
+
     /// What was remembered; the defaults where nothing was, or where it cannot be read.
     pub fn load(&self) -> Remembered {
         let text = std::fs::read_to_string(&self.path).unwrap_or_default();

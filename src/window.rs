@@ -4,7 +4,7 @@ use std::fmt;
 use std::io::Cursor;
 use std::path::Path;
 
-use crate::app::App;
+use crate::app::{App, complain};
 use crate::document::Document;
 use crate::files::OpenDocument;
 use crate::formats::FileError;
@@ -95,7 +95,7 @@ impl Program for InWindow {
         if let Some(log) = &self.frame_log
             && let Err(error) = log.save()
         {
-            eprintln!("pinhole: {}: {error}", log.path.display());
+            complain(&format!("{}: {error}", log.path.display()));
         }
     }
 }

@@ -65,14 +65,14 @@ pub enum ObjectError {
 pub enum SceneError {
     /// A sphere.
     Sphere {
-        /// Its place among the spheres, from 0.
+        /// Its index among all objects: spheres first.
         index: usize,
         /// What is wrong with it.
         error: ObjectError,
     },
     /// A plane.
     Plane {
-        /// Its place among the planes, from 0.
+        /// Its index among all objects: spheres first.
         index: usize,
         /// What is wrong with it.
         error: ObjectError,
@@ -150,6 +150,7 @@ impl Scene {
             sphere.check().map_err(|error| SceneError::Sphere { index, error })?;
         }
         for (index, plane) in planes.iter().enumerate() {
+            let index = spheres.len() + index;
             plane.check().map_err(|error| SceneError::Plane { index, error })?;
         }
         Ok(Scene { spheres, planes })

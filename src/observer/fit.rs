@@ -10,6 +10,9 @@ use super::{FOV, Observer};
 /// what must be in sight.
 const OUT_OF_SCALE: f64 = 50.0;
 
+/// Spheres with a radius below this share of their distance from the camera are specks.
+const SPECK: f64 = 2e-3;
+
 /// The share of the picture's half that is left free around what must be in sight.
 const MARGIN: f64 = 0.1;
 
@@ -228,6 +231,11 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
     balls.truncate(count);
     // What lies around the camera cannot be seen as a whole from near it.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
+    // A speck far out is no reason to stand so that everything else is a speck, too.
+    let can_be_seen = |ball: &Ball| ball.radius >= SPECK * (ball.center - eye).length();
+    if balls.iter().any(can_be_seen) {
+        balls.retain(can_be_seen);
+    }
     balls
 }
 

@@ -4,7 +4,7 @@ use egui::Color32;
 use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Rgb, Scene};
 
 use crate::inspection::Inspection;
-use crate::observer::{Observer, encloses};
+use crate::observer::Observer;
 use crate::overlay::drawing::{Drawing, Label};
 use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::items::{Item, OverlayItems};
@@ -29,6 +29,8 @@ pub struct WorldView<'a> {
     pub inspection: Option<&'a Inspection>,
     /// What it looks at, all of it.
     pub scene: &'a Scene,
+    /// Which spheres lie [around the camera](crate::observer::enclosing) and are drawn as circles.
+    pub enclosing: &'a [u32],
     /// The colour of each object of the scene.
     pub color_of: &'a dyn Fn(u32) -> Rgb,
     /// Who looks.
@@ -136,10 +138,9 @@ impl<'a> WorldView<'a> {
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
         };
-        let observer_eye = self.frame.camera().eye();
-        for (index, sphere) in (0..).zip(self.scene.spheres()) {
-            if encloses(sphere, self.camera.eye, observer_eye) {
-                sketch.circles(sphere, (self.color_of)(index));
+        for index in self.enclosing {
+            if let Some(sphere) = self.scene.spheres().get(*index as usize) {
+                sketch.circles(sphere, (self.color_of)(*index));
             }
         }
         sketch.camera_in_space(self);

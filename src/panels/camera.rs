@@ -2,13 +2,14 @@
 
 use egui::{Grid, RichText, Ui};
 use pinhole_core::{
-    BasisError, BasisVector, Camera, CameraError, ImageSize, Orientation, OrientationKind, Viewport,
+    BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Viewport,
 };
 
 use super::number::{NumberField, error_color, vector_color, vector_row};
 
-/// Edits the camera. `square_pixels` is the lock that keeps width : height as W : H.
-pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, square_pixels: &mut bool) {
+/// Edits the camera. `keep_shape` is the lock that keeps the pixels' shape, width : height against
+/// W : H, whatever it is.
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, keep_shape: &mut bool) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -22,15 +23,14 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, square_pixels: &mut bool) {
     Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
     ui.add_space(6.0);
     ui.heading("Viewport and image");
-    Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, *square_pixels));
-    let lock = ui.checkbox(square_pixels, "Square pixels");
-    lock.clone().on_hover_text("Keep width : height as W : H when either changes");
-    if lock.changed() && *square_pixels {
-        camera.viewport.height = camera.viewport.width / camera.image.aspect();
+    Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, *keep_shape));
+    if let Err(fault) = camera.viewport.check() {
+        // Below the grid, where it wraps: in a cell it would widen the panel.
+        ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
     }
-    if !*square_pixels {
-        pixel_shape(ui, camera);
-    }
+    let hint = "Editing width, height, W or H takes another of them along";
+    ui.checkbox(keep_shape, "Keep the pixels' shape").on_hover_text(hint);
+    pixel_shape(ui, camera);
 }
 
 /// How the camera is given; switching converts.
@@ -109,49 +109,36 @@ fn is_at_fault(fault: &BasisError, field: &str) -> bool {
     at_fault == field
 }
 
-fn viewport(ui: &mut Ui, camera: &mut Camera, square_pixels: bool) {
-    let fault = match camera.posed() {
-        Err(CameraError::Viewport(fault)) => Some(fault),
-        _ => None,
-    };
+fn viewport(ui: &mut Ui, camera: &mut Camera, keep_shape: bool) {
     let before = *camera;
-    size_rows(ui, camera);
-    ui.label("distance");
-    NumberField::new("distance", &mut camera.viewport.distance).show(ui);
-    ui.label("");
-    ui.label("");
-    ui.end_row();
-    field_of_view(ui, camera);
-    if square_pixels {
-        keep_pixels_square(&before, camera);
-    }
-    if let Some(fault) = fault {
-        ui.label("");
-        ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
-        ui.end_row();
-    }
-}
-
-fn size_rows(ui: &mut Ui, camera: &mut Camera) {
     let (mut columns, mut rows) = (camera.image.width(), camera.image.height());
-    let pixels = |ui: &mut Ui, name: &str, value: &mut u32| {
-        let field = egui::DragValue::new(value).range(1..=ImageSize::MAX).speed(1.0).suffix(" px");
-        let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
-    };
     ui.label("width");
     NumberField::new("width", &mut camera.viewport.width).show(ui);
-    ui.label("W");
     pixels(ui, "W", &mut columns);
-    ui.end_row();
     ui.label("height");
     NumberField::new("height", &mut camera.viewport.height).show(ui);
-    ui.label("H");
     pixels(ui, "H", &mut rows);
-    ui.end_row();
     if let Ok(image) = ImageSize::new(columns, rows) {
         camera.image = image;
     }
+    ui.label("distance");
+    NumberField::new("distance", &mut camera.viewport.distance).show(ui);
+    ui.end_row();
+    if keep_shape {
+        keep_pixels_shape(&before, camera);
+    }
+    field_of_view(ui, camera);
+}
+
+/// One measure of the image.
+fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
+    ui.label(name);
+    let field = egui::DragValue::new(value).range(1..=ImageSize::MAX).speed(1.0).suffix(" px");
+    // Typing 1920 does not go through 1, 19 and 192.
+    let field = field.update_while_editing(false);
+    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    ui.end_row();
 }
 
 /// Both fields of view in degrees; editing one changes width and height and keeps the distance.
@@ -162,39 +149,51 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera) {
     let viewport = camera.viewport;
     let edited = |ui: &mut Ui, name: &str, radians: f64| {
         let mut degrees = radians.to_degrees();
-        let response = NumberField::new(name, &mut degrees).suffix("°").show(ui);
-        response.changed().then(|| degrees.clamp(1e-6, 179.0).to_radians())
+        let field = NumberField::new(name, &mut degrees).suffix("°").within(FOV_DEGREES);
+        field.show(ui).changed().then(|| degrees.to_radians())
     };
-    ui.label("fov across").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
+    ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
     if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {
         camera.viewport = viewport.with_horizontal_fov(fov);
     }
-    ui.label("up").on_hover_text("Vertical field of view: 2 atan(height / (2 distance))");
+    ui.label("fov ↕").on_hover_text("Vertical field of view: 2 atan(height / (2 distance))");
     if let Some(fov) = edited(ui, "vertical field of view", viewport.vertical_fov()) {
         camera.viewport = viewport.with_vertical_fov(fov);
     }
     ui.end_row();
 }
 
-/// After an edit, the other measure follows: the height, or the width where the height was edited.
-fn keep_pixels_square(before: &Camera, camera: &mut Camera) {
+/// Fields of view that a flat viewport can have: short of 180 degrees, where it would be infinite.
+const FOV_DEGREES: std::ops::RangeInclusive<f64> = 1e-6..=179.999;
+
+/// How many times as wide as high a camera's pixels are.
+fn shape_of(camera: &Camera) -> f64 {
+    camera.viewport.width / camera.viewport.height / camera.image.aspect()
+}
+
+/// After an edit, another measure follows: the height, or the width where the height was edited.
+fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
+    let shape = shape_of(before);
     let Viewport { width, height, .. } = camera.viewport;
-    let aspect = camera.image.aspect();
-    if height != before.viewport.height && width == before.viewport.width {
-        camera.viewport.width = height * aspect;
-    } else if width != before.viewport.width || camera.image != before.image {
-        camera.viewport.height = width / aspect;
+    let edited = |now: f64, then: f64| now != then && now.is_finite() && now > 0.0;
+    if !(shape.is_finite() && shape > 0.0) {
+        return;
+    }
+    if edited(height, before.viewport.height) {
+        camera.viewport.width = height * shape * camera.image.aspect();
+    } else if edited(width, before.viewport.width) || camera.image != before.image {
+        camera.viewport.height = width / (shape * camera.image.aspect());
     }
 }
 
-/// What shape the pixels have, where they need not be square.
-fn pixel_shape(ui: &mut Ui, camera: &Camera) {
-    let Viewport { width, height, .. } = camera.viewport;
-    let ratio = width / height / camera.image.aspect();
-    if ratio.is_finite() && (ratio - 1.0).abs() > 1e-9 {
-        ui.label(format!(
-            "Pixels are {} times as wide as high: spheres look stretched",
-            super::number::significant(ratio, 4)
-        ));
+/// What shape the pixels have where they are not square, and a way to make them so.
+fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
+    let shape = shape_of(camera);
+    if shape.is_finite() && shape > 0.0 && (shape - 1.0).abs() > 1e-9 {
+        let times = super::number::significant(shape, 4);
+        ui.label(format!("Pixels are {times} times as wide as high: spheres look stretched"));
+        if ui.button("Make pixels square").clicked() {
+            camera.viewport.height = camera.viewport.width / camera.image.aspect();
+        }
     }
 }

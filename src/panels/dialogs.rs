@@ -94,18 +94,18 @@ impl PathField {
     }
 
     /// Shows the field and the folder; a path once one is chosen.
-    fn ui(&mut self, ui: &mut Ui, verb: &str) -> Option<PathBuf> {
+    fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = None;
         let field = TextEdit::singleline(&mut self.text).hint_text("path of a .toml scene");
         let response = ui.add(field.desired_width(f32::INFINITY));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("path"));
-        if ui.memory(|memory| memory.focused().is_none()) {
-            response.request_focus();
-        }
         if response.changed() {
             self.overwrite = None;
         }
         let entered = response.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        if !entered && ui.memory(|memory| memory.focused().is_none()) {
+            response.request_focus();
+        }
         ui.horizontal(|ui| {
             if let Some(parent) = self.folder.parent().map(Path::to_owned)
                 && ui.button("Up").on_hover_text("The folder above").clicked()
@@ -120,12 +120,13 @@ impl PathField {
                 let name =
                     if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
                 let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
+                // A double click is a click, too.
                 if row.clicked() && entry.is_folder {
                     enter = Some(entry.path.clone());
-                } else if row.clicked() {
-                    self.text = entry.path.display().to_string();
                 } else if row.double_clicked() {
                     chosen = Some(entry.path.clone());
+                } else if row.clicked() {
+                    self.text = entry.path.display().to_string();
                 }
             }
         });
@@ -133,7 +134,12 @@ impl PathField {
             self.list(folder);
         }
         let typed = self.text.trim();
-        let ready = ui.add_enabled(!typed.is_empty(), egui::Button::new(verb)).clicked() || entered;
+        let buttons = ui.horizontal(|ui| {
+            let ready = ui.add_enabled(!typed.is_empty(), egui::Button::new(verb)).clicked();
+            *cancel |= ui.button("Cancel").clicked();
+            ready
+        });
+        let ready = buttons.inner || entered;
         if ready && !typed.is_empty() {
             chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
         }
@@ -150,7 +156,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         match open {
             Dialog::Open(field) => open_ui(ui, field, actions, &mut close),
             Dialog::SaveAs { field, then } => {
-                if let Some(path) = save_ui(ui, field) {
+                if let Some(path) = save_ui(ui, field, &mut close) {
                     actions.push(Action::SaveAs { path, then: then.take() });
                     close = true;
                 }
@@ -171,7 +177,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
 
 fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close: &mut bool) {
     ui.heading("Open a scene");
-    if let Some(path) = field.ui(ui, "Open") {
+    if let Some(path) = field.ui(ui, "Open", close) {
         if path.is_dir() {
             field.list(path);
         } else {
@@ -182,10 +188,10 @@ fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close:
 }
 
 /// The path once it is chosen and, where there is such a file, chosen once more.
-fn save_ui(ui: &mut Ui, field: &mut PathField) -> Option<PathBuf> {
+fn save_ui(ui: &mut Ui, field: &mut PathField, cancel: &mut bool) -> Option<PathBuf> {
     ui.heading("Save the scene as");
     let mut chosen = None;
-    if let Some(mut path) = field.ui(ui, "Save") {
+    if let Some(mut path) = field.ui(ui, "Save", cancel) {
         if path.is_dir() {
             field.list(path);
             return None;

@@ -2,6 +2,7 @@
 //! tests, and says so where what was typed is no number.
 
 use std::cell::RefCell;
+use std::ops::RangeInclusive;
 
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
@@ -20,17 +21,24 @@ pub(super) struct NumberField<'a> {
     value: &'a mut f64,
     suffix: &'a str,
     width: f32,
+    range: RangeInclusive<f64>,
 }
 
 impl<'a> NumberField<'a> {
     /// A field whose accessible name is `name`.
     pub(super) fn new(name: &'a str, value: &'a mut f64) -> Self {
-        NumberField { name, value, suffix: "", width: 78.0 }
+        NumberField { name, value, suffix: "", width: 78.0, range: f64::MIN..=f64::MAX }
     }
 
     /// A unit behind the number.
     pub(super) fn suffix(mut self, suffix: &'a str) -> Self {
         self.suffix = suffix;
+        self
+    }
+
+    /// Which numbers it takes: a drag stops at the ends, and what is typed beyond them is refused.
+    pub(super) fn within(mut self, range: RangeInclusive<f64>) -> Self {
+        self.range = range;
         self
     }
 
@@ -49,13 +57,17 @@ impl<'a> NumberField<'a> {
         let exact = *self.value;
         let field = DragValue::new(self.value)
             .speed(speed)
+            .range(self.range.clone())
+            .clamp_existing_to_range(false)
             .suffix(if typing { "" } else { self.suffix })
             .clip_text(true)
+            // While `0.5` is typed, the camera need not go through `0`.
+            .update_while_editing(false)
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
             .custom_formatter(
                 |value, _| if typing { shortest(value) } else { rounded(value, FIELD_DIGITS) },
             )
-            .custom_parser(|text| match evaluate(text) {
+            .custom_parser(|text| match evaluate(text).and_then(|x| in_range(x, &self.range)) {
                 Ok(value) => {
                     *fault.borrow_mut() = Some(String::new());
                     Some(value)
@@ -70,13 +82,23 @@ impl<'a> NumberField<'a> {
             select_all(ui, &response, &shortest(exact));
         }
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(self.name));
-        show_fault(ui, id, typing, fault.into_inner(), &response);
-        if typing || response.dragged() {
+        show_fault(ui, id, fault.into_inner(), &response);
+        let shown_whole = rounded(exact, FIELD_DIGITS) == shortest(exact);
+        if typing || shown_whole || response.dragged() {
             response
         } else {
             response.on_hover_text(format!("{} = {}{}", self.name, shortest(exact), self.suffix))
         }
     }
+}
+
+/// The number, or which ones would do.
+fn in_range(value: f64, range: &RangeInclusive<f64>) -> Result<f64, String> {
+    if range.contains(&value) {
+        return Ok(value);
+    }
+    let [value, from, to] = [value, *range.start(), *range.end()].map(shortest);
+    Err(format!("{value} is not between {from} and {to}"))
 }
 
 /// A click starts typing with the exact number selected; egui would select only as much of it as
@@ -88,30 +110,27 @@ fn select_all(ui: &Ui, response: &Response, exact: &str) {
     state.store(ui.ctx(), response.id);
 }
 
-/// Under a field with something that is no number, the reason; until the next try.
-fn show_fault(ui: &Ui, id: Id, typing: bool, parsed: Option<String>, response: &Response) {
+/// Under a field with something that is no number, the reason; until the next press of a button or
+/// key, whatever it is for.
+fn show_fault(ui: &Ui, id: Id, parsed: Option<String>, response: &Response) {
     let key = id.with("fault");
+    let pressed = ui.input(|i| {
+        i.pointer.any_pressed()
+            || i.events.iter().any(|e| matches!(e, egui::Event::Key { pressed: true, .. }))
+    });
     if let Some(reason) = parsed {
         ui.data_mut(|data| data.insert_temp(key, reason));
-    } else if !typing && (response.gained_focus() || response.dragged()) {
+    } else if pressed {
         ui.data_mut(|data| data.remove::<String>(key));
     }
     let reason = ui.data(|data| data.get_temp::<String>(key)).unwrap_or_default();
     if !reason.is_empty() {
         let color = error_color(ui);
-        ui.painter().rect_stroke(
-            response.rect,
-            2.0,
-            egui::Stroke::new(1.5, color),
-            egui::StrokeKind::Inside,
-        );
-        egui::Tooltip::always_open(
-            ui.ctx().clone(),
-            ui.layer_id(),
-            key,
-            egui::PopupAnchor::from(response),
-        )
-        .show(|ui| ui.label(RichText::new(reason).color(color)));
+        let stroke = egui::Stroke::new(1.5, color);
+        ui.painter().rect_stroke(response.rect, 2.0, stroke, egui::StrokeKind::Inside);
+        let anchor = egui::PopupAnchor::from(response);
+        egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), key, anchor)
+            .show(|ui| ui.label(RichText::new(reason).color(color)));
     }
 }
 

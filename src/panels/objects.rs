@@ -1,10 +1,10 @@
 //! The scene's spheres and planes: a list to choose from, and the chosen one's fields.
 
-use egui::{RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, ObjectError, Plane, Rgb, Sphere};
+use egui::{Button, RichText, ScrollArea, Ui};
+use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
 use super::number::{NumberField, error_color, vector_row};
-use crate::document::{Document, Item, default_color};
+use crate::document::{Document, Item};
 
 /// Rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
@@ -20,8 +20,7 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
                 *chosen = document.sphere_count() + document.planes.len() - 1;
             }
             if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
-                let sphere = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
-                document.spheres.push(Item::plain(sphere));
+                document.spheres.push(Item::plain(new_sphere(&document.camera)));
                 *chosen = document.spheres.len() - 1;
             }
         });
@@ -36,6 +35,17 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
     editor(ui, document, *chosen);
 }
 
+/// A sphere that the camera sees, in the upper right quarter of the picture.
+fn new_sphere(camera: &Camera) -> Sphere {
+    let Ok(posed) = camera.posed() else {
+        return Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+    };
+    let viewport = posed.viewport();
+    let ray = posed.ray(DVec2::new(0.25 * viewport.width, 0.25 * viewport.height));
+    // Four viewport distances away, a tenth of the picture high.
+    Sphere { center: ray.at(4.0), radius: 4.0 * 0.1 * viewport.height }
+}
+
 fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
     let row_height = ui.spacing().interact_size.y;
     ScrollArea::vertical()
@@ -46,7 +56,9 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
             for index in rows {
                 ui.horizontal(|ui| {
                     swatch(ui, document.color_of(index as u32));
-                    let label = ui.selectable_label(*chosen == index, document.title_of(index));
+                    // A long name is cut off: it may not widen the panel.
+                    let title = document.title_of(index);
+                    let label = ui.add(Button::selectable(*chosen == index, title).truncate());
                     if label.clicked() {
                         *chosen = index;
                     }
@@ -63,8 +75,9 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
 fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
     let spheres = document.spheres.len();
     let first_plane = document.sphere_count();
+    let color = document.color_of(index as u32);
     if index < spheres {
-        if heading(ui, &mut document.spheres[index], index) {
+        if heading(ui, &mut document.spheres[index], color) {
             document.spheres.remove(index);
             return;
         }
@@ -77,7 +90,7 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
         ));
     } else {
         let item = &mut document.planes[index - first_plane];
-        if heading(ui, item, index) {
+        if heading(ui, item, color) {
             document.planes.remove(index - first_plane);
             return;
         }
@@ -85,10 +98,10 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
     }
 }
 
-/// Name, colour and the remove button; whether that was clicked.
-fn heading<S>(ui: &mut Ui, item: &mut Item<S>, index: usize) -> bool {
+/// Name, colour (`shown` in the views) and the remove button; whether that was clicked.
+fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
     ui.horizontal(|ui| {
-        let mut color = item.color.unwrap_or(default_color(index));
+        let mut color = shown;
         let response = ui.color_edit_button_srgb(&mut color);
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("color"));
         if response.changed() {

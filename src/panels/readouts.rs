@@ -1,16 +1,16 @@
 //! The numbers: the basis, the selected ray, and everything that the ray meets. All of it can be
 //! selected and copied.
 
-use egui::{Grid, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Object, Pixel, PosedCamera, Root, UpAngle};
+use egui::{Grid, Label, RichText, ScrollArea, Ui};
+use pinhole_core::{DVec3, Object, Pixel, PosedCamera, Root, UpAngle, shortest};
 
 use super::number::{error_color, significant, vector_color};
 use crate::derive::Derived;
 use crate::document::Document;
 use crate::inspection::Inspection;
 
-/// Misses are listed one by one up to this many objects.
-const LISTED_MISSES: usize = 12;
+/// The numbers that decide are listed one by one up to this many objects.
+const LISTED_OBJECTS: usize = 12;
 
 /// How numbers are written.
 #[derive(Clone, Copy)]
@@ -19,10 +19,19 @@ pub(crate) struct NumberStyle {
     pub digits: usize,
     /// Rows and columns counted from 1, as the course does.
     pub count_from_one: bool,
+    /// Every digit, and the minus sign that programs read: for the clipboard.
+    pub exact: bool,
 }
 
 impl NumberStyle {
+    fn for_programs(self) -> NumberStyle {
+        NumberStyle { exact: true, ..self }
+    }
+
     fn number(self, x: f64) -> String {
+        if self.exact && x.is_finite() {
+            return shortest(x);
+        }
         significant(x, self.digits).replace('-', "−")
     }
 
@@ -40,18 +49,23 @@ impl NumberStyle {
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
         ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
-        ui.label("There is nothing to read off until this is mended.");
-        return;
     }
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
-            if let Some(posed) = &derived.posed {
-                ui.vertical(|ui| basis(ui, posed, derived.up_angle, style));
+            // As wide as the widest numbers: nothing moves sideways while they change.
+            let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
+            let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
+                ui.vertical(|ui| {
+                    ui.set_width(names + vector);
+                    content(ui);
+                });
                 ui.separator();
+            };
+            if let Some(posed) = &derived.posed {
+                block(ui, 110.0, &mut |ui| basis(ui, posed, derived.up_angle, style));
             }
             if let (Some(inspection), Some(posed)) = (&derived.inspection, &derived.posed) {
-                ui.vertical(|ui| ray(ui, inspection, posed, style));
-                ui.separator();
+                block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
                 ui.vertical(|ui| hits(ui, inspection, derived, document, style));
             }
         });
@@ -96,7 +110,7 @@ fn basis_lines(
         ("w", style.vector(basis.w)),
     ];
     if let Some(UpAngle { angle, conditioning }) = angle {
-        lines.push(("angle of up and view", format!("{}°", style.number(angle.to_degrees()))));
+        lines.push(("angle(up, view)", format!("{}°", style.number(angle.to_degrees()))));
         lines.push(("conditioning", style.number(conditioning)));
     }
     lines
@@ -108,7 +122,7 @@ fn joined(lines: &[(&str, String)]) -> String {
 
 fn basis(ui: &mut Ui, posed: &PosedCamera, angle: Option<UpAngle>, style: NumberStyle) {
     let lines = basis_lines(posed, angle, style);
-    title(ui, "Basis", || joined(&lines));
+    title(ui, "Basis", || joined(&basis_lines(posed, angle, style.for_programs())));
     Grid::new("basis").num_columns(2).show(ui, |ui| {
         for (name, value) in lines {
             line(ui, name, value);
@@ -152,7 +166,7 @@ fn ray_lines(
 
 fn ray(ui: &mut Ui, inspection: &Inspection, posed: &PosedCamera, style: NumberStyle) {
     let lines = ray_lines(inspection, posed, style);
-    title(ui, "Ray", || joined(&lines));
+    title(ui, "Ray", || joined(&ray_lines(inspection, posed, style.for_programs())));
     Grid::new("ray").num_columns(2).show(ui, |ui| {
         for (name, value) in lines {
             line(ui, name, value);
@@ -213,7 +227,7 @@ impl RootLines {
         ui.horizontal_wrapped(|ui| {
             ui.add_space(12.0);
             for (name, value) in &self.numbers {
-                ui.label(text(&format!("{name} = {value}")));
+                ui.add(Label::new(text(&format!("{name} = {value}"))).extend());
             }
         });
     }
@@ -229,19 +243,43 @@ fn hits(
     let roots: Vec<RootLines> = (inspection.roots.iter().enumerate())
         .map(|(index, root)| RootLines::new(index, root, inspection, document, style))
         .collect();
-    title(ui, "Hits", || roots.iter().map(RootLines::joined).collect());
+    title(ui, "Hits", || copied_hits(inspection, derived, document, style.for_programs()));
     if roots.is_empty() {
         ui.label("The ray meets nothing.");
     }
     for (index, root) in roots.iter().enumerate() {
         root.show(ui, inspection.first == Some(index));
     }
-    if let Some(scene) = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_MISSES) {
-        ui.add_space(4.0);
-        for (index, object) in scene.objects().enumerate() {
-            ui.weak(parts(&document.title_of(index), &object, inspection, style));
-        }
+    ui.add_space(4.0);
+    for line in listed_parts(inspection, derived, document, style) {
+        ui.weak(line);
     }
+}
+
+/// The numbers that decide, of each object where they are few.
+fn listed_parts(
+    inspection: &Inspection,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) -> Vec<String> {
+    let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
+    let objects = scene.into_iter().flat_map(|scene| scene.objects().enumerate());
+    objects
+        .map(|(index, object)| parts(&document.title_of(index), &object, inspection, style))
+        .collect()
+}
+
+fn copied_hits(
+    inspection: &Inspection,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) -> String {
+    let roots = (inspection.roots.iter().enumerate())
+        .map(|(index, root)| RootLines::new(index, root, inspection, document, style).joined());
+    let parts = listed_parts(inspection, derived, document, style);
+    roots.chain(parts.into_iter().map(|line| line + "\n")).collect()
 }
 
 /// The numbers that decide hit or miss for one object.

@@ -15,7 +15,7 @@ pub(crate) fn ui(
 ) {
     ui.heading("Selected ray");
     let Some(posed) = posed else {
-        ui.weak("The camera has no basis, so no ray.");
+        ui.weak("The camera sees nothing, so there is no ray.");
         return;
     };
     *selection = selection.inside(posed.image());
@@ -27,8 +27,10 @@ pub(crate) fn ui(
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
         let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
-        let row = index_field(ui, "row", &mut pixel.row, posed.image().height(), from);
-        let column = index_field(ui, "column", &mut pixel.column, posed.image().width(), from);
+        let image = posed.image();
+        let known = inside.is_some();
+        let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
+        let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);
         ui.end_row();
         if row || column {
             *selection = Selection::Pixel(pixel);
@@ -45,10 +47,22 @@ pub(crate) fn ui(
     });
 }
 
-fn index_field(ui: &mut Ui, name: &str, index: &mut u32, count: u32, from: u32) -> bool {
+/// A row or column; a dash where the ray passes beside the image.
+fn index_field(
+    ui: &mut Ui,
+    name: &str,
+    index: &mut u32,
+    count: u32,
+    from: u32,
+    known: bool,
+) -> bool {
     ui.label(name);
     let mut shown = *index + from;
-    let field = egui::DragValue::new(&mut shown).range(from..=count - 1 + from).speed(0.2);
+    let field = egui::DragValue::new(&mut shown)
+        .range(from..=count - 1 + from)
+        .speed(0.2)
+        .update_while_editing(false)
+        .custom_formatter(|index, _| if known { index.to_string() } else { "–".to_owned() });
     let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
     *index = shown - from;

@@ -1,6 +1,7 @@
 //! The bar on top: scenes and files, views, how pictures are coloured, and how numbers are written.
 
-use egui::{MenuBar, Ui};
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{MenuBar, PopupCloseBehavior, Ui};
 use pinhole_core::Shade;
 
 use crate::action::Action;
@@ -8,7 +9,7 @@ use crate::files::{OpenDocument, title_of};
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::overlay::Item;
-use crate::session::{Settings, ShadeName, ThemeName, ViewLayout};
+use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 
 /// Shows the bar; what was chosen in it goes into `actions` and `settings`.
 pub(crate) fn ui(
@@ -27,8 +28,11 @@ pub(crate) fn ui(
                 }
             }
         });
-        ui.menu_button("Show", |ui| show_menu(ui, settings, actions));
-        ui.menu_button("Numbers", |ui| numbers_menu(ui, settings));
+        // Several switches in one go: these stay open while one clicks in them.
+        let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let menu = |text| MenuButton::new(text).config(stays());
+        menu("Show").ui(ui, |ui| show_menu(ui, settings, actions));
+        menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.separator();
         layout(ui, settings);
         ui.separator();
@@ -94,7 +98,8 @@ fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
 fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.label("Significant digits");
-        let response = ui.add(egui::DragValue::new(&mut settings.digits).range(2..=17).speed(0.05));
+        let response = ui
+            .add(egui::DragValue::new(&mut settings.digits).range(DIGITS.0..=DIGITS.1).speed(0.05));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("significant digits"));
     });
     ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");

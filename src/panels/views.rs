@@ -13,6 +13,11 @@ use crate::overlay;
 use crate::session::{Selection, Session, Settings, ViewLayout};
 use crate::view_texture::ViewTexture;
 
+/// The world view's name, on the screen and for screen readers.
+pub(crate) const WORLD: &str = "World view";
+/// The camera view's.
+pub(crate) const CAMERA: &str = "Camera view";
+
 /// Height of the strip above each view, in points.
 const STRIP: f32 = 26.0;
 /// Width of the handle between two areas.
@@ -48,12 +53,13 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
         ViewLayout::World => (Some(views), None),
         ViewLayout::Camera => (None, Some(views)),
         ViewLayout::Both => {
+            // Where there is no room for two, both get half of what there is.
             let share = SMALLEST / views.width().max(2.0 * SMALLEST);
             settings.views_split = settings.views_split.clamp(share, 1.0 - share);
             let x = views.left() + settings.views_split * views.width();
             let handle =
                 Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, views.y_range());
-            settings.views_split += drag(ui, handle, "views handle").x / views.width();
+            settings.views_split += drag(ui, handle, "views handle").x / views.width().max(1.0);
             let left = Rect::from_min_max(views.min, pos2(handle.left(), views.bottom()));
             let right = Rect::from_min_max(pos2(handle.right(), views.top()), views.max);
             (Some(left), Some(right))
@@ -119,7 +125,8 @@ pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
     let physical = |rect: Rect| {
         let size = rect.size() * per_point;
-        [size.x.round().max(1.0) as u32, size.y.round().max(1.0) as u32]
+        let most = ui.input(|i| i.max_texture_side) as f32;
+        [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
     };
     ViewSizes {
         world: places.world.map(physical),
@@ -139,12 +146,12 @@ pub(crate) fn inputs(
 ) {
     let mut views = Vec::new();
     if let Some(rect) = places.world {
-        let response = view(ui, rect, "World view", shown);
+        let response = view(ui, rect, WORLD);
         world_input(ui, &response, session, shown);
         views.push(response);
     }
     if let Some(rect) = places.camera {
-        let response = view(ui, rect, "Camera view", shown);
+        let response = view(ui, rect, CAMERA);
         camera_input(ui, &response, session, shown);
         views.push(response);
     }
@@ -154,8 +161,8 @@ pub(crate) fn inputs(
     }
 }
 
-/// A view's area: takes clicks, drags and the focus, and tells a screen reader what is selected.
-fn view(ui: &Ui, rect: Rect, name: &str, shown: &Derived) -> Response {
+/// A view's area: takes clicks, drags and the focus.
+fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
     if response.clicked() || response.drag_started() {
         response.request_focus();
@@ -166,9 +173,14 @@ fn view(ui: &Ui, rect: Rect, name: &str, shown: &Derived) -> Response {
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_role(egui::accesskit::Role::Image);
         node.set_label(name);
-        node.set_value(spoken(shown));
     });
     response
+}
+
+/// Tells a screen reader what is selected in a view.
+pub(crate) fn speak(ui: &Ui, name: &str, shown: &Derived) {
+    let id = ui.scope_id().with(name);
+    ui.ctx().accesskit_node_builder(id, |node| node.set_value(spoken(shown)));
 }
 
 /// The selected ray in words.
@@ -273,17 +285,17 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
         });
     };
     if let Some(rect) = places.world {
-        strip(rect, "World view".to_owned(), ViewLayout::World);
+        strip(rect, WORLD.to_owned(), ViewLayout::World);
     }
     if let Some(rect) = places.camera_area {
-        let text = format!("Camera view, {} × {} pixels", image.width(), image.height());
+        let text = format!("{CAMERA}, {} × {} pixels", image.width(), image.height());
         strip(rect, text, ViewLayout::Camera);
     }
 }
 
 /// One view's finished picture, with its labels.
 pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
-    let tint = if dimmed { Color32::from_gray(90) } else { Color32::WHITE };
+    let tint = if dimmed { Color32::from_gray(130) } else { Color32::WHITE };
     let texture = texture.of(ui.ctx(), &shown.image);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     ui.painter_at(rect).image(texture, rect, whole, tint);
@@ -302,9 +314,9 @@ pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
         Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));
     ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
     let inside = band.shrink2(vec2(16.0, 6.0));
-    ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| {
-        ui.centered_and_justified(|ui| {
-            ui.label(RichText::new(text).size(17.0).strong().color(Color32::WHITE))
-        });
+    let layout = egui::Layout::top_down(egui::Align::Center).with_main_align(egui::Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
+        ui.add_space(0.5 * (inside.height() - 48.0).max(0.0));
+        ui.label(RichText::new(text).size(17.0).strong().color(Color32::WHITE));
     });
 }

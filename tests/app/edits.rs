@@ -125,17 +125,32 @@ fn a_basis_is_set_by_hand() {
 }
 
 #[test]
-fn square_pixels_hold_until_let_go() {
+fn the_pixels_shape_holds_until_let_go() {
     let mut window = window("canonical");
     type_into(&mut window, "W", "800");
     assert_eq!(window.state().document().camera.viewport.height, 0.5);
     type_into(&mut window, "height", "2");
     assert_eq!(window.state().document().camera.viewport.width, 4.0);
-    window.get_by_label("Square pixels").click();
+    window.get_by_label("Keep the pixels' shape").click();
     window.run();
     type_into(&mut window, "width", "2");
     assert_eq!(window.state().document().camera.viewport.height, 2.0);
     assert!(says(&window, "Pixels are 0.5 times as wide as high: spheres look stretched"));
+    window.get_by_label("Keep the pixels' shape").click();
+    window.run();
+    type_into(&mut window, "width", "4");
+    assert_eq!(window.state().document().camera.viewport.height, 4.0, "half as wide as before");
+    window.get_by_label("Make pixels square").click();
+    window.run();
+    assert_eq!(window.state().document().camera.viewport.height, 2.0);
+}
+
+#[test]
+fn pixels_that_are_not_square_are_told_from_the_start() {
+    assert!(says(
+        &window("non-square"),
+        "Pixels are 1.5 times as wide as high: spheres look stretched"
+    ));
 }
 
 #[test]
@@ -146,6 +161,9 @@ fn the_field_of_view_is_shown_and_edited() {
     type_into(&mut window, "vertical field of view", "90");
     let viewport = window.state().document().camera.viewport;
     assert!((viewport.height - 2.0).abs() < 1e-15 && viewport.distance == 1.0, "{viewport:?}");
+    type_into(&mut window, "vertical field of view", "180");
+    assert_eq!(window.state().document().camera.viewport, viewport, "nothing is taken over");
+    assert_says(&window, "180 is not between 1e-6 and 179.999");
 }
 
 #[test]

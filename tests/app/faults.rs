@@ -33,7 +33,7 @@ fn every_fault_has_its_words_and_no_nan_is_shown() {
         ("distance", "0", "viewport distance is 0: it must be finite and greater than 0"),
     ] {
         let mut window = window("canonical");
-        window.get_by_label("Square pixels").click();
+        window.get_by_label("Keep the pixels' shape").click();
         window.run();
         type_into(&mut window, field, text);
         assert_says(&window, reason);
@@ -65,4 +65,32 @@ fn a_sphere_without_a_radius_is_a_fault_too() {
     type_into(&mut window, "radius", "-1");
     assert!(matches!(window.state().derived().fault, Some(Fault::Scene(_))));
     assert_says(&window, "radius is -1: it must be finite and greater than 0");
+}
+
+#[test]
+fn another_scene_has_no_last_picture_of_this_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("blind.toml");
+    let text = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, 0]\nup = [0, 1, 0]\n";
+    std::fs::write(&path, text).unwrap();
+    let mut window = window("canonical");
+    super::scene_files::drop_file(&mut window, &path);
+    assert!(window.state().derived().fault.is_some());
+    assert!(window.state().derived().camera_view.is_none());
+}
+
+#[test]
+fn what_is_left_of_the_scene_keeps_its_colours_while_an_object_is_at_fault() {
+    let mut window = window("canonical");
+    let before = window.state().derived().world_view.clone().unwrap().image;
+    type_into(&mut window, "radius", "-1");
+    window.get_by_label("sphere 1 “marble”").click();
+    window.run();
+    window.get_by_label("Remove").click();
+    window.run();
+    let after = window.state().derived().world_view.clone().unwrap().image;
+    let orange = |image: &egui::ColorImage| {
+        image.pixels.iter().filter(|p| p.r() > 200 && p.g() > 120 && p.b() < 40).count()
+    };
+    assert!(orange(&before) > 1000 && orange(&after).abs_diff(orange(&before)) < 2000);
 }

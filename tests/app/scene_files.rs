@@ -31,7 +31,7 @@ fn a_scene_is_edited_and_saved_as_a_file() {
     type_into(&mut window, "eye x", "0.25");
     ctrl(&mut window, egui::Key::S);
     type_path(&mut window, &path);
-    window.get_by_role_and_label(Role::Button, "Save").click();
+    window.key_press(egui::Key::Enter);
     window.run();
     let saved = scene_file::load(&path).unwrap();
     assert_eq!(saved.camera.eye.x, 0.25);
@@ -70,7 +70,10 @@ fn a_dropped_file_opens_and_a_bad_one_says_what_is_wrong() {
     assert_eq!(*window.state().document(), Document::default());
 }
 
-fn drop_file(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, path: &std::path::Path) {
+pub(crate) fn drop_file(
+    window: &mut egui_kittest::Harness<'_, pinhole::app::App>,
+    path: &std::path::Path,
+) {
     window.input_mut().dropped_files = vec![std::sync::Arc::new(Dropped(path.to_owned()))];
     window.run();
 }
@@ -157,4 +160,52 @@ fn a_broken_store_is_no_reason_not_to_start() {
     let path = folder.path().join("state.json");
     fs::write(&path, "{ not json").unwrap();
     assert_eq!(Store::at(&path).load(), Remembered::default());
+}
+
+#[test]
+fn a_window_that_goes_away_leaves_the_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    let mut window = window_with("canonical", Remembered::default(), Some(store.clone()));
+    type_into(&mut window, "eye x", "7");
+    window.state_mut().on_exit();
+    let last = store.load().last.unwrap();
+    assert_eq!(scene_file::load(&last).unwrap().camera.eye.x, 7.0);
+}
+
+#[test]
+fn changes_that_were_discarded_are_gone() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    let mut window = window_with("canonical", Remembered::default(), Some(store.clone()));
+    type_into(&mut window, "eye x", "7");
+    ctrl(&mut window, egui::Key::Q);
+    window.get_by_label("Discard").click();
+    window.run();
+    window.state_mut().on_exit();
+    assert_eq!(store.load().last.as_deref(), Some(std::path::Path::new("canonical")));
+}
+
+#[test]
+fn a_small_or_much_enlarged_window_still_has_its_views_afterwards() {
+    let mut window = window("canonical");
+    for size in [[320.0, 240.0], [200.0, 100.0], [320.0, 200.0], [1280.0, 800.0]] {
+        window.set_size(size.into());
+        window.run();
+    }
+    let settings = window.state().session().settings.clone();
+    assert!(settings.views_split.is_finite() && settings.readouts_height.is_finite());
+    for view in ["World view", "Camera view"] {
+        let rect = window.get_by_role_and_label(Role::Image, view).rect();
+        assert!(rect.width() > 100.0 && rect.height() > 100.0, "{view}: {rect:?}");
+    }
+}
+
+#[test]
+fn settings_out_of_range_are_brought_back() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.json");
+    fs::write(&path, r#"{"settings": {"digits": 70000, "views_split": -3}}"#).unwrap();
+    let window = window_with("canonical", Store::at(&path).load(), None);
+    assert_eq!(window.state().session().settings.digits, 17);
 }

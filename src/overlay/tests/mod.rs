@@ -13,13 +13,14 @@ use pinhole_core::{
 
 pub(super) use super::*;
 use crate::inspection::Inspection;
-use crate::observer::{Observer, seen_scene};
+use crate::observer::{Observer, enclosing, seen_scene};
 
 /// A world view with everything in it.
 struct Stage {
     camera: Camera,
     posed: Option<PosedCamera>,
     scene: Scene,
+    enclosing: Vec<u32>,
     observer: Observer,
     frame: Frame,
     picture: Option<Picture>,
@@ -51,7 +52,8 @@ impl Stage {
     fn seen_by(camera: Camera, scene: Scene, observer: Observer) -> Stage {
         let posed = camera.posed().ok();
         let seen_from = observer.camera(SIZE.0, SIZE.1).posed().expect("observers have a basis");
-        let seen = seen_scene(&scene, camera.eye, seen_from.eye());
+        let enclosing = enclosing(&scene, camera.eye, seen_from.eye());
+        let seen = seen_scene(&scene, &enclosing);
         let image = Raster::full(seen_from.image());
         let frame = trace(&seen, &seen_from, &image, Outputs::default());
         let picture = posed.as_ref().map(|posed| {
@@ -63,7 +65,7 @@ impl Stage {
         let inspection =
             posed.as_ref().map(|posed| Inspection::of_uv(posed, &scene, DVec2::new(0.02, 0.01)));
         let items = OverlayItems::default();
-        Stage { camera, posed, scene, observer, frame, picture, inspection, items }
+        Stage { camera, posed, scene, enclosing, observer, frame, picture, inspection, items }
     }
 
     fn view(&self) -> WorldView<'_> {
@@ -73,6 +75,7 @@ impl Stage {
             picture: self.picture.as_ref(),
             inspection: self.inspection.as_ref(),
             scene: &self.scene,
+            enclosing: &self.enclosing,
             color_of: &color_of,
             observer: &self.observer,
             frame: &self.frame,
