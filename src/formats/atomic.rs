@@ -25,7 +25,7 @@ pub fn write(
     replace(path, content).map_err(|error| FileError::unwritable(path, &error))
 }
 
-/// Whether [`write`] has a place to write to, for those with long work before it. Nothing is
+/// Whether [`write()`] has a place to write to, for those with long work before it. Nothing is
 /// written, so the disk may still turn out to be full, or the folder not ours to write in.
 ///
 /// # Errors
