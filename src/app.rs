@@ -4,6 +4,8 @@
 //! readouts). Where an edit changes what a panel above it has already drawn, egui is asked to run
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
+mod actions;
+
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +18,7 @@ use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::observer::Observer;
-use crate::panels::dialogs::{self, Dialog, PathField};
+use crate::panels::dialogs::{self, Dialog};
 use crate::panels::readouts::NumberStyle;
 use crate::panels::{camera, objects, readouts, selection, top_bar, views};
 use crate::present::{WindowGeometry, fonts};
@@ -298,97 +300,6 @@ impl App {
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
-        }
-    }
-
-    fn apply(&mut self, ctx: &Context, action: Action) {
-        match action {
-            Action::Open(_) | Action::Quit if self.open.has_changes() => {
-                self.ask_about_changes(action);
-            }
-            Action::Open(source) => self.load(source),
-            Action::Quit => {
-                self.may_close = true;
-                ctx.send_viewport_cmd(ViewportCommand::Close);
-            }
-            Action::Discard(then) => match *then {
-                Action::Open(source) => self.load(source),
-                _ => {
-                    (self.may_close, self.discarded) = (true, true);
-                    ctx.send_viewport_cmd(ViewportCommand::Close);
-                }
-            },
-            Action::SaveThen(then) => match self.open.file().map(Path::to_owned) {
-                Some(path) => {
-                    self.save_to(&path);
-                    if !self.open.has_changes() {
-                        self.apply(ctx, *then);
-                    }
-                }
-                None => self.ask_save_as(Some(then)),
-            },
-            Action::AskOpen => {
-                self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
-            }
-            Action::Save => match self.open.file().map(Path::to_owned) {
-                Some(path) => self.save_to(&path),
-                None => self.ask_save_as(None),
-            },
-            Action::AskSaveAs => self.ask_save_as(None),
-            Action::SaveAs { path, then } => {
-                self.save_to(&path);
-                if let Some(then) = then.filter(|_| !self.open.has_changes()) {
-                    self.apply(ctx, *then);
-                }
-            }
-            Action::FrameAll => {
-                // The next frame, which knows the view's proportions, frames everything.
-                self.session.observer = None;
-                ctx.request_repaint();
-            }
-            Action::Step { rows, columns } => {
-                if let Ok(posed) = self.open.document.camera.posed() {
-                    let selection = self.session.selection.inside(posed.image());
-                    self.session.selection = selection.stepped(&posed, rows, columns);
-                }
-            }
-        }
-    }
-
-    fn ask_about_changes(&mut self, then: Action) {
-        self.dialog = Some(Dialog::Unsaved { title: title_of(&self.open.source), then });
-    }
-
-    fn ask_save_as(&mut self, then: Option<Box<Action>>) {
-        let name = match &self.open.source {
-            SceneSource::Builtin(scene) => format!("{}.toml", scene.name),
-            file => title_of(file),
-        };
-        let field = PathField::near(self.open.file(), &name);
-        self.dialog = Some(Dialog::SaveAs { field, then });
-    }
-
-    fn load(&mut self, source: SceneSource) {
-        match source.load() {
-            Ok(document) => {
-                if let SceneSource::File(path) = &source {
-                    remember(&mut self.recent, path);
-                }
-                self.open = OpenDocument::new(document, source);
-                // What was good in another scene is nothing to show in this one.
-                self.deriver = Deriver::default();
-                self.session.observer = None;
-                self.session.selection = Session::default().selection;
-                self.chosen_object = 0;
-            }
-            Err(error) => self.tell("This scene cannot be opened", error.to_string()),
-        }
-    }
-
-    fn save_to(&mut self, path: &Path) {
-        match self.open.save_to(path) {
-            Ok(()) => remember(&mut self.recent, path),
-            Err(reason) => self.tell("The scene was not saved", reason),
         }
     }
 

@@ -88,9 +88,9 @@ pub struct Deriver {
     objects: Option<Objects>,
     camera_picture: Memo<(PosedCamera, u64, Raster, Shade), Arc<Picture>>,
     camera_view: Memo<CameraViewKey, Shown>,
-    enclosing: Memo<(u64, DVec3, DVec3), Arc<Vec<u32>>>,
-    seen_scene: Memo<(u64, Arc<Vec<u32>>), Arc<Scene>>,
-    world_picture: Memo<(PosedCamera, u64, Arc<Vec<u32>>), Arc<WorldPicture>>,
+    enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
+    seen_scene: Memo<(u64, Enclosing), Arc<Scene>>,
+    world_picture: Memo<(PosedCamera, u64, Enclosing), Arc<WorldPicture>>,
     world_view: Memo<WorldViewKey, Shown>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     last_good: LastGood,
@@ -142,13 +142,15 @@ struct CameraViewKey {
     style: Style,
 }
 
+/// Indices of the spheres that would hide the camera from the observer.
+type Enclosing = Arc<Vec<u32>>;
+
 /// The scene as the observer sees it, before anything is drawn over it.
 #[derive(Debug)]
 struct WorldPicture {
     frame: Arc<Frame>,
     pixels: Vec<Color32>,
-    /// Indices of the spheres that would hide the camera.
-    enclosing: Arc<Vec<u32>>,
+    enclosing: Enclosing,
 }
 
 #[derive(Debug, PartialEq)]

@@ -1,0 +1,107 @@
+//! Carrying out what was asked for: opening, saving, quitting, and moving the selection.
+
+use std::path::Path;
+
+use egui::{Context, ViewportCommand};
+
+use super::App;
+use crate::action::Action;
+use crate::derive::Deriver;
+use crate::files::{OpenDocument, remember, title_of};
+use crate::formats::scene_argument::SceneSource;
+use crate::panels::dialogs::{Dialog, PathField};
+use crate::session::Session;
+
+impl App {
+    /// Does it, or asks what stands in its way.
+    pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
+        match action {
+            Action::Open(_) | Action::Quit if self.open.has_changes() => {
+                self.ask_about_changes(action);
+            }
+            Action::Open(source) => self.load(source),
+            Action::Quit => {
+                self.may_close = true;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
+            Action::Discard(then) => match *then {
+                Action::Open(source) => self.load(source),
+                _ => {
+                    (self.may_close, self.discarded) = (true, true);
+                    ctx.send_viewport_cmd(ViewportCommand::Close);
+                }
+            },
+            Action::SaveThen(then) => match self.open.file().map(Path::to_owned) {
+                Some(path) => {
+                    self.save_to(&path);
+                    if !self.open.has_changes() {
+                        self.apply(ctx, *then);
+                    }
+                }
+                None => self.ask_save_as(Some(then)),
+            },
+            Action::AskOpen => {
+                self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
+            }
+            Action::Save => match self.open.file().map(Path::to_owned) {
+                Some(path) => self.save_to(&path),
+                None => self.ask_save_as(None),
+            },
+            Action::AskSaveAs => self.ask_save_as(None),
+            Action::SaveAs { path, then } => {
+                self.save_to(&path);
+                if let Some(then) = then.filter(|_| !self.open.has_changes()) {
+                    self.apply(ctx, *then);
+                }
+            }
+            Action::FrameAll => {
+                // The next frame, which knows the view's proportions, frames everything.
+                self.session.observer = None;
+                ctx.request_repaint();
+            }
+            Action::Step { rows, columns } => {
+                if let Ok(posed) = self.open.document.camera.posed() {
+                    let selection = self.session.selection.inside(posed.image());
+                    self.session.selection = selection.stepped(&posed, rows, columns);
+                }
+            }
+        }
+    }
+
+    pub(super) fn ask_about_changes(&mut self, then: Action) {
+        self.dialog = Some(Dialog::Unsaved { title: title_of(&self.open.source), then });
+    }
+
+    fn ask_save_as(&mut self, then: Option<Box<Action>>) {
+        let name = match &self.open.source {
+            SceneSource::Builtin(scene) => format!("{}.toml", scene.name),
+            file => title_of(file),
+        };
+        let field = PathField::near(self.open.file(), &name);
+        self.dialog = Some(Dialog::SaveAs { field, then });
+    }
+
+    fn load(&mut self, source: SceneSource) {
+        match source.load() {
+            Ok(document) => {
+                if let SceneSource::File(path) = &source {
+                    remember(&mut self.recent, path);
+                }
+                self.open = OpenDocument::new(document, source);
+                // What was good in another scene is nothing to show in this one.
+                self.deriver = Deriver::default();
+                self.session.observer = None;
+                self.session.selection = Session::default().selection;
+                self.chosen_object = 0;
+            }
+            Err(error) => self.tell("This scene cannot be opened", error.to_string()),
+        }
+    }
+
+    pub(super) fn save_to(&mut self, path: &Path) {
+        match self.open.save_to(path) {
+            Ok(()) => remember(&mut self.recent, path),
+            Err(reason) => self.tell("The scene was not saved", reason),
+        }
+    }
+}
