@@ -180,7 +180,7 @@ fn scene() {
     }
     assert_says(
         scene(&[ball], &[wall, wall, plane([NAN, 0.0, 0.0], [0.0, 0.0, 1.0])]),
-        "plane 2: point is (NaN, 0, 0): every coordinate must be a finite number",
+        "plane 3: point is (NaN, 0, 0): every coordinate must be a finite number",
     );
     assert_says(
         scene(&[], &[plane([0.0; 3], [0.0, -INF, 0.5])]),
