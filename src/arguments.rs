@@ -91,7 +91,7 @@ pub struct RenderArguments {
     /// What the camera sees, or the scene with the camera in it
     #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = view())]
     pub view: View,
-    /// Draw the basis, the viewport and the rays over it
+    /// Draw the camera over the world view, and the image's marks over the camera's
     #[arg(long)]
     pub overlay: bool,
     /// How a hit becomes a colour

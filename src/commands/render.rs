@@ -1,5 +1,7 @@
 //! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
 
+use std::path::Path;
+
 use pinhole_core::ImageSize;
 
 use super::progress::Progress;
@@ -18,6 +20,10 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
             let problem = format!("--aov and -o both write {}", aov.display());
             return Err(CommandError::Arguments(problem));
         }
+    }
+    named(&arguments.output, "png", "-o writes PNG")?;
+    if let Some(aov) = &arguments.aov {
+        named(aov, "exr", "--aov writes OpenEXR")?;
     }
     for output in [Some(&arguments.output), arguments.aov.as_ref()].into_iter().flatten() {
         atomic::check(output)?;
@@ -45,6 +51,18 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         exr::save(aov, frame)?;
     }
     Ok(())
+}
+
+/// Refuses the name of another format: what it promises is not what would be in the file.
+fn named(output: &Path, ending: &str, what: &str) -> Result<(), CommandError> {
+    match output.extension() {
+        Some(other) if !other.eq_ignore_ascii_case(ending) => {
+            let stem = output.with_extension(ending);
+            let problem = format!("{what}: not {} but {}", output.display(), stem.display());
+            Err(CommandError::Arguments(problem))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The size that is asked for. A width or height alone takes the other along, in the ratio of the

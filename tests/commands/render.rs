@@ -150,6 +150,16 @@ fn the_world_view_shows_the_camera_only_with_its_overlay() {
 }
 
 #[test]
+fn the_name_of_another_format_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    render(folder.path(), "canonical -o out.jpg")
+        .failed(2, "-o writes PNG: not out.jpg but out.png");
+    render(folder.path(), "canonical -o out.png --aov out.tiff")
+        .failed(2, "--aov writes OpenEXR: not out.tiff but out.exr");
+    assert!(entries(folder.path()).is_empty());
+}
+
+#[test]
 fn the_exr_file_holds_what_the_rays_meet() {
     let folder = tempfile::tempdir().unwrap();
     render(folder.path(), "planet -o out.png --width 50 --height 30 --aov out.exr").done();
