@@ -33,6 +33,8 @@ pub struct App {
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
+    /// Actions for the next pass.
+    waiting: Vec<Action>,
     deriver: Deriver,
     derived: Derived,
     world_texture: ViewTexture,
@@ -62,6 +64,7 @@ impl App {
             recent: remembered.recent,
             chosen_object: 0,
             dialog: None,
+            waiting: Vec::new(),
             deriver: Deriver::default(),
             derived: Derived::default(),
             world_texture: ViewTexture::default(),
@@ -184,6 +187,7 @@ impl App {
 
     /// Keys, dropped files and the close button.
     fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        actions.append(&mut self.waiting);
         let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
         let shifted = KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
         let pressed = |shortcut| ctx.input_mut(|i| i.consume_shortcut(&shortcut));
@@ -194,8 +198,17 @@ impl App {
             (command(Key::O), Action::AskOpen),
             (command(Key::Q), Action::Quit),
         ] {
-            if pressed(shortcut) && self.dialog.is_none() {
-                actions.push(action);
+            if !pressed(shortcut) || self.dialog.is_some() {
+                continue;
+            }
+            match ctx.memory(|memory| memory.focused()) {
+                // A number that is being typed is taken over first, when its field loses the focus.
+                Some(focused) => {
+                    ctx.memory_mut(|memory| memory.surrender_focus(focused));
+                    self.waiting.push(action);
+                    ctx.request_repaint();
+                }
+                None => actions.push(action),
             }
         }
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));

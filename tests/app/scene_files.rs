@@ -44,6 +44,21 @@ fn a_scene_is_edited_and_saved_as_a_file() {
 }
 
 #[test]
+fn a_number_that_is_being_typed_is_saved_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    scene_file::save(&Document::default(), &path).unwrap();
+    let mut window = window(&path);
+    window.get_by_role_and_label(Role::SpinButton, "eye y").click();
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "eye y").type_text("1/4");
+    window.run();
+    ctrl(&mut window, egui::Key::S);
+    assert_eq!(scene_file::load(&path).unwrap().camera.eye.y, 0.25);
+    assert_says(&window, "mine.toml");
+}
+
+#[test]
 fn a_built_in_scene_opens_from_the_menu() {
     let mut window = window("canonical");
     window.get_by_label("Scenes").click();
