@@ -51,7 +51,9 @@ struct Screen {
 impl Screen {
     fn start() -> Screen {
         let mut server = Command::new("Xvfb")
+            // Without a reset when its only client so far goes away, under the feet of the next.
             .args(["-displayfd", "1", "-screen", "0", "1400x1000x24", "-nolisten", "tcp"])
+            .arg("-noreset")
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
@@ -68,7 +70,10 @@ impl Screen {
             .stderr(Stdio::null())
             .spawn()
             .expect("openbox is installed: .ci/run does it");
-        Screen { display, _server: Running(server), _manager: Running(manager) }
+        let screen = Screen { display, _server: Running(server), _manager: Running(manager) };
+        // Only a window manager knows of desktops.
+        wait_for("the window manager", || screen.try_say(&["get_num_desktops"]));
+        screen
     }
 
     fn xdotool(&self, arguments: &[&str]) -> Output {

@@ -9,13 +9,14 @@ work=$(mktemp -d)
 mkdir -p "$out"
 
 exec {display_pipe}<> <(:)
-Xvfb -displayfd "$display_pipe" -screen 0 1280x800x24 -nolisten tcp 2>/dev/null &
+Xvfb -displayfd "$display_pipe" -screen 0 1280x800x24 -nolisten tcp -noreset 2>/dev/null &
 server=$!
 trap 'kill "$server" 2>/dev/null; rm -rf "$work"' EXIT
 read -r number <&"$display_pipe"
 export DISPLAY=:$number WINIT_X11_SCALE_FACTOR=1 XDG_STATE_HOME=$work
 unset WAYLAND_DISPLAY
 openbox 2>/dev/null &
+until xdotool get_num_desktops >/dev/null 2>&1; do sleep 0.1; done
 
 # shot NAME SCENE SETTINGS: the window without its frame, on the whole screen.
 shot() {
