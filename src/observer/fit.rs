@@ -40,6 +40,11 @@ const FARTHEST_MIDDLE: f64 = 15.0;
 /// How far the arrows are taken to reach from the eye, as a share of the near size.
 const ARROWS: f64 = 1.15;
 
+/// Seen from afar the arrows keep their size on the screen, and so reach farther in the world: to
+/// this share of the way to the farthest sphere, and to so many near sizes at most.
+const ARROWS_FROM_AFAR: f64 = 0.12;
+const LONGEST_ARROWS: f64 = 3.5;
+
 /// Something that must be in sight.
 #[derive(Clone, Copy, Debug)]
 struct Ball {
@@ -115,14 +120,15 @@ impl Subject {
         };
         balls.extend(given.map(|at| Ball { center: at, radius: 0.0 }));
         let spheres = spheres_in_scale(scene, eye, near_size);
+        let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
         if let Ok(posed) = camera.posed() {
-            let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
             let t = (FRUSTUM_PART * farthest / posed.viewport().distance).min(LONGEST_FRUSTUM);
             balls.extend(frustum_part(&posed, t));
             walls = walls_seen(&posed, scene, 2.0 * farthest.max(10.0 * near_size));
             balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
         }
-        balls.push(Ball { center: eye, radius: ARROWS * near_size });
+        let arrows = ARROWS.max((ARROWS_FROM_AFAR * farthest / near_size).min(LONGEST_ARROWS));
+        balls.push(Ball { center: eye, radius: arrows * near_size });
         balls.retain(|ball| tame(ball.center));
         let camera_balls = balls.len();
         balls.extend(spheres);
