@@ -9,8 +9,8 @@ use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
 use pinhole_core::{
-    Camera, CameraError, DVec3, Frame, ImageSize, Outputs, Plane, PosedCamera, Raster, Rgb, Scene,
-    SceneError, Shade, Sphere, UpAngle, shade, trace,
+    Camera, CameraError, DVec3, Frame, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, SceneError,
+    Shade, Sphere, UpAngle, shade, trace,
 };
 
 use self::memo::Memo;
@@ -308,7 +308,7 @@ impl Deriver {
             return;
         };
         let GoodWorld { scene, colors, generation } = good.clone();
-        let Some(observer_camera) = posed_observer(&observer, size) else { return };
+        let Ok(observer_camera) = observer.camera(size[0], size[1]).posed() else { return };
         let color_of = |i: u32| colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
         let world = self.world_picture(&good, eye, observer_camera, color_of);
@@ -375,12 +375,6 @@ impl Deriver {
             Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(enclosing) })
         })
     }
-}
-
-/// The observer's camera for a view of this size.
-pub fn posed_observer(observer: &Observer, size: [u32; 2]) -> Option<PosedCamera> {
-    let clamp = |n: u32| n.clamp(1, ImageSize::MAX);
-    observer.camera(clamp(size[0]), clamp(size[1])).posed().ok()
 }
 
 fn opaque([r, g, b]: Rgb) -> Color32 {

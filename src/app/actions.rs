@@ -19,41 +19,18 @@ impl App {
             Action::Open(_) | Action::Quit if self.open.has_changes() => {
                 self.ask_about_changes(action);
             }
-            Action::Open(source) => self.load(source),
-            Action::Quit => {
-                self.may_close = true;
-                ctx.send_viewport_cmd(ViewportCommand::Close);
+            Action::Open(_) | Action::Quit => self.proceed(ctx, action),
+            Action::Discard(then) => {
+                self.discarded = !matches!(*then, Action::Open(_));
+                self.proceed(ctx, *then);
             }
-            Action::Discard(then) => match *then {
-                Action::Open(source) => self.load(source),
-                _ => {
-                    (self.may_close, self.discarded) = (true, true);
-                    ctx.send_viewport_cmd(ViewportCommand::Close);
-                }
-            },
-            Action::SaveThen(then) => match self.open.file().map(Path::to_owned) {
-                Some(path) => {
-                    self.save_to(&path);
-                    if !self.open.has_changes() {
-                        self.apply(ctx, *then);
-                    }
-                }
-                None => self.ask_save_as(Some(then)),
-            },
+            Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
                 self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
             }
-            Action::Save => match self.open.file().map(Path::to_owned) {
-                Some(path) => self.save_to(&path),
-                None => self.ask_save_as(None),
-            },
+            Action::Save => self.save(ctx, None),
             Action::AskSaveAs => self.ask_save_as(None),
-            Action::SaveAs { path, then } => {
-                self.save_to(&path);
-                if let Some(then) = then.filter(|_| !self.open.has_changes()) {
-                    self.apply(ctx, *then);
-                }
-            }
+            Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
                 self.session.observer = None;
@@ -65,6 +42,31 @@ impl App {
                     self.session.selection = selection.stepped(&posed, rows, columns);
                 }
             }
+        }
+    }
+
+    /// Opens the other scene, or closes the window: nothing stands in the way any more.
+    fn proceed(&mut self, ctx: &Context, action: Action) {
+        if let Action::Open(source) = action {
+            self.load(source);
+        } else {
+            self.may_close = true;
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        }
+    }
+
+    /// Saves to the scene's own file, or asks for one.
+    fn save(&mut self, ctx: &Context, then: Option<Box<Action>>) {
+        match self.open.file().map(Path::to_owned) {
+            Some(path) => self.save_then(ctx, &path, then),
+            None => self.ask_save_as(then),
+        }
+    }
+
+    fn save_then(&mut self, ctx: &Context, path: &Path, then: Option<Box<Action>>) {
+        self.save_to(path);
+        if let Some(then) = then.filter(|_| !self.open.has_changes()) {
+            self.apply(ctx, *then);
         }
     }
 

@@ -174,6 +174,11 @@ impl Sketch<'_> {
         } else {
             Shape::Disc { center: dot(spot.at), radius }
         };
+        self.mark(shape, pen);
+    }
+
+    /// Adds a shape that is in sight.
+    fn mark(&mut self, shape: Shape, pen: Pen) {
         let halo = pen.halo.then_some(self.colors.halo);
         self.drawing.marks.push(Mark {
             item: pen.item,
@@ -196,14 +201,7 @@ impl Sketch<'_> {
         let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen.on_viewport));
         if seen {
             let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };
-            let halo = pen.halo.then_some(self.colors.halo);
-            self.drawing.marks.push(Mark {
-                item: pen.item,
-                shape,
-                color: pen.color,
-                halo,
-                hidden: false,
-            });
+            self.mark(shape, pen);
         }
     }
 
