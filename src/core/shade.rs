@@ -6,8 +6,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::frame::{Frame, NO_OBJECT};
+use crate::normals::Normals;
 use crate::ray::Ray;
-use crate::scene::{Normals, Scene};
+use crate::scene::Scene;
 
 /// sRGB bytes.
 pub type Rgb = [u8; 3];

@@ -46,6 +46,16 @@ pub(crate) fn assert_ulps3(actual: DVec3, expected: DVec3, most: u64) {
     }
 }
 
+/// The roots of one sphere with their points and normals.
+pub(crate) fn roots_on(sphere: Sphere, ray: &Ray) -> Vec<Root> {
+    Scene::new(vec![sphere], vec![]).unwrap().roots(ray)
+}
+
+/// The root of one plane with its point and normal.
+pub(crate) fn root_on(plane: Plane, ray: &Ray) -> Root {
+    Scene::new(vec![], vec![plane]).unwrap().roots(ray)[0]
+}
+
 /// A camera at `eye` along `view`, level with y up, with the canonical viewport.
 pub(crate) fn camera(eye: DVec3, view: DVec3, up: DVec3, width: u32, height: u32) -> Camera {
     Camera {
