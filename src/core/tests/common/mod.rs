@@ -1,6 +1,7 @@
 //! What several test files use.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod given;
 pub(crate) mod oracle;
 
 use pinhole_core::*;
