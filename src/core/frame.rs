@@ -21,7 +21,7 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sea
     #[doc(hidden)]
     const TIE: f64;
 
-    /// The nearest one; the largest or smallest positive one where it is beyond the range.
+    /// The nearest one; infinite or the smallest positive one where it is beyond the range.
     #[doc(hidden)]
     fn of(t: f64) -> Self;
 
@@ -68,7 +68,7 @@ impl Depth for f32 {
 
     #[inline(always)]
     fn of(t: f64) -> f32 {
-        (t as f32).clamp(f32::from_bits(1), f32::MAX)
+        (t as f32).max(f32::from_bits(1))
     }
 
     #[inline(always)]
@@ -105,7 +105,8 @@ pub struct Outputs {
 pub struct Frame<T = f64> {
     pub(crate) camera: PosedCamera,
     pub(crate) raster: Raster,
-    /// `t` of the first hit, rounded; infinite where there is none.
+    /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is
+    /// beyond the range of T).
     pub t: Vec<T>,
     /// Index of the object hit, or [`NO_OBJECT`].
     pub object: Vec<u32>,

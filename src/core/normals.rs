@@ -77,8 +77,9 @@ fn cosine(sphere: &Sphere, ray: &Ray, t: f64) -> f64 {
 /// `p + t d - center` and its length; a length of 0 where the digits of the normal are lost.
 #[inline(always)]
 fn offset(sphere: &Sphere, origin: DVec3, direction: DVec3, t: f64) -> (DVec3, f64) {
-    /// Up to this many radii away, `p + t d - center` has all but four of its digits.
-    const NEAR: f64 = 1e4;
+    /// Up to this many radii away, `p + t d - center` keeps a normal's digits within 1e-6 even from
+    /// a `t` in `f32`.
+    const NEAR: f64 = 8.0;
     let from_center = origin - sphere.center;
     let near = NEAR * sphere.radius;
     let offset = from_center + t * direction;
@@ -88,10 +89,27 @@ fn offset(sphere: &Sphere, origin: DVec3, direction: DVec3, t: f64) -> (DVec3, f
     (offset, if is_kept { length_squared.sqrt() } else { 0.0 })
 }
 
+/// The normal of a sphere that is seen from outside, far away: from the ray's point nearest to the
+/// centre and half the chord, `n = (m - sqrt(r^2 - |m|^2) d / |d|) / r` with
+/// `m = d x ((p - center) x d) / d.d`, which needs no t.
+fn normal_from_afar(sphere: &Sphere, ray: Ray, t: f64) -> DVec3 {
+    /// Up to this many radii away, m keeps a normal's digits within 1e-6.
+    const FAR: f64 = 1e6;
+    let (from_center, d, r) = (ray.origin - sphere.center, ray.direction, sphere.radius);
+    let far = FAR * r;
+    let distance_squared = from_center.length_squared();
+    if !(is_plain_direction(d) && distance_squared < far * far && (1e-60..1e60).contains(&r)) {
+        return normal_of_nearest_root(sphere, ray, t);
+    }
+    let middle = d.cross(from_center.cross(d)) / d.length_squared();
+    let half_chord = (r * r - middle.length_squared()).max(0.0).sqrt();
+    unit(middle - half_chord * unit(d))
+}
+
 /// The normal at whichever of the ray's roots is nearest to `t`; against the ray where rounding the
 /// ray's direction has moved it past the sphere.
 #[cold]
-fn normal_from_afar(sphere: &Sphere, ray: Ray, t: f64) -> DVec3 {
+fn normal_of_nearest_root(sphere: &Sphere, ray: Ray, t: f64) -> DVec3 {
     let Ok(exact) = ExactRay::of(&ray) else { return DVec3::ZERO };
     let seen = SphereSeen::new(sphere, ray.origin);
     let ends = ObjectSeen::Sphere(seen.clone()).ends(&exact, &mut Steps::default());

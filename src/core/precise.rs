@@ -25,8 +25,8 @@ impl Precise {
         Precise { value, scale }
     }
 
-    /// The nearest `f64`. A number too large for it is `f64::MAX`, one too small the smallest there
-    /// is, so that its sign is right.
+    /// The nearest `f64`. A number too large for it is infinite, one too small the smallest there is,
+    /// so that its sign is right.
     pub(crate) fn to_f64(self) -> f64 {
         let Precise { value, scale } = self;
         let rounded = ldexp(value.hi, scale);
@@ -34,7 +34,7 @@ impl Precise {
             return rounded;
         }
         if rounded.is_infinite() {
-            return f64::MAX.copysign(rounded);
+            return rounded;
         }
         // Subnormal: both parts are rounded together, once.
         let sum = &Dyadic::from(value.hi) + &Dyadic::from(value.lo);
