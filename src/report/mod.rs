@@ -2,5 +2,9 @@
 //!
 //! [`model`] is what was measured; everything else turns it into something to read.
 
+pub mod csv;
+pub mod json;
 pub mod model;
 mod number;
+pub mod plot;
+pub mod table;
