@@ -89,6 +89,18 @@ pub struct Steps {
 }
 
 impl Report {
+    /// Takes in what another run measured on the same machine.
+    pub fn append(&mut self, other: Report) {
+        let Report { reference, cpu, cases, left_out, baseline } = other;
+        (self.reference, self.cpu, self.baseline) = (reference, cpu, baseline);
+        self.cases.extend(cases);
+        for line in left_out {
+            if !self.left_out.contains(&line) {
+                self.left_out.push(line);
+            }
+        }
+    }
+
     /// The cases by name, in order: a scene alone, a family with all its knobs.
     pub fn families(&self) -> Vec<Vec<&Case>> {
         let mut families: Vec<Vec<&Case>> = Vec::new();

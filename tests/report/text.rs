@@ -42,7 +42,8 @@ fn the_table_is_aligned_and_says_what_it_rests_on() {
         left out:
           planes: canonical has none
           rays from inside a sphere: the eye is outside
-    "#]].assert_eq(&table::to_table(&small()));
+    "#]]
+    .assert_eq(&table::to_table(&small()));
 }
 
 #[test]
@@ -122,7 +123,8 @@ fn json_has_the_fields_of_the_contract_in_their_order() {
           ],
           "baseline": "textbook-f32: both roots, the same loop over the same rays"
         }
-    "#]].assert_eq(&json::to_json(&report).unwrap());
+    "#]]
+    .assert_eq(&json::to_json(&report).unwrap());
 }
 
 #[test]

@@ -7,13 +7,13 @@ use super::panel::{TEXT, WEAK};
 use super::summary::{Summary, Worst};
 
 /// From one line to the next, in points.
-const LINE: f64 = 27.0;
+const LINE: f64 = 29.0;
 
 /// The width of the table, in points.
 pub(crate) const WIDTH: f64 = 372.0;
 
 /// From the left edge to the marks of `f32` and of `f64`.
-const COLUMNS: [f64; 2] = [150.0, 268.0];
+const COLUMNS: [f64; 2] = [156.0, 272.0];
 
 /// Draws the table from its left top corner; the ring's meaning stands below.
 pub(crate) fn draw(figure: &mut Figure, [left, top]: Place, summary: &Summary) {

@@ -82,7 +82,7 @@ impl Marker {
 
 /// The mark of a method that decided wrong: a ring around its own.
 pub(crate) fn ring(figure: &mut Figure, center: Place) {
-    figure.shapes.push(Shape::Ring { center, radius: 1.9 * RADIUS, color: WRONG, width: 2.5 });
+    figure.shapes.push(Shape::Ring { center, radius: 1.65 * RADIUS, color: WRONG, width: 2.5 });
 }
 
 #[cfg(test)]

@@ -181,10 +181,11 @@ struct Mark<'a> {
     wrong: bool,
 }
 
-/// Rings last, so that no mark hides one.
+/// The first method on top of the others, as it is the one to look for; rings last, so that no
+/// mark hides one.
 fn draw_marks(figure: &mut Figure, marks: &[Mark]) {
     for hollow in [false, true] {
-        for mark in marks.iter().filter(|mark| mark.hollow == hollow) {
+        for mark in marks.iter().rev().filter(|mark| mark.hollow == hollow) {
             marker::of(mark.family).draw(figure, mark.center, hollow);
         }
     }
