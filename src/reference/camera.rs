@@ -1,0 +1,278 @@
+//! Cameras, and the rays of their pixels with nothing rounded on the way from eye, at and up.
+//!
+//! With the view `Z` (which is `at - eye`), `U = Z x up`, `A = |U|^2` and `B = |Z|^2`, all exact, the
+//! basis is
+//!
+//! ```text
+//! u = U / sqrt(A)      v = (U x Z) / sqrt(A B)      w = -Z / sqrt(B)
+//! ```
+//!
+//! because `up x w = (Z x up) / |Z|`, and `v = w x u = -(Z x U) / (|Z| |U|)`. The direction of the ray
+//! through (x, y) of the viewport, `x*u + y*v - distance*w`, times `sqrt(A B)` is
+//!
+//! ```text
+//! x sqrt(B) U  +  y (U x Z)  +  distance sqrt(A) Z
+//! ```
+//!
+//! a vector of numbers `p + q sqrt(A) + r sqrt(B)` that are exact. The factor changes no decision, and
+//! is divided out of `t`. (Basis: Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed.,
+//! section 4.3.)
+
+use crate::dyadic::{Dyadic, Vector, cross, dot, is_zero, minus, vector};
+use crate::object::Object;
+use crate::real::Real;
+use crate::surd::{Field, Surd};
+use crate::trace::{Direction, Hit, Roots, SceneSeen};
+
+/// Which way a camera looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Orientation {
+    /// At a point: the view is `at - eye`, not rounded.
+    At {
+        /// The point.
+        at: [f64; 3],
+        /// Keeps the camera level.
+        up: [f64; 3],
+    },
+    /// Along a vector of any length.
+    View {
+        /// The vector.
+        view: [f64; 3],
+        /// Keeps the camera level.
+        up: [f64; 3],
+    },
+    /// As its vectors say, which are taken as they are: neither normalized nor made orthogonal.
+    Basis {
+        /// Right in the image.
+        u: [f64; 3],
+        /// Up in the image.
+        v: [f64; 3],
+        /// Backwards.
+        w: [f64; 3],
+    },
+}
+
+/// Why there is no basis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// `at - eye` is 0.
+    EyeIsAt,
+    /// The view is 0.
+    ViewIsZero,
+    /// The up vector is 0, and the view is not.
+    UpIsZero,
+    /// `up x view` is 0, and neither of them is.
+    UpParallelToView,
+}
+
+/// A pinhole camera: where it is, how it is turned, its viewport in world units, its image in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where all rays start.
+    pub eye: [f64; 3],
+    /// How it is turned.
+    pub orientation: Orientation,
+    /// Extent of the viewport along u.
+    pub width: f64,
+    /// Extent of the viewport along v.
+    pub height: f64,
+    /// From the eye to the viewport, along -w.
+    pub distance: f64,
+    /// Pixels in a row.
+    pub columns: u32,
+    /// Pixels in a column.
+    pub rows: u32,
+}
+
+/// What a camera sees of some objects, prepared for many rays. It can be shared between threads.
+#[derive(Debug)]
+pub struct View {
+    posed: Posed,
+    camera: Camera,
+    scene: SceneSeen,
+}
+
+/// A basis, each vector a multiple of the true one, and all of them the same multiple, `multiple`.
+#[derive(Debug)]
+struct Posed {
+    field: Field,
+    u: [Surd; 3],
+    v: [Surd; 3],
+    w: [Surd; 3],
+    multiple: Surd,
+}
+
+/// The place of `sqrt(A)`, `sqrt(B)` and `sqrt(A B)` in a [`Surd`].
+const ROOT_A: usize = 1;
+const ROOT_B: usize = 2;
+const ROOT_AB: usize = 3;
+
+impl Posed {
+    fn new(eye: [f64; 3], orientation: &Orientation) -> Result<Posed, Status> {
+        let one = Dyadic::power_of_two(0);
+        let (view, up, without_view) = match orientation {
+            Orientation::At { at, up } => {
+                (minus(&vector(*at), &vector(eye)), vector(*up), Status::EyeIsAt)
+            }
+            Orientation::View { view, up } => (vector(*view), vector(*up), Status::ViewIsZero),
+            Orientation::Basis { u, v, w } => {
+                let [u, v, w] = [u, v, w].map(|x| vector(*x).map(Surd::rational));
+                return Ok(Posed {
+                    field: Field::rational(),
+                    u,
+                    v,
+                    w,
+                    multiple: Surd::rational(one),
+                });
+            }
+        };
+        let right = cross(&view, &up);
+        if is_zero(&view) {
+            return Err(without_view);
+        } else if is_zero(&up) {
+            return Err(Status::UpIsZero);
+        } else if is_zero(&right) {
+            return Err(Status::UpParallelToView);
+        }
+        let above = cross(&right, &view);
+        let times_root = |x: &Vector, place| x.clone().map(|x| Surd::with_root(x, place));
+        Ok(Posed {
+            field: Field::new(dot(&right, &right), dot(&view, &view)),
+            u: times_root(&right, ROOT_B),
+            v: above.map(Surd::rational),
+            w: times_root(&view.map(|x| -&x), ROOT_A),
+            multiple: Surd::with_root(one, ROOT_AB),
+        })
+    }
+
+    fn basis(&self) -> [[Real; 3]; 3] {
+        [&self.u, &self.v, &self.w].map(|vector| {
+            let (multiple, per_multiple) = (vector.clone(), self.multiple.clone());
+            Direction { field: &self.field, multiple, per_multiple }.values()
+        })
+    }
+
+    /// The direction `(x*u + y*v - z*w) / share`, by x, y and z.
+    fn direction(&self, [x, y, z]: &Vector, share: &Dyadic) -> Direction<'_> {
+        let multiple = std::array::from_fn(|i| {
+            self.u[i].scaled(x).plus(&self.v[i].scaled(y)).minus(&self.w[i].scaled(z))
+        });
+        Direction { field: &self.field, multiple, per_multiple: self.multiple.scaled(share) }
+    }
+}
+
+/// The basis u, v, w of a camera at `eye`, to 440 bits or more:
+/// `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`.
+///
+/// # Errors
+/// Where there is none: exactly where `view`, `up` or `up x view` is 0.
+///
+/// # Panics
+/// Where a number is NaN or infinite.
+pub fn basis(eye: [f64; 3], orientation: &Orientation) -> Result<[[Real; 3]; 3], Status> {
+    Ok(Posed::new(eye, orientation)?.basis())
+}
+
+impl Camera {
+    /// Its basis u, v, w; see [`basis`].
+    ///
+    /// # Errors
+    /// Where there is none.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn basis(&self) -> Result<[[Real; 3]; 3], Status> {
+        basis(self.eye, &self.orientation)
+    }
+
+    /// Prepares for many rays what they share.
+    ///
+    /// # Errors
+    /// Where there is no basis.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn prepare(&self, objects: &[Object]) -> Result<View, Status> {
+        let posed = Posed::new(self.eye, &self.orientation)?;
+        Ok(View { posed, camera: *self, scene: SceneSeen::new(objects, vector(self.eye)) })
+    }
+
+    /// [`View::first_hit_of_pixel`] of one pixel; none for a camera without a basis.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn first_hit_of_pixel(&self, objects: &[Object], row: u32, column: u32) -> Option<Hit> {
+        self.prepare(objects).ok()?.first_hit_of_pixel(row, column)
+    }
+
+    /// [`View::first_hit_of_uv`] of one ray; none for a camera without a basis.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn first_hit_of_uv(&self, objects: &[Object], u: f64, v: f64) -> Option<Hit> {
+        self.prepare(objects).ok()?.first_hit_of_uv(u, v)
+    }
+
+    /// The position of the pixel's centre in the viewport and the distance, all times
+    /// `2 rows columns`, and that factor:
+    ///
+    /// ```text
+    /// x = width * ((column + 0.5) / columns - 0.5) = width * (2 column + 1 - columns) / (2 columns)
+    /// y = height * (0.5 - (row + 0.5) / rows) = height * (rows - 2 row - 1) / (2 rows)
+    /// ```
+    fn pixel(&self, row: u32, column: u32) -> (Vector, Dyadic) {
+        let [rows, columns, row, column] = [self.rows, self.columns, row, column].map(i64::from);
+        let integer = |n: i64| Dyadic::new(n.into(), 0);
+        let x = &integer((2 * column + 1 - columns) * rows) * &Dyadic::from_f64(self.width);
+        let y = &integer((rows - 2 * row - 1) * columns) * &Dyadic::from_f64(self.height);
+        let share = integer(2 * rows * columns);
+        ([x, y, &share * &Dyadic::from_f64(self.distance)], share)
+    }
+}
+
+impl View {
+    /// The basis u, v, w.
+    pub fn basis(&self) -> [[Real; 3]; 3] {
+        self.posed.basis()
+    }
+
+    fn of_pixel(&self, row: u32, column: u32) -> Direction<'_> {
+        let (position, share) = self.camera.pixel(row, column);
+        self.posed.direction(&position, &share)
+    }
+
+    fn of_uv(&self, u: f64, v: f64) -> Direction<'_> {
+        self.posed.direction(&vector([u, v, self.camera.distance]), &Dyadic::power_of_two(0))
+    }
+
+    /// What the ray through the pixel's centre hits first, as [`crate::first_hit`] says; rows and
+    /// columns from 0, row 0 on top. The direction is `x*u + y*v - distance*w`, not normalized, so
+    /// that `t = 1` is the viewport.
+    pub fn first_hit_of_pixel(&self, row: u32, column: u32) -> Option<Hit> {
+        self.scene.first_hit(&self.of_pixel(row, column))
+    }
+
+    /// The object of [`View::first_hit_of_pixel`] alone, at a fraction of its cost.
+    pub fn first_object_of_pixel(&self, row: u32, column: u32) -> Option<usize> {
+        self.scene.first_object(&self.of_pixel(row, column))
+    }
+
+    /// As [`View::first_hit_of_pixel`], through any point of the viewport, in world units from its
+    /// centre.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn first_hit_of_uv(&self, u: f64, v: f64) -> Option<Hit> {
+        self.scene.first_hit(&self.of_uv(u, v))
+    }
+
+    /// All `t` at which the line of the pixel's ray meets one of the objects.
+    pub fn roots_of_pixel(&self, object: usize, row: u32, column: u32) -> Roots {
+        self.scene.roots(object, &self.of_pixel(row, column))
+    }
+
+    /// The direction of the pixel's ray.
+    pub fn direction_of_pixel(&self, row: u32, column: u32) -> [Real; 3] {
+        self.of_pixel(row, column).values()
+    }
+}

@@ -1,0 +1,101 @@
+//! Numbers known only to lie between two bounds, for square roots.
+
+use crate::dyadic::{Dyadic, Toward};
+use std::cmp::Ordering;
+
+/// All numbers from `low` to `high`. Each operation rounds its bounds outward to `bits` significant
+/// bits, so that the true result is always inside (Moore, *Interval Analysis*, 1966).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Interval {
+    pub(crate) low: Dyadic,
+    pub(crate) high: Dyadic,
+}
+
+impl Interval {
+    pub(crate) fn exactly(x: &Dyadic, bits: usize) -> Interval {
+        Interval { low: x.rounded(bits, Toward::Below), high: x.rounded(bits, Toward::Above) }
+    }
+
+    pub(crate) fn plus(&self, other: &Interval, bits: usize) -> Interval {
+        Interval {
+            low: (&self.low + &other.low).rounded(bits, Toward::Below),
+            high: (&self.high + &other.high).rounded(bits, Toward::Above),
+        }
+    }
+
+    pub(crate) fn times(&self, other: &Interval, bits: usize) -> Interval {
+        let corners = [
+            &self.low * &other.low,
+            &self.low * &other.high,
+            &self.high * &other.low,
+            &self.high * &other.high,
+        ];
+        let [mut low, mut high] = [&corners[0]; 2];
+        for corner in &corners[1..] {
+            low = low.min(corner);
+            high = high.max(corner);
+        }
+        Interval { low: low.rounded(bits, Toward::Below), high: high.rounded(bits, Toward::Above) }
+    }
+
+    /// `self / divisor` for a divisor that is positive throughout.
+    pub(crate) fn over(&self, divisor: &Interval, bits: usize) -> Interval {
+        let farther = |x: &Dyadic, outward: Ordering| {
+            if x.sign() == outward { &divisor.low } else { &divisor.high }
+        };
+        let (low, high) = (&self.low, &self.high);
+        Interval {
+            low: low.divided(farther(low, Ordering::Less), bits, Toward::Below),
+            high: high.divided(farther(high, Ordering::Greater), bits, Toward::Above),
+        }
+    }
+
+    /// The square root of a number that is known not to be negative, whatever the lower bound.
+    pub(crate) fn sqrt(&self, bits: usize) -> Interval {
+        Interval {
+            low: (&self.low).max(&Dyadic::ZERO).sqrt(bits, Toward::Below),
+            high: (&self.high).max(&Dyadic::ZERO).sqrt(bits, Toward::Above),
+        }
+    }
+
+    /// The sign that all numbers in the interval share.
+    pub(crate) fn sign(&self) -> Option<Ordering> {
+        let sign = self.low.sign();
+        (sign == self.high.sign() && (sign != Ordering::Equal || self.low == self.high))
+            .then_some(sign)
+    }
+
+    /// Whether any two numbers in it differ by at most `2^-bits` of either.
+    pub(crate) fn is_narrow(&self, bits: i64) -> bool {
+        if self.low == self.high {
+            return true;
+        }
+        if self.sign().is_none() {
+            return false;
+        }
+        let width = (&self.high - &self.low).log2();
+        width.zip(self.low.log2().min(self.high.log2())).is_some_and(|(w, x)| w < x - bits)
+    }
+
+    /// The number in it with the fewest bits: where a short number is the true one, as 4 or 0.25 for
+    /// a `t`, it is found to the last bit, although roots were taken on the way.
+    pub(crate) fn shortest(&self) -> Dyadic {
+        if self.low == self.high {
+            return self.low.clone();
+        }
+        if self.sign().is_none() {
+            return Dyadic::ZERO;
+        }
+        // Rounding up to more bits never gives a larger number.
+        let (mut too_few, mut enough) = (0, self.low.length());
+        while enough - too_few > 1 {
+            let bits = (too_few + enough) / 2;
+            if self.low.rounded(bits, Toward::Above) <= self.high {
+                enough = bits;
+            } else {
+                too_few = bits;
+            }
+        }
+        self.low.rounded(enough, Toward::Above)
+    }
+}

@@ -1,0 +1,165 @@
+//! Spheres and planes, what a ray's origin has to do with them, and where a ray meets them.
+
+use std::cmp::Ordering;
+
+use crate::dyadic::{Dyadic, Vector, dot, minus, vector};
+use crate::quotient::Quotient;
+use crate::real::Real;
+use crate::surd::{Field, Surd};
+
+/// What a ray can hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Object {
+    /// All points at the distance `radius` from `center`.
+    Sphere {
+        /// Its centre, in world units.
+        center: [f64; 3],
+        /// Its radius in world units, positive.
+        radius: f64,
+    },
+    /// All points `q` with `normal . (q - point) = 0`.
+    Plane {
+        /// Any point of it.
+        point: [f64; 3],
+        /// Any vector but 0 at right angles to it.
+        normal: [f64; 3],
+    },
+}
+
+impl Object {
+    /// Whether all its numbers are finite, and its radius is positive or its normal is not 0.
+    pub fn is_valid(&self) -> bool {
+        let are_finite = |v: &[f64; 3]| v.iter().all(|x| x.is_finite());
+        match self {
+            Object::Sphere { center, radius } => {
+                are_finite(center) && radius.is_finite() && *radius > 0.0
+            }
+            Object::Plane { point, normal } => {
+                are_finite(point) && are_finite(normal) && *normal != [0.0; 3]
+            }
+        }
+    }
+
+    /// The sign of its implicit function at `q`, exactly: `|q - center|^2 - radius^2` is negative
+    /// inside a sphere; `normal . (q - point)` is positive on the side that the normal points to. 0 is
+    /// on the object.
+    ///
+    /// # Panics
+    /// Where a number is NaN or infinite.
+    pub fn side_of(&self, q: [f64; 3]) -> Ordering {
+        match Seen::from(self, &vector(q)) {
+            Seen::Sphere { c, .. } => c.sign(),
+            Seen::Plane { offset, .. } => offset.sign().reverse(),
+        }
+    }
+}
+
+/// An object and what all rays of one origin share of it, exactly.
+#[derive(Clone, Debug)]
+pub(crate) enum Seen {
+    Sphere {
+        radius: Dyadic,
+        /// `origin - center`
+        from_center: Vector,
+        /// `|origin - center|^2 - radius^2`
+        c: Dyadic,
+    },
+    Plane {
+        normal: Vector,
+        /// `normal . (point - origin)`
+        offset: Dyadic,
+    },
+}
+
+impl Seen {
+    pub(crate) fn from(object: &Object, origin: &Vector) -> Seen {
+        match object {
+            Object::Sphere { center, radius } => {
+                let (center, radius) = (vector(*center), Dyadic::from_f64(*radius));
+                let from_center = minus(origin, &center);
+                let c = &dot(&from_center, &from_center) - &radius.square();
+                Seen::Sphere { radius, from_center, c }
+            }
+            Object::Plane { point, normal } => {
+                let normal = vector(*normal);
+                let offset = dot(&normal, &minus(&vector(*point), origin));
+                Seen::Plane { normal, offset }
+            }
+        }
+    }
+
+    /// Where the line from the origin along `direction` meets the object, the smaller root first.
+    /// `a = |direction|^2`.
+    pub(crate) fn roots(&self, field: &Field, direction: &[Surd; 3], a: &Surd) -> Vec<Quotient> {
+        match self {
+            Seen::Sphere { from_center, c, .. } => {
+                let b = Surd::dot(direction, from_center);
+                sphere_roots(field, a, &b, c)
+            }
+            Seen::Plane { normal, offset } => {
+                let rate = Surd::dot(direction, normal);
+                let (p, d) = match field.sign(&rate) {
+                    Ordering::Equal => return Vec::new(),
+                    Ordering::Greater => (offset.clone(), rate),
+                    Ordering::Less => (-offset, rate.negated()),
+                };
+                vec![Quotient::without_root(Surd::rational(p), d)]
+            }
+        }
+    }
+
+    /// The unit normal, outward on a sphere, in a plane's own sense, where `t` is a root.
+    pub(crate) fn normal(&self, field: &Field, direction: &[Surd; 3], t: &Quotient) -> [Real; 3] {
+        match self {
+            Seen::Sphere { from_center, radius, .. } => std::array::from_fn(|i| {
+                let mut offset = moved(field, &from_center[i], &direction[i], t);
+                offset.d = offset.d.scaled(radius);
+                offset.value(field)
+            }),
+            // n / |n| = n |n| / |n|^2
+            Seen::Plane { normal, .. } => {
+                let square = Surd::rational(dot(normal, normal));
+                std::array::from_fn(|i| {
+                    let q = Surd::rational(normal[i].clone());
+                    Quotient { p: Surd::ZERO, q, e: square.clone(), d: square.clone() }.value(field)
+                })
+            }
+        }
+    }
+}
+
+/// `origin + t * direction`, of one coordinate.
+pub(crate) fn moved(field: &Field, origin: &Dyadic, direction: &Surd, t: &Quotient) -> Quotient {
+    Quotient {
+        p: t.d.scaled(origin).plus(&field.times(&t.p, direction)),
+        q: field.times(&t.q, direction),
+        e: t.e.clone(),
+        d: t.d.clone(),
+    }
+}
+
+/// The roots of `a t^2 + 2 b t + c = 0`: `(-b -+ sqrt(b^2 - a c)) / a`.
+fn sphere_roots(field: &Field, a: &Surd, b: &Surd, c: &Dyadic) -> Vec<Quotient> {
+    let discriminant = field.square(b).minus(&a.scaled(c));
+    let minus_b = b.negated();
+    match field.sign(&discriminant) {
+        Ordering::Less => Vec::new(),
+        Ordering::Equal => vec![Quotient::without_root(minus_b, a.clone())],
+        // One root is 0, and the other is the sum of both, -2 b / a.
+        Ordering::Greater if c.is_zero() => {
+            let sum = minus_b.scaled(&Dyadic::power_of_two(1));
+            let is_ahead = field.sign(&sum) == Ordering::Greater;
+            let zero = Quotient::without_root(Surd::ZERO, a.clone());
+            let other = Quotient::without_root(sum, a.clone());
+            if is_ahead { vec![zero, other] } else { vec![other, zero] }
+        }
+        Ordering::Greater => {
+            let root = |sign: i32| {
+                let one = Dyadic::power_of_two(0);
+                let q = Surd::rational(if sign < 0 { -&one } else { one });
+                Quotient { p: minus_b.clone(), q, e: discriminant.clone(), d: a.clone() }
+            };
+            vec![root(-1), root(1)]
+        }
+    }
+}

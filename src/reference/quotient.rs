@@ -1,0 +1,136 @@
+//! Roots of quadratics whose coefficients are [`Surd`]s: `(p + q sqrt(e)) / d`.
+
+use std::cmp::Ordering;
+
+use crate::dyadic::Dyadic;
+use crate::interval::Interval;
+use crate::real::Real;
+use crate::surd::{Field, Surd, bits_of_level, product};
+
+/// `(p + q sqrt(e)) / d` with `e >= 0` and `d > 0`.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Quotient {
+    pub(crate) p: Surd,
+    pub(crate) q: Surd,
+    pub(crate) e: Surd,
+    pub(crate) d: Surd,
+}
+
+/// A value is given to this many significant bits, or exactly where it has fewer.
+const VALUE_BITS: i64 = 440;
+
+/// Levels at which the sign of a sum of roots is tried by interval arithmetic.
+const SIGN_LEVELS: usize = 2;
+
+impl Quotient {
+    pub(crate) fn without_root(p: Surd, d: Surd) -> Quotient {
+        Quotient { p, q: Surd::ZERO, e: Surd::ZERO, d }
+    }
+
+    /// The proven sign.
+    pub(crate) fn sign(&self, field: &Field) -> Ordering {
+        for level in 0..SIGN_LEVELS {
+            if let Some(sign) = self.numerator(field, level).sign() {
+                return sign;
+            }
+        }
+        sign_with_root(field, &self.p, &self.q, &self.e)
+    }
+
+    fn numerator(&self, field: &Field, level: usize) -> Interval {
+        field
+            .interval(&self.p, level)
+            .plus(&root_term(field, &self.q, &self.e, level), bits_of_level(level))
+    }
+
+    /// The proven order of two numbers.
+    pub(crate) fn cmp(&self, other: &Quotient, field: &Field) -> Ordering {
+        if self == other {
+            return Ordering::Equal;
+        }
+        // self - other = (p + q sqrt(e) + r sqrt(f)) / (d d')
+        let (p, q, r) = if self.d == other.d {
+            (self.p.minus(&other.p), self.q.clone(), other.q.negated())
+        } else {
+            let p = field.times(&self.p, &other.d).minus(&field.times(&other.p, &self.d));
+            (p, field.times(&self.q, &other.d), field.times(&other.q, &self.d).negated())
+        };
+        sign_with_roots(field, &p, (&q, &self.e), (&r, &other.e))
+    }
+
+    /// The number itself, to 440 significant bits or more.
+    pub(crate) fn value(&self, field: &Field) -> Real {
+        let mut is_known_not_zero = false;
+        for level in 1.. {
+            let numerator = self.numerator(field, level);
+            match numerator.sign() {
+                Some(Ordering::Equal) => break,
+                Some(_) => {
+                    let denominator = field.interval(&self.d, level);
+                    if denominator.sign() == Some(Ordering::Greater) {
+                        let value = numerator.over(&denominator, bits_of_level(level));
+                        if value.is_narrow(VALUE_BITS) {
+                            return Real::new(value.shortest());
+                        }
+                    }
+                }
+                None if is_known_not_zero => {}
+                None if self.sign(field) == Ordering::Equal => break,
+                None => is_known_not_zero = true,
+            }
+        }
+        Real::new(Dyadic::ZERO)
+    }
+}
+
+fn root_term(field: &Field, factor: &Surd, radicand: &Surd, level: usize) -> Interval {
+    let bits = bits_of_level(level);
+    if factor.is_zero() {
+        return Interval::exactly(&Dyadic::ZERO, bits);
+    }
+    field.interval(factor, level).times(&field.interval(radicand, level).sqrt(bits), bits)
+}
+
+/// The sign of `p + q sqrt(e)`, by squaring: see [`crate::surd`].
+fn sign_with_root(field: &Field, p: &Surd, q: &Surd, e: &Surd) -> Ordering {
+    let without = field.sign(p);
+    let with = product(field.sign(q), field.sign(e));
+    if without == with || with == Ordering::Equal {
+        without
+    } else if without == Ordering::Equal {
+        with
+    } else {
+        let square = field.square(p).minus(&field.times(&field.square(q), e));
+        product(without, field.sign(&square))
+    }
+}
+
+/// The sign of `p + q sqrt(e) + r sqrt(f)`. Where `x = p + q sqrt(e)` and `y = r sqrt(f)` have
+/// opposite signs it is the sign of `x^2 - y^2 = (p^2 + q^2 e - r^2 f) + 2 p q sqrt(e)`, times that
+/// of x: one root less.
+fn sign_with_roots(
+    field: &Field,
+    p: &Surd,
+    (q, e): (&Surd, &Surd),
+    (r, f): (&Surd, &Surd),
+) -> Ordering {
+    for level in 0..SIGN_LEVELS {
+        let bits = bits_of_level(level);
+        let roots = root_term(field, q, e, level).plus(&root_term(field, r, f, level), bits);
+        if let Some(sign) = field.interval(p, level).plus(&roots, bits).sign() {
+            return sign;
+        }
+    }
+    let x = sign_with_root(field, p, q, e);
+    let y = product(field.sign(r), field.sign(f));
+    if x == y || y == Ordering::Equal {
+        x
+    } else if x == Ordering::Equal {
+        y
+    } else {
+        let squares = field.square(p).plus(&field.times(&field.square(q), e));
+        let without = squares.minus(&field.times(&field.square(r), f));
+        let with = field.times(p, q).scaled(&Dyadic::power_of_two(1));
+        product(x, sign_with_root(field, &without, &with, e))
+    }
+}

@@ -1,0 +1,160 @@
+//! A real number as the reference gives it out, and how far a float is from it.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use crate::dyadic::{Dyadic, Vector, cross, dot};
+
+/// A real number to at least 440 significant bits; exact where it has no more than that.
+///
+/// It differs from the true number by less than one part in `2^440`. So its nearest `f64` is that of
+/// the true number, but for a number that is that near to the middle between two of them without
+/// being it.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Real(Dyadic);
+
+/// What sets a format of floats apart: digits and range.
+struct Format {
+    digits: i64,
+    /// `log2` of the smallest subnormal.
+    smallest: i64,
+    /// `log2` of the unit in the last place of the largest number.
+    largest_unit: i64,
+}
+
+const DOUBLE: Format = Format { digits: 53, smallest: -1074, largest_unit: 971 };
+const SINGLE: Format = Format { digits: 24, smallest: -149, largest_unit: 104 };
+
+impl Format {
+    /// `log2` of the spacing of the floats at `|x|`, as if there were no largest one.
+    fn unit_at(&self, x: &Dyadic) -> i64 {
+        x.log2().map_or(self.smallest, |log2| (log2 + 1 - self.digits).max(self.smallest))
+    }
+
+    /// The bits of the float nearest to `|x|`, ties to even. In the encoding the magnitudes count on
+    /// through all binades, subnormals included, up to infinity.
+    fn nearest(&self, x: &Dyadic) -> u64 {
+        let unit = self.unit_at(x);
+        if unit > self.largest_unit {
+            return self.infinity();
+        }
+        let (whole, rest) = x.in_units(unit);
+        let mut units = u64::try_from(whole).unwrap_or(u64::MAX);
+        let rounds_up = match rest {
+            Some(Ordering::Greater) => true,
+            Some(Ordering::Equal) => units % 2 == 1,
+            _ => false,
+        };
+        units += u64::from(rounds_up);
+        let below = ((unit - self.smallest) as u64) << (self.digits - 1);
+        (below + units).min(self.infinity())
+    }
+
+    fn infinity(&self) -> u64 {
+        ((self.largest_unit - self.smallest + 2) as u64) << (self.digits - 1)
+    }
+
+    /// `|x - exact|` in units of the spacing of the floats at `|exact|`.
+    fn ulps(&self, x: f64, exact: &Dyadic) -> f64 {
+        if !x.is_finite() {
+            return f64::INFINITY;
+        }
+        let unit = self.unit_at(exact).min(self.largest_unit);
+        Real((&Dyadic::from_f64(x) - exact).shifted(-unit)).to_f64().abs()
+    }
+}
+
+impl Real {
+    pub(crate) fn new(value: Dyadic) -> Real {
+        Real(value)
+    }
+
+    /// The nearest `f64`, ties to even, subnormals included; infinite beyond the largest.
+    pub fn to_f64(&self) -> f64 {
+        let magnitude = f64::from_bits(DOUBLE.nearest(&self.0));
+        if self.0.sign() == Ordering::Less { -magnitude } else { magnitude }
+    }
+
+    /// The nearest `f32`, ties to even, subnormals included; infinite beyond the largest.
+    pub fn to_f32(&self) -> f32 {
+        let magnitude = f32::from_bits(SINGLE.nearest(&self.0) as u32);
+        if self.0.sign() == Ordering::Less { -magnitude } else { magnitude }
+    }
+
+    /// Whether it is 0, or of a size that `f64` has at full precision: from
+    /// [`f64::MIN_POSITIVE`] to [`f64::MAX`].
+    pub fn is_representable(&self) -> bool {
+        self.is_within(f64::MIN_POSITIVE, f64::MAX)
+    }
+
+    /// As [`Real::is_representable`], for `f32`.
+    pub fn is_representable_f32(&self) -> bool {
+        self.is_within(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX))
+    }
+
+    fn is_within(&self, smallest: f64, largest: f64) -> bool {
+        let magnitude = self.0.abs();
+        let (smallest, largest) = (Dyadic::from_f64(smallest), Dyadic::from_f64(largest));
+        self.0.is_zero() || (smallest <= magnitude && magnitude <= largest)
+    }
+
+    /// `|x - self|` in units of the last place of an `f64` at `self`: the spacing of doubles there,
+    /// `2^(floor(log2 |self|) - 52)`, at least `2^-1074` and at most `2^971`. A correctly rounded `x`
+    /// is within 0.5. Infinite where `x` is NaN or infinite.
+    pub fn ulps_from(&self, x: f64) -> f64 {
+        DOUBLE.ulps(x, &self.0)
+    }
+
+    /// As [`Real::ulps_from`] in units of the last place of an `f32`:
+    /// `2^(floor(log2 |self|) - 23)`, at least `2^-149` and at most `2^104`.
+    pub fn ulps_from_f32(&self, x: f32) -> f64 {
+        SINGLE.ulps(f64::from(x), &self.0)
+    }
+
+    /// `self - x`, exactly.
+    ///
+    /// # Panics
+    /// Where `x` is NaN or infinite.
+    pub fn minus_f64(&self, x: f64) -> Real {
+        Real(&self.0 - &Dyadic::from_f64(x))
+    }
+}
+
+impl From<f64> for Real {
+    /// # Panics
+    /// Where `x` is NaN or infinite.
+    fn from(x: f64) -> Real {
+        Real(Dyadic::from_f64(x))
+    }
+}
+
+impl fmt::Debug for Real {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.to_f64())
+    }
+}
+
+/// The angle between two vectors of any lengths, in radians, right to a few parts in `1e16` however
+/// small it is: `atan2(|a x b|, a . b)`, with the products exact. NaN where `b` is not finite or one
+/// of them is zero.
+pub fn angle_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
+    if !b.iter().all(|x| x.is_finite()) || b == [0.0; 3] || a.iter().all(|x| x.0.is_zero()) {
+        return f64::NAN;
+    }
+    let (a, b): (Vector, Vector) = (a.clone().map(|x| x.0), b.map(Dyadic::from_f64));
+    let (across, along) = (cross(&a, &b), dot(&a, &b));
+    let across = dot(&across, &across).sqrt(120, crate::dyadic::Toward::Below);
+    // Only the ratio matters: the larger of the two comes near 1.
+    let scale = -across.log2().max(along.log2()).unwrap_or(0);
+    Real(across.shifted(scale)).to_f64().atan2(Real(along.shifted(scale)).to_f64())
+}
+
+/// The distance between two points, right to a few parts in `1e16` however small it is; infinite
+/// where `b` is not finite.
+pub fn distance_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
+    if !b.iter().all(|x| x.is_finite()) {
+        return f64::INFINITY;
+    }
+    let offset: Vector = std::array::from_fn(|i| &a[i].0 - &Dyadic::from_f64(b[i]));
+    Real(dot(&offset, &offset).sqrt(120, crate::dyadic::Toward::Below)).to_f64()
+}

@@ -1,0 +1,198 @@
+//! Numbers `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)` with exact p, q, r, s, and their signs.
+//!
+//! A camera's basis has the square roots of two numbers in it, `A = |up x w|^2` and `B = |view|^2`
+//! (see [`crate::Camera`]). Sums, differences and products of such numbers are such numbers again, and
+//! are exact. A ray that is given has none: its numbers are `p` alone, with A = B = 1.
+//!
+//! # Signs
+//! [`Field::sign`] first evaluates in interval arithmetic at rising precision; an interval without 0
+//! proves the sign. What stays undecided, each exact zero among it, is decided by algebra: the sign
+//! of `x + y sqrt(B)` where x and y have opposite signs is that of x if `x^2 > y^2 B`, that of y if
+//! `x^2 < y^2 B`, and 0 where they are equal; and `x^2 - y^2 B` has one root less. So no bound on how
+//! near to 0 a number can be is needed (as root separation bounds give; see Yap, *Fundamental
+//! Problems of Algorithmic Algebra*, 2000, ch. 6, and, for signs by repeated squaring, Boissonnat and
+//! Snoeyink, *Efficient algorithms for line and curve segment intersection using restricted
+//! predicates*, 1999).
+
+use std::cmp::Ordering;
+use std::sync::OnceLock;
+
+use crate::dyadic::{Dyadic, Vector};
+use crate::interval::Interval;
+
+/// `p + q sqrt(A) + r sqrt(B) + s sqrt(A B)`, by p, q, r, s.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Surd(pub(crate) [Dyadic; 4]);
+
+impl Surd {
+    pub(crate) const ZERO: Surd = Surd([const { Dyadic::ZERO }; 4]);
+
+    pub(crate) fn rational(p: Dyadic) -> Surd {
+        Surd([p, Dyadic::ZERO, Dyadic::ZERO, Dyadic::ZERO])
+    }
+
+    /// `p` times the root with this place in [`Surd`].
+    pub(crate) fn with_root(p: Dyadic, place: usize) -> Surd {
+        let mut surd = Surd::ZERO;
+        surd.0[place] = p;
+        surd
+    }
+
+    pub(crate) fn is_zero(&self) -> bool {
+        self.0.iter().all(Dyadic::is_zero)
+    }
+
+    pub(crate) fn plus(&self, other: &Surd) -> Surd {
+        Surd(std::array::from_fn(|i| &self.0[i] + &other.0[i]))
+    }
+
+    pub(crate) fn minus(&self, other: &Surd) -> Surd {
+        Surd(std::array::from_fn(|i| &self.0[i] - &other.0[i]))
+    }
+
+    pub(crate) fn negated(&self) -> Surd {
+        Surd(std::array::from_fn(|i| -&self.0[i]))
+    }
+
+    pub(crate) fn scaled(&self, factor: &Dyadic) -> Surd {
+        Surd(std::array::from_fn(|i| &self.0[i] * factor))
+    }
+
+    pub(crate) fn dot(vector: &[Surd; 3], other: &Vector) -> Surd {
+        let [x, y, z] = std::array::from_fn(|i| vector[i].scaled(&other[i]));
+        x.plus(&y).plus(&z)
+    }
+}
+
+/// Significant bits of the interval arithmetic at a level of effort.
+pub(crate) fn bits_of_level(level: usize) -> usize {
+    160 << (2 * level)
+}
+
+/// Levels at which a sign is tried by interval arithmetic before it is decided by algebra.
+const SIGN_LEVELS: usize = 3;
+
+/// Levels at which the roots are remembered.
+const KEPT_LEVELS: usize = 4;
+
+/// The A and B of [`Surd`], both positive.
+#[derive(Debug)]
+pub(crate) struct Field {
+    a: Dyadic,
+    b: Dyadic,
+    ab: Dyadic,
+    roots: [OnceLock<[Interval; 3]>; KEPT_LEVELS],
+}
+
+impl Field {
+    pub(crate) fn new(a: Dyadic, b: Dyadic) -> Field {
+        let ab = &a * &b;
+        Field { a, b, ab, roots: Default::default() }
+    }
+
+    /// No roots but those of 1.
+    pub(crate) fn rational() -> Field {
+        Field::new(Dyadic::power_of_two(0), Dyadic::power_of_two(0))
+    }
+
+    pub(crate) fn times(&self, x: &Surd, y: &Surd) -> Surd {
+        let (x, y) = (&x.0, &y.0);
+        let pair = |i: usize, j: usize| {
+            let product = &x[i] * &y[j];
+            if i == j { product } else { &product + &(&x[j] * &y[i]) }
+        };
+        let Field { a, b, ab, .. } = self;
+        Surd([
+            &(&pair(0, 0) + &(a * &pair(1, 1))) + &(&(b * &pair(2, 2)) + &(ab * &pair(3, 3))),
+            &pair(0, 1) + &(b * &pair(2, 3)),
+            &pair(0, 2) + &(a * &pair(1, 3)),
+            &pair(0, 3) + &pair(1, 2),
+        ])
+    }
+
+    pub(crate) fn square(&self, x: &Surd) -> Surd {
+        self.times(x, x)
+    }
+
+    pub(crate) fn dot(&self, x: &[Surd; 3], y: &[Surd; 3]) -> Surd {
+        let [a, b, c] = std::array::from_fn(|i| self.times(&x[i], &y[i]));
+        a.plus(&b).plus(&c)
+    }
+
+    /// What `x` lies in, by interval arithmetic at the level's precision.
+    pub(crate) fn interval(&self, x: &Surd, level: usize) -> Interval {
+        let bits = bits_of_level(level);
+        let mut sum = Interval::exactly(&x.0[0], bits);
+        if x.0[1..].iter().all(Dyadic::is_zero) {
+            return sum;
+        }
+        let computed;
+        let roots = match self.roots.get(level) {
+            Some(kept) => kept.get_or_init(|| self.roots_at(level)),
+            None => {
+                computed = self.roots_at(level);
+                &computed
+            }
+        };
+        for (factor, root) in x.0[1..].iter().zip(roots) {
+            if !factor.is_zero() {
+                sum = sum.plus(&Interval::exactly(factor, bits).times(root, bits), bits);
+            }
+        }
+        sum
+    }
+
+    fn roots_at(&self, level: usize) -> [Interval; 3] {
+        let bits = bits_of_level(level);
+        [&self.a, &self.b, &self.ab]
+            .map(|x| Interval { low: x.clone(), high: x.clone() }.sqrt(bits))
+    }
+
+    /// The sign of `x`, proven: see the [module's words](self).
+    pub(crate) fn sign(&self, x: &Surd) -> Ordering {
+        if x.0[1..].iter().all(Dyadic::is_zero) {
+            return x.0[0].sign();
+        }
+        let found = (0..SIGN_LEVELS).find_map(|level| self.interval(x, level).sign());
+        found.unwrap_or_else(|| self.sign_by_algebra(x))
+    }
+
+    /// The sign by squaring alone: of `(p + q sqrt A) + (r + s sqrt A) sqrt B`.
+    pub(crate) fn sign_by_algebra(&self, x: &Surd) -> Ordering {
+        let [p, q, r, s] = &x.0;
+        let (a, b) = (&self.a, &self.b);
+        let without = sign_with_root(p, q, a);
+        let with = sign_with_root(r, s, a);
+        if without == with || with == Ordering::Equal {
+            return without;
+        }
+        if without == Ordering::Equal {
+            return with;
+        }
+        let square =
+            &(&p.square() + &(a * &q.square())) - &(b * &(&r.square() + &(a * &s.square())));
+        let root = (&(p * q) - &(b * &(r * s))).shifted(1);
+        product(without, sign_with_root(&square, &root, a))
+    }
+}
+
+/// The sign of `p + q sqrt(a)` for a positive `a`.
+fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
+    let (without, with) = (p.sign(), q.sign());
+    if without == with || with == Ordering::Equal {
+        without
+    } else if without == Ordering::Equal {
+        with
+    } else {
+        product(without, (&p.square() - &(a * &q.square())).sign())
+    }
+}
+
+/// The sign of a product, by the signs of its factors.
+pub(crate) fn product(x: Ordering, y: Ordering) -> Ordering {
+    match x {
+        Ordering::Greater => y,
+        Ordering::Equal => x,
+        Ordering::Less => y.reverse(),
+    }
+}

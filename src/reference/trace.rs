@@ -1,0 +1,162 @@
+//! Rays: where they meet an object, and what they hit first.
+
+use std::cmp::Ordering;
+
+use crate::dyadic::{Dyadic, Vector, vector};
+use crate::object::{Object, Seen, moved};
+use crate::quotient::Quotient;
+use crate::real::Real;
+use crate::surd::{Field, Surd};
+
+/// Where the line `origin + t * direction` meets an object.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Roots {
+    /// It does not, or it runs parallel to the plane, be it inside it.
+    None,
+    /// Once: it touches the sphere, or crosses the plane.
+    One(Real),
+    /// Twice, the smaller `t` first.
+    Two(Real, Real),
+}
+
+/// The first thing that a ray meets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hit {
+    /// Which of the objects, from 0.
+    pub object: usize,
+    /// Where on the ray, in units of its direction's length; positive.
+    pub t: Real,
+    /// The unit normal there: outward on a sphere, in the plane's own sense on a plane.
+    pub normal: [Real; 3],
+    /// `origin + t * direction`
+    pub point: [Real; 3],
+}
+
+/// Objects seen from one point.
+#[derive(Debug)]
+pub(crate) struct SceneSeen {
+    origin: Vector,
+    objects: Vec<Seen>,
+}
+
+/// A direction that may have roots in it. What is computed with is a positive multiple of the true
+/// direction; `per_multiple` is how many times longer it is, and so how many times smaller its `t`.
+pub(crate) struct Direction<'a> {
+    pub(crate) field: &'a Field,
+    pub(crate) multiple: [Surd; 3],
+    pub(crate) per_multiple: Surd,
+}
+
+impl Direction<'_> {
+    /// The true `t` of one that belongs to the multiple.
+    fn true_t(&self, t: &Quotient) -> Real {
+        let times = |x: &Surd| self.field.times(x, &self.per_multiple);
+        Quotient { p: times(&t.p), q: times(&t.q), e: t.e.clone(), d: t.d.clone() }
+            .value(self.field)
+    }
+
+    /// The true direction: x / m is x m / m^2.
+    pub(crate) fn values(&self) -> [Real; 3] {
+        let square = self.field.square(&self.per_multiple);
+        [0, 1, 2].map(|i| {
+            let p = self.field.times(&self.multiple[i], &self.per_multiple);
+            Quotient::without_root(p, square.clone()).value(self.field)
+        })
+    }
+
+    fn square(&self) -> Surd {
+        self.field.dot(&self.multiple, &self.multiple)
+    }
+}
+
+impl SceneSeen {
+    pub(crate) fn new(objects: &[Object], origin: Vector) -> SceneSeen {
+        let objects = objects.iter().map(|object| Seen::from(object, &origin)).collect();
+        SceneSeen { origin, objects }
+    }
+
+    pub(crate) fn roots(&self, object: usize, direction: &Direction) -> Roots {
+        let a = direction.square();
+        if a.is_zero() {
+            return Roots::None;
+        }
+        let roots = self.objects[object].roots(direction.field, &direction.multiple, &a);
+        match roots.as_slice() {
+            [] => Roots::None,
+            [t] => Roots::One(direction.true_t(t)),
+            [near, far, ..] => Roots::Two(direction.true_t(near), direction.true_t(far)),
+        }
+    }
+
+    /// The object with the smallest `t > 0`, the one listed first among those that share it, and
+    /// that `t` for the direction's multiple.
+    fn first(&self, direction: &Direction) -> Option<(usize, Quotient)> {
+        let field = direction.field;
+        let a = direction.square();
+        if a.is_zero() {
+            return None;
+        }
+        let is_ahead = |t: &Quotient| t.sign(field) == Ordering::Greater;
+        let mut first: Option<(usize, Quotient)> = None;
+        for (index, object) in self.objects.iter().enumerate() {
+            let roots = object.roots(field, &direction.multiple, &a);
+            let Some(t) = roots.into_iter().find(is_ahead) else { continue };
+            if first.as_ref().is_none_or(|(_, best)| t.cmp(best, field) == Ordering::Less) {
+                first = Some((index, t));
+            }
+        }
+        first
+    }
+
+    pub(crate) fn first_object(&self, direction: &Direction) -> Option<usize> {
+        self.first(direction).map(|(object, _)| object)
+    }
+
+    pub(crate) fn first_hit(&self, direction: &Direction) -> Option<Hit> {
+        let (object, t) = self.first(direction)?;
+        let field = direction.field;
+        Some(Hit {
+            object,
+            t: direction.true_t(&t),
+            normal: self.objects[object].normal(field, &direction.multiple, &t),
+            point: std::array::from_fn(|i| {
+                moved(field, &self.origin[i], &direction.multiple[i], &t).value(field)
+            }),
+        })
+    }
+}
+
+fn given(field: &Field, direction: [f64; 3]) -> Direction<'_> {
+    Direction {
+        field,
+        multiple: vector(direction).map(Surd::rational),
+        per_multiple: Surd::rational(Dyadic::power_of_two(0)),
+    }
+}
+
+/// All `t`, negative ones and 0 too, at which the line `origin + t * direction` meets the object.
+/// None for a direction of 0.
+///
+/// # Panics
+/// Where a number is NaN or infinite.
+pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Roots {
+    SceneSeen::new(&[*object], vector(origin)).roots(0, &given(&Field::rational(), direction))
+}
+
+/// What the ray `origin + t * direction` meets at the smallest `t > 0`; of objects that share it,
+/// the one listed first. A ray that touches a sphere hits it; one that is parallel to a plane does
+/// not, be it inside it. None for a direction of 0.
+///
+/// # Panics
+/// Where a number is NaN or infinite.
+pub fn first_hit(objects: &[Object], origin: [f64; 3], direction: [f64; 3]) -> Option<Hit> {
+    SceneSeen::new(objects, vector(origin)).first_hit(&given(&Field::rational(), direction))
+}
+
+/// The object of [`first_hit`] alone, at a fraction of its cost.
+///
+/// # Panics
+/// Where a number is NaN or infinite.
+pub fn first_object(objects: &[Object], origin: [f64; 3], direction: [f64; 3]) -> Option<usize> {
+    SceneSeen::new(objects, vector(origin)).first_object(&given(&Field::rational(), direction))
+}
