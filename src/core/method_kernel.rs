@@ -1,18 +1,20 @@
 //! The [methods](crate::methods) chosen at run time: single rays, whole pictures, and loops for a
 //! caller that measures their time.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster, trace};
 use crate::image::Pixel;
-use crate::method_real::{Real, RoundedRay, RoundedScene};
+use crate::method_real::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
 use crate::method_sphere::Intersect;
-use crate::method_trace::{FrameBy, first_hit, first_hit_rounded};
+use crate::method_trace::{FrameBy, ViewRays, first_hit, first_hit_rounded};
 use crate::methods::{Method, Visitor};
 use crate::posed::PosedCamera;
 use crate::ray::Ray;
-use crate::scene::Scene;
+use crate::scene::{Object, Scene};
 
 /// The first hit of a ray, by some method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,21 +55,19 @@ pub fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHi
 
         fn known<M: Intersect>(self) -> Self::Out {
             let FirstHit(scene, ray) = self;
-            let (object, t) = first_hit::<M>(scene, ray)?;
-            Some(with_normal(&RoundedScene::new(scene), &RoundedRay::new(ray), object, t))
+            hit_of_ray::<M>(scene, &RoundedRay::new(ray))
         }
     }
     method.accept(FirstHit(scene, ray))
 }
 
-fn with_normal<R: Real>(
-    scene: &RoundedScene<R>,
-    ray: &RoundedRay<R>,
-    object: u32,
-    t: R,
-) -> MethodHit {
-    let normal = scene.normal(object, ray, t).map_or(DVec3::ZERO, |normal| normal.to_f64());
-    MethodHit { object, t: t.to_f64(), normal }
+fn hit_of_ray<M: Intersect>(scene: &Scene, ray: &RoundedRay<M::Real>) -> Option<MethodHit> {
+    let (object, t) = first_hit::<M>(scene, ray)?;
+    let normal = match scene.object(object)? {
+        Object::Sphere(sphere) => RoundedSphere::new(&sphere).normal(ray, t),
+        Object::Plane(plane) => RoundedPlane::new(&plane).unit_normal(),
+    };
+    Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
 }
 
 /// Traces the first hit of every pixel of the raster by a method, rows in parallel: each direction
@@ -85,7 +85,7 @@ pub fn trace_by(method: Method, scene: &Scene, camera: &PosedCamera, raster: &Ra
 
         fn known<M: Intersect>(self) -> Traced {
             let Trace(scene, camera, raster) = self;
-            let plan = FrameBy::<M>::new(&RoundedScene::new(scene), camera, raster);
+            let plan = FrameBy::<M>::new(scene, camera, raster);
             let mut traced =
                 Traced { t: vec![0.0; raster.len()], object: vec![NO_OBJECT; raster.len()] };
             let width = raster.columns().len().max(1);
@@ -110,7 +110,7 @@ pub fn trace_by(method: Method, scene: &Scene, camera: &PosedCamera, raster: &Ra
 /// of it looked at closely.
 ///
 /// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand.
-pub trait FrameKernel: Send {
+pub trait FrameKernel: Send + Sync {
     /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
     /// memory of its own.
     fn trace(&mut self);
@@ -125,17 +125,17 @@ pub trait FrameKernel: Send {
 /// A method's [`FrameKernel`].
 pub fn frame_kernel(
     method: Method,
-    scene: &Scene,
+    scene: &Arc<Scene>,
     camera: &PosedCamera,
     raster: &Raster,
 ) -> Box<dyn FrameKernel> {
-    struct Make<'a>(&'a Scene, &'a PosedCamera, &'a Raster);
+    struct Make<'a>(&'a Arc<Scene>, &'a PosedCamera, &'a Raster);
     impl Visitor for Make<'_> {
         type Out = Box<dyn FrameKernel>;
 
         fn ladder(self) -> Self::Out {
             Box::new(LadderFrame {
-                scene: self.0.clone(),
+                scene: Arc::clone(self.0),
                 camera: *self.1,
                 raster: self.2.clone(),
                 frame: None,
@@ -144,10 +144,9 @@ pub fn frame_kernel(
 
         fn known<M: Intersect>(self) -> Self::Out {
             let Make(scene, camera, raster) = self;
-            let scene = RoundedScene::new(scene);
             Box::new(KnownFrame::<M> {
-                plan: FrameBy::new(&scene, camera, raster),
-                scene,
+                rays: ViewRays::new(camera, raster),
+                scene: Arc::clone(scene),
                 camera: *camera,
                 raster: raster.clone(),
                 t: Vec::new(),
@@ -159,7 +158,7 @@ pub fn frame_kernel(
 }
 
 struct LadderFrame {
-    scene: Scene,
+    scene: Arc<Scene>,
     camera: PosedCamera,
     raster: Raster,
     frame: Option<Frame>,
@@ -177,8 +176,8 @@ impl FrameKernel for LadderFrame {
 }
 
 struct KnownFrame<M: Intersect> {
-    plan: FrameBy<M>,
-    scene: RoundedScene<M::Real>,
+    rays: ViewRays<M::Real>,
+    scene: Arc<Scene>,
     camera: PosedCamera,
     raster: Raster,
     t: Vec<M::Real>,
@@ -187,29 +186,27 @@ struct KnownFrame<M: Intersect> {
 
 impl<M: Intersect> FrameKernel for KnownFrame<M> {
     fn trace(&mut self) {
-        self.plan = FrameBy::new(&self.scene, &self.camera, &self.raster);
+        let plan = FrameBy::<M>::new(&self.scene, &self.camera, &self.raster);
         self.t.resize(self.raster.len(), M::Real::ZERO);
         self.object.resize(self.raster.len(), NO_OBJECT);
         let width = self.raster.columns().len().max(1);
-        let mut row = self.plan.row();
+        let mut row = plan.row();
         let rows = self.t.chunks_mut(width).zip(self.object.chunks_mut(width));
         for (index, (t, object)) in rows.enumerate() {
-            self.plan.trace_row(index, &mut row);
+            plan.trace_row(index, &mut row);
             t.copy_from_slice(&row.t);
             object.copy_from_slice(&row.object);
         }
     }
 
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
-        let ray = self.plan.rays.ray(row, column);
-        let (object, t) = first_hit_rounded::<M>(&self.scene, &ray)?;
-        Some(with_normal(&self.scene, &ray, object, t))
+        hit_of_ray::<M>(&self.scene, &self.rays.ray(row, column))
     }
 }
 
 /// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that
 /// takes the time.
-pub trait RayKernel: Send {
+pub trait RayKernel: Send + Sync {
     /// Finds every ray's first hit again, into memory of its own.
     fn intersect(&mut self);
 
@@ -273,6 +270,10 @@ impl<M: Intersect> RayKernel for KnownRays<M> {
     fn hit(&self, index: usize) -> Option<MethodHit> {
         let (object, t) = (*self.hits.get(index)?)?;
         let (scene, ray) = &self.cases[index];
-        Some(with_normal(scene, ray, object, t))
+        let normal = match scene.spheres.get(object as usize) {
+            Some(sphere) => sphere.normal(ray, t),
+            None => scene.planes.get(object as usize - scene.spheres.len())?.unit_normal(),
+        };
+        Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
     }
 }

@@ -123,6 +123,12 @@ impl<R: Real> Vector<R> {
     pub fn times(self, factor: R) -> Self {
         Vector { x: factor * self.x, y: factor * self.y, z: factor * self.z }
     }
+
+    /// `self / divisor`.
+    #[inline(always)]
+    pub fn divided_by(self, divisor: R) -> Self {
+        Vector { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
+    }
 }
 
 impl<R: Real> Add for Vector<R> {
@@ -195,6 +201,13 @@ impl<R: Real> RoundedSphere<R> {
         let Sphere { center, radius } = *sphere;
         RoundedSphere { center: Vector::rounded(center), radius: R::from_f64(radius) }
     }
+
+    /// The outward unit normal where the ray meets the sphere at t, as courses have it:
+    /// `(p + t d - center) / radius`.
+    pub fn normal(&self, ray: &RoundedRay<R>, t: R) -> Vector<R> {
+        let point = ray.origin + ray.direction.times(t);
+        (point - self.center).divided_by(self.radius)
+    }
 }
 
 impl<R: Real> RoundedPlane<R> {
@@ -202,6 +215,11 @@ impl<R: Real> RoundedPlane<R> {
     #[inline(always)]
     pub fn new(plane: &Plane) -> Self {
         RoundedPlane { point: Vector::rounded(plane.point), normal: Vector::rounded(plane.normal) }
+    }
+
+    /// The unit normal, `n / |n|`.
+    pub fn unit_normal(&self) -> Vector<R> {
+        self.normal.divided_by(self.normal.dot(self.normal).sqrt())
     }
 }
 
@@ -212,19 +230,5 @@ impl<R: Real> RoundedScene<R> {
             spheres: scene.spheres().iter().map(RoundedSphere::new).collect(),
             planes: scene.planes().iter().map(RoundedPlane::new).collect(),
         }
-    }
-
-    /// The outward unit normal where the ray meets the object at t, computed as courses do:
-    /// `(p + t d - center) / radius` of a sphere, `n / |n|` of a plane; `None` for an object that the
-    /// scene does not have.
-    pub fn normal(&self, object: u32, ray: &RoundedRay<R>, t: R) -> Option<Vector<R>> {
-        let index = object as usize;
-        let divided = |v: Vector<R>, by: R| Vector { x: v.x / by, y: v.y / by, z: v.z / by };
-        if let Some(sphere) = self.spheres.get(index) {
-            let point = ray.origin + ray.direction.times(t);
-            return Some(divided(point - sphere.center, sphere.radius));
-        }
-        let normal = self.planes.get(index - self.spheres.len())?.normal;
-        Some(divided(normal, normal.dot(normal).sqrt()))
     }
 }

@@ -7,7 +7,6 @@ use crate::frame::{NO_OBJECT, Raster};
 use crate::method_real::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere, Vector};
 use crate::method_sphere::{Intersect, PlaneByTextbook, is_hit};
 use crate::posed::PosedCamera;
-use crate::ray::Ray;
 use crate::scene::Scene;
 
 /// The view rays of a raster in a method's precision: direction `u*U + (v*V - distance*W)`, every
@@ -103,16 +102,14 @@ impl<R: Real> Row<R> {
 }
 
 impl<M: Intersect> FrameBy<M> {
-    pub(crate) fn new(
-        scene: &RoundedScene<M::Real>,
-        camera: &PosedCamera,
-        raster: &Raster,
-    ) -> Self {
+    pub(crate) fn new(scene: &Scene, camera: &PosedCamera, raster: &Raster) -> Self {
         let rays = ViewRays::new(camera, raster);
         let origin = rays.origin;
+        let sphere = |sphere| M::new(&RoundedSphere::new(sphere), origin);
+        let plane = |plane| PlaneByTextbook::new(&RoundedPlane::new(plane), origin);
         FrameBy {
-            spheres: scene.spheres.iter().map(|sphere| M::new(sphere, origin)).collect(),
-            planes: scene.planes.iter().map(|p| PlaneByTextbook::new(p, origin)).collect(),
+            spheres: scene.spheres().iter().map(sphere).collect(),
+            planes: scene.planes().iter().map(plane).collect(),
             rays,
         }
     }
@@ -144,11 +141,13 @@ impl<M: Intersect> FrameBy<M> {
 }
 
 /// The first hit of any ray, each object rounded and prepared for it on the way.
-pub(crate) fn first_hit<M: Intersect>(scene: &Scene, ray: &Ray) -> Option<(u32, M::Real)> {
-    let ray = RoundedRay::new(ray);
+pub(crate) fn first_hit<M: Intersect>(
+    scene: &Scene,
+    ray: &RoundedRay<M::Real>,
+) -> Option<(u32, M::Real)> {
     let spheres = scene.spheres().iter().map(RoundedSphere::new);
     let planes = scene.planes().iter().map(RoundedPlane::new);
-    nearest::<M>(spheres, planes, &ray)
+    nearest::<M>(spheres, planes, ray)
 }
 
 /// The first hit of a rounded ray among rounded objects.

@@ -75,7 +75,7 @@ fn on_an_ordinary_scene_all_methods_agree() {
 
 #[test]
 fn a_picture_is_what_each_pixel_says() {
-    let (scene, camera) = (lecture_scene(), posed(31, 17));
+    let (scene, camera) = (std::sync::Arc::new(lecture_scene()), posed(31, 17));
     let raster = Raster::shown_on(camera.image(), 29, 17);
     for method in Method::ALL {
         let picture = trace_by(method, &scene, &camera, &raster);
