@@ -1,0 +1,160 @@
+//! Families of camera bases.
+
+use crate::camera::Orientation;
+use crate::draw::{Draw, plus, scaled};
+use crate::family::{BasisCase, Family, Make};
+use crate::spheres::{OFFSETS, TO_ROUNDING, ULPS};
+
+pub(crate) static FAMILIES: [Family; 7] = [
+    Family {
+        name: "basis-ordinary",
+        about: "Everyday cameras.",
+        knob_name: "angle between up and view in degrees, about",
+        knobs: &[10.0, 45.0, 90.0, 135.0, 170.0],
+        make: Make::Basis(ordinary),
+    },
+    Family {
+        name: "up-near-view",
+        about: "Up and view nearly parallel: their cross product nearly cancels.",
+        knob_name: "log10 of the angle between up and view in radians",
+        knobs: &TO_ROUNDING,
+        make: Make::Basis(up_near_view),
+    },
+    Family {
+        name: "up-parallel",
+        about: "Up exactly along or against the view, where there is no basis, and one ulp beside.",
+        knob_name: "one coordinate of up, in ulps from parallel",
+        knobs: &ULPS,
+        make: Make::Basis(up_parallel),
+    },
+    Family {
+        name: "no-basis",
+        about: "Cameras without a basis.",
+        knob_name: "0: eye is at, 1: view is 0, 2: up is 0, 3: up is parallel to view",
+        knobs: &[0.0, 1.0, 2.0, 3.0],
+        make: Make::Basis(no_basis),
+    },
+    Family {
+        name: "view-length",
+        about: "Eye and at very close together, or very far apart.",
+        knob_name: "log10 of |at - eye|",
+        knobs: &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
+        make: Make::Basis(view_length),
+    },
+    Family {
+        name: "up-length",
+        about: "Very long and very short up vectors.",
+        knob_name: "log10 of the length of up",
+        knobs: &[-320.0, -300.0, -150.0, -30.0, -3.0, 3.0, 30.0, 150.0, 300.0, 307.0],
+        make: Make::Basis(up_length),
+    },
+    Family {
+        name: "camera-offset",
+        about: "An everyday camera far from the world's origin: at - eye cancels.",
+        knob_name: "log10 of the offset",
+        knobs: &OFFSETS,
+        make: Make::Basis(camera_offset),
+    },
+];
+
+/// Along `view`, by a point or by the vector. Where `at - eye` is to be `view` exactly, both must be
+/// whole numbers.
+pub(crate) fn aimed(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> Orientation {
+    if draw.once_in(3) {
+        Orientation::View { view, up }
+    } else {
+        Orientation::At { at: plus(eye, 1.0, view), up }
+    }
+}
+
+fn seen_from(draw: &mut Draw, eye: [f64; 3], view: [f64; 3], up: [f64; 3]) -> BasisCase {
+    let eye = draw.given3(eye);
+    BasisCase { eye, orientation: aimed(draw, eye, view, up) }
+}
+
+/// `cos` and `sin` of a multiple of 5 degrees, from those of 5 degrees: no library's last bit is in
+/// them.
+fn by_degrees(degrees: f64) -> (f64, f64) {
+    let (c, s) = (0.996_194_698_091_745_5, 0.087_155_742_747_658_17);
+    let turns = (degrees / 5.0) as usize;
+    (0..turns).fold((1.0, 0.0), |(x, y), _| (x * c - y * s, x * s + y * c))
+}
+
+fn ordinary(draw: &mut Draw, degrees: f64) -> BasisCase {
+    let (eye, view) = (draw.in_box(10.0), draw.direction());
+    let (along, across) = by_degrees(degrees);
+    let up = plus(scaled(view, along), across, draw.across(view));
+    let up = scaled(up, draw.between(0.5, 2.0));
+    let view = scaled(view, draw.between(0.5, 20.0));
+    seen_from(draw, eye, view, up)
+}
+
+fn up_near_view(draw: &mut Draw, k: f64) -> BasisCase {
+    let eye = draw.in_box(10.0);
+    let eye = draw.given3(eye);
+    let view = scaled(draw.direction(), draw.between(0.5, 20.0));
+    let at = draw.given3(plus(eye, 1.0, view));
+    // The view that is meant is the one that rounding left.
+    let is_at_a_point = draw.once_in(2);
+    let view = if is_at_a_point { plus(at, -1.0, eye) } else { draw.given3(view) };
+    let angle = draw.decade(k) * draw.between(0.3, 3.0);
+    let length = draw.sign() * draw.between(0.1, 2.0);
+    let square = view.iter().map(|x| x * x).sum::<f64>();
+    let up = scaled(plus(view, angle * square.sqrt(), draw.across(view)), length);
+    let orientation =
+        if is_at_a_point { Orientation::At { at, up } } else { Orientation::View { view, up } };
+    BasisCase { eye, orientation }
+}
+
+/// Whole numbers that add and multiply exactly in `f32`.
+fn whole_eye_and_view(draw: &mut Draw) -> ([f64; 3], [f64; 3]) {
+    (draw.whole_vector(1000), draw.whole_vector(1000))
+}
+
+fn up_parallel(draw: &mut Draw, ulps: f64) -> BasisCase {
+    let (eye, view) = whole_eye_and_view(draw);
+    let factor = draw.sign() * draw.whole(1, 1000) * draw.power_of_two(-20, 20);
+    let mut up = scaled(view, factor);
+    // Where the view has one coordinate alone, no length of it makes a basis.
+    let i = draw.whole(0, 2) as usize;
+    if up[i] != 0.0 {
+        up[i] = draw.moved_by_ulps(up[i], ulps);
+    }
+    let scale = draw.power_of_two(-20, 20);
+    seen_from(draw, scaled(eye, scale), scaled(view, scale), up)
+}
+
+fn no_basis(draw: &mut Draw, which: f64) -> BasisCase {
+    let (eye, view) = whole_eye_and_view(draw);
+    let up = draw.whole_vector(9);
+    let zero = scaled([0.0; 3], draw.sign());
+    let factor = draw.sign() * draw.power_of_two(-60, 60);
+    let orientation = match which as i64 {
+        0 => Orientation::At { at: eye, up },
+        1 => Orientation::View { view: zero, up },
+        2 => aimed(draw, eye, view, zero),
+        _ => aimed(draw, eye, view, scaled(view, factor)),
+    };
+    BasisCase { eye, orientation }
+}
+
+fn view_length(draw: &mut Draw, k: f64) -> BasisCase {
+    let length = draw.decade(k);
+    // An eye far larger than the view would swallow it.
+    let eye = scaled(draw.in_box(0.5), length);
+    let view = scaled(draw.direction(), length);
+    let up = draw.in_box(1.0);
+    seen_from(draw, eye, view, up)
+}
+
+fn up_length(draw: &mut Draw, k: f64) -> BasisCase {
+    let (eye, view) = (draw.in_box(10.0), draw.in_box(10.0));
+    let up = scaled(draw.direction(), draw.decade(k));
+    seen_from(draw, eye, view, up)
+}
+
+fn camera_offset(draw: &mut Draw, k: f64) -> BasisCase {
+    let eye = scaled(draw.direction(), draw.decade(k));
+    let (view, up) = (draw.in_box(10.0), draw.in_box(1.0));
+    seen_from(draw, eye, view, up)
+}

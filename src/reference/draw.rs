@@ -1,0 +1,174 @@
+//! Random numbers for the families: the same ones on every machine, for ever.
+//!
+//! Only `+ - * /` and `sqrt` are used, which IEEE 754 fixes to the last bit.
+
+/// Numbers drawn from a seed by SplitMix64 (Steele, Lea, Flood, *Fast splittable pseudorandom number
+/// generators*, 2014). A generator of our own, because recorded results rest on its numbers: those of
+/// a library may change with its version.
+pub(crate) struct Draw {
+    state: u64,
+    /// Whether all numbers of the case are to be exact in `f32`.
+    pub(crate) single: bool,
+}
+
+impl Draw {
+    /// The numbers of one case.
+    pub(crate) fn new(seed: u64, family: &str, knob: f64, index: usize, single: bool) -> Draw {
+        let mut draw = Draw { state: seed, single };
+        let name = family.bytes().fold(0, |sum: u64, byte| sum.wrapping_mul(257) + u64::from(byte));
+        for part in [name, knob.to_bits(), index as u64] {
+            draw.state = draw.next() ^ part;
+        }
+        draw
+    }
+
+    fn next(&mut self) -> u64 {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// From 0 to 1, 1 excluded.
+    pub(crate) fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A whole number from `low` to `high`, both included.
+    pub(crate) fn whole(&mut self, low: i64, high: i64) -> f64 {
+        (low + (self.next() % (high - low + 1) as u64) as i64) as f64
+    }
+
+    /// True once in `n` times.
+    pub(crate) fn once_in(&mut self, n: u64) -> bool {
+        self.next().is_multiple_of(n)
+    }
+
+    pub(crate) fn sign(&mut self) -> f64 {
+        if self.once_in(2) { 1.0 } else { -1.0 }
+    }
+
+    /// From `low` to `high`, each binade of it as likely as another.
+    pub(crate) fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
+        let binades = ((high / low).to_bits() >> 52) as i64 - 1023;
+        let size = low * self.power_of_two(0, binades);
+        (size * self.between(1.0, 2.0)).min(high)
+    }
+
+    pub(crate) fn power_of_two(&mut self, low: i64, high: i64) -> f64 {
+        let exponent = self.whole(low, high) as i64;
+        f64::from_bits(((1023 + exponent) as u64) << 52)
+    }
+
+    pub(crate) fn in_box(&mut self, half: f64) -> [f64; 3] {
+        [0; 3].map(|_| self.between(-half, half))
+    }
+
+    pub(crate) fn whole_vector(&mut self, largest: i64) -> [f64; 3] {
+        loop {
+            let vector = [0; 3].map(|_| self.whole(-largest, largest));
+            if vector != [0.0; 3] {
+                return vector;
+            }
+        }
+    }
+
+    /// A vector of length 1, but for rounding, in any direction.
+    pub(crate) fn direction(&mut self) -> [f64; 3] {
+        loop {
+            let v = self.in_box(1.0);
+            let square = dot(v, v);
+            if (0.01..=1.0).contains(&square) {
+                return scaled(v, 1.0 / square.sqrt());
+            }
+        }
+    }
+
+    /// A unit vector at right angles to `v`, but for rounding.
+    pub(crate) fn across(&mut self, v: [f64; 3]) -> [f64; 3] {
+        let v = scaled(v, 1.0 / dot(v, v).sqrt());
+        loop {
+            let across = cross(v, self.direction());
+            let square = dot(across, across);
+            if square > 0.01 {
+                return scaled(across, 1.0 / square.sqrt());
+            }
+        }
+    }
+
+    /// Three whole vectors at right angles, all of the same whole length, and that length: a rotation
+    /// by the quaternion `a + bi + cj + dk` of whole numbers, times its square length (Euler and
+    /// Rodrigues; three-dimensional Pythagorean triples).
+    pub(crate) fn whole_frame(&mut self, largest: i64) -> ([[f64; 3]; 3], f64) {
+        let [b, c, d] = self.whole_vector(largest);
+        let a = self.whole(-largest, largest);
+        let columns = [
+            [a * a + b * b - c * c - d * d, 2.0 * (b * c + a * d), 2.0 * (b * d - a * c)],
+            [2.0 * (b * c - a * d), a * a - b * b + c * c - d * d, 2.0 * (c * d + a * b)],
+            [2.0 * (b * d + a * c), 2.0 * (c * d - a * b), a * a - b * b - c * c + d * d],
+        ];
+        (columns, a * a + b * b + c * c + d * d)
+    }
+
+    /// `x` moved away from 0 by so many units in the last place, of `f32` where numbers are to be
+    /// exact in it.
+    pub(crate) fn moved_by_ulps(&self, x: f64, ulps: f64) -> f64 {
+        let steps = ulps as i64;
+        // The bits of a float count its magnitudes on.
+        let moved = if self.single {
+            f64::from(f32::from_bits((i64::from((x as f32).to_bits()) + steps) as u32))
+        } else {
+            f64::from_bits(x.to_bits().wrapping_add_signed(steps))
+        };
+        assert!(moved.is_finite() && x != 0.0, "{x} has no neighbour");
+        moved
+    }
+
+    /// `10^k` for a whole k, correctly rounded; in single precision a k beyond `f32`'s range is
+    /// brought into it by the ratio of the ranges.
+    pub(crate) fn decade(&self, k: f64) -> f64 {
+        let k = if self.single && k.abs() > 30.0 { (k / 8.2).trunc() } else { k };
+        decade(k)
+    }
+
+    /// `x` as the case has it: rounded to `f32`, but neither to infinity nor to 0, where it has to
+    /// be exact in it.
+    pub(crate) fn given(&self, x: f64) -> f64 {
+        if !self.single || x == 0.0 {
+            return x;
+        }
+        let limits = (f64::from(f32::from_bits(1)), f64::from(f32::MAX));
+        f64::from(x.abs().clamp(limits.0, limits.1) as f32).copysign(x)
+    }
+
+    pub(crate) fn given3(&self, v: [f64; 3]) -> [f64; 3] {
+        v.map(|x| self.given(x))
+    }
+}
+
+/// `10^k` for a whole k, correctly rounded, subnormals included.
+pub(crate) fn decade(k: f64) -> f64 {
+    format!("1e{k:.0}").parse().unwrap_or(f64::NAN)
+}
+
+pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(crate) fn scaled(a: [f64; 3], s: f64) -> [f64; 3] {
+    a.map(|x| x * s)
+}
+
+/// `a + s b`
+pub(crate) fn plus(a: [f64; 3], s: f64, b: [f64; 3]) -> [f64; 3] {
+    [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]]
+}

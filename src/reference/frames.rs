@@ -1,0 +1,262 @@
+//! Families of whole pictures.
+
+use crate::camera::{Camera, Orientation};
+use crate::draw::{Draw, cross, dot, plus, scaled};
+use crate::family::{Family, FrameCase, Make};
+use crate::object::Object;
+use crate::spheres::{OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
+use crate::touching_frames;
+
+pub(crate) static FAMILIES: [Family; 11] = [
+    Family {
+        name: "frame-ordinary",
+        about: "An everyday camera and scene.",
+        knob_name: "number of objects",
+        knobs: &[1.0, 3.0, 8.0],
+        make: Make::Frame(ordinary),
+    },
+    Family {
+        name: "frame-tangent",
+        about: "Spheres whose outlines go exactly through pixel centres, and radii one ulp beside.",
+        knob_name: "radius, in ulps from tangent",
+        knobs: &ULPS,
+        make: Make::Frame(touching_frames::tangent),
+    },
+    Family {
+        name: "frame-ties",
+        about: "Coincident spheres and coincident planes: in each pixel the first listed wins.",
+        knob_name: "radius of the second sphere, in ulps from the first's",
+        knobs: &ULPS,
+        make: Make::Frame(touching_frames::ties),
+    },
+    Family {
+        name: "frame-planet",
+        about: "The horizon of a huge sphere right under the eye.",
+        knob_name: "log10 of the radius, with the eye 0.001 to 10 above",
+        knobs: &PLANETS,
+        make: Make::Frame(planet),
+    },
+    Family {
+        name: "frame-tiny-far",
+        about: "Spheres that are tiny for their distance, each about as near to a pixel's ray as it is large.",
+        knob_name: "log10 of radius / distance",
+        knobs: &SMALL,
+        make: Make::Frame(tiny_far),
+    },
+    Family {
+        name: "frame-eye-near-surface",
+        about: "The eye just above or below a sphere's surface.",
+        knob_name: "log10 of height / radius",
+        knobs: &TO_ROUNDING,
+        make: Make::Frame(eye_near_surface),
+    },
+    Family {
+        name: "frame-offset",
+        about: "An everyday camera and scene, far from the world's origin.",
+        knob_name: "log10 of the offset",
+        knobs: &OFFSETS,
+        make: Make::Frame(offset),
+    },
+    Family {
+        name: "frame-up-near-view",
+        about: "An everyday scene and a camera whose up is nearly parallel to its view.",
+        knob_name: "log10 of the angle between up and view in radians",
+        knobs: &TO_ROUNDING,
+        make: Make::Frame(up_near_view),
+    },
+    Family {
+        name: "frame-long-thin",
+        about: "A picture of one row or one column.",
+        knob_name: "log10 of its pixels",
+        knobs: &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
+        make: Make::Frame(long_thin),
+    },
+    Family {
+        name: "viewport-extreme",
+        about: "A viewport or a distance, or both, of an extreme size.",
+        knob_name: "log10 of the size",
+        knobs: &[-12.0, -6.0, -3.0, 3.0, 6.0, 12.0],
+        make: Make::Frame(viewport_extreme),
+    },
+    Family {
+        name: "frame-range",
+        about: "Camera and scene so large or small that squares leave f64's range.",
+        knob_name: "log10 of the scale",
+        knobs: &[-300.0, -150.0, -100.0, 100.0, 150.0, 300.0],
+        make: Make::Frame(range),
+    },
+];
+
+/// A camera at `eye` that looks at a point, with an image of 16 to 24 pixels a side.
+fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
+    let (eye, at) = (draw.given3(eye), draw.given3(at));
+    let up = draw.direction();
+    let orientation = if draw.once_in(3) {
+        Orientation::View { view: plus(at, -1.0, eye), up }
+    } else {
+        Orientation::At { at, up }
+    };
+    let [columns, rows] = [(); 2].map(|()| draw.whole(16, 24) as u32);
+    Camera {
+        eye,
+        orientation,
+        width: draw.between(0.5, 2.0),
+        height: draw.between(0.5, 2.0),
+        distance: draw.between(0.5, 2.0),
+        columns,
+        rows,
+    }
+}
+
+fn everyday(draw: &mut Draw, count: usize) -> FrameCase {
+    let planes = draw.whole(0, (count as i64 + 1) / 4) as usize;
+    let mut objects: Vec<Object> = (planes..count)
+        .map(|_| Object::Sphere { center: draw.in_box(2.0), radius: draw.between(0.3, 1.5) })
+        .collect();
+    objects.extend(
+        (0..planes).map(|_| Object::Plane { point: draw.in_box(3.0), normal: draw.in_box(2.0) }),
+    );
+    let eye = scaled(draw.direction(), draw.between(4.0, 8.0));
+    let at = draw.in_box(0.5);
+    FrameCase { camera: camera(draw, eye, at), objects }
+}
+
+fn ordinary(draw: &mut Draw, count: f64) -> FrameCase {
+    everyday(draw, count as usize)
+}
+
+fn planet(draw: &mut Draw, k: f64) -> FrameCase {
+    let radius = draw.decade(k) * draw.between(1.0, 2.0);
+    let height = draw.of_any_size(1e-3, 10.0);
+    let eye = draw.in_box(3.0);
+    let down = draw.direction();
+    let center = plus(eye, radius + height, down);
+    let level = plus(draw.across(down), draw.between(-0.2, 0.4), down);
+    let ball = Object::Sphere { center: plus(eye, 4.0, level), radius: draw.between(0.2, 1.0) };
+    let camera = camera(draw, eye, plus(eye, 1.0, level));
+    FrameCase { camera, objects: vec![Object::Sphere { center, radius }, ball] }
+}
+
+/// The direction of a pixel's ray, but for rounding.
+fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
+    let (view, up) = match camera.orientation {
+        Orientation::At { at, up } => (plus(at, -1.0, camera.eye), up),
+        Orientation::View { view, up } => (view, up),
+        Orientation::Basis { w, v, .. } => (scaled(w, -1.0), v),
+    };
+    let unit = |v| scaled(v, 1.0 / dot(v, v).sqrt());
+    let (forward, right) = (unit(view), unit(cross(view, up)));
+    let x = camera.width * ((column + 0.5) / f64::from(camera.columns) - 0.5);
+    let y = camera.height * (0.5 - (row + 0.5) / f64::from(camera.rows));
+    plus(plus(scaled(right, x), y, cross(right, forward)), camera.distance, forward)
+}
+
+fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
+    let (eye, at) = (draw.in_box(4.0), draw.in_box(4.0));
+    let camera = camera(draw, eye, at);
+    let ratio = draw.decade(k);
+    let mut objects = Vec::new();
+    for _ in 0..6 {
+        let row = draw.whole(0, i64::from(camera.rows) - 1);
+        let column = draw.whole(0, i64::from(camera.columns) - 1);
+        let direction = direction_of_pixel(&camera, row, column);
+        let t = draw.between(1.0, 50.0);
+        let radius = t * dot(direction, direction).sqrt() * ratio;
+        let aside = draw.between(0.0, 1.2) * radius;
+        let center = plus(plus(camera.eye, t, direction), aside, draw.across(direction));
+        objects.push(Object::Sphere { center, radius });
+    }
+    FrameCase { camera, objects }
+}
+
+fn eye_near_surface(draw: &mut Draw, k: f64) -> FrameCase {
+    let (center, radius) = (draw.in_box(4.0), draw.between(0.5, 4.0));
+    let height = draw.sign() * draw.decade(k);
+    let eye = plus(center, radius * (1.0 + height), draw.direction());
+    let at = plus(eye, 1.0, draw.direction());
+    let other = Object::Sphere { center: plus(eye, 3.0, draw.direction()), radius: 1.0 };
+    FrameCase {
+        camera: camera(draw, eye, at),
+        objects: vec![Object::Sphere { center, radius }, other],
+    }
+}
+
+fn changed(
+    case: FrameCase,
+    place: impl Fn([f64; 3]) -> [f64; 3],
+    size: impl Fn(f64) -> f64,
+) -> FrameCase {
+    let object = |object| match object {
+        Object::Sphere { center, radius } => {
+            Object::Sphere { center: place(center), radius: size(radius) }
+        }
+        Object::Plane { point, normal } => Object::Plane { point: place(point), normal },
+    };
+    let orientation = match case.camera.orientation {
+        Orientation::At { at, up } => Orientation::At { at: place(at), up },
+        other => other,
+    };
+    FrameCase {
+        camera: Camera { eye: place(case.camera.eye), orientation, ..case.camera },
+        objects: case.objects.into_iter().map(object).collect(),
+    }
+}
+
+fn offset(draw: &mut Draw, k: f64) -> FrameCase {
+    let mut case = everyday(draw, 3);
+    // By a view: rounding may bring the point to the eye.
+    if let Orientation::At { at, up } = case.camera.orientation {
+        case.camera.orientation = Orientation::View { view: plus(at, -1.0, case.camera.eye), up };
+    }
+    let offset = scaled(draw.direction(), draw.decade(k));
+    changed(case, |point| plus(point, 1.0, offset), |radius| radius)
+}
+
+fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
+    let mut case = everyday(draw, 3);
+    let angle = draw.decade(k) * draw.between(0.3, 3.0);
+    let length = draw.sign() * draw.between(0.3, 2.0);
+    let eye = case.camera.eye;
+    case.camera.orientation = match case.camera.orientation {
+        Orientation::At { at, .. } => {
+            Orientation::At { at, up: tipped(draw, plus(at, -1.0, eye), angle, length) }
+        }
+        Orientation::View { view, .. } => {
+            Orientation::View { view, up: tipped(draw, view, angle, length) }
+        }
+        by_hand => by_hand,
+    };
+    case
+}
+
+fn tipped(draw: &mut Draw, view: [f64; 3], angle: f64, length: f64) -> [f64; 3] {
+    scaled(plus(view, angle * dot(view, view).sqrt(), draw.across(view)), length)
+}
+
+fn long_thin(draw: &mut Draw, k: f64) -> FrameCase {
+    let mut case = everyday(draw, 2);
+    let pixels = draw.decade(k) as u32;
+    let [columns, rows] = if draw.once_in(2) { [pixels, 1] } else { [1, pixels] };
+    case.camera = Camera { columns, rows, ..case.camera };
+    case
+}
+
+fn viewport_extreme(draw: &mut Draw, k: f64) -> FrameCase {
+    let mut case = everyday(draw, 3);
+    let size = draw.decade(k);
+    let (extent, distance) = match draw.whole(0, 2) as i64 {
+        0 => (size, 1.0),
+        1 => (1.0, size),
+        _ => (size, size),
+    };
+    case.camera.width *= extent;
+    case.camera.height *= extent;
+    case.camera.distance *= distance;
+    case
+}
+
+fn range(draw: &mut Draw, k: f64) -> FrameCase {
+    let case = everyday(draw, 3);
+    let scale = draw.decade(k);
+    changed(case, |point| scaled(point, scale), |radius| radius * scale)
+}
