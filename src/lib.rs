@@ -21,6 +21,7 @@ pub mod observer;
 pub mod overlay;
 pub mod panels;
 pub mod present;
+pub mod report;
 pub mod session;
 pub mod store;
 mod view_texture;

@@ -13,22 +13,28 @@ use super::{FileError, atomic};
 /// # Errors
 /// Where the file cannot be written.
 pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<(), FileError> {
-    atomic::write(path, |file| {
-        let mut encoder = Encoder::new(BufWriter::new(file), width, height);
-        encoder.set_color(ColorType::Rgb);
-        encoder.set_depth(BitDepth::Eight);
-        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-        let mut writer = encoder.write_header().map_err(to_io)?;
-        let mut stream = writer.stream_writer().map_err(to_io)?;
-        let mut bytes = Vec::new();
-        for row in pixels.chunks(width as usize) {
-            bytes.clear();
-            bytes.extend(row.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]));
-            stream.write_all(&bytes)?;
-        }
-        stream.finish().map_err(to_io)?;
-        writer.finish().map_err(to_io)
-    })
+    atomic::write(path, |file| encode(BufWriter::new(file), width, height, pixels))
+}
+
+/// Writes the bytes of such a file.
+///
+/// # Errors
+/// Where `out` does not take them.
+pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> io::Result<()> {
+    let mut encoder = Encoder::new(out, width, height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header().map_err(to_io)?;
+    let mut stream = writer.stream_writer().map_err(to_io)?;
+    let mut bytes = Vec::new();
+    for row in pixels.chunks(width as usize) {
+        bytes.clear();
+        bytes.extend(row.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]));
+        stream.write_all(&bytes)?;
+    }
+    stream.finish().map_err(to_io)?;
+    writer.finish().map_err(to_io)
 }
 
 fn to_io(error: EncodingError) -> io::Error {

@@ -1,0 +1,280 @@
+//! The [methods](crate::methods) chosen at run time: single rays, whole pictures, and loops for a
+//! caller that measures their time.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
+use crate::image::Pixel;
+use crate::method_real::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
+use crate::method_sphere::Intersect;
+use crate::method_trace::{FrameBy, ViewRays, first_hit, first_hit_rounded};
+use crate::methods::{Method, Visitor};
+use crate::posed::PosedCamera;
+use crate::ray::Ray;
+use crate::scene::{Object, Scene};
+use crate::trace::trace;
+
+/// The first hit of a ray, by some method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MethodHit {
+    /// The object's index in the scene.
+    pub object: u32,
+    /// Where on the ray, in units of the direction's length, widened to `f64`.
+    pub t: f64,
+    /// The outward normal as the method gives it, `(p + t d - center) / radius` of a sphere, and of
+    /// the length that rounding leaves it.
+    pub normal: DVec3,
+}
+
+/// The first hits of a raster's pixels, row by row, see [`trace_by`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traced {
+    /// `t` of the first hit, widened to `f64`; infinite where there is none.
+    pub t: Vec<f64>,
+    /// Index of the object hit, or [`NO_OBJECT`].
+    pub object: Vec<u32>,
+}
+
+/// The first hit of any ray: the object, and t widened to `f64`. What the method makes NaN or
+/// infinite is no hit. A ray that fails [`Ray::check`] hits nothing by the ladder, and whatever
+/// rounding says by the others.
+pub fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHit> {
+    struct FirstHit<'a>(&'a Scene, &'a Ray);
+    impl Visitor for FirstHit<'_> {
+        type Out = Option<MethodHit>;
+
+        fn ladder(self) -> Self::Out {
+            self.0.first_hit(self.1).map(|root| MethodHit {
+                object: root.object,
+                t: root.t,
+                normal: root.normal,
+            })
+        }
+
+        fn known<M: Intersect>(self) -> Self::Out {
+            let FirstHit(scene, ray) = self;
+            hit_of_ray::<M>(scene, &RoundedRay::new(ray))
+        }
+    }
+    method.accept(FirstHit(scene, ray))
+}
+
+fn hit_of_ray<M: Intersect>(scene: &Scene, ray: &RoundedRay<M::Real>) -> Option<MethodHit> {
+    let (object, t) = first_hit::<M>(scene, ray)?;
+    let normal = match scene.object(object)? {
+        Object::Sphere(sphere) => RoundedSphere::new(&sphere).normal(ray, t),
+        Object::Plane(plane) => RoundedPlane::new(&plane).unit_normal(),
+    };
+    Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
+}
+
+/// Traces the first hit of every pixel of the raster by a method, rows in parallel: each direction
+/// `u*U + v*V - distance*W` in the method's own precision, from the camera's basis rounded to it,
+/// against every object.
+pub fn trace_by(method: Method, scene: &Scene, camera: &PosedCamera, raster: &Raster) -> Traced {
+    struct Trace<'a>(&'a Scene, &'a PosedCamera, &'a Raster);
+    impl Visitor for Trace<'_> {
+        type Out = Traced;
+
+        fn ladder(self) -> Traced {
+            let frame = trace(self.0, self.1, self.2, Outputs::default());
+            Traced { t: frame.t, object: frame.object }
+        }
+
+        fn known<M: Intersect>(self) -> Traced {
+            let Trace(scene, camera, raster) = self;
+            let plan = FrameBy::<M>::new(scene, camera, raster);
+            let mut traced =
+                Traced { t: vec![0.0; raster.len()], object: vec![NO_OBJECT; raster.len()] };
+            let width = raster.columns().len().max(1);
+            let rows = traced.t.par_chunks_mut(width).zip(traced.object.par_chunks_mut(width));
+            rows.enumerate().for_each_init(
+                || plan.row(),
+                |row, (index, (t, object))| {
+                    plan.trace_row(index, row);
+                    object.copy_from_slice(&row.object);
+                    for (t, found) in t.iter_mut().zip(&row.t) {
+                        *t = found.to_f64();
+                    }
+                },
+            );
+            traced
+        }
+    }
+    method.accept(Trace(scene, camera, raster))
+}
+
+/// A raster traced by one method in one thread, for a caller that takes the time, and single pixels
+/// of it looked at closely.
+///
+/// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand.
+pub trait FrameKernel: Send + Sync {
+    /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
+    /// memory of its own.
+    fn trace(&mut self);
+
+    /// The first hit of the raster's `row`th row and `column`th column, the same as in the trace.
+    ///
+    /// # Panics
+    /// Outside the raster.
+    fn hit(&self, row: usize, column: usize) -> Option<MethodHit>;
+}
+
+/// A method's [`FrameKernel`].
+pub fn frame_kernel(
+    method: Method,
+    scene: &Arc<Scene>,
+    camera: &PosedCamera,
+    raster: &Raster,
+) -> Box<dyn FrameKernel> {
+    struct Make<'a>(&'a Arc<Scene>, &'a PosedCamera, &'a Raster);
+    impl Visitor for Make<'_> {
+        type Out = Box<dyn FrameKernel>;
+
+        fn ladder(self) -> Self::Out {
+            Box::new(LadderFrame {
+                scene: Arc::clone(self.0),
+                camera: *self.1,
+                raster: self.2.clone(),
+                frame: None,
+            })
+        }
+
+        fn known<M: Intersect>(self) -> Self::Out {
+            let Make(scene, camera, raster) = self;
+            Box::new(KnownFrame::<M> {
+                rays: ViewRays::new(camera, raster),
+                scene: Arc::clone(scene),
+                camera: *camera,
+                raster: raster.clone(),
+                t: Vec::new(),
+                object: Vec::new(),
+            })
+        }
+    }
+    method.accept(Make(scene, camera, raster))
+}
+
+struct LadderFrame {
+    scene: Arc<Scene>,
+    camera: PosedCamera,
+    raster: Raster,
+    frame: Option<Frame>,
+}
+
+impl FrameKernel for LadderFrame {
+    fn trace(&mut self) {
+        self.frame = Some(trace(&self.scene, &self.camera, &self.raster, Outputs::default()));
+    }
+
+    fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
+        let pixel = Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] };
+        first_hit_by(Method::Ladder, &self.scene, &self.camera.ray_of_pixel(pixel))
+    }
+}
+
+struct KnownFrame<M: Intersect> {
+    rays: ViewRays<M::Real>,
+    scene: Arc<Scene>,
+    camera: PosedCamera,
+    raster: Raster,
+    t: Vec<M::Real>,
+    object: Vec<u32>,
+}
+
+impl<M: Intersect> FrameKernel for KnownFrame<M> {
+    fn trace(&mut self) {
+        let plan = FrameBy::<M>::new(&self.scene, &self.camera, &self.raster);
+        self.t.resize(self.raster.len(), M::Real::ZERO);
+        self.object.resize(self.raster.len(), NO_OBJECT);
+        let width = self.raster.columns().len().max(1);
+        let mut row = plan.row();
+        let rows = self.t.chunks_mut(width).zip(self.object.chunks_mut(width));
+        for (index, (t, object)) in rows.enumerate() {
+            plan.trace_row(index, &mut row);
+            t.copy_from_slice(&row.t);
+            object.copy_from_slice(&row.object);
+        }
+    }
+
+    fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
+        hit_of_ray::<M>(&self.scene, &self.rays.ray(row, column))
+    }
+}
+
+/// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that
+/// takes the time.
+pub trait RayKernel: Send + Sync {
+    /// Finds every ray's first hit again, into memory of its own.
+    fn intersect(&mut self);
+
+    /// What [`RayKernel::intersect`] found for a ray; nothing before that.
+    fn hit(&self, index: usize) -> Option<MethodHit>;
+}
+
+/// A method's [`RayKernel`]. Scenes and rays are rounded to the method's precision here, before
+/// anything is timed.
+pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Box<dyn RayKernel> {
+    struct Make<'a>(&'a [(Scene, Ray)]);
+    impl Visitor for Make<'_> {
+        type Out = Box<dyn RayKernel>;
+
+        fn ladder(self) -> Self::Out {
+            Box::new(LadderRays { cases: self.0.to_vec(), hits: Vec::new() })
+        }
+
+        fn known<M: Intersect>(self) -> Self::Out {
+            let rounded = |(scene, ray): &(Scene, Ray)| {
+                (RoundedScene::<M::Real>::new(scene), RoundedRay::new(ray))
+            };
+            let cases: Vec<_> = self.0.iter().map(rounded).collect();
+            Box::new(KnownRays::<M> { hits: vec![None; cases.len()], cases })
+        }
+    }
+    method.accept(Make(cases))
+}
+
+struct LadderRays {
+    cases: Vec<(Scene, Ray)>,
+    hits: Vec<Option<MethodHit>>,
+}
+
+impl RayKernel for LadderRays {
+    fn intersect(&mut self) {
+        self.hits.clear();
+        let hit = |(scene, ray): &(Scene, Ray)| first_hit_by(Method::Ladder, scene, ray);
+        self.hits.extend(self.cases.iter().map(hit));
+    }
+
+    fn hit(&self, index: usize) -> Option<MethodHit> {
+        *self.hits.get(index)?
+    }
+}
+
+type RoundedCase<R> = (RoundedScene<R>, RoundedRay<R>);
+
+struct KnownRays<M: Intersect> {
+    cases: Vec<RoundedCase<M::Real>>,
+    hits: Vec<Option<(u32, M::Real)>>,
+}
+
+impl<M: Intersect> RayKernel for KnownRays<M> {
+    fn intersect(&mut self) {
+        for (hit, (scene, ray)) in self.hits.iter_mut().zip(&self.cases) {
+            *hit = first_hit_rounded::<M>(scene, ray);
+        }
+    }
+
+    fn hit(&self, index: usize) -> Option<MethodHit> {
+        let (object, t) = (*self.hits.get(index)?)?;
+        let (scene, ray) = &self.cases[index];
+        let normal = match scene.spheres.get(object as usize) {
+            Some(sphere) => sphere.normal(ray, t),
+            None => scene.planes.get(object as usize - scene.spheres.len())?.unit_normal(),
+        };
+        Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
+    }
+}

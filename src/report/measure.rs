@@ -1,0 +1,122 @@
+//! Measures error against run time, a slice at a time: [`Run`].
+//!
+//! A run is a list of cases (a scene, or a stress family at one setting of its knob). Of each, some
+//! rays are followed by every [`Method`](pinhole_core::methods::Method) and by the reference, and
+//! whole frames or lists of rays are timed in rounds that take the methods in turn, so that whatever
+//! slows the machine down slows all of them.
+
+mod case;
+mod families;
+mod machine;
+mod scenes;
+mod subject;
+mod tally;
+
+use std::time::{Duration, Instant};
+
+use pinhole_core::methods::{Formula, Method, Precision};
+use pinhole_core::{Camera, CameraError, Scene};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use self::case::CaseRun;
+use super::model::Report;
+
+/// How long one slice may go on before the next piece of work is left to the one after it.
+const SLICE: Duration = Duration::from_millis(8);
+
+/// What to compare times with.
+pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
+
+/// A measurement under way. It does nothing by itself: [`Run::step`] does.
+///
+/// ```
+/// use pinhole::report::measure::Run;
+/// use pinhole_core::*;
+///
+/// let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+/// let camera = Camera { image: ImageSize::new(8, 8)?, ..Camera::CANONICAL };
+/// let mut run = Run::of_scene("ball", &Scene::new(vec![ball], vec![])?, &camera)?;
+/// while !run.is_done() {
+///     run.step();
+/// }
+/// assert_eq!(run.report().cases[0].name, "ball");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Run {
+    cases: Vec<CaseRun>,
+    /// The case at work; those before it are done.
+    current: usize,
+    left_out: Vec<String>,
+    timed_what: &'static str,
+    /// Holds the ladder's parallel tracer to one thread while it is timed.
+    one_thread: Option<ThreadPool>,
+}
+
+impl Run {
+    /// Will measure a scene as a camera sees it, in at most 20 seconds on two cores.
+    ///
+    /// # Errors
+    /// Where the camera sees nothing.
+    pub fn of_scene(name: &str, scene: &Scene, camera: &Camera) -> Result<Run, CameraError> {
+        let (cases, left_out) = scenes::cases(name, scene, camera)?;
+        Ok(Run::new(cases, left_out, "a frame of the scene"))
+    }
+
+    /// Will measure all stress families, in at most 3 minutes on two cores. The same seed gives the
+    /// same cases.
+    pub fn of_families(seed: u64) -> Run {
+        let (cases, left_out) = families::cases(seed);
+        Run::new(cases, left_out, "the family's rays one by one, or its frames")
+    }
+
+    fn new(cases: Vec<CaseRun>, left_out: Vec<String>, timed_what: &'static str) -> Run {
+        // Without a thread of its own, the ladder is timed on all threads of the default pool.
+        let one_thread = ThreadPoolBuilder::new().num_threads(1).build().ok();
+        Run { cases, current: 0, left_out, timed_what, one_thread }
+    }
+
+    /// How much there is to do, in pieces of work of roughly equal length.
+    pub fn total(&self) -> usize {
+        self.cases.iter().map(CaseRun::total).sum()
+    }
+
+    /// How much of it is done.
+    pub fn done(&self) -> usize {
+        self.cases.iter().map(CaseRun::done).sum()
+    }
+
+    /// Whether there is nothing left to do.
+    pub fn is_done(&self) -> bool {
+        self.current == self.cases.len()
+    }
+
+    /// Works on for about 10 ms.
+    pub fn step(&mut self) {
+        let start = Instant::now();
+        while let Some(case) = self.cases.get_mut(self.current) {
+            case.step(self.one_thread.as_ref());
+            if case.is_done() {
+                case.finish();
+                self.current += 1;
+            }
+            if start.elapsed() >= SLICE {
+                return;
+            }
+        }
+    }
+
+    /// What is known by now: the cases that have begun, each with the decisions that it has made so
+    /// far.
+    pub fn report(&self) -> Report {
+        let begun = self.cases.iter().filter(|case| case.has_begun());
+        let mut left_out = self.left_out.clone();
+        left_out.extend(begun.clone().filter_map(CaseRun::left_out));
+        Report {
+            reference: subject::REFERENCE.to_owned(),
+            cpu: machine::describe(),
+            baseline: format!("{BASELINE}, both roots, timed as all are: {}, one thread", self.timed_what),
+            cases: begun.map(CaseRun::report).collect(),
+            left_out,
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! One case under way: its rays decided by the reference and every method, its frames timed.
+
+use std::time::{Duration, Instant};
+
+use pinhole_core::methods::{Method, MethodHit};
+use pinhole_reference::Hit;
+use rayon::ThreadPool;
+use rayon::prelude::*;
+
+use super::subject::{Kernel, Subject};
+use super::tally::Tally;
+use crate::report::model::Case;
+
+/// Rays and the methods that follow them.
+pub(super) struct Set {
+    pub(super) subject: Subject,
+    pub(super) methods: Vec<Method>,
+}
+
+/// What a case is made of, made when its turn comes.
+pub(super) struct Made {
+    pub(super) sets: Vec<Set>,
+    /// The share of rays that hit, where it is known; else that of the rays decided.
+    pub(super) coverage: Option<f64>,
+    /// What to say of the rays that were not decided: from the number of those that were.
+    pub(super) left_out: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
+}
+
+/// What a case is, before it is made.
+pub(super) struct Plan {
+    pub(super) name: String,
+    pub(super) knob: Option<f64>,
+    pub(super) knob_name: String,
+    /// How often every method is timed.
+    pub(super) rounds: usize,
+    /// When to stop, finished or not.
+    pub(super) budget: Duration,
+    /// How many pieces of work it counts as.
+    pub(super) pieces: usize,
+    pub(super) make: Box<dyn FnOnce() -> Made + Send>,
+}
+
+/// One case: to come, under way or done.
+pub(super) struct CaseRun {
+    case: Case,
+    rounds: usize,
+    budget: Duration,
+    pieces: usize,
+    state: State,
+}
+
+enum State {
+    ToCome(Box<dyn FnOnce() -> Made + Send>),
+    Making,
+    Working(Box<Work>),
+    Done(Option<String>),
+}
+
+struct Work {
+    sets: Vec<SetWork>,
+    made: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
+    coverage: Option<f64>,
+    spent: Duration,
+    is_timing_next: bool,
+}
+
+struct SetWork {
+    subject: Subject,
+    workers: Vec<Worker>,
+    decided: usize,
+    hits: usize,
+    /// How many rays to decide at a time.
+    chunk: usize,
+    /// How many measurements of time were made, of all methods together.
+    timings: usize,
+}
+
+struct Worker {
+    method: Method,
+    kernel: Kernel,
+    tally: Tally,
+}
+
+/// What a piece of work should take.
+const PIECE: Duration = Duration::from_millis(4);
+
+impl CaseRun {
+    pub(super) fn new(plan: Plan) -> CaseRun {
+        let Plan { name, knob, knob_name, rounds, budget, pieces, make } = plan;
+        let case = Case { name, knob, knob_name, ..Case::default() };
+        CaseRun { case, rounds, budget, pieces, state: State::ToCome(make) }
+    }
+
+    pub(super) fn total(&self) -> usize {
+        self.pieces
+    }
+
+    pub(super) fn done(&self) -> usize {
+        match &self.state {
+            State::ToCome(_) | State::Making => 0,
+            State::Working(work) => {
+                let share = work.share(self.rounds).max(work.spent.div_duration_f64(self.budget));
+                ((share * self.pieces as f64) as usize).min(self.pieces)
+            }
+            State::Done(_) => self.pieces,
+        }
+    }
+
+    pub(super) fn has_begun(&self) -> bool {
+        matches!(self.state, State::Working(_) | State::Done(_))
+    }
+
+    pub(super) fn is_done(&self) -> bool {
+        match &self.state {
+            State::Working(work) => {
+                work.spent >= self.budget || work.share(self.rounds) >= 1.0
+            }
+            State::Done(_) => true,
+            State::ToCome(_) | State::Making => false,
+        }
+    }
+
+    /// One piece of work.
+    pub(super) fn step(&mut self, one_thread: Option<&ThreadPool>) {
+        match std::mem::replace(&mut self.state, State::Making) {
+            State::ToCome(make) => self.state = State::Working(Box::new(Work::new(make()))),
+            State::Working(mut work) => {
+                work.step(self.rounds, one_thread);
+                self.state = State::Working(work);
+            }
+            other => self.state = other,
+        }
+    }
+
+    /// Keeps the results and drops all else.
+    pub(super) fn finish(&mut self) {
+        (self.case, self.state) = (self.report(), State::Done(self.left_out()));
+    }
+
+    pub(super) fn left_out(&self) -> Option<String> {
+        match &self.state {
+            State::Working(work) => (work.made)(work.sets.first().map_or(0, |set| set.decided)),
+            State::Done(left_out) => left_out.clone(),
+            State::ToCome(_) | State::Making => None,
+        }
+    }
+
+    pub(super) fn report(&self) -> Case {
+        let State::Working(work) = &self.state else { return self.case.clone() };
+        let workers = work.sets.iter().flat_map(|set| &set.workers);
+        let mut rows: Vec<_> = workers.map(|w| (w.method, w.tally.row(w.method))).collect();
+        let place = |method| Method::ALL.iter().position(|other| *other == method);
+        rows.sort_by_key(|(method, _)| place(*method));
+        Case {
+            coverage: work.coverage(),
+            methods: rows.into_iter().map(|(_, row)| row).collect(),
+            ..self.case.clone()
+        }
+    }
+}
+
+impl Work {
+    fn new(made: Made) -> Work {
+        let start = Instant::now();
+        let sets = made.sets.into_iter().map(SetWork::new).collect();
+        Work {
+            sets,
+            made: made.left_out,
+            coverage: made.coverage,
+            spent: start.elapsed(),
+            is_timing_next: false,
+        }
+    }
+
+    /// How much is done, up to 1.
+    fn share(&self, rounds: usize) -> f64 {
+        let sum = |of: &dyn Fn(&SetWork) -> usize| self.sets.iter().map(of).sum::<usize>();
+        let all = sum(&|set| set.subject.len() + rounds * set.workers.len());
+        let done = sum(&|set| set.decided + set.timings);
+        if all == 0 { 1.0 } else { done as f64 / all as f64 }
+    }
+
+    fn coverage(&self) -> f64 {
+        if let Some(coverage) = self.coverage {
+            return coverage;
+        }
+        let sum = |of: fn(&SetWork) -> usize| self.sets.iter().map(of).sum::<usize>() as f64;
+        let decided = sum(|set| set.decided);
+        if decided == 0.0 { 0.0 } else { sum(|set| set.hits) / decided }
+    }
+
+    /// Decides some rays and takes some times, in turn.
+    fn step(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
+        let start = Instant::now();
+        let to_time = self.sets.iter().any(|set| set.timings < rounds * set.workers.len());
+        let to_decide = self.sets.iter().any(|set| set.decided < set.subject.len());
+        if to_time && (self.is_timing_next || !to_decide) {
+            // The set that is behind, so that all of them are timed in turn.
+            let behind = self.sets.iter_mut().min_by_key(|set| set.round());
+            if let Some(set) = behind {
+                set.time(rounds, one_thread);
+            }
+        } else {
+            let behind = self.sets.iter_mut().filter(|set| set.decided < set.subject.len());
+            if let Some(set) = behind.min_by_key(|set| set.decided) {
+                set.decide();
+            }
+        }
+        self.is_timing_next = !self.is_timing_next;
+        self.spent += start.elapsed();
+    }
+}
+
+impl SetWork {
+    fn new(set: Set) -> SetWork {
+        let Set { subject, methods } = set;
+        let worker = |method: Method| Worker {
+            method,
+            kernel: subject.kernel(method),
+            tally: Tally::default(),
+        };
+        let workers = methods.into_iter().map(worker).collect();
+        SetWork { subject, workers, decided: 0, hits: 0, chunk: 4, timings: 0 }
+    }
+
+    /// Which round it is in.
+    fn round(&self) -> usize {
+        self.timings / self.workers.len().max(1)
+    }
+
+    /// Follows the next rays by the reference and all methods.
+    fn decide(&mut self) {
+        let start = Instant::now();
+        let end = (self.decided + self.chunk).min(self.subject.len());
+        let follow = |index: usize| -> (Option<Hit>, Vec<Option<MethodHit>>) {
+            let found = |worker: &Worker| self.subject.found(&worker.kernel, index);
+            (self.subject.truth(index), self.workers.iter().map(found).collect())
+        };
+        let answers: Vec<_> = (self.decided..end).into_par_iter().map(follow).collect();
+        for (truth, found) in answers {
+            self.hits += usize::from(truth.is_some());
+            for (worker, found) in self.workers.iter_mut().zip(found) {
+                worker.tally.decide(worker.method, truth.as_ref(), found.as_ref());
+            }
+        }
+        self.decided = end;
+        let took = start.elapsed().max(Duration::from_micros(1));
+        let fitting = self.chunk as f64 * PIECE.div_duration_f64(took);
+        self.chunk = (fitting as usize).clamp(1, 2 * self.chunk + 2);
+    }
+
+    /// Takes the times of the next methods in turn.
+    fn time(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
+        let start = Instant::now();
+        let pixels = self.subject.timed_len().max(1) as f64;
+        while start.elapsed() < PIECE && self.timings < rounds * self.workers.len() {
+            let place = self.timings % self.workers.len();
+            let worker = &mut self.workers[place];
+            let took = self.subject.time(&mut worker.kernel, one_thread);
+            worker.tally.time(took.as_nanos() as f64 / pixels);
+            self.timings += 1;
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! The cases of one scene: as a whole, and those of its objects that are met in another way alone.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+use std::time::Duration;
+
+use pinhole_core::methods::{Formula, Method, Precision};
+use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, PosedCamera, Raster, Scene, trace};
+
+use super::case::{CaseRun, Made, Plan, Set};
+use super::subject::{Picture, Subject, objects_of};
+
+/// At most this many pixels a side are looked at.
+const SIDE: u32 = 400;
+/// At most this many pixels a side are traced for the time.
+const TIMED_SIDE: u32 = 256;
+/// At most this many questions of one object to one ray are timed at once, so that no slice is long.
+const TIMED_TESTS: usize = 1 << 20;
+/// At most this many pixels are compared with the truth.
+const MOST_PIXELS: usize = 20_000;
+const SEED: u64 = 1;
+
+/// What of a scene a case is about.
+struct Part {
+    title: String,
+    scene: Scene,
+    budget: Duration,
+    pieces: usize,
+}
+
+/// The cases, and what they leave out.
+pub(super) fn cases(
+    name: &str,
+    scene: &Scene,
+    camera: &Camera,
+) -> Result<(Vec<CaseRun>, Vec<String>), CameraError> {
+    let posed = camera.posed()?;
+    let mut left_out = Vec::new();
+    let parts = parts(name, scene, camera, &mut left_out);
+    let run = |part| CaseRun::new(plan(part, *camera, posed));
+    Ok((parts.into_iter().map(run).collect(), left_out))
+}
+
+/// The scene, its planes and the spheres around the eye; the latter where they are not all of it.
+fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>) -> Vec<Part> {
+    let part = |title: String, scene: Scene, seconds, pieces| {
+        let budget = Duration::from_secs(seconds);
+        Part { title, scene, budget, pieces }
+    };
+    let mut parts = vec![part(name.to_owned(), scene.clone(), 12, 400)];
+    let (spheres, planes) = (scene.spheres(), scene.planes());
+    let objects = objects_of(scene);
+    let is_inside = |index: &usize| {
+        camera.eye.is_finite() && objects[*index].side_of(camera.eye.to_array()) == Ordering::Less
+    };
+    let around: Vec<_> = (0..spheres.len()).filter(is_inside).map(|i| spheres[i]).collect();
+    let mut alone = |what: &str, spheres: &[_], planes: &[_]| {
+        if let Ok(scene) = Scene::new(spheres.to_vec(), planes.to_vec()) {
+            parts.push(part(format!("{name}: {what}"), scene, 3, 100));
+        }
+    };
+    if !around.is_empty() && around.len() < objects.len() {
+        alone("spheres around the eye, alone", &around, &[]);
+    }
+    if !planes.is_empty() && !spheres.is_empty() {
+        alone("planes, alone", &[], planes);
+    }
+    let mut leave_out = |what: &str| left_out.push(format!("{name}: {what}"));
+    if objects.is_empty() {
+        leave_out("no sphere rows and no plane rows: the scene is empty");
+    } else if spheres.is_empty() {
+        leave_out("no sphere rows: the scene has no spheres; all methods but the ladder share the textbook's plane");
+    } else if planes.is_empty() {
+        leave_out("no plane rows: the scene has no planes");
+    } else {
+        leave_out("planes, alone: one row a precision: all methods but the ladder share the textbook's plane");
+    }
+    if around.is_empty() && !spheres.is_empty() {
+        leave_out("no inside rows: the eye is outside every sphere");
+    }
+    parts
+}
+
+/// All methods, or where there is no sphere, one for each way to meet a plane.
+pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
+    let differ = |method: &Method| match method {
+        Method::Known(formula, _) => {
+            !scene.spheres().is_empty() || *formula == Formula::Textbook
+        }
+        Method::Ladder => true,
+    };
+    Method::ALL.into_iter().filter(differ).collect()
+}
+
+fn plan(part: Part, camera: Camera, posed: PosedCamera) -> Plan {
+    let Part { title, scene, budget, pieces } = part;
+    let name = title.clone();
+    Plan {
+        name,
+        knob: None,
+        knob_name: String::new(),
+        rounds: 41,
+        budget,
+        pieces,
+        make: Box::new(move || make(&title, scene, &camera, &posed)),
+    }
+}
+
+fn make(title: &str, scene: Scene, camera: &Camera, posed: &PosedCamera) -> Made {
+    let raster = Raster::shown_on(posed.image(), SIDE, SIDE);
+    let frame = trace(&scene, posed, &raster, Outputs::default());
+    let covered = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
+    let sample = sample(&frame.object, raster.columns().len());
+    let (methods, scene) = (methods_for(&scene), Arc::new(scene));
+    let timed = timed_raster(posed, scene.len());
+    let mut picture = Picture::new(&scene, camera, posed, raster, timed);
+    picture.pixels = sample.pixels;
+    let (title, all) = (title.to_owned(), frame.object.len());
+    let (outline, seen) = (sample.outline, picture.pixels.len());
+    let left_out = move |decided: usize| {
+        let outline = outline.min(if decided < seen { decided.div_ceil(2) } else { outline });
+        let at_random = decided.saturating_sub(outline);
+        (decided < all).then(|| {
+            format!(
+                "{title}: of {all} pixels, {} were not compared with the truth; those that were: \
+                 {outline} beside an outline, {at_random} at random (seed {SEED})",
+                all - decided
+            )
+        })
+    };
+    Made {
+        sets: vec![Set { subject: Subject::Frames(vec![picture]), methods }],
+        coverage: Some(covered as f64 / all.max(1) as f64),
+        left_out: Box::new(left_out),
+    }
+}
+
+/// What is traced for the time: the image, or fewer of its pixels.
+fn timed_raster(posed: &PosedCamera, objects: usize) -> Raster {
+    let side = ((TIMED_TESTS / objects.max(1)) as f64).sqrt() as u32;
+    let side = side.clamp(1, TIMED_SIDE);
+    Raster::shown_on(posed.image(), side, side)
+}
+
+/// Which pixels to compare with the truth.
+struct Sample {
+    /// Rows and columns.
+    pixels: Vec<(usize, usize)>,
+    /// How many of them lie beside an outline.
+    outline: usize,
+}
+
+/// Pixels beside an outline, where another object or none is next to them, and any others, in turn,
+/// so that of both kinds there are some however soon it stops.
+fn sample(object: &[u32], width: usize) -> Sample {
+    let is_outline = |index: &usize| {
+        let (row, column) = (index / width, index % width);
+        let differs = |other: Option<&u32>| other.is_some_and(|other| *other != object[*index]);
+        (column > 0 && differs(object.get(index - 1)))
+            || (column + 1 < width && differs(object.get(index + 1)))
+            || (row > 0 && differs(object.get(index - width)))
+            || differs(object.get(index + width))
+    };
+    let mut order: Vec<usize> = (0..object.len()).collect();
+    order.sort_by_key(|index| mixed(SEED ^ *index as u64));
+    let (outline, others): (Vec<_>, Vec<_>) = order.into_iter().partition(is_outline);
+    let (mut outline_left, mut others_left) = (outline.iter(), others.iter());
+    let in_turn = std::iter::from_fn(|| match (outline_left.next(), others_left.next()) {
+        (None, None) => None,
+        (one, other) => Some(one.into_iter().chain(other)),
+    });
+    let indices: Vec<usize> = in_turn.flatten().copied().take(MOST_PIXELS).collect();
+    Sample {
+        outline: indices.iter().filter(|index| is_outline(index)).count(),
+        pixels: indices.into_iter().map(|index| (index / width, index % width)).collect(),
+    }
+}
+
+/// A number that looks random: the finalizer of SplitMix64 (Steele, Lea, Flood, *Fast splittable
+/// pseudorandom number generators*, 2014).
+fn mixed(x: u64) -> u64 {
+    let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}

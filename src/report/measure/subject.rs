@@ -1,0 +1,261 @@
+//! What a case is about: rays that the reference and the methods follow alike.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use pinhole_core::methods::{
+    FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel,
+};
+use pinhole_core::{
+    Camera, DVec3, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere, Viewport,
+};
+use pinhole_reference::{self as reference, Hit, Object, View};
+use rayon::ThreadPool;
+
+/// What is true, in words.
+pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-int): \
+     decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
+     of pixels from eye, at, up, viewport and image as given, nothing rounded on the way; of the \
+     families' rays from origin and direction as given, in numbers exact in f32 for the f32 methods";
+
+/// Rays of one kind, numbered.
+pub(super) enum Subject {
+    /// Any rays, each with a scene of its own.
+    Rays(Rays),
+    /// Pixels of pictures.
+    Frames(Vec<Picture>),
+}
+
+/// Any rays, each with a scene of its own.
+pub(super) struct Rays {
+    cases: Vec<(Scene, Ray)>,
+    /// How often the list is gone through for one measurement of time.
+    repeats: u32,
+}
+
+/// A scene, a camera, and which of its pixels to compare with the truth.
+pub(super) struct Picture {
+    pub(super) scene: Arc<Scene>,
+    pub(super) camera: PosedCamera,
+    pub(super) of_reference: reference::Camera,
+    pub(super) objects: Vec<Object>,
+    /// All that the rays share, in exact numbers; none for a scene of many objects, which are
+    /// looked through for each pixel first.
+    view: Option<View>,
+    pub(super) raster: Raster,
+    /// Rows and columns of the raster.
+    pub(super) pixels: Vec<(usize, usize)>,
+    /// What is traced for the time.
+    timed: Raster,
+}
+
+/// One method at work on a subject.
+pub(super) enum Kernel {
+    Rays(Box<dyn RayKernel>),
+    Frames {
+        of_pixels: Vec<Box<dyn FrameKernel>>,
+        timed: Vec<Box<dyn FrameKernel>>,
+    },
+}
+
+/// From this many objects on, those that a ray misses for sure are not shown to the reference.
+const MANY_OBJECTS: usize = 12;
+
+impl Subject {
+    /// How many rays there are.
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Subject::Rays(rays) => rays.cases.len(),
+            Subject::Frames(pictures) => pictures.iter().map(|picture| picture.pixels.len()).sum(),
+        }
+    }
+
+    /// How many pixels one measurement of time is about.
+    pub(super) fn timed_len(&self) -> usize {
+        match self {
+            Subject::Rays(rays) => rays.cases.len() * rays.repeats as usize,
+            Subject::Frames(pictures) => pictures.iter().map(|picture| picture.timed.len()).sum(),
+        }
+    }
+
+    fn locate<'a>(pictures: &'a [Picture], mut index: usize) -> Option<(usize, &'a Picture, usize)> {
+        for (number, picture) in pictures.iter().enumerate() {
+            if index < picture.pixels.len() {
+                return Some((number, picture, index));
+            }
+            index -= picture.pixels.len();
+        }
+        None
+    }
+
+    /// What the ray of this number truly hits first.
+    pub(super) fn truth(&self, index: usize) -> Option<Hit> {
+        match self {
+            Subject::Rays(rays) => {
+                let (scene, ray) = &rays.cases[index];
+                let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+                reference::first_hit(&objects_of(scene), origin, direction)
+            }
+            Subject::Frames(pictures) => {
+                let (_, picture, pixel) = Subject::locate(pictures, index)?;
+                picture.truth(pixel)
+            }
+        }
+    }
+
+    /// A method, prepared to follow these rays.
+    pub(super) fn kernel(&self, method: Method) -> Kernel {
+        match self {
+            Subject::Rays(rays) => {
+                let mut kernel = ray_kernel(method, &rays.cases);
+                kernel.intersect();
+                Kernel::Rays(kernel)
+            }
+            Subject::Frames(pictures) => {
+                let make = |picture: &Picture, raster: &Raster| {
+                    frame_kernel(method, &picture.scene, &picture.camera, raster)
+                };
+                Kernel::Frames {
+                    of_pixels: pictures.iter().map(|p| make(p, &p.raster)).collect(),
+                    timed: pictures.iter().map(|p| make(p, &p.timed)).collect(),
+                }
+            }
+        }
+    }
+
+    /// What the method finds for the ray of this number.
+    pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
+        match (self, kernel) {
+            (Subject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
+                let (number, picture, pixel) = Subject::locate(pictures, index)?;
+                let (row, column) = picture.pixels[pixel];
+                of_pixels[number].hit(row, column)
+            }
+            (_, Kernel::Rays(kernel)) => kernel.hit(index),
+            (Subject::Rays(_), Kernel::Frames { .. }) => None,
+        }
+    }
+
+    /// How long the method takes for all of it.
+    pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> Duration {
+        let repeats = match self {
+            Subject::Rays(rays) => rays.repeats,
+            Subject::Frames(_) => 1,
+        };
+        let measure = || {
+            let start = Instant::now();
+            match kernel {
+                Kernel::Rays(kernel) => (0..repeats).for_each(|_| kernel.intersect()),
+                Kernel::Frames { timed, .. } => timed.iter_mut().for_each(|kernel| kernel.trace()),
+            }
+            start.elapsed()
+        };
+        match one_thread {
+            Some(pool) => pool.install(measure),
+            None => measure(),
+        }
+    }
+}
+
+impl Rays {
+    /// These rays, timed in batches of about `timed` of them.
+    pub(super) fn new(cases: Vec<(Scene, Ray)>, timed: usize) -> Rays {
+        let repeats = timed.div_ceil(cases.len().max(1)).max(1) as u32;
+        Rays { cases, repeats }
+    }
+}
+
+impl Picture {
+    /// `pixels` are compared with the truth; `timed` is traced for the time.
+    pub(super) fn new(
+        scene: &Arc<Scene>,
+        given: &Camera,
+        camera: &PosedCamera,
+        raster: Raster,
+        timed: Raster,
+    ) -> Picture {
+        let objects = objects_of(scene);
+        let of_reference = reference_camera(given);
+        let view = if objects.len() < MANY_OBJECTS {
+            of_reference.prepare(&objects).ok()
+        } else {
+            None
+        };
+        let scene = Arc::clone(scene);
+        let pixels = Vec::new();
+        Picture { scene, camera: *camera, of_reference, objects, view, raster, pixels, timed }
+    }
+
+    fn truth(&self, pixel: usize) -> Option<Hit> {
+        let (row, column) = self.pixels[pixel];
+        let pixel = pinhole_core::Pixel {
+            row: self.raster.rows()[row],
+            column: self.raster.columns()[column],
+        };
+        if let Some(view) = &self.view {
+            return view.first_hit_of_pixel(pixel.row, pixel.column);
+        }
+        let ray = self.camera.ray_of_pixel(pixel);
+        let near: Vec<usize> = (0..self.objects.len())
+            .filter(|index| !is_missed_for_sure(&self.objects[*index], &ray))
+            .collect();
+        let objects: Vec<Object> = near.iter().map(|index| self.objects[*index]).collect();
+        let mut hit = self.of_reference.first_hit_of_pixel(&objects, pixel.row, pixel.column)?;
+        hit.object = near[hit.object];
+        Some(hit)
+    }
+}
+
+/// Whether the line passes the sphere at a distance that no rounding of the ray can bridge.
+///
+/// The ray at hand is the true one but for some 1e-16 of its direction; 1e-6 of the distance to the
+/// centre is far more than that, and than what this arithmetic rounds. Where it overflows or
+/// underflows, nothing is for sure.
+fn is_missed_for_sure(object: &Object, ray: &Ray) -> bool {
+    let Object::Sphere { center, radius } = object else { return false };
+    let to_center = DVec3::from_array(*center) - ray.origin;
+    let across = to_center.cross(ray.direction).length() / ray.direction.length();
+    let reach = radius + 1e-6 * (to_center.length() + radius);
+    let is_plain = |x: f64| (1e-100..1e100).contains(&x);
+    is_plain(ray.direction.length()) && is_plain(reach) && across > reach
+}
+
+/// The scene as the reference has it: spheres, then planes.
+pub(super) fn objects_of(scene: &Scene) -> Vec<Object> {
+    let sphere = |sphere: &Sphere| Object::Sphere {
+        center: sphere.center.to_array(),
+        radius: sphere.radius,
+    };
+    let plane = |plane: &Plane| Object::Plane {
+        point: plane.point.to_array(),
+        normal: plane.normal.to_array(),
+    };
+    let planes = scene.planes().iter().map(plane);
+    scene.spheres().iter().map(sphere).chain(planes).collect()
+}
+
+fn reference_camera(camera: &Camera) -> reference::Camera {
+    let Viewport { width, height, distance } = camera.viewport;
+    let orientation = match camera.orientation {
+        Orientation::At { at, up } => {
+            reference::Orientation::At { at: at.to_array(), up: up.to_array() }
+        }
+        Orientation::View { view, up } => {
+            reference::Orientation::View { view: view.to_array(), up: up.to_array() }
+        }
+        Orientation::Basis(basis) => reference::Orientation::Basis {
+            u: basis.u.to_array(),
+            v: basis.v.to_array(),
+            w: basis.w.to_array(),
+        },
+    };
+    reference::Camera {
+        eye: camera.eye.to_array(),
+        orientation,
+        width,
+        height,
+        distance,
+        columns: camera.image.width(),
+        rows: camera.image.height(),
+    }
+}

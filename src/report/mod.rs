@@ -1,0 +1,10 @@
+//! Error against run time: what `pinhole report` measures, and the forms it shows that in.
+//!
+//! [`model`] is what was measured; everything else turns it into something to read.
+
+pub mod csv;
+pub mod json;
+pub mod model;
+mod number;
+pub mod plot;
+pub mod table;

@@ -1,0 +1,47 @@
+//! Numbers for readers: few significant digits, no noise.
+
+/// Three significant digits at most: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
+pub(crate) fn short(x: f64) -> String {
+    let magnitude = x.abs();
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-3..1e5).contains(&magnitude) {
+        let text = format!("{x:.1e}");
+        return text.replace(".0e", "e");
+    }
+    let digits_before = magnitude.log10().floor() as i32 + 1;
+    let decimals = (3 - digits_before).clamp(0, 5) as usize;
+    let text = format!("{x:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn few_digits() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.5, "0.5"),
+            (12.345, "12.3"),
+            (9.9999, "10"),
+            (1430.4, "1430"),
+            (32_145_678.0, "3.2e7"),
+            (1e-6, "1e-6"),
+            (-0.25, "-0.25"),
+            (0.001_234_56, "0.00123"),
+            (5e-324, "4.9e-324"),
+            (f64::MAX, "1.8e308"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(short(x), text, "{x:?}");
+        }
+    }
+}

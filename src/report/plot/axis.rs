@@ -1,0 +1,238 @@
+//! Scales: from numbers to places along a panel's edge, and the numbers written there.
+
+use crate::report::number::short;
+
+/// A stretch of a panel's edge, in points; may run backwards.
+pub(crate) type Stretch = [f64; 2];
+
+/// A logarithmic scale over whole decades, with a place of its own for zero.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Decades {
+    low: i32,
+    high: i32,
+    along: Stretch,
+    zero: f64,
+}
+
+/// A number and where it is written.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tick {
+    pub(crate) at: f64,
+    pub(crate) text: String,
+}
+
+impl Decades {
+    /// Over all positive values; `zero` is where zeros stand.
+    pub(crate) fn over(values: impl Iterator<Item = f64>, along: Stretch, zero: f64) -> Decades {
+        let [low, high] = range(values).unwrap_or([0.5, 1.0]);
+        let (low, mut high) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+        if high <= low {
+            high = low + 1;
+        }
+        Decades { low, high, along, zero }
+    }
+
+    /// Where a value stands.
+    pub(crate) fn place(&self, value: f64) -> f64 {
+        if value <= 0.0 {
+            return self.zero;
+        }
+        self.place_of_power(value.log10())
+    }
+
+    fn place_of_power(&self, exponent: f64) -> f64 {
+        let [from, to] = self.along;
+        let part = (exponent - f64::from(self.low)) / f64::from(self.high - self.low);
+        from + part.clamp(0.0, 1.0) * (to - from)
+    }
+
+    /// Whether a value lies within.
+    pub(crate) fn holds(&self, value: f64) -> bool {
+        value > 0.0 && (f64::from(self.low)..=f64::from(self.high)).contains(&value.log10())
+    }
+
+    /// Powers of ten, at most `most` of them.
+    pub(crate) fn ticks(&self, most: i32) -> Vec<Tick> {
+        let step = ((self.high - self.low) / most.max(1) + 1).max(1);
+        // Multiples of the step, so that 1 is among them wherever it is in range.
+        (self.low..=self.high)
+            .filter(|exponent| exponent.rem_euclid(step) == 0)
+            .map(|exponent| Tick {
+                at: self.place_of_power(f64::from(exponent)),
+                text: power_of_ten(exponent),
+            })
+            .collect()
+    }
+}
+
+/// A logarithmic scale over less: where the values are, and a little more on both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Close {
+    low: f64,
+    high: f64,
+    along: Stretch,
+}
+
+impl Close {
+    /// Over all positive values.
+    pub(crate) fn over(values: impl Iterator<Item = f64>, along: Stretch) -> Close {
+        let [low, high] = range(values).unwrap_or([1.0, 10.0]).map(f64::log10);
+        let margin = (0.06 * (high - low)).max(0.12);
+        Close { low: low - margin, high: high + margin, along }
+    }
+
+    /// Where a positive value stands.
+    pub(crate) fn place(&self, value: f64) -> f64 {
+        let [from, to] = self.along;
+        from + (value.log10() - self.low) / (self.high - self.low) * (to - from)
+    }
+
+    /// 1, 2 and 5 times powers of ten; where that is too many, powers of ten alone.
+    pub(crate) fn ticks(&self) -> Vec<Tick> {
+        let decades = self.low.floor() as i32..=self.high.ceil() as i32;
+        let numbers = |digits: &'static [f64]| -> Vec<Tick> {
+            decades
+                .clone()
+                .flat_map(|exponent| digits.iter().map(move |digit| digit * 10f64.powi(exponent)))
+                .filter(|value| (self.low..=self.high).contains(&value.log10()))
+                .map(|value| Tick { at: self.place(value), text: short(value) })
+                .collect()
+        };
+        [&[1.0, 2.0, 3.0, 5.0, 7.0][..], &[1.0, 2.0, 5.0], &[1.0, 3.0]]
+            .into_iter()
+            .map(numbers)
+            .find(|ticks| ticks.len() <= 7)
+            .unwrap_or_else(|| numbers(&[1.0]))
+    }
+}
+
+/// Where the settings of a knob stand: on a logarithmic scale if none is negative, else side by
+/// side.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Knobs {
+    Logarithmic(Decades),
+    SideBySide { sorted: Vec<f64>, along: Stretch },
+}
+
+impl Knobs {
+    /// Over these settings.
+    pub(crate) fn over(knobs: &[f64], [from, to]: Stretch) -> Knobs {
+        let mut sorted = knobs.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        sorted.dedup();
+        let wide = range(sorted.iter().copied()).is_some_and(|[low, high]| high >= 30.0 * low);
+        if wide && sorted.iter().all(|knob| *knob >= 0.0) {
+            let inside = if sorted[0] == 0.0 { from + 0.12 * (to - from) } else { from };
+            return Knobs::Logarithmic(Decades::over(sorted.into_iter(), [inside, to], from));
+        }
+        Knobs::SideBySide { sorted, along: [from, to] }
+    }
+
+    /// Where a setting stands.
+    pub(crate) fn place(&self, knob: f64) -> f64 {
+        match self {
+            Knobs::Logarithmic(decades) => decades.place(knob),
+            Knobs::SideBySide { sorted, along: [from, to] } => {
+                let index = sorted.iter().position(|other| *other == knob).unwrap_or(0);
+                from + (index as f64 + 0.5) / sorted.len().max(1) as f64 * (to - from)
+            }
+        }
+    }
+
+    /// The numbers written there, of which `has_zero` is one where a knob may be off.
+    pub(crate) fn ticks(&self, has_zero: bool) -> Vec<Tick> {
+        match self {
+            Knobs::Logarithmic(decades) => {
+                let zero = has_zero.then(|| Tick { at: decades.zero, text: "0".to_owned() });
+                zero.into_iter().chain(decades.ticks(6)).collect()
+            }
+            Knobs::SideBySide { sorted, .. } => {
+                let step = sorted.len().div_ceil(6).max(1);
+                sorted
+                    .iter()
+                    .step_by(step)
+                    .map(|knob| Tick { at: self.place(*knob), text: short(*knob) })
+                    .collect()
+            }
+        }
+    }
+}
+
+/// The smallest and the largest of the positive, finite values.
+fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    values
+        .filter(|value| *value > 0.0 && value.is_finite())
+        .map(|value| [value, value])
+        .reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
+}
+
+/// `10⁻⁶`, and `1` and `10` as they are.
+fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        _ => {
+            let raised = |c: char| match c {
+                '-' => '⁻',
+                digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
+                    .chars()
+                    .nth(digit.to_digit(10).unwrap_or(0) as usize)
+                    .unwrap_or(digit),
+            };
+            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(ticks: &[Tick]) -> Vec<&str> {
+        ticks.iter().map(|tick| tick.text.as_str()).collect()
+    }
+
+    #[test]
+    fn decades_hold_all_values_and_keep_zero_apart() {
+        let axis = Decades::over([0.0, 0.5, 3e4].into_iter(), [600.0, 0.0], 630.0);
+        assert_eq!(axis.place(0.0), 630.0);
+        assert_eq!(axis.place(0.1), 600.0);
+        assert_eq!(axis.place(1e5), 0.0);
+        assert_eq!(axis.place(100.0), 300.0);
+        assert_eq!(texts(&axis.ticks(8)), ["10⁻¹", "1", "10", "10²", "10³", "10⁴", "10⁵"]);
+        assert_eq!(texts(&axis.ticks(3)), ["1", "10³"]);
+    }
+
+    #[test]
+    fn no_value_or_a_single_one_still_makes_a_scale() {
+        for values in [vec![], vec![0.0], vec![1.0], vec![f64::MAX], vec![5e-324]] {
+            let axis = Decades::over(values.iter().copied(), [0.0, 1.0], -1.0);
+            assert!(axis.high > axis.low);
+            assert!(values.iter().all(|value| axis.place(*value).is_finite()));
+            let axis = Close::over(values.iter().copied(), [0.0, 1.0]);
+            assert!(axis.place(1.0).is_finite() && axis.ticks().len() <= 700);
+        }
+    }
+
+    #[test]
+    fn times_have_a_few_numbers_beside_them() {
+        let axis = Close::over([3.9, 41.0].into_iter(), [0.0, 100.0]);
+        assert_eq!(texts(&axis.ticks()), ["3", "5", "7", "10", "20", "30", "50"]);
+        let axis = Close::over([0.4, 3000.0].into_iter(), [0.0, 100.0]);
+        assert_eq!(texts(&axis.ticks()), ["1", "10", "100", "1000"]);
+        let axis = Close::over([9.0, 9.1].into_iter(), [0.0, 100.0]);
+        assert!(axis.ticks().len() >= 2, "{:?}", axis.ticks());
+    }
+
+    #[test]
+    fn knobs_that_may_be_off_or_negative_have_places() {
+        let knobs = Knobs::over(&[0.0, 1e-12, 1e-6, 1.0], [0.0, 100.0]);
+        assert_eq!(knobs.place(0.0), 0.0);
+        assert_eq!(knobs.place(1e-12), 12.0);
+        assert_eq!(knobs.place(1.0), 100.0);
+        assert_eq!(texts(&knobs.ticks(true))[..2], ["0", "10⁻¹²"]);
+        let knobs = Knobs::over(&[1.0, -1.0, 0.0], [0.0, 90.0]);
+        assert_eq!([-1.0, 0.0, 1.0].map(|knob| knobs.place(knob)), [15.0, 45.0, 75.0]);
+        assert_eq!(texts(&knobs.ticks(true)), ["-1", "0", "1"]);
+    }
+}

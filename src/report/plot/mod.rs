@@ -1,0 +1,141 @@
+//! The report as a picture, in the way of work-precision diagrams (Hairer and Wanner, "Solving
+//! Ordinary Differential Equations II", section IV.10; SciML's benchmarks): time across, error up,
+//! both logarithmic.
+//!
+//! A row a scene: error against time, and how many decisions each method got wrong. A family also
+//! shows its error against the knob; its time panel shows the worst of all settings. A plain
+//! [`Figure`] is drawn once and written as SVG or as pixels; a plotting crate would do the axes, but
+//! brings its own fonts, and no legend that counts.
+
+mod axis;
+mod figure;
+mod legend;
+mod marker;
+mod panel;
+mod raster;
+mod summary;
+mod svg;
+
+use self::figure::Align;
+pub use self::figure::Figure;
+use self::panel::{Errors, Frame, TEXT, WEAK};
+pub use self::raster::Raster;
+use self::summary::Summary;
+use super::model::Report;
+
+const WIDTH: f64 = 1280.0;
+const MARGIN: f64 = 28.0;
+
+/// Room for the numbers left of a panel.
+const NUMBERS: f64 = 104.0;
+
+/// The height of a panel, and of a row with all that belongs to it.
+const PANEL: f64 = 300.0;
+const ROW: f64 = 440.0;
+
+/// Between two panels: room for the names of the lines.
+const GAP: f64 = 68.0;
+
+/// Pixels to a point in PNG: as wide as a projector.
+pub const PNG_SCALE: f32 = 1.5;
+
+/// Draws a report.
+pub fn figure(report: &Report) -> Figure {
+    let mut figure = Figure { width: WIDTH, ..Figure::default() };
+    let mut y = head(&mut figure);
+    for summary in summary::of(report) {
+        row(&mut figure, y, &summary);
+        y += ROW;
+    }
+    figure.height = foot(&mut figure, y, report) + MARGIN;
+    figure
+}
+
+/// What is shown and how to read it; returns where it ends.
+fn head(figure: &mut Figure) -> f64 {
+    figure.bold([MARGIN, 40.0], Align::Left, 30.0, TEXT, "Error against run time".to_owned());
+    let how_to_read = [
+        "Down and left is better. Filled: f64; hollow: f32. A mark stands at the largest error in t, \
+         its stem ends at the 99th percentile.",
+        "A red ring: the method also decided wrong (hit or miss, which object is first); such rays \
+         are counted on the right and are in no error.",
+    ];
+    let mut y = 76.0;
+    for line in how_to_read {
+        y = paragraph(figure, y, 17.0, line);
+    }
+    y + 22.0
+}
+
+/// What the numbers rest on; returns where it ends.
+fn foot(figure: &mut Figure, top: f64, report: &Report) -> f64 {
+    let mut y = top + 4.0;
+    for (name, text) in [
+        ("Reference", &report.reference),
+        ("Processor", &report.cpu),
+        ("Baseline", &report.baseline),
+    ] {
+        if !text.is_empty() {
+            y = paragraph(figure, y, 16.0, &format!("{name}: {text}"));
+        }
+    }
+    if !report.left_out.is_empty() {
+        let left_out = format!("Left out: {}", report.left_out.join("; "));
+        y = paragraph(figure, y, 16.0, &left_out);
+    }
+    y - 16.0
+}
+
+/// Text over as many lines as it needs; returns where the next may stand.
+fn paragraph(figure: &mut Figure, mut y: f64, size: f64, text: &str) -> f64 {
+    // Noto Sans needs half its size for a character, and a little less in long texts.
+    let most = ((WIDTH - 2.0 * MARGIN) / (0.53 * size)) as usize;
+    let mut line = String::new();
+    for word in text.split_whitespace() {
+        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > most {
+            figure.text([MARGIN, y], Align::Left, size, WEAK, std::mem::take(&mut line));
+            y += 1.5 * size;
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        line.push_str(word);
+    }
+    if !line.is_empty() {
+        figure.text([MARGIN, y], Align::Left, size, WEAK, line);
+        y += 1.5 * size;
+    }
+    y
+}
+
+fn row(figure: &mut Figure, top: f64, summary: &Summary) {
+    let Some(case) = summary.cases.first() else { return };
+    let settings = match summary.cases.len() {
+        1 => case.title(),
+        _ => case.name.clone(),
+    };
+    figure.bold([MARGIN, top + 14.0], Align::Left, 22.0, TEXT, settings);
+    let coverage = format!("coverage {}", summary.coverage());
+    let coverage = match summary.cases.len() {
+        1 => coverage,
+        count => format!("{count} settings, {coverage}"),
+    };
+    figure.text([WIDTH - MARGIN, top + 14.0], Align::Right, 17.0, WEAK, coverage);
+    let (upper, lower) = (top + 62.0, top + 62.0 + PANEL);
+    let left = MARGIN + NUMBERS;
+    let right = WIDTH - MARGIN - legend::WIDTH - GAP - 14.0;
+    let middle = 0.5 * (left + right);
+    let whole = Frame { left, top: upper, right, bottom: lower };
+    let errors = Errors::of(summary, whole);
+    let what = "largest error in t, in ulps of f64".to_owned();
+    figure.text([MARGIN, top + 44.0], Align::Left, 17.0, TEXT, what);
+    if summary.has_knob() {
+        let across = Frame { right: middle - 8.0, ..whole };
+        panel::time(figure, across, &errors, summary);
+        panel::knob(figure, Frame { left: middle + 8.0, ..whole }, &errors, summary);
+    } else {
+        panel::time(figure, whole, &errors, summary);
+    }
+    errors.name_ulps(figure, whole);
+    legend::draw(figure, [right + GAP + 14.0, upper + 12.0], summary);
+}

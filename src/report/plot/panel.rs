@@ -1,0 +1,195 @@
+//! One panel: a frame with its scales, and the methods in it.
+
+use super::axis::{Close, Decades, Knobs, Tick};
+use super::figure::{Align, Figure, Ink, Place, Shape};
+use super::marker;
+use super::summary::{SINGLE, Summary, in_ulps_of_f64};
+
+pub(crate) const TEXT: Ink = [0x1a; 3];
+pub(crate) const WEAK: Ink = [0x5a; 3];
+const FRAME: Ink = [0x70; 3];
+const GRID: Ink = [0xe4; 3];
+const ULP: Ink = [0xa8; 3];
+
+/// The size of the numbers at a scale.
+pub(crate) const SMALL: f64 = 16.0;
+
+/// The height of the places for zero errors and for methods that have no error to show.
+const LANE: f64 = 30.0;
+
+/// Room between the outermost values and the frame.
+const MARGIN: f64 = 12.0;
+
+/// The frame of a panel, in points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) right: f64,
+    pub(crate) bottom: f64,
+}
+
+/// The scale of errors, which both panels of a row share.
+pub(crate) struct Errors {
+    scale: Decades,
+    zero: f64,
+    /// Where a method stands that has no hit in common with the truth; where one has none.
+    nowhere: Option<f64>,
+}
+
+impl Errors {
+    /// The scale of a row whose frames have this top and bottom.
+    pub(crate) fn of(summary: &Summary, frame: Frame) -> Errors {
+        let lost = summary.methods.iter().any(|method| method.max.is_none());
+        let nowhere = lost.then_some(frame.top + 0.5 * LANE);
+        let top = frame.top + if lost { LANE } else { 0.0 } + MARGIN;
+        let zero = frame.bottom - 0.5 * LANE;
+        let along = [frame.bottom - LANE - MARGIN, top];
+        Errors { scale: Decades::over(summary.errors(), along, zero), zero, nowhere }
+    }
+
+    /// Where an error stands; `None` only if the whole row has no place for methods without one.
+    fn place(&self, error: Option<f64>) -> Option<f64> {
+        error.map_or(self.nowhere, |error| Some(self.scale.place(error)))
+    }
+
+    /// Frame, lines across and their numbers; the numbers stand left of the frame.
+    fn draw(&self, figure: &mut Figure, frame: Frame, numbers: bool) {
+        let Frame { left, top, right, bottom } = frame;
+        for Tick { at, text } in self.scale.ticks(6) {
+            figure.line(&[[left, at], [right, at]], GRID, 1.0);
+            if numbers {
+                figure.text([left - 8.0, at], Align::Right, SMALL, TEXT, text);
+            }
+        }
+        for ulp in [1.0, SINGLE] {
+            if self.scale.holds(ulp) {
+                let at = self.scale.place(ulp);
+                let points = vec![[left, at], [right, at]];
+                figure.shapes.push(Shape::Line { points, color: ULP, width: 1.5, dashed: true });
+            }
+        }
+        let lanes =
+            [(Some(self.zero), bottom - LANE, "exact"), (self.nowhere, top + LANE, "no hit alike")];
+        for (middle, edge, name) in lanes {
+            let Some(middle) = middle else { continue };
+            figure.line(&[[left, edge], [right, edge]], FRAME, 1.0);
+            if numbers {
+                figure.text([left - 8.0, middle], Align::Right, SMALL, TEXT, name.to_owned());
+            }
+        }
+        figure.rectangle([left, top], [right, bottom], None, Some((FRAME, 1.5)));
+    }
+
+    /// The names of the two lines that stand for one ulp, right of a frame.
+    pub(crate) fn name_ulps(&self, figure: &mut Figure, frame: Frame) {
+        for (ulp, name) in [(1.0, "f64 ulp"), (SINGLE, "f32 ulp")] {
+            if self.scale.holds(ulp) {
+                let at = [frame.right + 6.0, self.scale.place(ulp)];
+                figure.text(at, Align::Left, 14.0, WEAK, name.to_owned());
+            }
+        }
+    }
+}
+
+/// The lines up and their numbers, and what they are.
+fn across(figure: &mut Figure, frame: Frame, ticks: Vec<Tick>, name: &str) {
+    for Tick { at, text } in ticks {
+        figure.line(&[[at, frame.top], [at, frame.bottom]], GRID, 1.0);
+        figure.text([at, frame.bottom + 16.0], Align::Middle, SMALL, TEXT, text);
+    }
+    let middle = 0.5 * (frame.left + frame.right);
+    let at = [middle, frame.bottom + 40.0];
+    figure.text(at, Align::Middle, 18.0, TEXT, name.to_owned());
+}
+
+/// Error against time: a mark a method at its largest error, with a stem down to the 99th
+/// percentile.
+pub(crate) fn time(figure: &mut Figure, frame: Frame, errors: &Errors, summary: &Summary) {
+    let times = summary.methods.iter().filter_map(|method| method.time);
+    let scale = Close::over(times, [frame.left, frame.right]);
+    across(figure, frame, scale.ticks(), "nanoseconds a pixel");
+    errors.draw(figure, frame, true);
+    let mut marks = Vec::new();
+    for method in &summary.methods {
+        let (Some(time), Some(y)) =
+            (method.time.filter(|time| *time > 0.0), errors.place(method.max))
+        else {
+            continue;
+        };
+        let x = scale.place(time);
+        let look = marker::of(method.family);
+        if method.p99.is_some() && method.max.is_some() {
+            let low = errors.scale.place(method.p99.unwrap_or_default());
+            figure.line(&[[x, y], [x, low]], look.color, 1.5);
+            figure.line(&[[x - 5.0, low], [x + 5.0, low]], look.color, 2.0);
+        }
+        marks.push(Mark {
+            center: [x, y],
+            family: method.family,
+            hollow: method.single,
+            wrong: method.wrong > 0,
+        });
+    }
+    draw_marks(figure, &marks);
+}
+
+/// Error against the family's knob: a line a method, at its largest error.
+pub(crate) fn knob(figure: &mut Figure, frame: Frame, errors: &Errors, summary: &Summary) {
+    let knobs: Vec<f64> = summary.cases.iter().filter_map(|case| case.knob).collect();
+    let inside = [frame.left + 16.0, frame.right - 16.0];
+    let scale = Knobs::over(&knobs, inside);
+    let name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
+    let name = if name.is_empty() { "knob" } else { name };
+    across(figure, frame, scale.ticks(knobs.contains(&0.0)), name);
+    errors.draw(figure, frame, false);
+    let mut marks = Vec::new();
+    for method in &summary.methods {
+        let color = marker::of(method.family).color;
+        let mut chain: Vec<Place> = Vec::new();
+        let mut chains: Vec<Vec<Place>> = Vec::new();
+        for (knob, row) in summary.along_knob(method.name) {
+            let error = in_ulps_of_f64(row, row.ulp.max);
+            let Some(y) = errors.place(error) else { continue };
+            let center = [scale.place(knob), y];
+            marks.push(Mark {
+                center,
+                family: method.family,
+                hollow: method.single,
+                wrong: row.wrong > 0,
+            });
+            // A curve ends where there is no error to show.
+            if error.is_some() {
+                chain.push(center);
+            } else {
+                chains.push(std::mem::take(&mut chain));
+            }
+        }
+        chains.push(chain);
+        for points in chains.into_iter().filter(|chain| chain.len() > 1) {
+            figure.shapes.push(Shape::Line { points, color, width: 2.0, dashed: method.single });
+        }
+    }
+    draw_marks(figure, &marks);
+}
+
+/// A method's mark, somewhere.
+struct Mark<'a> {
+    center: Place,
+    family: &'a str,
+    hollow: bool,
+    wrong: bool,
+}
+
+/// The first method on top of the others, as it is the one to look for; rings last, so that no
+/// mark hides one.
+fn draw_marks(figure: &mut Figure, marks: &[Mark]) {
+    for hollow in [false, true] {
+        for mark in marks.iter().rev().filter(|mark| mark.hollow == hollow) {
+            marker::of(mark.family).draw(figure, mark.center, hollow);
+        }
+    }
+    for mark in marks.iter().filter(|mark| mark.wrong) {
+        marker::ring(figure, mark.center);
+    }
+}

@@ -1,0 +1,129 @@
+//! The report as text, in aligned columns, for a terminal of 120 columns.
+
+use std::fmt::Write as _;
+
+use super::model::{Case, MethodRow, Report};
+use super::number::short;
+
+/// As wide as text may be.
+const WIDTH: usize = 118;
+
+/// The columns: name, and whether the next one belongs to it in the head above.
+const COLUMNS: [&str; 10] =
+    ["method", "wrong", "share", "median", "p99", "max", "normal", "median", "min", "× baseline"];
+
+/// The whole report.
+pub fn to_table(report: &Report) -> String {
+    let mut out = String::new();
+    for (name, text) in
+        [("reference", &report.reference), ("cpu", &report.cpu), ("baseline", &report.baseline)]
+    {
+        if !text.is_empty() {
+            wrapped(&mut out, &format!("{name:<10} "), text);
+        }
+    }
+    for case in &report.cases {
+        out.push('\n');
+        block(&mut out, case, baseline_of(report, case));
+    }
+    if !report.left_out.is_empty() {
+        out.push_str("\nleft out:\n");
+        for line in &report.left_out {
+            wrapped(&mut out, "  ", line);
+        }
+    }
+    out
+}
+
+/// The time that the others are compared with: that of the method which the baseline's text begins
+/// with.
+fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
+    let name = report.baseline.split([' ', ',', ':']).next()?;
+    let row = case.methods.iter().find(|row| row.name == name)?;
+    row.ns_per_pixel.median.filter(|time| *time > 0.0)
+}
+
+fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
+    let coverage = format!("coverage {} %", short(100.0 * case.coverage));
+    let decisions = case.methods.iter().map(|row| row.decisions).max().unwrap_or(0);
+    wrapped(out, "", &format!("{}: {decisions} decisions, {coverage}", case.title()));
+    let mut rows = vec![COLUMNS.map(str::to_owned)];
+    rows.extend(case.methods.iter().map(|row| cells(row, baseline)));
+    let mut widths: [usize; COLUMNS.len()] = std::array::from_fn(|column| {
+        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)
+    });
+    // The heads above span three columns and two.
+    const ULPS: &str = "error in t, ulps";
+    const TIMES: &str = "ns a pixel";
+    widths[3..6].iter_mut().for_each(|width| *width = (*width).max(6));
+    let until = |column: usize| widths[..column].iter().sum::<usize>() + 2 * column;
+    let _ = writeln!(
+        out,
+        "{}{:>ulps$}{:>normal$}{TIMES:>times$}",
+        " ".repeat(until(3) - 2),
+        ULPS,
+        "rad",
+        ulps = until(6) - until(3),
+        normal = until(7) - until(6),
+        times = until(9) - until(7),
+    );
+    for row in &rows {
+        let mut line = format!("{:<width$}", row[0], width = widths[0]);
+        for (cell, width) in row.iter().zip(widths).skip(1) {
+            let _ = write!(line, "  {cell:>width$}");
+        }
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+    for row in &case.methods {
+        if let Some(steps) = row.steps {
+            let _ = writeln!(
+                out,
+                "{} decided {} in f64, {} in double-double, {} exactly",
+                row.name, steps.f64, steps.double_double, steps.exact
+            );
+        }
+    }
+}
+
+fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; COLUMNS.len()] {
+    let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
+    let share = match row.wrong_share() {
+        None => "-".to_owned(),
+        Some(0.0) => "0 %".to_owned(),
+        Some(share) => format!("{} %", short(100.0 * share)),
+    };
+    let ratio = baseline.zip(row.ns_per_pixel.median).map(|(base, time)| time / base);
+    [
+        row.name.clone(),
+        row.wrong.to_string(),
+        share,
+        number(row.ulp.median),
+        number(row.ulp.p99),
+        number(row.ulp.max),
+        number(row.normal_error_max),
+        number(row.ns_per_pixel.median),
+        number(row.ns_per_pixel.min),
+        number(ratio),
+    ]
+}
+
+/// Writes text behind a head, its further lines indented as far.
+fn wrapped(out: &mut String, head: &str, text: &str) {
+    let indent = head.chars().count();
+    let mut line = head.to_owned();
+    let mut empty = true;
+    for word in text.split_whitespace() {
+        if !empty && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            let _ = writeln!(out, "{}", line.trim_end());
+            line = " ".repeat(indent);
+            empty = true;
+        }
+        if !empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        empty = false;
+    }
+    let _ = writeln!(out, "{}", line.trim_end());
+}

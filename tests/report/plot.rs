@@ -1,0 +1,104 @@
+//! The plot.
+
+use pinhole::report::model::Report;
+use pinhole::report::plot::{self, PNG_SCALE};
+
+use crate::sample;
+
+fn svg_of(report: &Report) -> String {
+    plot::figure(report).to_svg()
+}
+
+/// How often an element with this in it is there.
+fn count(svg: &str, part: &str) -> usize {
+    svg.lines().filter(|line| line.contains(part)).count()
+}
+
+#[test]
+fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
+    let mut report = sample::report();
+    report.cases.truncate(1);
+    assert_eq!(count(&svg_of(&report), "<circle"), 0);
+    report.cases[0].methods[2].wrong = 1234;
+    let svg = svg_of(&report);
+    // One around the mark, one in the table.
+    assert_eq!(count(&svg, "<circle"), 2);
+    assert_eq!(count(&svg, ">1 234</text>"), 1);
+}
+
+#[test]
+fn a_family_has_a_curve_a_method() {
+    let report = sample::report();
+    let svg = svg_of(&report);
+    assert_eq!(count(&svg, ">radius / distance</text>"), 1);
+    let long_chains =
+        svg.lines().filter(|line| line.starts_with("<polyline") && line.matches(',').count() >= 5);
+    assert_eq!(long_chains.count(), 16);
+    assert_eq!(count(&svg, ">tiny far sphere</text>"), 1);
+    assert_eq!(count(&svg, ">6 settings, coverage 3.27 to 19.6 %</text>"), 1);
+}
+
+#[test]
+fn a_method_without_a_common_hit_has_a_place_of_its_own() {
+    let mut report = sample::report();
+    report.cases.truncate(1);
+    assert_eq!(count(&svg_of(&report), ">no hit alike</text>"), 0);
+    report.cases[0].methods[2].ulp = Default::default();
+    assert_eq!(count(&svg_of(&report), ">no hit alike</text>"), 1);
+}
+
+#[test]
+fn nothing_leaves_the_picture_whatever_the_numbers() {
+    let mut report = sample::report();
+    for (index, row) in report.cases.iter_mut().flat_map(|case| &mut case.methods).enumerate() {
+        row.ulp.max = [Some(f64::MAX), Some(5e-324), Some(0.0), None][index % 4];
+        row.ulp.p99 = [None, Some(0.0), Some(f64::MAX)][index % 3];
+        row.ns_per_pixel.median = [Some(0.0), Some(1e9), None, Some(1e-3), Some(7.0)][index % 5];
+    }
+    for (index, case) in report.cases.iter_mut().enumerate().skip(1) {
+        case.knob = [Some(0.0), Some(-1.0), Some(1e300), Some(5e-324)][index % 4];
+    }
+    report.cases.push(Default::default());
+    let svg = svg_of(&report);
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    let attribute = |name: &str| -> f64 {
+        let start = svg.find(name).unwrap() + name.len();
+        svg[start..].split('"').next().unwrap().parse().unwrap()
+    };
+    let (width, height) = (attribute("width=\""), attribute("height=\""));
+    for line in svg.lines().filter(|line| line.starts_with("<poly")) {
+        let points = line.split('"').nth(1).unwrap();
+        for [x, y] in points.split(' ').map(|point| {
+            let (x, y) = point.split_once(',').unwrap();
+            [x, y].map(|number| number.parse::<f64>().unwrap())
+        }) {
+            assert!((0.0..=width).contains(&x) && (0.0..=height).contains(&y), "{line}");
+        }
+    }
+}
+
+/// Both are drawn from one description, so a place that is dark in one is dark in the other; here
+/// that the pixels are there at all, marks in their colours and text in dark.
+#[test]
+fn pixels_show_what_the_svg_says() {
+    let figure = plot::figure(&sample::report());
+    let raster = figure.to_pixels(PNG_SCALE);
+    assert_eq!(raster.pixels.len(), raster.width as usize * raster.height as usize);
+    assert_eq!(raster.width, 1920);
+    let count = |[r, g, b]: [u8; 3]| raster.pixels.iter().filter(|p| **p == [r, g, b, 255]).count();
+    assert!(count([0xff; 3]) > raster.pixels.len() / 2);
+    for ink in [[0, 0, 0], [0xb0, 0, 0x20], [0xd5, 0x5e, 0], [0, 0x72, 0xb2], [0x1a; 3]] {
+        assert!(count(ink) > 200, "{ink:?}: {}", count(ink));
+    }
+    if let Some(folder) = std::env::var_os("PINHOLE_SHOW") {
+        let folder = std::path::PathBuf::from(folder);
+        pinhole::formats::png::save(
+            &folder.join("plot.png"),
+            raster.width,
+            raster.height,
+            &raster.pixels,
+        )
+        .unwrap();
+        std::fs::write(folder.join("plot.svg"), figure.to_svg()).unwrap();
+    }
+}

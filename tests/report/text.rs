@@ -1,0 +1,151 @@
+//! The table, JSON and CSV.
+
+use expect_test::expect;
+use pinhole::report::model::Report;
+use pinhole::report::{csv, json, table};
+
+use crate::sample;
+
+/// The report with a few methods of its first and its last case.
+fn small() -> Report {
+    let mut report = sample::report();
+    report.cases.drain(1..6);
+    for case in &mut report.cases {
+        case.methods.retain(|row| ["ladder", "textbook-f32", "half-b-f64"].contains(&&*row.name));
+    }
+    report
+}
+
+#[test]
+fn the_table_is_aligned_and_says_what_it_rests_on() {
+    expect![[r#"
+        reference  dashu-float, 420 bits
+        cpu        Some processor, AVX2 and FMA there, one thread
+        baseline   textbook-f32: both roots, the same loop over the same rays
+
+        canonical: 4096 decisions, coverage 19.6 %
+                                          error in t, ulps      rad    ns a pixel
+        method        wrong  share  median     p99     max   normal  median   min  × baseline
+        ladder            0    0 %       0     0.4     0.5  1.5e-16    10.2  9.18        2.62
+        textbook-f32      0    0 %       0     1.6       2    6e-16     3.9  3.51           1
+        half-b-f64        0    0 %       0     1.6       2    6e-16     5.3  4.77        1.36
+        ladder decided 4096 in f64, 0 in double-double, 0 exactly
+
+        tiny far sphere, radius / distance = 1e-12: 4096 decisions, coverage 3.27 %
+                                            error in t, ulps      rad    ns a pixel
+        method        wrong    share  median     p99     max   normal  median   min  × baseline
+        ladder            0      0 %     0.1     0.4     0.5  1.5e-16    10.2  9.18        2.62
+        textbook-f32    721   17.6 %       -       -       -        -     3.9  3.51           1
+        half-b-f64       18  0.439 %   1.3e7     5e7   6.3e7   1.9e-8     5.3  4.77        1.36
+        ladder decided 4046 in f64, 45 in double-double, 5 exactly
+
+        left out:
+          planes: canonical has none
+          rays from inside a sphere: the eye is outside
+    "#]]
+    .assert_eq(&table::to_table(&small()));
+}
+
+#[test]
+fn the_table_fits_a_terminal() {
+    let mut report = sample::report();
+    report.cpu = "a processor with a name that goes on ".repeat(9);
+    report.left_out.push("something with many reasons ".repeat(12));
+    for row in report.cases.iter_mut().flat_map(|case| &mut case.methods) {
+        row.ulp.max = Some(f64::MAX);
+        row.ulp.p99 = Some(1.234_567e-300);
+        row.normal_error_max = Some(5e-324);
+        (row.wrong, row.decisions) = (1_234_567_890, 12_345_678_901);
+    }
+    let table = table::to_table(&report);
+    let widest = table.lines().map(|line| line.chars().count()).max().unwrap();
+    assert!((60..=120).contains(&widest), "{widest} columns:\n{table}");
+}
+
+#[test]
+fn json_has_the_fields_of_the_contract_in_their_order() {
+    let mut report = small();
+    report.cases.truncate(1);
+    report.cases[0].methods.truncate(2);
+    expect![[r#"
+        {
+          "reference": "dashu-float, 420 bits",
+          "cpu": "Some processor, AVX2 and FMA there, one thread",
+          "cases": [
+            {
+              "name": "canonical",
+              "knob": null,
+              "coverage": 0.196,
+              "methods": [
+                {
+                  "name": "ladder",
+                  "wrong": 0,
+                  "decisions": 4096,
+                  "ulp": {
+                    "median": 0.0,
+                    "p99": 0.4,
+                    "max": 0.5
+                  },
+                  "normal_error_max": 1.5e-16,
+                  "ns_per_pixel": {
+                    "median": 10.2,
+                    "min": 9.18
+                  },
+                  "steps": {
+                    "f64": 4096,
+                    "double_double": 0,
+                    "exact": 0
+                  }
+                },
+                {
+                  "name": "textbook-f32",
+                  "wrong": 0,
+                  "decisions": 4096,
+                  "ulp": {
+                    "median": 0.0,
+                    "p99": 1.6,
+                    "max": 2.0
+                  },
+                  "normal_error_max": 6e-16,
+                  "ns_per_pixel": {
+                    "median": 3.9,
+                    "min": 3.51
+                  },
+                  "steps": null
+                }
+              ],
+              "knob_name": ""
+            }
+          ],
+          "left_out": [
+            "planes: canonical has none",
+            "rays from inside a sphere: the eye is outside"
+          ],
+          "baseline": "textbook-f32: both roots, the same loop over the same rays"
+        }
+    "#]]
+    .assert_eq(&json::to_json(&report).unwrap());
+}
+
+#[test]
+fn json_reads_back_to_the_same_numbers() {
+    let mut report = sample::report();
+    report.cases[0].coverage = 0.1 + 0.2;
+    report.cases[1].methods[3].ulp.max = Some(5e-324);
+    let json = json::to_json(&report).unwrap();
+    assert_eq!(serde_json::from_str::<Report>(&json).unwrap(), report);
+}
+
+#[test]
+fn csv_has_a_row_a_case_and_method() {
+    let text = String::from_utf8(csv::to_csv(&small()).unwrap()).unwrap();
+    expect![[r#"
+        case,knob_name,knob,coverage,method,wrong,decisions,ulp_median,ulp_p99,ulp_max,normal_error_max,ns_per_pixel_median,ns_per_pixel_min,steps_f64,steps_double_double,steps_exact,reference,cpu
+        canonical,,,0.196,ladder,0,4096,0.0,0.4,0.5,1.5e-16,10.2,9.18,4096,0,0,"dashu-float, 420 bits","Some processor, AVX2 and FMA there, one thread"
+        canonical,,,0.196,textbook-f32,0,4096,0.0,1.6,2.0,6e-16,3.9,3.51,,,,"dashu-float, 420 bits","Some processor, AVX2 and FMA there, one thread"
+        canonical,,,0.196,half-b-f64,0,4096,0.0,1.6,2.0,6e-16,5.3,4.77,,,,"dashu-float, 420 bits","Some processor, AVX2 and FMA there, one thread"
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,ladder,0,4096,0.1,0.4,0.5,1.5e-16,10.2,9.18,4046,45,5,"dashu-float, 420 bits","Some processor, AVX2 and FMA there, one thread"
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,textbook-f32,721,4096,,,,,3.9,3.51,,,,"dashu-float, 420 bits","Some processor, AVX2 and FMA there, one thread"
+        tiny far sphere,radius / distance,1e-12,0.03266666666666667,half-b-f64,18,4096,12527855.188441262,50111420.75376505,62639275.94220631,1.879178278266189e-8,5.3,4.77,,,,"dashu-float, 420 bits","Some processor, AVX2 and FMA there, one thread"
+    "#]].assert_eq(&text);
+}
