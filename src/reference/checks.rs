@@ -250,7 +250,9 @@ fn textbook_roots(object: &Object, eye: &Vector, direction: &Vector) -> Vec<Dyad
 #[test]
 fn the_textbook_at_twice_the_precision_agrees() {
     // Where a decision is not on the edge, a thousand bits are enough to make it.
-    let on_no_edge = |name: &str| name.starts_with("frame-") && !name.ends_with("ties");
+    let on_no_edge = |name: &str| {
+        name.starts_with("frame-") && !name.ends_with("ties") && !name.ends_with("touching")
+    };
     for family in Family::all().filter(|family| on_no_edge(family.name())) {
         for &knob in family.knobs() {
             // Of tangents: those an ulp beside.

@@ -7,7 +7,7 @@ use crate::object::Object;
 use crate::spheres::{OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
 use crate::touching_frames;
 
-pub(crate) static FAMILIES: [Family; 11] = [
+pub(crate) static FAMILIES: [Family; 12] = [
     Family {
         name: "frame-ordinary",
         about: "An everyday camera and scene.",
@@ -28,6 +28,13 @@ pub(crate) static FAMILIES: [Family; 11] = [
         knob_name: "radius of the second sphere, in ulps from the first's",
         knobs: &ULPS,
         make: Make::Frame(touching_frames::ties),
+    },
+    Family {
+        name: "frame-touching",
+        about: "Two spheres and a plane that touch where a pixel's ray enters them.",
+        knob_name: "radius of the inner sphere, in ulps from touching",
+        knobs: &ULPS,
+        make: Make::Frame(touching_frames::touching),
     },
     Family {
         name: "frame-planet",
