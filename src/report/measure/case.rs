@@ -112,9 +112,7 @@ impl CaseRun {
 
     pub(super) fn is_done(&self) -> bool {
         match &self.state {
-            State::Working(work) => {
-                work.spent >= self.budget || work.share(self.rounds) >= 1.0
-            }
+            State::Working(work) => work.spent >= self.budget || work.share(self.rounds) >= 1.0,
             State::Done(_) => true,
             State::ToCome(_) | State::Making => false,
         }

@@ -6,7 +6,11 @@ use std::fs;
 pub(super) fn describe() -> String {
     let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
     let features = features();
-    let features = if features.is_empty() { "no vector instructions asked for".to_owned() } else { features.join(", ") };
+    let features = if features.is_empty() {
+        "no vector instructions asked for".to_owned()
+    } else {
+        features.join(", ")
+    };
     format!("{name} ({}; {features})", std::env::consts::ARCH)
 }
 

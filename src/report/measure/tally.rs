@@ -22,7 +22,12 @@ pub(super) struct Tally {
 impl Tally {
     /// One more decision. Errors are taken where it is right; that of t, where the true t is a number
     /// of the method's precision at its full number of digits.
-    pub(super) fn decide(&mut self, method: Method, truth: Option<&Hit>, found: Option<&MethodHit>) {
+    pub(super) fn decide(
+        &mut self,
+        method: Method,
+        truth: Option<&Hit>,
+        found: Option<&MethodHit>,
+    ) {
         self.decisions += 1;
         let (truth, found) = match (truth, found) {
             (None, None) => return,
@@ -65,10 +70,7 @@ impl Tally {
                 max: ulps.last().copied(),
             },
             normal_error_max: self.normal_error_max,
-            ns_per_pixel: Times {
-                median: quantile(&times, 0.5),
-                min: times.first().copied(),
-            },
+            ns_per_pixel: Times { median: quantile(&times, 0.5), min: times.first().copied() },
             steps: self.steps,
         }
     }
