@@ -10,7 +10,7 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 use pinhole_core::{
     Camera, CameraError, DVec3, Frame, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, SceneError,
-    Shade, Sphere, UpAngle, shade, trace,
+    Shade, Sphere, UpAngle, shade, trace_as,
 };
 
 use self::memo::Memo;
@@ -70,7 +70,7 @@ pub struct Derived {
     /// The scene with the camera in it.
     pub world_view: Option<Shown>,
     /// What the observer sees where in the world view.
-    pub world_frame: Option<Arc<Frame>>,
+    pub world_frame: Option<Arc<Frame<f32>>>,
 }
 
 /// A finished view: pixels to present and labels to write on them.
@@ -148,7 +148,7 @@ type Enclosing = Arc<Vec<u32>>;
 /// The scene as the observer sees it, before anything is drawn over it.
 #[derive(Debug)]
 struct WorldPicture {
-    frame: Arc<Frame>,
+    frame: Arc<Frame<f32>>,
     pixels: Vec<Color32>,
     enclosing: Enclosing,
 }
@@ -259,7 +259,7 @@ impl Deriver {
         let pictures = &mut self.pictures;
         let picture = self.camera_picture.get((posed, *generation, raster, mode), |key| {
             *pictures += 1;
-            let frame = trace(scene, &posed, &key.2, Outputs::default());
+            let frame = trace_as::<f32>(scene, &posed, &key.2, Outputs::default());
             let pixels = shade(&frame, scene, mode, |i| colors[i as usize], opaque);
             Arc::new(Picture { raster: key.2.clone(), image: posed.image(), pixels })
         });
@@ -370,7 +370,7 @@ impl Deriver {
         self.world_picture.get((observer, *generation, enclosing), |(.., enclosing)| {
             *world_pictures += 1;
             let raster = Raster::full(observer.image());
-            let frame = Arc::new(trace(&seen, &observer, &raster, Outputs::default()));
+            let frame = Arc::new(trace_as::<f32>(&seen, &observer, &raster, Outputs::default()));
             let pixels = shade(&frame, &seen, Shade::Lambert, color_of, opaque);
             Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(enclosing) })
         })

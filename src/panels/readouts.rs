@@ -2,15 +2,12 @@
 //! selected and copied.
 
 use egui::{Grid, Label, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Object, Pixel, PosedCamera, Root, UpAngle, shortest};
+use pinhole_core::{DVec3, Pixel, PosedCamera, Root, UpAngle, shortest};
 
 use super::number::{error_color, significant, vector_color};
 use crate::derive::Derived;
 use crate::document::Document;
-use crate::inspection::Inspection;
-
-/// The numbers that decide are listed one by one up to this many objects.
-const LISTED_OBJECTS: usize = 12;
+use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
 
 /// How numbers are written.
 #[derive(Clone, Copy)]
@@ -264,10 +261,8 @@ fn listed_parts(
     style: NumberStyle,
 ) -> Vec<String> {
     let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
-    let objects = scene.into_iter().flat_map(|scene| scene.objects().enumerate());
-    objects
-        .map(|(index, object)| parts(&document.title_of(index), &object, inspection, style))
-        .collect()
+    let listed = scene.into_iter().flat_map(|_| inspection.parts.iter().enumerate());
+    listed.map(|(index, of)| parts(&document.title_of(index), of, style)).collect()
 }
 
 fn copied_hits(
@@ -283,11 +278,10 @@ fn copied_hits(
 }
 
 /// The numbers that decide hit or miss for one object.
-fn parts(title: &str, object: &Object, inspection: &Inspection, style: NumberStyle) -> String {
+fn parts(title: &str, of: &Parts, style: NumberStyle) -> String {
     let number = |x| style.number(x);
-    match object {
-        Object::Sphere(sphere) => {
-            let q = sphere.quadratic(&inspection.ray);
+    match of {
+        Parts::Sphere(q) => {
             let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
             let meaning = match q.discriminant {
                 d if d < 0.0 => "< 0: missed",
@@ -296,8 +290,7 @@ fn parts(title: &str, object: &Object, inspection: &Inspection, style: NumberSty
             };
             format!("{title}:  a = {a},  b = {b},  c = {c},  D = b² − ac = {d} {meaning}")
         }
-        Object::Plane(plane) => {
-            let terms = plane.terms(&inspection.ray);
+        Parts::Plane(terms) => {
             let (rate, offset) = (number(terms.rate), number(terms.offset));
             let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
             format!("{title}:  n·d = {rate},  n·(point − p) = {offset}{meaning}")
