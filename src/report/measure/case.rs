@@ -256,6 +256,7 @@ impl SetWork {
             let worker = &mut self.workers[place];
             let took = self.subject.time(&mut worker.kernel, one_thread);
             worker.tally.time(took.as_nanos() as f64 / pixels);
+            worker.tally.climb(worker.kernel.steps());
             self.timings += 1;
         }
     }

@@ -89,7 +89,7 @@ fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>)
 pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
     let differ = |method: &Method| match method {
         Method::Known(formula, _) => !scene.spheres().is_empty() || *formula == Formula::Textbook,
-        Method::Ladder => true,
+        Method::Ladder | Method::DoubleDouble => true,
     };
     Method::ALL.into_iter().filter(differ).collect()
 }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use pinhole_core::methods::{FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
-    Camera, DVec3, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere, Viewport,
+    Camera, DVec3, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere, Steps, Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
@@ -148,6 +148,19 @@ impl Subject {
         match one_thread {
             Some(pool) => pool.install(measure),
             None => measure(),
+        }
+    }
+}
+
+impl Kernel {
+    /// How far up the ladder the last measurement of time had to go.
+    pub(super) fn steps(&self) -> Option<Steps> {
+        match self {
+            Kernel::Rays(kernel) => kernel.steps(),
+            Kernel::Frames { timed, .. } => {
+                let mut each = timed.iter().map(|kernel| kernel.steps());
+                each.try_fold(Steps::default(), |sum, steps| Some(sum + steps?))
+            }
         }
     }
 }

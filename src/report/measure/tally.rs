@@ -16,7 +16,7 @@ pub(super) struct Tally {
     normal_error_max: Option<f64>,
     /// Nanoseconds a pixel, one a round.
     times: Vec<f64>,
-    pub(super) steps: Option<Steps>,
+    steps: Option<Steps>,
 }
 
 impl Tally {
@@ -55,6 +55,15 @@ impl Tally {
     /// One more round, in nanoseconds a pixel.
     pub(super) fn time(&mut self, ns_per_pixel: f64) {
         self.times.push(ns_per_pixel);
+    }
+
+    /// How far up the ladder the last round had to go.
+    pub(super) fn climb(&mut self, steps: Option<pinhole_core::Steps>) {
+        self.steps = steps.map(|steps| Steps {
+            f64: steps.f64,
+            double_double: steps.double_double,
+            exact: steps.exact,
+        });
     }
 
     pub(super) fn row(&self, method: Method) -> MethodRow {
