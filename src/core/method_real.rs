@@ -1,9 +1,11 @@
 //! The numbers that the [methods](crate::methods) compute in, and vectors of them.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
 
+use crate::double_double::DoubleDouble;
 use crate::plane::Plane;
 use crate::ray::Ray;
 use crate::scene::Scene;
@@ -78,6 +80,56 @@ macro_rules! implement_real {
 
 implement_real!(f32);
 implement_real!(f64);
+
+impl Real for DoubleDouble {
+    const ZERO: Self = DoubleDouble { hi: 0.0, lo: 0.0 };
+    const INFINITY: Self = DoubleDouble { hi: f64::INFINITY, lo: 0.0 };
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        DoubleDouble::from(x)
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self.hi
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // The algorithm divides by the root; of 0, and of what has none, f64's is right. Choices of
+        // numbers, not of ways, so that a loop over them can be vectorized.
+        let (root, plain, has_root) = (self.square_root(), self.hi.sqrt(), self.hi > 0.0);
+        DoubleDouble {
+            hi: if has_root { root.hi } else { plain },
+            lo: if has_root { root.lo } else { 0.0 },
+        }
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        let turn = 1_f64.copysign(self.hi) * 1_f64.copysign(sign.hi);
+        DoubleDouble { hi: self.hi * turn, lo: self.lo * turn }
+    }
+}
+
+/// By value; nothing compares with NaN.
+impl PartialOrd for DoubleDouble {
+    #[inline(always)]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        match self.hi.partial_cmp(&other.hi)? {
+            Ordering::Equal => self.lo.partial_cmp(&other.lo),
+            order => Some(order),
+        }
+    }
+
+    #[inline(always)]
+    fn lt(&self, other: &Self) -> bool {
+        (self.hi < other.hi) | ((self.hi == other.hi) & (self.lo < other.lo))
+    }
+
+    #[inline(always)]
+    fn gt(&self, other: &Self) -> bool {
+        other.lt(self)
+    }
+}
 
 /// A point or direction in a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]

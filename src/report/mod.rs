@@ -4,6 +4,7 @@
 
 pub mod csv;
 pub mod json;
+pub mod measure;
 pub mod model;
 mod number;
 pub mod plot;
