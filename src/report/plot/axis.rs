@@ -1,6 +1,6 @@
 //! Scales: from numbers to places along a panel's edge, and the numbers written there.
 
-use crate::report::number::short;
+use crate::report::number::{power_of_ten, short};
 
 /// A stretch of a panel's edge, in points; may run backwards.
 pub(crate) type Stretch = [f64; 2];
@@ -164,24 +164,6 @@ fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
         .filter(|value| *value > 0.0 && value.is_finite())
         .map(|value| [value, value])
         .reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
-}
-
-/// `10⁻⁶`, and `1` and `10` as they are.
-fn power_of_ten(exponent: i32) -> String {
-    match exponent {
-        0 => "1".to_owned(),
-        1 => "10".to_owned(),
-        _ => {
-            let raised = |c: char| match c {
-                '-' => '⁻',
-                digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
-                    .chars()
-                    .nth(digit.to_digit(10).unwrap_or(0) as usize)
-                    .unwrap_or(digit),
-            };
-            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
-        }
-    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 mod axis;
 mod figure;
 mod legend;
-mod marker;
+pub(crate) mod marker;
 mod panel;
 mod raster;
 mod summary;
@@ -21,6 +21,7 @@ pub use self::figure::Figure;
 use self::panel::{Errors, Frame, TEXT, WEAK};
 pub use self::raster::Raster;
 use self::summary::Summary;
+pub(crate) use self::summary::{SINGLE, in_ulps_of_f64};
 use super::model::Report;
 
 const WIDTH: f64 = 1280.0;
