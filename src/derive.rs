@@ -12,7 +12,7 @@ use egui::{Color32, ColorImage};
 use pinhole_core::methods::Method;
 use pinhole_core::{
     Camera, CameraError, DVec3, Frame, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, SceneError,
-    Shade, Sphere, UpAngle, shade, trace,
+    Shade, Sphere, Steps, UpAngle, shade, trace_as,
 };
 
 use self::memo::Memo;
@@ -76,8 +76,10 @@ pub struct Derived {
     pub camera_view: Option<Shown>,
     /// The scene with the camera in it.
     pub world_view: Option<Shown>,
-    /// The ladder's answer for the pixels that are shown.
-    pub frame: Option<Arc<Frame>>,
+    /// How far up the ladder the camera's picture had to go.
+    pub steps: Option<Steps>,
+    /// The ladder's answer for the pixels that are shown, where another method stands beside it.
+    pub truth: Option<Arc<Frame>>,
     /// What drew the camera's picture, where the ladder did not.
     pub drawn_by: Option<Arc<Compared>>,
     /// The method of the error map, and where it errs.
@@ -85,7 +87,7 @@ pub struct Derived {
     /// The error map.
     pub error_map: Option<Shown>,
     /// What the observer sees where in the world view.
-    pub world_frame: Option<Arc<Frame>>,
+    pub world_frame: Option<Arc<Frame<f32>>>,
 }
 
 /// A finished view: pixels to present and labels to write on them.
@@ -161,7 +163,7 @@ type Enclosing = Arc<Vec<u32>>;
 /// The scene as the observer sees it, before anything is drawn over it.
 #[derive(Debug)]
 struct WorldPicture {
-    frame: Arc<Frame>,
+    frame: Arc<Frame<f32>>,
     pixels: Vec<Color32>,
     enclosing: Enclosing,
 }
@@ -283,7 +285,8 @@ impl Deriver {
             derived.compared = Some(Arc::clone(compared));
         }
         derived.drawn_by.clone_from(&good.drawn_by);
-        derived.frame = Some(good.frame);
+        derived.steps = Some(good.steps);
+        derived.truth = good.truth;
     }
 
     fn world_view(
@@ -361,7 +364,7 @@ impl Deriver {
         self.world_picture.get((observer, *generation, enclosing), |(.., enclosing)| {
             *world_pictures += 1;
             let raster = Raster::full(observer.image());
-            let frame = Arc::new(trace(&seen, &observer, &raster, Outputs::default()));
+            let frame = Arc::new(trace_as::<f32>(&seen, &observer, &raster, Outputs::default()));
             let pixels = shade(&frame, &seen, Shade::Lambert, color_of, opaque);
             Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(enclosing) })
         })

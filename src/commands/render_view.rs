@@ -34,7 +34,7 @@ pub struct Rendering {
     /// Opaque sRGB pixels with alpha 255, row by row from the top.
     pub pixels: Vec<[u8; 4]>,
     /// What the camera's rays meet, pixel by pixel, where it was asked for or needed anyway.
-    pub frame: Option<Frame>,
+    pub frame: Option<Frame<f32>>,
 }
 
 /// Draws a view of the document, `options.size` large. `done` hears of finished rows.

@@ -4,10 +4,10 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::error_free::difference_with_rest;
+use crate::exact::{Dyadic, dot, exact3};
+use crate::fine_basis::{FineBasis, ViewGiven, angle_parts, basis_of};
 use crate::number::{shortest, triple};
-use crate::scale::{ldexp, length, split, unit};
-use crate::wide;
+use crate::scale::length;
 
 /// How far a basis given by hand may be from orthonormal: `| |a| - 1 |` and `|a . b|` of its vectors.
 ///
@@ -153,23 +153,23 @@ impl Basis {
     /// ```
     ///
     /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) No length of
-    /// `view` and `up` overflows or underflows. The cross product is taken of the vectors as given,
-    /// not of the rounded `w`, so that an `up` close to `view` costs no accuracy: u, v and w are
-    /// within a few 1e-16 of exact, however small the angle.
+    /// `view` and `up` overflows or underflows, and an `up` close to `view` costs no accuracy: each
+    /// coordinate of u, v and w is the exact one, rounded, however small the angle. Whether up is
+    /// parallel to view is decided exactly.
     ///
     /// # Errors
     /// Where a value is not finite, a vector is zero, or up is parallel to view.
     pub fn from_view_up(view: DVec3, up: DVec3) -> Result<Basis, BasisError> {
-        Aim::along(view, up)?.basis()
+        Ok(Aim::along(view, up)?.fine_basis()?.rounded())
     }
 
     /// The basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
-    /// `view = at - eye`, which is not rounded before the cross product is taken.
+    /// `view = at - eye`, which is not rounded.
     ///
     /// # Errors
     /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
     pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
-        Aim::from_to(eye, at, up)?.basis()
+        Ok(Aim::from_to(eye, at, up)?.fine_basis()?.rounded())
     }
 
     /// Takes a basis as given, to the bit, if it is one: unit and orthogonal within
@@ -184,14 +184,13 @@ impl Basis {
             check_finite(field, value)?;
         }
         for (vector, value) in [(U, u), (V, v), (W, w)] {
-            let length = length(value);
-            if (length - 1.0).abs() > ORTHONORMAL_TOLERANCE {
-                return Err(BasisError::NotUnit { vector, length });
+            if !is_unit(value) {
+                return Err(BasisError::NotUnit { vector, length: length(value) });
             }
         }
-        for (first, second, dot) in [(U, V, u.dot(v)), (V, W, v.dot(w)), (W, U, w.dot(u))] {
-            if dot.abs() > ORTHONORMAL_TOLERANCE {
-                return Err(BasisError::NotOrthogonal { first, second, dot });
+        for (first, second, a, b) in [(U, V, u, v), (V, W, v, w), (W, U, w, u)] {
+            if !is_orthogonal(a, b) {
+                return Err(BasisError::NotOrthogonal { first, second, dot: a.dot(b) });
             }
         }
         if u.cross(v).dot(w) < 0.0 {
@@ -235,60 +234,45 @@ impl UpAngle {
 }
 
 /// A checked view direction and up, neither of them zero.
-struct Aim {
-    view: DVec3,
-    /// What rounding left out of `view = at - eye`; zero where the view itself is given.
-    view_rest: DVec3,
-    up: DVec3,
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aim {
+    pub(crate) view: ViewGiven,
+    pub(crate) up: DVec3,
 }
 
 impl Aim {
-    fn along(view: DVec3, up: DVec3) -> Result<Aim, BasisError> {
+    pub(crate) fn along(view: DVec3, up: DVec3) -> Result<Aim, BasisError> {
         check_finite("view", view)?;
         check_finite("up", up)?;
         if view == DVec3::ZERO {
             return Err(BasisError::ViewIsZero);
         }
-        Aim { view, view_rest: DVec3::ZERO, up }.with_up()
+        Aim { view: ViewGiven::Along(view), up }.with_up()
     }
 
-    fn from_to(eye: DVec3, at: DVec3, up: DVec3) -> Result<Aim, BasisError> {
+    pub(crate) fn from_to(eye: DVec3, at: DVec3, up: DVec3) -> Result<Aim, BasisError> {
         for (field, value) in [("eye", eye), ("at", at), ("up", up)] {
             check_finite(field, value)?;
         }
         if eye == at {
             return Err(BasisError::EyeIsAt { point: eye });
         }
-        let (view, view_rest, _) = difference_with_rest(at, eye);
-        Aim { view, view_rest, up }.with_up()
+        Aim { view: ViewGiven::Between { from: eye, to: at }, up }.with_up()
     }
 
     fn with_up(self) -> Result<Aim, BasisError> {
         if self.up == DVec3::ZERO { Err(BasisError::UpIsZero) } else { Ok(self) }
     }
 
-    /// `up x -view`, which is `view x up`, as `(m, k)`: `m * 2^k`.
-    fn right(&self) -> Result<(DVec3, i32), BasisError> {
-        let right = wide::cross_with_rest(self.view, self.view_rest, self.up);
-        wide::split(right).ok_or(BasisError::UpParallelToView { up: self.up, view: self.view })
-    }
-
-    fn basis(&self) -> Result<Basis, BasisError> {
-        let u = unit(self.right()?.0);
-        let w = -unit(self.view);
-        let [u, v, w] = [u, w.cross(u), w].map(positive_zeros);
-        Ok(Basis { u, v, w })
+    pub(crate) fn fine_basis(&self) -> Result<FineBasis, BasisError> {
+        basis_of(&self.view, self.up)
     }
 
     fn up_angle(&self) -> Result<UpAngle, BasisError> {
-        let (right, right_scale) = self.right()?;
-        let ((view, view_scale), (up, up_scale)) = (split(self.view), split(self.up));
-        let k = right_scale - view_scale - up_scale;
-        let lengths = up.length() * view.length();
-        Ok(UpAngle {
-            angle: ldexp(right.length(), k).atan2(up.dot(view)),
-            conditioning: ldexp(lengths / right.length(), -k).min(f64::MAX),
-        })
+        self.fine_basis()?;
+        let (right, along, lengths) = angle_parts(&self.view, self.up);
+        let conditioning = (lengths / right).min(f64::MAX);
+        Ok(UpAngle { angle: right.atan2(along), conditioning })
     }
 }
 
@@ -296,7 +280,31 @@ fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }
 
-/// Makes `-0` into `0`, which readers expect to see.
-fn positive_zeros(v: DVec3) -> DVec3 {
-    v + DVec3::ZERO
+/// Far more than rounding makes of a length or a dot product of vectors of about length 1.
+const ROUNDING: f64 = 1e-15;
+
+/// Whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as
+/// `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2`.
+fn is_unit(v: DVec3) -> bool {
+    let off = (length(v) - 1.0).abs();
+    if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
+        return off < ORTHONORMAL_TOLERANCE;
+    }
+    let (one, tolerance) = (Dyadic::from(1.0), Dyadic::from(ORTHONORMAL_TOLERANCE));
+    let v = exact3(v);
+    let square = dot(&v, &v);
+    let above = &(&one + &tolerance).square() - &square;
+    let below = &square - &(&one - &tolerance).square();
+    above.sign().is_ge() && below.sign().is_ge()
+}
+
+/// Whether `|a . b| <= tolerance`, exactly.
+fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
+    let off = a.dot(b).abs();
+    if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
+        return off < ORTHONORMAL_TOLERANCE;
+    }
+    let exact = dot(&exact3(a), &exact3(b));
+    let tolerance = Dyadic::from(ORTHONORMAL_TOLERANCE);
+    (&tolerance - &exact).sign().is_ge() && (&tolerance + &exact).sign().is_ge()
 }

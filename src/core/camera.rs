@@ -4,10 +4,11 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::basis::{Basis, BasisError, UpAngle};
+use crate::basis::{Aim, Basis, BasisError, UpAngle};
 use crate::error_free::difference_with_rest;
+use crate::fine_basis::FineBasis;
 use crate::image::{ImageError, ImageSize};
-use crate::posed::PosedCamera;
+use crate::posed::{AimGiven, PosedCamera};
 use crate::scale::unit;
 use crate::viewport::{Viewport, ViewportError};
 
@@ -118,14 +119,22 @@ impl Camera {
     /// # Errors
     /// Where there is none, see [`BasisError`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
+        Ok(self.aim()?.1.rounded())
+    }
+
+    /// What the basis is made of, and the basis with all its digits.
+    fn aim(&self) -> Result<(AimGiven, FineBasis), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
         }
-        match self.orientation {
-            Orientation::At { at, up } => Basis::from_eye_at_up(self.eye, at, up),
-            Orientation::View { view, up } => Basis::from_view_up(view, up),
-            Orientation::Basis(Basis { u, v, w }) => Basis::by_hand(u, v, w),
-        }
+        let aim = match self.orientation {
+            Orientation::At { at, up } => Aim::from_to(self.eye, at, up)?,
+            Orientation::View { view, up } => Aim::along(view, up)?,
+            Orientation::Basis(Basis { u, v, w }) => {
+                return Ok((AimGiven::Basis, FineBasis::given(&Basis::by_hand(u, v, w)?)));
+            }
+        };
+        Ok((AimGiven::ViewUp(aim.view, aim.up), aim.fine_basis()?))
     }
 
     /// The angle between up and the view direction. A basis given by hand has v for its up.
@@ -164,9 +173,9 @@ impl Camera {
     /// # Errors
     /// Where it has no basis or its viewport is not a rectangle in front of the eye.
     pub fn posed(&self) -> Result<PosedCamera, CameraError> {
-        let basis = self.basis()?;
+        let (aim, basis) = self.aim()?;
         self.viewport.check()?;
-        Ok(PosedCamera::new(self.eye, basis, self.viewport, self.image))
+        Ok(PosedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }
 
     /// The same camera with its orientation given in another way.

@@ -39,32 +39,56 @@
 //!
 //! This crate knows no window, no file and no command line.
 
+mod band;
 mod basis;
+mod big_ray;
+mod blend;
 mod bounds;
 mod camera;
+mod conic;
+mod double_double;
 mod error_free;
+mod exact;
+mod exact_ray;
+mod fine_basis;
 mod frame;
+mod frame_rays;
 mod image;
+mod kernel;
+mod lane;
+mod lanes;
 mod method_kernel;
 mod method_real;
 mod method_sphere;
 mod method_trace;
 pub mod methods;
+mod normals;
 mod number;
 mod plane;
+mod plane_seen;
 mod posed;
+mod precise;
 mod ray;
 mod roots;
 mod scale;
 mod scene;
+mod seen;
 mod shade;
 mod sphere;
+mod sphere_seen;
+mod steps;
+mod surd;
+mod terms;
+mod trace;
 mod viewport;
-mod wide;
+
+pub use fearless_simd::Level;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
-pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, trace, trace_reporting};
+pub use double_double::DoubleDouble;
+pub use exact_ray::ExactRay;
+pub use frame::{Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use glam::{DVec2, DVec3};
 pub use image::{ImageError, ImageSize, Pixel};
 pub use number::shortest;
@@ -75,4 +99,6 @@ pub use roots::Roots;
 pub use scene::{Object, ObjectError, Root, Scene, SceneError};
 pub use shade::{BACKGROUND, Rgb, Shade, shade, shade_pixel};
 pub use sphere::{Sphere, SphereQuadratic};
+pub use steps::{Step, Steps};
+pub use trace::{trace, trace_as, trace_at_level, trace_reporting};
 pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::frame::{Frame, NO_OBJECT, Outputs, Raster, trace};
+use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::image::Pixel;
 use crate::method_real::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
 use crate::method_sphere::Intersect;
@@ -15,6 +15,7 @@ use crate::methods::{Method, Visitor};
 use crate::posed::PosedCamera;
 use crate::ray::Ray;
 use crate::scene::{Object, Scene};
+use crate::trace::trace;
 
 /// The first hit of a ray, by some method.
 #[derive(Clone, Copy, Debug, PartialEq)]

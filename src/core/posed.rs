@@ -4,20 +4,57 @@
 use glam::{DVec2, DVec3};
 
 use crate::basis::Basis;
+use crate::big_ray::BigRay;
+use crate::double_double::DoubleDouble;
 use crate::error_free::difference_with_rest;
+use crate::exact::{Dyadic, exact3, times};
+use crate::exact_ray::{ExactRay, scaled};
+use crate::fine_basis::{BigBasis, FineBasis, ViewGiven};
 use crate::frame::Raster;
 use crate::image::{ImageSize, Pixel};
-use crate::ray::Ray;
+use crate::ray::{Ray, RayError};
 use crate::scale::ldexp;
+use crate::surd::{Radicands, Surd};
+use crate::terms::Vector;
 use crate::viewport::Viewport;
 
 /// A [`Camera`](crate::Camera) that passed every check: eye, basis, viewport and image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PosedCamera {
     eye: DVec3,
+    aim: AimGiven,
     basis: Basis,
+    fine_basis: FineBasis,
     viewport: Viewport,
     image: ImageSize,
+}
+
+/// What the basis was made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum AimGiven {
+    /// A view direction and up.
+    ViewUp(ViewGiven, DVec3),
+    /// u, v, w themselves.
+    Basis,
+}
+
+/// Where in the viewport a view ray passes, exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ViewPlace {
+    /// Through a pixel's centre.
+    Pixel(Pixel),
+    /// Through this (u, v).
+    Uv(DVec2),
+}
+
+impl ViewPlace {
+    /// The whole number that takes the denominator out of (u, v): `2 W H` for a pixel.
+    pub(crate) fn stretch(self, image: ImageSize) -> f64 {
+        match self {
+            ViewPlace::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
+            ViewPlace::Uv(_) => 1.0,
+        }
+    }
 }
 
 /// The pixel that a (u, v) falls into.
@@ -67,8 +104,14 @@ impl PixelOfUv {
 
 impl PosedCamera {
     /// Only [`Camera::posed`](crate::Camera::posed) calls this, after its checks.
-    pub(crate) fn new(eye: DVec3, basis: Basis, viewport: Viewport, image: ImageSize) -> Self {
-        PosedCamera { eye, basis, viewport, image }
+    pub(crate) fn new(
+        eye: DVec3,
+        aim: AimGiven,
+        fine_basis: FineBasis,
+        viewport: Viewport,
+        image: ImageSize,
+    ) -> Self {
+        PosedCamera { eye, aim, basis: fine_basis.rounded(), fine_basis, viewport, image }
     }
 
     /// The origin of every view ray.
@@ -152,6 +195,92 @@ impl PosedCamera {
     /// The view ray through a pixel's centre.
     pub fn ray_of_pixel(&self, pixel: Pixel) -> Ray {
         self.ray(self.uv_of_pixel(pixel))
+    }
+
+    /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
+    /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
+    pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
+        ExactRay::of_view(self, ViewPlace::Pixel(pixel))
+    }
+
+    /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
+    ///
+    /// # Errors
+    /// Where u or v is not finite.
+    pub fn exact_ray_at(&self, uv: DVec2) -> Result<ExactRay<'_>, RayError> {
+        if !uv.is_finite() {
+            return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
+        }
+        Ok(ExactRay::of_view(self, ViewPlace::Uv(uv)))
+    }
+
+    pub(crate) fn fine_basis(&self) -> &FineBasis {
+        &self.fine_basis
+    }
+
+    /// The same camera with its basis from exact numbers, which costs microseconds and leaves later
+    /// steps of the ladder less to do.
+    pub(crate) fn with_finest_basis(&self) -> PosedCamera {
+        let finest = match self.aim {
+            AimGiven::ViewUp(view, up) => FineBasis::from_exact(&view, up),
+            AimGiven::Basis => None,
+        };
+        PosedCamera { fine_basis: finest.unwrap_or(self.fine_basis), ..*self }
+    }
+
+    /// `(u, v, distance)` times the place's stretch, as three pairs whose products are exact.
+    fn coordinates(&self, place: ViewPlace) -> [(f64, f64); 3] {
+        let Viewport { width, height, distance } = self.viewport;
+        match place {
+            ViewPlace::Uv(uv) => [(uv.x, 1.0), (uv.y, 1.0), (distance, 1.0)],
+            ViewPlace::Pixel(pixel) => {
+                let (w, h) = (f64::from(self.image.width()), f64::from(self.image.height()));
+                let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));
+                [
+                    (width, (2.0 * column + 1.0 - w) * h),
+                    (height, (h - 2.0 * row - 1.0) * w),
+                    (distance, 2.0 * w * h),
+                ]
+            }
+        }
+    }
+
+    /// The view ray's direction times the place's stretch, in units of `2^k`.
+    pub(crate) fn fine_direction(&self, place: ViewPlace) -> (Vector<DoubleDouble>, i32) {
+        let coordinates = self.coordinates(place);
+        let largest = coordinates.iter().map(|(x, _)| x.abs()).fold(0.0, f64::max);
+        let (_, k) =
+            scaled([DoubleDouble::from(largest), DoubleDouble::default(), DoubleDouble::default()]);
+        let coordinates = coordinates.map(|(x, n)| DoubleDouble::product(ldexp(x, -k), n));
+        (self.fine_basis.direction(coordinates), k)
+    }
+
+    /// A view ray in exact numbers.
+    pub(crate) fn big_ray(&self, place: ViewPlace) -> BigRay {
+        let coordinates = self.coordinates(place).map(|(x, n)| &Dyadic::from(x) * &Dyadic::from(n));
+        let [x, y, z] = &coordinates;
+        let stretch = Dyadic::from(place.stretch(self.image));
+        match self.aim {
+            AimGiven::ViewUp(view, up) => {
+                // x R / sqrt B + y (R x f) / sqrt (A B) + z f / sqrt A, times sqrt (A B).
+                let BigBasis { view, right, upward, of } = BigBasis::new(&view, up);
+                let parts = [times(&upward, y), times(&right, x), times(&view, z)];
+                let direction = std::array::from_fn(|i| {
+                    let [rational, root_a, root_b] = parts.each_ref().map(|part| part[i].clone());
+                    Surd([rational, root_a, root_b, Dyadic::zero()])
+                });
+                let scale = Radicands::root_of_product().scaled(&stretch);
+                BigRay::new(self.eye, direction, scale, of)
+            }
+            AimGiven::Basis => {
+                let Basis { u, v, w } = self.basis;
+                let parts = [(u, x), (v, y), (w, z)].map(|(a, x)| times(&exact3(a), x));
+                let direction = std::array::from_fn(|i| {
+                    Surd::from(&(&parts[0][i] + &parts[1][i]) - &parts[2][i])
+                });
+                BigRay::new(self.eye, direction, Surd::from(stretch), Radicands::none())
+            }
+        }
     }
 
     /// Whether all directions of view rays through the raster surely are

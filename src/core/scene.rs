@@ -1,16 +1,18 @@
 //! A scene: spheres, then planes, and what a ray meets of them.
 
-use std::cmp::Ordering;
 use std::fmt;
 
 use glam::DVec3;
 
+use crate::exact_ray::ExactRay;
 use crate::number::{shortest, triple};
 use crate::plane::Plane;
 use crate::ray::Ray;
 use crate::roots::Roots;
-use crate::scale::{is_plain_direction, unit};
+use crate::seen::{Hit, ObjectSeen};
 use crate::sphere::Sphere;
+use crate::sphere_seen::End;
+use crate::steps::Steps;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -192,29 +194,54 @@ impl Scene {
     }
 
     /// Every root of every object along the ray's line, negative ones too, by ascending `t`; equal
-    /// `t` in the order of objects. A tangent's double root stands once.
+    /// `t` in the order of objects. A tangent's double root stands once. Order and ties are exact,
+    /// for the numbers as given; a ray that does not pass [`Ray::check`] has no roots.
     pub fn roots(&self, ray: &Ray) -> Vec<Root> {
-        let mut roots: Vec<Root> = (0..)
-            .zip(self.objects())
-            .flat_map(|(index, object)| {
-                object.roots(ray).iter().map(move |t| object.root(index, ray, t))
-            })
-            .collect();
-        roots.sort_by(|a, b| a.t.partial_cmp(&b.t).unwrap_or(Ordering::Equal));
-        roots
+        ExactRay::of(ray).map_or_else(|_| Vec::new(), |ray| self.roots_of(&ray))
+    }
+
+    /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
+    pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
+        let seen: Vec<ObjectSeen> = self.seen_from(ray.origin()).collect();
+        let steps = &mut Steps::default();
+        let mut hits = Vec::new();
+        for (index, seen) in (0..).zip(&seen) {
+            hits.extend(seen.ends(ray, steps).iter().map(|&end| Hit { index, seen, end }));
+        }
+        // Stable, so that equal roots stay in the order of objects.
+        hits.sort_by(|a, b| a.compare(b, ray, steps));
+        hits.iter().map(|hit| hit.root(ray)).collect()
     }
 
     /// The first hit: the root with the smallest `t > 0`; of equal ones, the object listed first.
+    /// Exact for the numbers as given; a ray that does not pass [`Ray::check`] hits nothing.
     pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
-        let mut first: Option<(u32, f64, Object)> = None;
-        for (index, object) in (0..).zip(self.objects()) {
-            if let Some(t) = object.roots(ray).first_positive()
-                && first.is_none_or(|(_, nearest, _)| t < nearest)
-            {
-                first = Some((index, t, object));
+        self.first_hit_of(&ExactRay::of(ray).ok()?)
+    }
+
+    /// [`Scene::first_hit`] of a ray with all its digits: a camera's view ray, or any other.
+    pub fn first_hit_of(&self, ray: &ExactRay) -> Option<Root> {
+        self.first_hit_counting(ray, &mut Steps::default())
+    }
+
+    /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
+    pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
+        let mut first: Option<(u32, ObjectSeen, End)> = None;
+        for (index, seen) in (0..).zip(self.seen_from(ray.origin())) {
+            let Some(end) = seen.first_end(ray, steps) else { continue };
+            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_end)| {
+                let first = Hit { index: *first_index, seen: first_seen, end: *first_end };
+                Hit { index, seen: &seen, end }.is_before(&first, ray, steps)
+            });
+            if is_first {
+                first = Some((index, seen, end));
             }
         }
-        first.map(|(index, t, object)| object.root(index, ray, t))
+        first.map(|(index, seen, end)| seen.root(index, ray, end))
+    }
+
+    fn seen_from(&self, origin: DVec3) -> impl Iterator<Item = ObjectSeen> + '_ {
+        self.objects().map(move |object| ObjectSeen::new(&object, origin))
     }
 }
 
@@ -227,61 +254,18 @@ impl Object {
         }
     }
 
+    /// The first hit of the ray with this object alone, which is given `index`.
+    pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
+        let seen = ObjectSeen::new(self, ray.origin());
+        let end = seen.first_end(ray, &mut Steps::default())?;
+        Some(seen.root(index, ray, end))
+    }
+
     /// The implicit function, see [`Sphere::implicit`] and [`Plane::implicit`].
     pub fn implicit(&self, q: DVec3) -> f64 {
         match self {
             Object::Sphere(sphere) => sphere.implicit(q),
             Object::Plane(plane) => plane.implicit(q),
-        }
-    }
-
-    /// Point and normal of a known root `t`.
-    pub fn root(&self, index: u32, ray: &Ray, t: f64) -> Root {
-        let (point, normal) = match self {
-            Object::Sphere(sphere) => sphere.point_and_normal(ray, t),
-            Object::Plane(plane) => plane.point_and_normal(ray, t),
-        };
-        Root { object: index, t, point, normal }
-    }
-}
-
-/// The outward normals of a scene's objects, for many hits.
-pub(crate) struct Normals<'a> {
-    spheres: &'a [Sphere],
-    of_planes: Vec<DVec3>,
-}
-
-impl<'a> Normals<'a> {
-    pub(crate) fn new(scene: &'a Scene) -> Self {
-        let of_planes = scene.planes.iter().map(|plane| unit(plane.normal)).collect();
-        Normals { spheres: &scene.spheres, of_planes }
-    }
-
-    /// The outward unit normal where the ray meets the object at the root `t`, as
-    /// [`Object::root`] gives it; zero for an object that the scene does not have.
-    #[inline(always)]
-    pub(crate) fn at(&self, object: u32, ray: &Ray, t: f64) -> DVec3 {
-        let index = object as usize;
-        match self.spheres.get(index) {
-            Some(sphere) => sphere.normal(ray, t),
-            None => self.of_planes.get(index - self.spheres.len()).copied().unwrap_or_default(),
-        }
-    }
-
-    /// `|n.d| / |d|` of the same normal n. Not by way of [`Normals::at`], because a vector that
-    /// either arm may make goes through memory, which costs more than all the arithmetic.
-    #[inline(always)]
-    pub(crate) fn cosine(&self, object: u32, ray: &Ray, t: f64) -> f64 {
-        let (index, direction) = (object as usize, ray.direction);
-        match self.spheres.get(index) {
-            Some(sphere) => sphere.cosine(ray, t),
-            None => match self.of_planes.get(index - self.spheres.len()) {
-                Some(normal) if is_plain_direction(direction) => {
-                    normal.dot(direction).abs() / direction.length()
-                }
-                Some(normal) => normal.dot(unit(direction)).abs(),
-                None => 0.0,
-            },
         }
     }
 }

@@ -5,9 +5,10 @@ use std::sync::LazyLock;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::frame::{Frame, NO_OBJECT};
+use crate::frame::{Depth, Frame, NO_OBJECT};
+use crate::normals::Normals;
 use crate::ray::Ray;
-use crate::scene::{Normals, Scene};
+use crate::scene::Scene;
 
 /// sRGB bytes.
 pub type Rgb = [u8; 3];
@@ -47,15 +48,18 @@ impl Shade {
 /// The colours of a frame, row by row, in the pixel form that `to_pixel` makes; rows in parallel.
 ///
 /// `color_of` gives each object's own colour. The frame must be one of the scene.
-pub fn shade<P: Send>(
-    frame: &Frame,
+pub fn shade<T: Depth, P: Send>(
+    frame: &Frame<T>,
     scene: &Scene,
     shade: Shade,
     color_of: impl Fn(u32) -> Rgb + Sync,
     to_pixel: impl Fn(Rgb) -> P + Sync,
 ) -> Vec<P> {
     let nearest = match shade {
-        Shade::T => frame.t.par_iter().copied().reduce(|| f64::INFINITY, f64::min),
+        Shade::T => {
+            let all = frame.t.par_iter().map(|t| t.widened());
+            all.reduce(|| f64::INFINITY, f64::min)
+        }
         _ => f64::INFINITY,
     };
     let (camera, raster) = (frame.camera(), frame.raster());
@@ -78,7 +82,7 @@ pub fn shade<P: Send>(
             }
             let direction = column_parts[column] + row_parts[row];
             let ray = Ray { origin: camera.eye(), direction };
-            to_pixel(shader.color(&ray, object, frame.t[index], &color_of))
+            to_pixel(shader.color(&ray, object, frame.t[index].widened(), &color_of))
         })
         .collect()
 }

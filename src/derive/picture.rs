@@ -4,7 +4,9 @@
 use std::sync::Arc;
 
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{Frame, Outputs, PosedCamera, Raster, Shade, shade, trace};
+use pinhole_core::{
+    Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps, shade, trace, trace_as,
+};
 
 use super::memo::Memo;
 use super::{GoodWorld, ViewSizes, opaque};
@@ -31,8 +33,10 @@ pub(super) struct GoodPicture {
     pub(super) picture: Arc<Picture>,
     pub(super) selection: Selection,
     pub(super) inspection: Arc<Inspection>,
-    /// By the ladder.
-    pub(super) frame: Arc<Frame>,
+    /// How far up the ladder it had to go.
+    pub(super) steps: Steps,
+    /// By the ladder, where another method stands beside it.
+    pub(super) truth: Option<Arc<Frame>>,
     /// What drew the picture, where the ladder did not.
     pub(super) drawn_by: Option<Arc<Compared>>,
     /// The error map's method and its picture, where the map is shown.
@@ -48,7 +52,7 @@ pub(super) struct Pictures {
     truth: Memo<Seen, Arc<Frame>>,
     /// By the picture's method, and by the map's where that is another one.
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
-    picture: Memo<(Method, Seen, Shade), Arc<Picture>>,
+    picture: Memo<(Method, Seen, Shade), (Arc<Picture>, Steps)>,
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     /// How many pictures were made, which tells one from the next.
@@ -69,7 +73,7 @@ impl Pictures {
         session: &Session,
         sizes: &ViewSizes,
     ) -> GoodPicture {
-        let GoodWorld { scene, colors, generation } = world;
+        let GoodWorld { scene, generation, .. } = world;
         let selection = session.selection.inside(posed.image());
         let inspection = self.inspection.get((posed, *generation, selection), |_| {
             Arc::new(match selection {
@@ -80,31 +84,48 @@ impl Pictures {
         // With only the world view open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let seen = (posed, *generation, Raster::shown_on(posed.image(), size[0], size[1]));
-        let frame = self.truth.get(seen.clone(), |(.., raster)| {
-            Arc::new(trace(scene, &posed, raster, Outputs::default()))
-        });
         let settings = &session.settings;
-        let (method, compared) = (settings.method.0, settings.compared.0);
-        let drawn_by = (method != Method::Ladder)
-            .then(|| compare(&mut self.by[0], method, &seen, world, &frame));
-        let (mode, made) = (Shade::from(settings.shade), &mut self.made);
-        let picture = self.picture.get((method, seen.clone(), mode), |_| {
-            *made += 1;
-            let frame = drawn_by.as_ref().map_or(&*frame, |drawn_by| &drawn_by.frame);
-            let pixels = shade(frame, scene, mode, |i| colors[i as usize], opaque);
-            Arc::new(Picture { raster: frame.raster().clone(), image: posed.image(), pixels })
+        let (method, other) = (settings.method.0, settings.compared.0);
+        // Only a comparison needs all digits of t.
+        let truth = (method != Method::Ladder || sizes.map.is_some()).then(|| {
+            self.truth.get(seen.clone(), |(.., raster)| {
+                Arc::new(trace(scene, &posed, raster, Outputs::default()))
+            })
         });
-        let compared = sizes.map.map(|_| {
-            let slot = usize::from(compared != method);
-            let compared = compare(&mut self.by[slot], compared, &seen, world, &frame);
-            let map = self.map.get((compared.method, seen.clone()), |(_, (.., raster))| {
+        let mut compare = |slot: usize, method| {
+            let truth = truth.as_deref()?;
+            Some(compare(&mut self.by[slot], method, &seen, world, truth))
+        };
+        let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
+        let compared = sizes.map.and_then(|_| compare(usize::from(other != method), other));
+        let (mode, made) = (Shade::from(settings.shade), &mut self.made);
+        let (picture, steps) = self.picture.get((method, seen.clone(), mode), |(_, seen, _)| {
+            *made += 1;
+            match (&drawn_by, &truth) {
+                (Some(by), Some(truth)) => (painted(&by.frame, world, mode), truth.steps),
+                _ => {
+                    let frame = trace_as::<f32>(scene, &posed, &seen.2, Outputs::default());
+                    (painted(&frame, world, mode), frame.steps)
+                }
+            }
+        });
+        let compared = compared.map(|compared| {
+            let map = self.map.get((other, seen), |(_, (.., raster))| {
                 let pixels = accuracy::colors(&compared.comparison);
                 Arc::new(Picture { raster: raster.clone(), image: posed.image(), pixels })
             });
             (compared, map)
         });
-        GoodPicture { posed, picture, selection, inspection, frame, drawn_by, compared }
+        GoodPicture { posed, picture, selection, inspection, steps, truth, drawn_by, compared }
     }
+}
+
+/// The colours of what was traced.
+fn painted<T: Depth>(frame: &Frame<T>, world: &GoodWorld, mode: Shade) -> Arc<Picture> {
+    let GoodWorld { scene, colors, .. } = world;
+    let pixels = shade(frame, scene, mode, |i| colors[i as usize], opaque);
+    let (raster, image) = (frame.raster().clone(), frame.camera().image());
+    Arc::new(Picture { raster, image, pixels })
 }
 
 fn compare(

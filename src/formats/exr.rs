@@ -16,7 +16,7 @@ use super::{FileError, atomic};
 ///
 /// # Errors
 /// Where the file cannot be written.
-pub fn save(path: &Path, frame: &Frame) -> std::result::Result<(), FileError> {
+pub fn save(path: &Path, frame: &Frame<f32>) -> std::result::Result<(), FileError> {
     let (rows, columns) = (frame.raster().rows(), frame.raster().columns());
     let camera = frame.camera();
     let floats = |name: &str, samples: Vec<f32>| AnyChannel::new(name, FlatSamples::F32(samples));
@@ -25,7 +25,7 @@ pub fn save(path: &Path, frame: &Frame) -> std::result::Result<(), FileError> {
     let v = rows.iter().map(|row| camera.v_of_row(*row) as f32);
     let channels = AnyChannels::sort(
         [
-            floats("t", frame.t.iter().map(|t| *t as f32).collect()),
+            floats("t", frame.t.clone()),
             floats("N.X", normals(|n| n.x)),
             floats("N.Y", normals(|n| n.y)),
             floats("N.Z", normals(|n| n.z)),

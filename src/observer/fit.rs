@@ -1,7 +1,8 @@
 //! Where an observer must stand to have all that matters in sight.
 
 use pinhole_core::{
-    Camera, DVec2, DVec3, Object, Orientation, PosedCamera, Ray, Root, Scene, extent_of_fov,
+    Camera, DVec2, DVec3, ExactRay, Object, Orientation, PosedCamera, Ray, Root, Scene,
+    extent_of_fov,
 };
 
 use super::{FOV, Observer};
@@ -200,8 +201,7 @@ fn walls_seen(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     let first_wall = |ray: &Ray| {
         let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
         let hits = planes.filter_map(|(index, plane)| {
-            let t = plane.roots(ray).first_positive()?;
-            Some(Object::Plane(*plane).root(index, ray, t))
+            Object::Plane(*plane).first_hit(index, &ExactRay::of(ray).ok()?)
         });
         hits.min_by(|a, b| a.t.total_cmp(&b.t)).filter(|hit| ray.distance_along(hit.t) < farthest)
     };

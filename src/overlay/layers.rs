@@ -13,7 +13,7 @@ use crate::overlay::picture::{Nearest, Picture};
 
 /// Everything flat in one world view, and the t-buffer that it is compared with.
 pub(crate) struct Layers<'a> {
-    frame: &'a Frame,
+    frame: &'a Frame<f32>,
     width: usize,
     height: usize,
     pub(crate) background: Color32,
@@ -128,7 +128,7 @@ impl Patch {
 
 impl<'a> Layers<'a> {
     /// `frame` is the observer's, with every pixel traced.
-    pub(crate) fn new(frame: &'a Frame, background: Color32) -> Self {
+    pub(crate) fn new(frame: &'a Frame<f32>, background: Color32) -> Self {
         let image = frame.camera().image();
         Layers {
             frame,
@@ -153,7 +153,7 @@ impl<'a> Layers<'a> {
         if !(inside && self.is_traced()) {
             return f64::INFINITY;
         }
-        self.frame.t[dot.y as usize * self.width + dot.x as usize]
+        self.frame.t[dot.y as usize * self.width + dot.x as usize].into()
     }
 
     /// Whether something hides a point at `t` from the observer. Lines drawn on the viewport are
@@ -225,7 +225,7 @@ impl<'a> Layers<'a> {
         row: &FlatRow,
         index: usize,
         part: Range<usize>,
-        traced: &[f64],
+        traced: &[f32],
         dots: &mut [Color32],
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
@@ -253,7 +253,7 @@ impl<'a> Layers<'a> {
         layers: &[FlatRow],
         there: &[usize],
         part: Range<usize>,
-        traced: &[f64],
+        traced: &[f32],
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
@@ -281,8 +281,8 @@ impl<'a> Layers<'a> {
 }
 
 /// Whether a layer's dot lies before what was traced there.
-fn is_nearer(t: f32, traced: f64) -> bool {
-    (t > 0.0) & (t <= traced as f32 * (1.0 + PAINT_TOLERANCE))
+fn is_nearer(t: f32, traced: f32) -> bool {
+    (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
 /// `share` of `top` over `bottom`, both opaque.

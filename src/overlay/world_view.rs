@@ -37,7 +37,7 @@ pub struct WorldView<'a> {
     pub observer: &'a Observer,
     /// The picture of [`observer::seen_scene`](crate::observer::seen_scene) by the observer's
     /// camera, every pixel traced.
-    pub frame: &'a Frame,
+    pub frame: &'a Frame<f32>,
     /// What to draw.
     pub items: OverlayItems,
     /// Dots per point.
@@ -58,7 +58,7 @@ pub fn world(view: &WorldView, dots: &mut [Color32]) -> Vec<Label> {
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
 /// viewport and where an object hides it.
-pub fn pick(posed: &PosedCamera, frame: &Frame, position: [f32; 2]) -> Option<DVec2> {
+pub fn pick(posed: &PosedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
     let at = DVec2::new(position[0].into(), position[1].into());
     let layers = Layers::new(frame, Color32::TRANSPARENT);
@@ -70,7 +70,7 @@ pub fn pick(posed: &PosedCamera, frame: &Frame, position: [f32; 2]) -> Option<DV
 
 /// Where in the world view, in dots, a point of the world is seen; `None` behind the observer and
 /// outside the picture. What stands before the point does not count.
-pub fn world_position_of(frame: &Frame, point: DVec3) -> Option<[f32; 2]> {
+pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
     let spot = Screen::new(observer, unit).spot(point)?;

@@ -8,6 +8,7 @@ use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBui
 use pinhole_core::methods::Method;
 use pinhole_core::{Frame, NO_OBJECT, Pixel, PosedCamera, shortest};
 
+use super::readouts;
 use super::views::{MAP, STRIP};
 use crate::accuracy::{self, PixelError};
 use crate::derive::{Compared, Derived};
@@ -129,6 +130,9 @@ pub(crate) fn ui(
             }
         }
     });
+    if let Some(steps) = derived.steps {
+        ui.weak(readouts::steps(steps));
+    }
     let Some(report) = measuring.report().cloned() else { return };
     let Some(case) = report.cases.first() else { return };
     let area = ui.available_rect_before_wrap();
@@ -145,7 +149,7 @@ pub(crate) fn ui(
 
 /// What the ladder and the map's method say of the selected pixel.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
-    let (posed, truth) = (derived.posed.as_ref()?, derived.frame.as_deref()?);
+    let (posed, truth) = (derived.posed.as_ref()?, derived.truth.as_deref()?);
     let compared = derived.compared.as_deref()?;
     let pixel = pixel_of(session.selection, posed)?;
     let from = u32::from(session.settings.count_from_one);

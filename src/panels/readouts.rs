@@ -2,15 +2,12 @@
 //! selected and copied.
 
 use egui::{Grid, Label, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Object, Pixel, PosedCamera, Root, UpAngle, shortest};
+use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 
 use super::number::{error_color, significant, vector_color};
 use crate::derive::Derived;
 use crate::document::Document;
-use crate::inspection::Inspection;
-
-/// The numbers that decide are listed one by one up to this many objects.
-const LISTED_OBJECTS: usize = 12;
+use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
 
 /// How numbers are written.
 #[derive(Clone, Copy)]
@@ -62,7 +59,12 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                 ui.separator();
             };
             if let Some(posed) = &derived.posed {
-                block(ui, 110.0, &mut |ui| basis(ui, posed, derived.up_angle, style));
+                block(ui, 110.0, &mut |ui| {
+                    basis(ui, posed, derived.up_angle, style);
+                    if let Some(steps) = derived.steps {
+                        ui.weak(self::steps(steps));
+                    }
+                });
             }
             if let (Some(inspection), Some(posed)) = (&derived.inspection, &derived.posed) {
                 block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
@@ -70,6 +72,17 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             }
         });
     });
+}
+
+/// How far up the ladder the picture had to go.
+pub(crate) fn steps(steps: Steps) -> String {
+    let Steps { f64, double_double, exact } = steps;
+    if steps.beyond_f64() == 0 {
+        return format!("Decisions in the picture: {f64}, all by f64");
+    }
+    format!(
+        "Decisions in the picture: {f64} by f64, {double_double} by double-double, {exact} exactly"
+    )
 }
 
 /// A block's title with a button that copies its lines.
@@ -264,10 +277,8 @@ fn listed_parts(
     style: NumberStyle,
 ) -> Vec<String> {
     let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
-    let objects = scene.into_iter().flat_map(|scene| scene.objects().enumerate());
-    objects
-        .map(|(index, object)| parts(&document.title_of(index), &object, inspection, style))
-        .collect()
+    let listed = scene.into_iter().flat_map(|_| inspection.parts.iter().enumerate());
+    listed.map(|(index, of)| parts(&document.title_of(index), of, style)).collect()
 }
 
 fn copied_hits(
@@ -283,11 +294,10 @@ fn copied_hits(
 }
 
 /// The numbers that decide hit or miss for one object.
-fn parts(title: &str, object: &Object, inspection: &Inspection, style: NumberStyle) -> String {
+fn parts(title: &str, of: &Parts, style: NumberStyle) -> String {
     let number = |x| style.number(x);
-    match object {
-        Object::Sphere(sphere) => {
-            let q = sphere.quadratic(&inspection.ray);
+    match of {
+        Parts::Sphere(q) => {
             let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
             let meaning = match q.discriminant {
                 d if d < 0.0 => "< 0: missed",
@@ -296,8 +306,7 @@ fn parts(title: &str, object: &Object, inspection: &Inspection, style: NumberSty
             };
             format!("{title}:  a = {a},  b = {b},  c = {c},  D = b² − ac = {d} {meaning}")
         }
-        Object::Plane(plane) => {
-            let terms = plane.terms(&inspection.ray);
+        Parts::Plane(terms) => {
             let (rate, offset) = (number(terms.rate), number(terms.offset));
             let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
             format!("{title}:  n·d = {rate},  n·(point − p) = {offset}{meaning}")

@@ -62,7 +62,7 @@ fn the_map_follows_the_camera_at_once() {
     open(&mut window);
     let before = window.state().derived().clone();
     let compared = before.compared.unwrap();
-    assert_eq!(compared.comparison.errors.len(), before.frame.unwrap().t.len());
+    assert_eq!(compared.comparison.errors.len(), before.truth.unwrap().t.len());
     assert_eq!(compared.method.name(), "textbook-f32");
     window.get_by_role_and_label(Role::SpinButton, "eye x").click();
     window.run_steps(2);
@@ -152,9 +152,11 @@ fn a_picture_by_another_method_is_marked() {
 #[test]
 fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
     let mut window = window("canonical");
-    type_into(&mut window, "W", "8");
-    type_into(&mut window, "H", "8");
-    open(&mut window);
+    type_into(&mut window, "W", "40");
+    type_into(&mut window, "H", "40");
+    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    window.step();
+    window.step();
     assert!(!texts_with(&window, "measured ").is_empty(), "how far it is");
     let done = |window: &Harness<'_, App>| !texts_with(window, "Measured on ").is_empty();
     let until_done = |window: &mut Harness<'_, App>| {
@@ -210,4 +212,25 @@ fn a_fault_leaves_the_last_map_and_stops_measuring() {
     window.run();
     assert!(window.state().derived().fault.is_some());
     assert!(window.state().derived().error_map.is_some());
+}
+
+#[test]
+fn the_window_says_how_far_up_the_ladder_its_picture_went() {
+    let mut window = window("canonical");
+    let steps = window.state().derived().steps.unwrap();
+    assert!(steps.total() > 0);
+    let said = if steps.beyond_f64() == 0 {
+        format!("Decisions in the picture: {}, all by f64", steps.f64)
+    } else {
+        format!(
+            "Decisions in the picture: {} by f64, {} by double-double, {} exactly",
+            steps.f64, steps.double_double, steps.exact
+        )
+    };
+    assert_says(&window, &said);
+    open(&mut window);
+    let steps = window.state().derived().steps.unwrap();
+    let said = texts_with(&window, "Decisions in the picture: ");
+    assert!(!said.is_empty());
+    assert!(said.iter().all(|text| text.contains(&steps.f64.to_string())), "{said:?}");
 }

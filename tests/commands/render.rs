@@ -9,7 +9,7 @@ use pinhole::arguments::View;
 use pinhole::commands::render_view::{RenderOptions, render_view};
 use pinhole::document::Document;
 use pinhole::formats::builtin;
-use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace};
+use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 
 use super::{Run, entries, run_in};
 
@@ -33,10 +33,10 @@ fn document(name: &str, width: u32, height: u32) -> Document {
     document
 }
 
-fn traced(document: &Document) -> Frame {
+fn traced(document: &Document) -> Frame<f32> {
     let camera = document.camera.posed().unwrap();
     let outputs = Outputs { normal: true };
-    trace(&document.scene().unwrap(), &camera, &Raster::full(camera.image()), outputs)
+    trace_as(&document.scene().unwrap(), &camera, &Raster::full(camera.image()), outputs)
 }
 
 #[test]

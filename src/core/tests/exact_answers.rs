@@ -5,7 +5,7 @@ mod common;
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
-use common::{assert_ulps, assert_ulps3, plane, sphere, vec3};
+use common::{assert_ulps, assert_ulps3, plane, root_on, roots_on, sphere, vec3};
 use pinhole_core::*;
 
 const BACK_WALL: Plane = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
@@ -115,7 +115,7 @@ fn lines_in_two_dimensions() {
     let ahead = plane([2.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
     assert_eq!(ahead.implicit(vec3(5.0, 7.0, 0.0)), 10.0);
     assert_eq!(ahead.roots(&ray), Roots::One(1.0));
-    assert_eq!(ahead.point_and_normal(&ray, 1.0).0, vec3(1.0, 1.0, 0.0));
+    assert_eq!(root_on(ahead, &ray).point, vec3(1.0, 1.0, 0.0));
 
     let behind = plane([0.0, 1.0, 0.0], [2.0, -1.0, 0.0]);
     assert_eq!(behind.implicit(vec3(5.0, 7.0, 0.0)), 4.0);
@@ -130,5 +130,6 @@ fn the_planet_under_the_eye() {
     let planet = sphere([0.0, -5001.0, 0.0], 5000.0);
     let down = Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Y };
     assert_eq!(planet.roots(&down), Roots::Two(1.0, 10_001.0));
-    assert_eq!(planet.point_and_normal(&down, 1.0), (DVec3::NEG_Y, DVec3::Y));
+    let hit = roots_on(planet, &down)[0];
+    assert_eq!((hit.t, hit.point, hit.normal), (1.0, DVec3::NEG_Y, DVec3::Y));
 }

@@ -15,8 +15,8 @@ fn assert_as_pixel_by_pixel(scene: &Scene, camera: &PosedCamera, raster: &Raster
     for row in 0..raster.rows().len() {
         for column in 0..raster.columns().len() {
             let traced = frame.at(row, column);
-            let ray = camera.ray_of_pixel(traced.pixel);
-            let asked = scene.first_hit(&ray);
+            let ray = camera.exact_ray(traced.pixel);
+            let asked = scene.first_hit_of(&ray);
             let (object, t, normal) = asked.map_or((None, f64::INFINITY, DVec3::ZERO), |hit| {
                 (Some(hit.object), hit.t, hit.normal)
             });

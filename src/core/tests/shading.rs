@@ -86,7 +86,7 @@ fn t_as_gray() {
     // The nearest hit, the middle of the ball, is white.
     let ray = |row, column| {
         let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 41, 41).posed().unwrap();
-        scene.first_hit(&camera.ray_of_pixel(Pixel { row, column })).unwrap().t
+        scene.first_hit_of(&camera.exact_ray(Pixel { row, column })).unwrap().t
     };
     let nearest = (0..41).map(|column| ray(20, column)).fold(f64::INFINITY, f64::min);
     assert_eq!(nearest, 4.0);

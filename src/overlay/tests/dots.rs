@@ -1,7 +1,7 @@
 //! Exact dots of the world view, and picking them.
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, Outputs, Pixel, Raster, Scene, trace};
+use pinhole_core::{Camera, DVec2, Outputs, Pixel, Raster, Scene, trace_as};
 
 use super::*;
 
@@ -47,7 +47,7 @@ fn a_frame_of_another_size_is_no_panic() {
     world(&stage.view(), &mut dots);
     let image = stage.frame.camera().image();
     let part = Raster::shown_on(image, 7, 5);
-    let frame = trace(&stage.scene, stage.frame.camera(), &part, Outputs::default());
+    let frame = trace_as(&stage.scene, stage.frame.camera(), &part, Outputs::default());
     let mut dots = stage.dots();
     world(&WorldView { frame: &frame, ..stage.view() }, &mut dots);
 }

@@ -8,7 +8,7 @@ mod wild;
 use egui::Color32;
 use pinhole_core::{
     Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, Shade,
-    Sphere, shade, trace,
+    Sphere, shade, trace_as,
 };
 
 pub(super) use super::*;
@@ -22,7 +22,7 @@ struct Stage {
     scene: Scene,
     enclosing: Vec<u32>,
     observer: Observer,
-    frame: Frame,
+    frame: Frame<f32>,
     picture: Option<Picture>,
     inspection: Option<Inspection>,
     items: OverlayItems,
@@ -55,10 +55,10 @@ impl Stage {
         let enclosing = enclosing(&scene, camera.eye, seen_from.eye());
         let seen = seen_scene(&scene, &enclosing);
         let image = Raster::full(seen_from.image());
-        let frame = trace(&seen, &seen_from, &image, Outputs::default());
+        let frame = trace_as(&seen, &seen_from, &image, Outputs::default());
         let picture = posed.as_ref().map(|posed| {
             let raster = Raster::shown_on(posed.image(), 40, 40);
-            let frame = trace(&scene, posed, &raster, Outputs::default());
+            let frame = trace_as::<f32>(&scene, posed, &raster, Outputs::default());
             let pixels = shade(&frame, &scene, Shade::Lambert, color_of, opaque);
             Picture { raster, image: posed.image(), pixels }
         });

@@ -1,6 +1,7 @@
 //! What several test files use.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub(crate) mod given;
 pub(crate) mod oracle;
 
 use pinhole_core::*;
@@ -44,6 +45,16 @@ pub(crate) fn assert_ulps3(actual: DVec3, expected: DVec3, most: u64) {
         let apart = ulps(actual[axis], expected[axis]);
         assert!(apart <= most, "{actual:?} is {apart} ulp from {expected:?} in coordinate {axis}");
     }
+}
+
+/// The roots of one sphere with their points and normals.
+pub(crate) fn roots_on(sphere: Sphere, ray: &Ray) -> Vec<Root> {
+    Scene::new(vec![sphere], vec![]).unwrap().roots(ray)
+}
+
+/// The root of one plane with its point and normal.
+pub(crate) fn root_on(plane: Plane, ray: &Ray) -> Root {
+    Scene::new(vec![], vec![plane]).unwrap().roots(ray)[0]
 }
 
 /// A camera at `eye` along `view`, level with y up, with the canonical viewport.

@@ -1,0 +1,128 @@
+//! A ray with all its digits: any ray as given, or a camera's view ray, whose direction no `f64`
+//! holds.
+
+use glam::DVec3;
+
+use crate::big_ray::BigRay;
+use crate::double_double::DoubleDouble;
+use crate::image::Pixel;
+use crate::posed::{PosedCamera, ViewPlace};
+use crate::ray::{Ray, RayError};
+use crate::scale::{exponent, ldexp};
+use crate::terms::{DirectionParts, Vector, length, near};
+
+/// A ray on which every decision is what exact real arithmetic gives.
+///
+/// - Of a [`Ray`], origin and direction are meant as given, to the bit ([`ExactRay::of`]).
+/// - Of a camera's view ray, eye, at (or view), up, viewport and image are: nothing in between is
+///   rounded, neither the basis nor (u, v) nor the direction
+///   ([`PosedCamera::exact_ray`](PosedCamera::exact_ray)).
+///
+/// Both are the same to the intersection code: a direction in double-double with a bound of its
+/// error, and, where that does not suffice, the exact numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct ExactRay<'a> {
+    origin: DVec3,
+    source: Source<'a>,
+    /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
+    /// within 1e-30 and 1e30.
+    pub(crate) fine: DirectionParts<DoubleDouble>,
+    /// The same, rounded.
+    pub(crate) rough: DirectionParts<f64>,
+    pub(crate) scale: i32,
+    /// A whole number: a pixel's (u, v) times it has no denominator.
+    pub(crate) stretch: f64,
+}
+
+/// What the exact numbers are made of.
+#[derive(Clone, Copy, Debug)]
+enum Source<'a> {
+    Given(DVec3),
+    View(&'a PosedCamera, ViewPlace),
+}
+
+impl<'a> ExactRay<'a> {
+    /// The ray as given.
+    ///
+    /// # Errors
+    /// Where a coordinate is not finite or the direction is zero.
+    pub fn of(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
+        ray.check()?;
+        let (direction, scale) = scaled(ray.direction.to_array().map(DoubleDouble::from));
+        Ok(ExactRay::new(ray.origin, Source::Given(ray.direction), direction, 0.0, scale, 1.0))
+    }
+
+    /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
+    pub(crate) fn of_view(camera: &'a PosedCamera, place: ViewPlace) -> ExactRay<'a> {
+        let (direction, scale) = camera.fine_direction(place);
+        let (direction, more) = scaled(direction);
+        let doubt = camera.fine_basis().direction_doubt();
+        let (source, stretch) = (Source::View(camera, place), place.stretch(camera.image()));
+        ExactRay::new(camera.eye(), source, direction, doubt, scale + more, stretch)
+    }
+
+    fn new<'b>(
+        origin: DVec3,
+        source: Source<'b>,
+        d: Vector<DoubleDouble>,
+        doubt: f64,
+        scale: i32,
+        stretch: f64,
+    ) -> ExactRay<'b> {
+        let rounded = near(d);
+        let length = length(rounded);
+        let fine = DirectionParts { d, length, doubt };
+        // Of a given ray no digit is lost.
+        let rounding = if doubt == 0.0 { 0.0 } else { 0.5 * f64::EPSILON };
+        let rough = DirectionParts { d: rounded, length, doubt: doubt + rounding };
+        ExactRay { origin, source, fine, rough, scale, stretch }
+    }
+
+    /// The point at `t = 0`.
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The pixel whose view ray this is, if it is one's.
+    pub fn pixel(&self) -> Option<Pixel> {
+        match self.source {
+            Source::View(_, ViewPlace::Pixel(pixel)) => Some(pixel),
+            _ => None,
+        }
+    }
+
+    /// The ray in `f64`: the direction rounded.
+    pub fn rounded(&self) -> Ray {
+        let direction = match self.source {
+            Source::Given(direction) => direction,
+            Source::View(..) => {
+                let stretch = DoubleDouble::from(self.stretch);
+                let round = |x: DoubleDouble| ldexp((x / stretch).hi, self.scale);
+                DVec3::from_array(self.fine.d.map(round))
+            }
+        };
+        Ray { origin: self.origin, direction }
+    }
+
+    /// The exact numbers.
+    pub(crate) fn big(&self) -> BigRay {
+        match self.source {
+            Source::Given(direction) => BigRay::given(self.origin, direction),
+            Source::View(camera, place) => camera.big_ray(place),
+        }
+    }
+}
+
+/// Largest coordinates within these need no scaling: see [`UNDERFLOW`](crate::terms).
+pub(crate) const PLAIN: std::ops::Range<f64> = 1e-30..1e30;
+
+/// `(m, k)` with the vector `m * 2^k` and m's largest coordinate [plain](PLAIN). What is lost of
+/// coordinates that are 2^900 times smaller is below [`UNDERFLOW`](crate::terms).
+pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
+    let largest = v.iter().map(|x| x.hi.abs()).fold(0.0, f64::max);
+    if PLAIN.contains(&largest) || largest == 0.0 {
+        return (v, 0);
+    }
+    let k = exponent(largest);
+    (v.map(|x| DoubleDouble { hi: ldexp(x.hi, -k), lo: ldexp(x.lo, -k) }), k)
+}

@@ -1,0 +1,101 @@
+//! The view rays of a frame, as whole steps along columns and rows.
+
+use crate::double_double::DoubleDouble;
+use crate::frame::Raster;
+use crate::image::Pixel;
+use crate::posed::{PosedCamera, ViewPlace};
+use crate::scale::ldexp;
+use crate::terms::{Number, Vector, length, near};
+
+/// With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the view ray's direction
+/// times `2 W H` is
+///
+/// ```text
+/// n (width H U) + l (height W V) - 2 W H distance W  =  n e + l g + z
+/// ```
+#[derive(Clone, Debug)]
+pub(crate) struct FrameRays<'a> {
+    camera: &'a PosedCamera,
+    raster: &'a Raster,
+    /// n of each column of the raster.
+    pub(crate) n: Vec<f64>,
+    /// l of each row.
+    pub(crate) l: Vec<f64>,
+    pub(crate) fine: Steppers<DoubleDouble>,
+    pub(crate) rough: Steppers<f64>,
+    /// `2 W H`
+    pub(crate) stretch: f64,
+    /// All three vectors are in units of `2^scale`.
+    pub(crate) scale: i32,
+}
+
+/// The vectors e, g and z above.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steppers<T> {
+    pub(crate) e: Vector<T>,
+    pub(crate) g: Vector<T>,
+    pub(crate) z: Vector<T>,
+    /// Error of a direction made of them, as a share of its length.
+    pub(crate) doubt: f64,
+    /// `|z|`, rounded: no view ray's direction is shorter.
+    pub(crate) least_length: f64,
+}
+
+impl<'a> FrameRays<'a> {
+    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster) -> FrameRays<'a> {
+        let image = camera.image();
+        let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+        let viewport = camera.viewport();
+        let measures = [viewport.width, viewport.height, viewport.distance];
+        let (_, scale) = crate::exact_ray::scaled(measures.map(DoubleDouble::from));
+        let basis = camera.with_finest_basis();
+        let basis = basis.fine_basis();
+        let along = |v: Vector<DoubleDouble>, measure: f64, count: f64| {
+            let step = DoubleDouble::product(ldexp(measure, -scale), count);
+            v.map(|x| x * step)
+        };
+        let z = along(basis.w, viewport.distance, -2.0 * w * h);
+        let fine = Steppers {
+            e: along(basis.u, viewport.width, h),
+            g: along(basis.v, viewport.height, w),
+            z,
+            doubt: basis.direction_doubt(),
+            least_length: 0.99 * length(near(z)),
+        };
+        // The vectors' own rounding, and three operations in f64, by the same reckoning.
+        let rough = Steppers {
+            e: near(fine.e),
+            g: near(fine.g),
+            z: near(z),
+            doubt: fine.doubt + 1.8 * 4.0 * f64::ROUNDING,
+            least_length: fine.least_length,
+        };
+        FrameRays {
+            camera,
+            raster,
+            n: raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect(),
+            l: raster.rows().iter().map(|r| h - 2.0 * f64::from(*r) - 1.0).collect(),
+            fine,
+            rough,
+            stretch: ViewPlace::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
+            scale,
+        }
+    }
+
+    pub(crate) fn camera(&self) -> &'a PosedCamera {
+        self.camera
+    }
+
+    /// The pixel in the raster's `row`th row and `column`th column.
+    pub(crate) fn pixel(&self, row: usize, column: usize) -> Pixel {
+        Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
+    }
+}
+
+impl<T: Number> Steppers<T> {
+    /// `n e + l g + z`
+    pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<T> {
+        let (n, l) = (T::from(n), T::from(l));
+        std::array::from_fn(|i| n * self.e[i] + l * self.g[i] + self.z[i])
+    }
+}

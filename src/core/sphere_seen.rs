@@ -1,0 +1,312 @@
+//! A sphere as the rays of one origin see it: the ladder's decisions and roots.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+
+use crate::big_ray::{BigRoot, big_c};
+use crate::double_double::{DoubleDouble, U2};
+use crate::error_free::difference_with_rest;
+use crate::exact_ray::{ExactRay, PLAIN, scaled};
+use crate::precise::{Precise, T_DOUBT};
+use crate::scale::ldexp;
+use crate::sphere::Sphere;
+use crate::steps::{Step, Steps};
+use crate::terms::{Form, Number, Quadratic, SphereParts, dot, length, near};
+
+/// How a ray's line meets a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Meets {
+    /// Not at all.
+    Misses,
+    /// In one point.
+    Touches,
+    /// In two.
+    Crosses,
+}
+
+/// Which of the two points of a line and a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// That of the smaller t.
+    Near,
+    /// That of the larger t.
+    Far,
+}
+
+impl End {
+    /// The sign of the square root in `t = (b -+ sqrt D) / a`.
+    fn sign(self) -> Ordering {
+        match self {
+            End::Near => Ordering::Less,
+            End::Far => Ordering::Greater,
+        }
+    }
+}
+
+/// What the rays of one origin share of a sphere; lengths in units of `2^scale`.
+#[derive(Clone, Debug)]
+pub(crate) struct SphereSeen {
+    sphere: Sphere,
+    pub(crate) fine: SphereParts<DoubleDouble>,
+    pub(crate) rough: SphereParts<f64>,
+    pub(crate) scale: i32,
+    /// Where the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
+    pub(crate) side: Ordering,
+    /// The step that decided so.
+    side_step: Step,
+}
+
+impl SphereSeen {
+    pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereSeen {
+        let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
+        let parts: [DoubleDouble; 3] =
+            std::array::from_fn(|i| DoubleDouble { hi: q[i], lo: rest[i] });
+        let radius = ldexp(sphere.radius, -quartered);
+        let (q, radius, scale) = together(parts, radius);
+        let rounded = near(q);
+        let distance = length(rounded);
+        let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
+        let c = Relative::of_c(sphere, origin, q, radius, scale + quartered);
+        let fine = SphereParts {
+            q,
+            radius: DoubleDouble::from(radius),
+            c: c.value,
+            c_doubt: c.doubt,
+            distance,
+            q_doubt: 0.0,
+            form,
+        };
+        let rounding = f64::ROUNDING;
+        let rough = SphereParts {
+            q: rounded,
+            radius,
+            c: c.value.hi,
+            c_doubt: c.doubt + rounding,
+            distance,
+            q_doubt: rounding,
+            form,
+        };
+        let (side, side_step, scale) = (c.sign, c.step, scale + quartered);
+        SphereSeen { sphere: *sphere, fine, rough, scale, side, side_step }
+    }
+
+    /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
+    pub(crate) fn rough_parts(sphere: &Sphere, origin: DVec3) -> Option<SphereParts<f64>> {
+        let (q, radius, e) = (sphere.center - origin, sphere.radius, f64::ROUNDING);
+        let (qq, rr) = (q.length_squared(), radius * radius);
+        // A nearer sphere's c loses more than three digits.
+        let is_plain = qq > 2.0 * rr && PLAIN.contains(&radius) && qq < PLAIN.end * PLAIN.end;
+        is_plain.then(|| SphereParts {
+            q: q.to_array(),
+            radius,
+            c: qq - rr,
+            c_doubt: 8.0 * e * (qq + rr) / (qq - rr),
+            distance: qq.sqrt(),
+            q_doubt: e,
+            form: Form::Far,
+        })
+    }
+
+    /// The step that decided on which side of the sphere the origin is.
+    pub(crate) fn side_step(&self) -> Step {
+        self.side_step
+    }
+
+    /// Whether the ray's line meets the sphere.
+    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Meets {
+        if self.side == Ordering::Less {
+            steps.count(Step::F64);
+            return Meets::Crosses;
+        }
+        let of_sign =
+            |sure: Option<bool>| sure.map(|is| if is { Meets::Crosses } else { Meets::Misses });
+        if let Some(meets) = of_sign(sure_sign(&Quadratic::new(&self.rough, &ray.rough))) {
+            steps.count(Step::F64);
+            return meets;
+        }
+        if let Some(meets) = of_sign(sure_sign(&Quadratic::new(&self.fine, &ray.fine))) {
+            steps.count(Step::DoubleDouble);
+            return meets;
+        }
+        steps.count(Step::Exact);
+        match ray.big().quadratic(&self.sphere).meets {
+            Ordering::Less => Meets::Misses,
+            Ordering::Equal => Meets::Touches,
+            Ordering::Greater => Meets::Crosses,
+        }
+    }
+
+    /// Whether the centre lies ahead: the sign of b, of a line that meets the sphere.
+    fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
+        let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
+        let rough = Quadratic::new(&self.rough, &ray.rough);
+        if let Some(sign) = sure(rough.b, rough.b_doubt) {
+            return sign;
+        }
+        let fine = Quadratic::new(&self.fine, &ray.fine);
+        if let Some(sign) = sure(fine.b.hi, fine.b_doubt) {
+            steps.count(Step::DoubleDouble);
+            return sign;
+        }
+        steps.count(Step::Exact);
+        let big = ray.big();
+        big.is_ahead(&big.quadratic(&self.sphere))
+    }
+
+    /// Which end of the line's chord the ray hits first: the smallest `t > 0`.
+    pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+        if self.side == Ordering::Less {
+            steps.count(Step::F64);
+            return Some(End::Far);
+        }
+        if self.meets(ray, steps) == Meets::Misses || self.ahead(ray, steps) != Ordering::Greater {
+            return None;
+        }
+        Some(if self.side == Ordering::Equal { End::Far } else { End::Near })
+    }
+
+    /// `t` at an end of a chord that is there.
+    pub(crate) fn t(&self, ray: &ExactRay, end: End) -> Precise {
+        if self.side == Ordering::Equal && self.is_origin(ray, end) {
+            return Precise::ZERO;
+        }
+        self.fine_t(ray, end)
+            .map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale))
+            .unwrap_or_else(|| {
+                let big = ray.big();
+                let (t, k) = big.t(&self.big_root(ray, end));
+                Precise::new(t, k)
+            })
+    }
+
+    /// Whether this end of the chord is the origin itself, which lies on the sphere: its roots are 0
+    /// and `2 b / a`.
+    fn is_origin(&self, ray: &ExactRay, end: End) -> bool {
+        match self.ahead(ray, &mut Steps::default()) {
+            Ordering::Equal => true,
+            Ordering::Greater => end == End::Near,
+            Ordering::Less => end == End::Far,
+        }
+    }
+
+    /// `t` in double-double, where its relative error is at most [`T_DOUBT`]; in units of
+    /// `2^(scale of the sphere - scale of the ray) / stretch`.
+    fn fine_t(&self, ray: &ExactRay, end: End) -> Option<DoubleDouble> {
+        let quadratic = Quadratic::new(&self.fine, &ray.fine);
+        let (t, doubt) = quadratic.root(&self.fine, end == End::Far)?;
+        let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
+        (doubt <= T_DOUBT && is_in_range).then_some(t)
+    }
+
+    /// `t` in `f64` with its relative error, in the same units.
+    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
+        Quadratic::new(&self.rough, &ray.rough).root(&self.rough, end == End::Far)
+    }
+
+    /// The root in exact numbers.
+    pub(crate) fn big_root(&self, ray: &ExactRay, end: End) -> BigRoot {
+        let big = ray.big();
+        let quadratic = big.quadratic(&self.sphere);
+        big.root(quadratic, end.sign())
+    }
+
+    /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
+    pub(crate) fn normal(&self, ray: &ExactRay, end: End) -> DVec3 {
+        // t d is off by this share of its length, about |q|; a radius small against that needs more.
+        let reach = self.fine.distance + self.fine.radius.hi;
+        let is_enough =
+            (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
+        let t = match self.fine_t(ray, end) {
+            Some(t) if is_enough => t,
+            _ if self.side == Ordering::Equal && self.is_origin(ray, end) => {
+                DoubleDouble::from(0.0)
+            }
+            _ => return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end)),
+        };
+        let offset: [DoubleDouble; 3] = std::array::from_fn(|i| ray.fine.d[i] * t - self.fine.q[i]);
+        let length = dot(offset, offset).root();
+        DVec3::from_array(offset.map(|x| (x / length).hi))
+    }
+
+    /// The quadratic's parts, rounded, in units of the ray's and the sphere's scales. D is 0 where
+    /// it is exactly 0, and has its right sign.
+    pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
+        let fine = Quadratic::new(&self.fine, &ray.fine);
+        let discriminant = match self.meets(ray, &mut Steps::default()) {
+            Meets::Touches => 0.0,
+            Meets::Crosses => fine.discriminant.hi.max(f64::MIN_POSITIVE),
+            Meets::Misses => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
+        };
+        (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
+    }
+
+    /// The sphere and where it is seen from.
+    pub(crate) fn sphere(&self) -> &Sphere {
+        &self.sphere
+    }
+}
+
+/// `c = |q|^2 - r^2` with its exact sign.
+struct Relative {
+    value: DoubleDouble,
+    /// Relative error.
+    doubt: f64,
+    sign: Ordering,
+    /// Which step knew the sign.
+    step: Step,
+}
+
+impl Relative {
+    /// Of q and r in units of `2^scale`. In double-double where that keeps its digits, else from the
+    /// exact number: close to the sphere c is all that is left of large squares.
+    fn of_c(
+        sphere: &Sphere,
+        origin: DVec3,
+        q: [DoubleDouble; 3],
+        radius: f64,
+        scale: i32,
+    ) -> Relative {
+        /// Beyond this share, t would lose digits for c's sake.
+        const PLENTY: f64 = 256.0 * U2;
+        let fine_radius = DoubleDouble::from(radius);
+        let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
+        let value = qq - rr;
+        // |q|^2 has 3 e, r^2 has e, and their difference e of each.
+        let squares = qq.hi + rr.hi;
+        let doubt = 4.0 * DoubleDouble::ROUNDING * squares / value.hi.abs();
+        if doubt <= PLENTY && value.hi.abs() > 1e-200 {
+            // 6 roundings in f64, and one of q itself, twice.
+            let is_sure = value.hi.abs() > 8.0 * f64::ROUNDING * squares;
+            let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
+            return Relative { value, doubt: 1.05 * doubt, sign: value.hi.total_cmp(&0.0), step };
+        }
+        let exact = big_c(sphere, origin);
+        let (sign, step) = (exact.sign(), Step::Exact);
+        let (value, k) = exact.to_double_double();
+        let k = k - 2 * scale;
+        let value = DoubleDouble { hi: ldexp(value.hi, k), lo: ldexp(value.lo, k) };
+        // Where c is too small for the scale its digits are lost, and only its sign is used.
+        let is_kept = sign == Ordering::Equal || value.hi.abs() > 1e-200;
+        Relative { value, doubt: if is_kept { 2.0 * U2 } else { f64::INFINITY }, sign, step }
+    }
+}
+
+/// The sign of D where it is beyond doubt.
+fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<bool> {
+    let discriminant = quadratic.discriminant.near();
+    (discriminant.abs() > quadratic.discriminant_doubt).then_some(discriminant > 0.0)
+}
+
+/// q and r in units of a common `2^k`, which is 1 but for extreme lengths.
+fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) {
+    let largest = q.iter().map(|x| x.hi.abs()).fold(radius, f64::max);
+    if PLAIN.contains(&largest) {
+        return (q, radius, 0);
+    }
+    let with_radius =
+        [DoubleDouble::from(largest), DoubleDouble::default(), DoubleDouble::default()];
+    let (_, k) = scaled(with_radius);
+    let by = |x: f64| ldexp(x, -k);
+    (q.map(|x| DoubleDouble { hi: by(x.hi), lo: by(x.lo) }), by(radius), k)
+}

@@ -1,0 +1,67 @@
+//! How far up the ladder each decision had to go.
+
+use std::ops::{Add, AddAssign};
+
+/// How many decisions were made by which step of the ladder: in `f64`, in double-double, exactly.
+///
+/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
+/// knows a bound of its own error and hands over what lies within it to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Steps {
+    /// Decided in `f64`.
+    pub f64: u64,
+    /// In doubt there, decided in double-double.
+    pub double_double: u64,
+    /// In doubt there too, decided in exact arithmetic.
+    pub exact: u64,
+}
+
+/// One step of the ladder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Step {
+    /// `f64` with an error bound.
+    F64,
+    /// Double-double with an error bound.
+    DoubleDouble,
+    /// Integers of any length.
+    Exact,
+}
+
+impl Steps {
+    /// One more decision.
+    pub(crate) fn count(&mut self, step: Step) {
+        match step {
+            Step::F64 => self.f64 += 1,
+            Step::DoubleDouble => self.double_double += 1,
+            Step::Exact => self.exact += 1,
+        }
+    }
+
+    /// All decisions.
+    pub fn total(&self) -> u64 {
+        self.f64 + self.double_double + self.exact
+    }
+
+    /// Those that `f64` could not make.
+    pub fn beyond_f64(&self) -> u64 {
+        self.double_double + self.exact
+    }
+}
+
+impl Add for Steps {
+    type Output = Steps;
+
+    fn add(self, other: Steps) -> Steps {
+        Steps {
+            f64: self.f64 + other.f64,
+            double_double: self.double_double + other.double_double,
+            exact: self.exact + other.exact,
+        }
+    }
+}
+
+impl AddAssign for Steps {
+    fn add_assign(&mut self, other: Steps) {
+        *self = *self + other;
+    }
+}

@@ -1,0 +1,214 @@
+//! The quadratic of a ray and a sphere with a bound of its own error, in `f64` and in
+//! double-double: one formula for both steps of the ladder.
+//!
+//! Below, `e` is [`Number::ROUNDING`], a bound of the relative error of one operation, and every
+//! bound is of first order in e; the factor [`SECOND_ORDER`] covers the rest, and the rounding of
+//! the bounds themselves. The manner of the analysis is that of Higham, *Accuracy and Stability of
+//! Numerical Algorithms*, 2nd ed., chapter 3; that of filtering decisions by it, of Shewchuk,
+//! *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, Discrete &
+//! Computational Geometry 18, 1997.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::double_double::{DoubleDouble, U2};
+
+/// What the formulas are computed in.
+pub(crate) trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + From<f64>
+{
+    /// A bound of the relative error of one sum, difference, product or square root; three times
+    /// it, of a quotient.
+    const ROUNDING: f64;
+
+    /// The square root of a number that is greater than 0.
+    fn root(self) -> Self;
+
+    /// The number in `f64`, rounded.
+    fn near(self) -> f64;
+}
+
+impl Number for f64 {
+    const ROUNDING: f64 = 0.5 * f64::EPSILON;
+
+    #[inline(always)]
+    fn root(self) -> f64 {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn near(self) -> f64 {
+        self
+    }
+}
+
+impl Number for DoubleDouble {
+    /// See the operations: 3 for a sum, 7 for a product, 17 for a quotient, 4 for a square root.
+    const ROUNDING: f64 = 7.0 * U2;
+
+    fn root(self) -> DoubleDouble {
+        self.square_root()
+    }
+
+    fn near(self) -> f64 {
+        self.hi
+    }
+}
+
+/// For terms of second order in the bounds (below 1e-12 of those of the first in `f64`) and the
+/// rounding of the bounds.
+const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
+
+/// What underflow can add to any of the values below, which are made of scaled vectors whose
+/// largest coordinates are within 1e-30 and 1e30: products below 2^-969 lose their rounding error,
+/// at most 2^-1073 each, times 1e120.
+const UNDERFLOW: f64 = 1e-190;
+
+/// A vector of numbers.
+pub(crate) type Vector<T> = [T; 3];
+
+/// `a . b`: error at most `3 e |a| |b|`, as each product has e and each of two sums adds e.
+#[inline(always)]
+pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a x b`: error at most `3 e |a| |b|`. A coordinate is off by `2 e (|a_j b_k| + |a_k b_j|)`, and
+/// the vector of those sums is no longer than `sqrt 2 |a| |b|`.
+#[inline(always)]
+pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
+    let of = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [of(1, 2), of(2, 0), of(0, 1)]
+}
+
+/// A vector rounded to `f64`.
+#[inline(always)]
+pub(crate) fn near<T: Number>(v: Vector<T>) -> Vector<f64> {
+    v.map(T::near)
+}
+
+/// The Euclidean length, to a few roundings.
+#[inline(always)]
+pub(crate) fn length(v: Vector<f64>) -> f64 {
+    dot(v, v).sqrt()
+}
+
+/// Which form of the discriminant loses the least, by the origin's distance from the centre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// `b^2 - a c`: inside it is a sum; just outside, both parts are small.
+    Near,
+    /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`: grazing rays
+    /// and distant spheres.
+    Far,
+}
+
+/// A sphere as the rays of one origin see it, scaled: `q = center - origin`, r, and
+/// `c = |q|^2 - r^2`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SphereParts<T> {
+    pub(crate) q: Vector<T>,
+    pub(crate) radius: T,
+    pub(crate) c: T,
+    /// Relative error of c.
+    pub(crate) c_doubt: f64,
+    /// `|q|`, rounded.
+    pub(crate) distance: f64,
+    /// Error of q as a share of `|q|`.
+    pub(crate) q_doubt: f64,
+    pub(crate) form: Form,
+}
+
+/// A direction, scaled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DirectionParts<T> {
+    pub(crate) d: Vector<T>,
+    /// `|d|`, rounded.
+    pub(crate) length: f64,
+    /// Error of d as a share of `|d|`.
+    pub(crate) doubt: f64,
+}
+
+/// `a t^2 - 2 b t + c = 0` with `b = q.d`, positive towards the centre, and `D = b^2 - a c`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quadratic<T> {
+    pub(crate) a: T,
+    pub(crate) b: T,
+    pub(crate) discriminant: T,
+    /// How far b may be off.
+    pub(crate) b_doubt: f64,
+    /// How far D may be off.
+    pub(crate) discriminant_doubt: f64,
+    /// Relative error of a.
+    pub(crate) a_doubt: f64,
+}
+
+impl<T: Number> Quadratic<T> {
+    /// The parts and their bounds. With `k` the doubts of q and d together:
+    ///
+    /// ```text
+    /// b:  |q||d| (3 e + k)                     a:  a (3 e + 2 k)
+    /// m = q x d:  M = |q||d| (3 e + k)
+    /// far,  r^2 a - m.m:  r^2 a (6 e + 2 k) + 4 e m.m + 2 |m| M + M^2
+    /// near, b^2 - a c:    2 |b| B + B^2 + 2 e b^2 + a |c| (5 e + 2 k + doubt of c)
+    /// ```
+    ///
+    /// where B is the bound of b; each last subtraction is in the `e` of its two terms.
+    #[inline(always)]
+    pub(crate) fn new(sphere: &SphereParts<T>, direction: &DirectionParts<T>) -> Quadratic<T> {
+        let (q, d, e) = (sphere.q, direction.d, T::ROUNDING);
+        let k = sphere.q_doubt + direction.doubt;
+        let a = dot(d, d);
+        let b = dot(q, d);
+        let reach = sphere.distance * direction.length;
+        let b_doubt = SECOND_ORDER * (3.0 * e + k) * reach + UNDERFLOW;
+        let (discriminant, doubt) = match sphere.form {
+            Form::Far => {
+                let m = cross(q, d);
+                let (mm, rra) = (dot(m, m), sphere.radius * sphere.radius * a);
+                let (m_squared, m_doubt) = (mm.near(), (3.0 * e + k) * reach);
+                let doubt = (6.0 * e + 2.0 * k) * rra.near()
+                    + 4.0 * e * m_squared
+                    + (2.0 * m_squared.sqrt() + m_doubt) * m_doubt;
+                (rra - mm, doubt)
+            }
+            Form::Near => {
+                let (b_near, ac) = (b.near().abs(), a * sphere.c);
+                let doubt = (2.0 * b_near + b_doubt) * b_doubt
+                    + 2.0 * e * b_near * b_near
+                    + (5.0 * e + 2.0 * k + sphere.c_doubt) * ac.near().abs();
+                (b * b - ac, doubt)
+            }
+        };
+        let discriminant_doubt = SECOND_ORDER * doubt + UNDERFLOW;
+        let a_doubt = SECOND_ORDER * (3.0 * e + 2.0 * k);
+        Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt }
+    }
+
+    /// The nearer or the farther root with a bound of its relative error; `None` where D may be 0.
+    ///
+    /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z`
+    /// (Press et al., *Numerical Recipes*, 3rd ed., section 5.6). D is off by at most its doubt, so
+    /// its root is by `doubt / sqrt D`; z is by that and b's doubt, and by two roundings; a quotient
+    /// by three.
+    #[inline(always)]
+    pub(crate) fn root(&self, sphere: &SphereParts<T>, far: bool) -> Option<(T, f64)> {
+        let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = *self;
+        if discriminant.near() <= discriminant_doubt {
+            return None;
+        }
+        let (e, root) = (T::ROUNDING, discriminant.root());
+        let is_ahead = b.near() >= 0.0;
+        let z = if is_ahead { b + root } else { b - root };
+        let z_doubt = (b_doubt + discriminant_doubt / root.near()) / z.near().abs() + 2.0 * e;
+        let (t, other_doubt) =
+            if far == is_ahead { (z / a, a_doubt) } else { (sphere.c / z, sphere.c_doubt) };
+        // One e more for what a product with a whole number adds.
+        Some((t, 1.05 * (z_doubt + other_doubt + 4.0 * e)))
+    }
+}

@@ -1,0 +1,203 @@
+//! The ladder against the reference: every stress family, no wrong decision, every digit of t.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{given, oracle};
+use pinhole_core::*;
+use pinhole_reference::{
+    BasisCase, Family, FrameCase, Hit, Orientation as Given, RayCase, Status, angle_between,
+};
+
+/// Half an ulp, and 2^-40 of one.
+const T_ULPS: f64 = 0.5 + 1.0 / (1_u64 << 40) as f64;
+
+/// Cases of each knob of a family: the fixed seed's, and a fresh one's, which is printed.
+fn seeds() -> [u64; 2] {
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
+    let fresh = now.as_nanos() as u64;
+    println!("fresh seed {fresh}");
+    [1, fresh]
+}
+
+/// Asserts that a root is the reference's hit: object, t, normal and point.
+#[track_caller]
+fn assert_hit(found: Option<&Root>, expected: Option<&Hit>, case: &dyn std::fmt::Debug) {
+    let (Some(found), Some(expected)) = (found, expected) else {
+        assert!(
+            found.is_none() && expected.is_none(),
+            "found {found:?}, expected {:?} in {case:?}",
+            expected.map(|hit| (hit.object, hit.t.to_f64()))
+        );
+        return;
+    };
+    assert_eq!(found.object as usize, expected.object, "{found:?} in {case:?}");
+    if expected.t.is_representable() {
+        let ulps = expected.t.ulps_from(found.t);
+        assert!(ulps <= T_ULPS, "t {} is {ulps} ulp off in {case:?}", found.t);
+    } else {
+        assert!(found.t > 0.0, "{found:?} in {case:?}");
+    }
+    let angle = angle_between(&expected.normal, found.normal.to_array());
+    assert!(angle <= 3e-16, "normal {} is {angle:e} rad off in {case:?}", found.normal);
+}
+
+fn check_ray(case: &RayCase) -> Steps {
+    let scene = given::scene(&case.objects);
+    let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
+    let mut steps = Steps::default();
+    let exact = ExactRay::of(&ray).unwrap();
+    let found = scene.first_hit_counting(&exact, &mut steps);
+    let expected = pinhole_reference::first_hit(&case.objects, case.origin, case.direction);
+    assert_hit(found.as_ref(), expected.as_ref(), case);
+    assert_eq!(scene.roots(&ray).into_iter().find(|root| root.t > 0.0), found);
+    for (index, object) in case.objects.iter().enumerate() {
+        let found = scene.object(index as u32).unwrap().roots(&ray);
+        let expected = pinhole_reference::roots(object, case.origin, case.direction);
+        let reals = match &expected {
+            pinhole_reference::Roots::None => vec![],
+            pinhole_reference::Roots::One(t) => vec![t],
+            pinhole_reference::Roots::Two(t0, t1) => vec![t0, t1],
+        };
+        let found: Vec<f64> = found.iter().collect();
+        assert_eq!(found.len(), reals.len(), "object {index} of {case:?}");
+        for (t, real) in found.into_iter().zip(reals) {
+            if real.is_representable() {
+                assert!(real.ulps_from(t) <= T_ULPS, "object {index} of {case:?}");
+            }
+        }
+    }
+    steps
+}
+
+#[test]
+fn any_rays() {
+    for seed in seeds() {
+        let mut cases = 0;
+        for family in Family::all() {
+            let mut steps = Steps::default();
+            for knob in family.knobs() {
+                for single in [false, true] {
+                    for case in family.rays(*knob, seed, 60, single) {
+                        steps += check_ray(&case);
+                        cases += 1;
+                    }
+                }
+            }
+            if steps.total() > 0 {
+                println!("{}: {steps:?}", family.name());
+            }
+        }
+        assert!(cases > 5000, "{cases}");
+    }
+}
+
+fn status_of(result: &Result<Basis, BasisError>) -> Option<Status> {
+    match result {
+        Ok(_) => None,
+        Err(BasisError::EyeIsAt { .. }) => Some(Status::EyeIsAt),
+        Err(BasisError::ViewIsZero) => Some(Status::ViewIsZero),
+        Err(BasisError::UpIsZero) => Some(Status::UpIsZero),
+        Err(BasisError::UpParallelToView { .. }) => Some(Status::UpParallelToView),
+        Err(other) => panic!("{other}"),
+    }
+}
+
+fn check_basis(case: &BasisCase) {
+    let camera = Camera {
+        eye: case.eye.into(),
+        orientation: given::orientation(&case.orientation),
+        ..Camera::CANONICAL
+    };
+    if matches!(case.orientation, Given::Basis { .. }) {
+        return;
+    }
+    let found = camera.basis();
+    let expected = pinhole_reference::basis(case.eye, &case.orientation);
+    assert_eq!(status_of(&found), expected.as_ref().err().copied(), "{case:?}");
+    let (Ok(found), Ok(expected)) = (found, expected) else { return };
+    let Basis { u, v, w } = found;
+    for (found, expected) in [u, v, w].iter().zip(&expected) {
+        let angle = angle_between(expected, found.to_array());
+        assert!(angle <= 1.2e-16, "{angle:e} rad off in {case:?}");
+    }
+    // The defect of the rounded vectors themselves, in exact products.
+    for (a, b, right) in
+        [(u, v, 0.0), (v, w, 0.0), (w, u, 0.0), (u, u, 1.0), (v, v, 1.0), (w, w, 1.0)]
+    {
+        let dot = oracle::Big3::from(a).dot(&oracle::Big3::from(b)) - oracle::big(right);
+        let dot = oracle::near(&dot);
+        let defect = if right == 1.0 { 0.5 * dot.abs() } else { dot.abs() };
+        assert!(defect <= 2e-16, "{defect:e} in {case:?}");
+    }
+}
+
+#[test]
+fn bases() {
+    for seed in seeds() {
+        let mut cases = 0;
+        for family in Family::all() {
+            for knob in family.knobs() {
+                for case in family.bases(*knob, seed, 100, false) {
+                    check_basis(&case);
+                    cases += 1;
+                }
+            }
+        }
+        assert!(cases > 1000, "{cases}");
+    }
+}
+
+fn check_frame(case: &FrameCase) -> Steps {
+    let scene = given::scene(&case.objects);
+    let camera = given::camera(&case.camera).posed().unwrap();
+    let raster = Raster::full(camera.image());
+    let frame = trace(&scene, &camera, &raster, Outputs { normal: true });
+    let single = trace_as::<f32>(&scene, &camera, &raster, Outputs::default());
+    assert_eq!(frame.object, single.object, "{case:?}");
+    let view = case.camera.prepare(&case.objects).unwrap();
+    let mut index = 0;
+    for row in 0..camera.image().height() {
+        for column in 0..camera.image().width() {
+            let (t, object, normal) = (frame.t[index], frame.object[index], frame.normal[index]);
+            let single_t = single.t[index];
+            index += 1;
+            let found =
+                (object != NO_OBJECT).then_some(Root { object, t, point: DVec3::ZERO, normal });
+            let expected = view.first_hit_of_pixel(row, column);
+            let place = (row, column, case);
+            assert_hit(found.as_ref(), expected.as_ref(), &place);
+            if let Some(hit) = expected
+                && hit.t.is_representable_f32()
+            {
+                let ulps = hit.t.ulps_from_f32(single_t);
+                assert!(ulps <= 0.5 + 1.0 / 65536.0, "{single_t} is {ulps} ulp off at {place:?}");
+            }
+        }
+    }
+    frame.steps
+}
+
+#[test]
+fn whole_frames() {
+    for seed in seeds() {
+        let mut pixels = 0;
+        for family in Family::all() {
+            let mut steps = Steps::default();
+            for knob in family.knobs() {
+                for case in family.frames(*knob, seed, 2, false) {
+                    if case.camera.rows.max(case.camera.columns) > ImageSize::MAX {
+                        continue;
+                    }
+                    steps += check_frame(&case);
+                    pixels += case.camera.columns * case.camera.rows;
+                }
+            }
+            if steps.total() > 0 {
+                println!("{}: {steps:?}", family.name());
+            }
+        }
+        println!("{pixels} pixels");
+        assert!(pixels > 10_000, "{pixels}");
+    }
+}
