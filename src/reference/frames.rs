@@ -7,7 +7,7 @@ use crate::object::Object;
 use crate::spheres::{OFFSETS, PLANETS, SMALL, TO_ROUNDING, ULPS};
 use crate::touching_frames;
 
-pub(crate) static FAMILIES: [Family; 11] = [
+pub(crate) static FAMILIES: [Family; 12] = [
     Family {
         name: "frame-ordinary",
         about: "An everyday camera and scene.",
@@ -28,6 +28,13 @@ pub(crate) static FAMILIES: [Family; 11] = [
         knob_name: "radius of the second sphere, in ulps from the first's",
         knobs: &ULPS,
         make: Make::Frame(touching_frames::ties),
+    },
+    Family {
+        name: "frame-touching",
+        about: "Two spheres and a plane that touch where a pixel's ray enters them.",
+        knob_name: "radius of the inner sphere, in ulps from touching",
+        knobs: &ULPS,
+        make: Make::Frame(touching_frames::touching),
     },
     Family {
         name: "frame-planet",
@@ -91,10 +98,15 @@ pub(crate) static FAMILIES: [Family; 11] = [
 fn camera(draw: &mut Draw, eye: [f64; 3], at: [f64; 3]) -> Camera {
     let (eye, at) = (draw.given3(eye), draw.given3(at));
     let up = draw.direction();
-    let orientation = if draw.once_in(3) {
-        Orientation::View { view: plus(at, -1.0, eye), up }
-    } else {
-        Orientation::At { at, up }
+    let view = plus(at, -1.0, eye);
+    let orientation = match draw.whole(0, 5) as i64 {
+        0 | 1 => Orientation::View { view, up },
+        // Rounded to f32, the vectors are no basis that anyone would take.
+        2 if !draw.single => {
+            let [u, v, w] = rounded_basis(view, up);
+            Orientation::Basis { u, v, w }
+        }
+        _ => Orientation::At { at, up },
     };
     let [columns, rows] = [(); 2].map(|()| draw.whole(16, 24) as u32);
     Camera {
@@ -137,18 +149,23 @@ fn planet(draw: &mut Draw, k: f64) -> FrameCase {
     FrameCase { camera, objects: vec![Object::Sphere { center, radius }, ball] }
 }
 
+/// The basis, but for rounding.
+fn rounded_basis(view: [f64; 3], up: [f64; 3]) -> [[f64; 3]; 3] {
+    let unit = |v| scaled(v, 1.0 / dot(v, v).sqrt());
+    let (u, w) = (unit(cross(view, up)), unit(scaled(view, -1.0)));
+    [u, cross(w, u), w]
+}
+
 /// The direction of a pixel's ray, but for rounding.
 fn direction_of_pixel(camera: &Camera, row: f64, column: f64) -> [f64; 3] {
-    let (view, up) = match camera.orientation {
-        Orientation::At { at, up } => (plus(at, -1.0, camera.eye), up),
-        Orientation::View { view, up } => (view, up),
-        Orientation::Basis { w, v, .. } => (scaled(w, -1.0), v),
+    let [u, v, w] = match camera.orientation {
+        Orientation::At { at, up } => rounded_basis(plus(at, -1.0, camera.eye), up),
+        Orientation::View { view, up } => rounded_basis(view, up),
+        Orientation::Basis { u, v, w } => [u, v, w],
     };
-    let unit = |v| scaled(v, 1.0 / dot(v, v).sqrt());
-    let (forward, right) = (unit(view), unit(cross(view, up)));
     let x = camera.width * ((column + 0.5) / f64::from(camera.columns) - 0.5);
     let y = camera.height * (0.5 - (row + 0.5) / f64::from(camera.rows));
-    plus(plus(scaled(right, x), y, cross(right, forward)), camera.distance, forward)
+    plus(plus(scaled(u, x), y, v), -camera.distance, w)
 }
 
 fn tiny_far(draw: &mut Draw, k: f64) -> FrameCase {
@@ -224,7 +241,10 @@ fn up_near_view(draw: &mut Draw, k: f64) -> FrameCase {
         Orientation::View { view, .. } => {
             Orientation::View { view, up: tipped(draw, view, angle, length) }
         }
-        by_hand => by_hand,
+        Orientation::Basis { w, .. } => {
+            let view = scaled(w, -1.0);
+            Orientation::View { view, up: tipped(draw, view, angle, length) }
+        }
     };
     case
 }

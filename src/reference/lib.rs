@@ -16,6 +16,8 @@
 
 mod bases;
 mod camera;
+#[cfg(test)]
+mod checks;
 mod draw;
 mod dyadic;
 mod family;

@@ -3,9 +3,10 @@
 use std::cmp::Ordering;
 
 use crate::dyadic::{Dyadic, Vector, dot, minus, vector};
+use crate::interval::Interval;
 use crate::quotient::Quotient;
 use crate::real::Real;
-use crate::surd::{Field, Surd};
+use crate::surd::{Field, Surd, bits_of_level};
 
 /// What a ray can hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,33 +109,65 @@ impl Seen {
         }
     }
 
-    /// The unit normal, outward on a sphere, in a plane's own sense, where `t` is a root.
-    pub(crate) fn normal(&self, field: &Field, direction: &[Surd; 3], t: &Quotient) -> [Real; 3] {
+    /// The unit normal at a root, outward on a sphere, in a plane's own sense.
+    pub(crate) fn normal(&self, root: &AtRoot) -> [Real; 3] {
         match self {
-            Seen::Sphere { from_center, radius, .. } => std::array::from_fn(|i| {
-                let mut offset = moved(field, &from_center[i], &direction[i], t);
-                offset.d = offset.d.scaled(radius);
-                offset.value(field)
-            }),
+            Seen::Sphere { from_center, radius, .. } => {
+                std::array::from_fn(|i| root.coordinate(&from_center[i], i, radius))
+            }
             // n / |n| = n |n| / |n|^2
             Seen::Plane { normal, .. } => {
                 let square = Surd::rational(dot(normal, normal));
                 std::array::from_fn(|i| {
                     let q = Surd::rational(normal[i].clone());
-                    Quotient { p: Surd::ZERO, q, e: square.clone(), d: square.clone() }.value(field)
+                    Quotient { p: Surd::ZERO, q, e: square.clone(), d: square.clone() }
+                        .value(root.field)
                 })
             }
         }
     }
 }
 
-/// `origin + t * direction`, of one coordinate.
-pub(crate) fn moved(field: &Field, origin: &Dyadic, direction: &Surd, t: &Quotient) -> Quotient {
-    Quotient {
-        p: t.d.scaled(origin).plus(&field.times(&t.p, direction)),
-        q: field.times(&t.q, direction),
-        e: t.e.clone(),
-        d: t.d.clone(),
+/// A ray at one of its roots.
+pub(crate) struct AtRoot<'a> {
+    field: &'a Field,
+    direction: &'a [Surd; 3],
+    t: &'a Quotient,
+    /// What `t` lies in, enough for nearly all that is asked.
+    interval: Option<Interval>,
+}
+
+/// The level of effort of [`AtRoot::interval`].
+const LEVEL: usize = 1;
+
+impl<'a> AtRoot<'a> {
+    pub(crate) fn new(field: &'a Field, direction: &'a [Surd; 3], t: &'a Quotient) -> AtRoot<'a> {
+        AtRoot { field, direction, t, interval: t.interval(field, LEVEL) }
+    }
+
+    /// `(origin + t * direction) / divisor` of the coordinate `i`.
+    pub(crate) fn coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Real {
+        self.quick_coordinate(origin, i, divisor)
+            .unwrap_or_else(|| self.exact_coordinate(origin, i, divisor).value(self.field))
+    }
+
+    fn quick_coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Option<Real> {
+        let bits = bits_of_level(LEVEL);
+        let direction = self.field.interval(&self.direction[i], LEVEL);
+        let moved = self.interval.as_ref()?.times(&direction, bits);
+        let coordinate = Interval::exactly(origin, bits).plus(&moved, bits);
+        Real::within(&coordinate.over(&Interval::exactly(divisor, bits), bits))
+    }
+
+    /// `(o + (p + q sqrt(e)) / d * v) / r` as a single quotient.
+    fn exact_coordinate(&self, origin: &Dyadic, i: usize, divisor: &Dyadic) -> Quotient {
+        let (t, direction) = (self.t, &self.direction[i]);
+        Quotient {
+            p: t.d.scaled(origin).plus(&self.field.times(&t.p, direction)),
+            q: self.field.times(&t.q, direction),
+            e: t.e.clone(),
+            d: t.d.scaled(divisor),
+        }
     }
 }
 

@@ -16,9 +16,6 @@ pub(crate) struct Quotient {
     pub(crate) d: Surd,
 }
 
-/// A value is given to this many significant bits, or exactly where it has fewer.
-const VALUE_BITS: i64 = 440;
-
 /// Levels at which the sign of a sum of roots is tried by interval arithmetic.
 const SIGN_LEVELS: usize = 2;
 
@@ -58,6 +55,13 @@ impl Quotient {
         sign_with_roots(field, &p, (&q, &self.e), (&r, &other.e))
     }
 
+    /// What the number lies in at a level of effort; none where that does not tell `d` from 0.
+    pub(crate) fn interval(&self, field: &Field, level: usize) -> Option<Interval> {
+        let d = field.interval(&self.d, level);
+        (d.sign() == Some(Ordering::Greater))
+            .then(|| self.numerator(field, level).over(&d, bits_of_level(level)))
+    }
+
     /// The number itself, to 440 significant bits or more.
     pub(crate) fn value(&self, field: &Field) -> Real {
         let mut is_known_not_zero = false;
@@ -66,12 +70,9 @@ impl Quotient {
             match numerator.sign() {
                 Some(Ordering::Equal) => break,
                 Some(_) => {
-                    let denominator = field.interval(&self.d, level);
-                    if denominator.sign() == Some(Ordering::Greater) {
-                        let value = numerator.over(&denominator, bits_of_level(level));
-                        if value.is_narrow(VALUE_BITS) {
-                            return Real::new(value.shortest());
-                        }
+                    let value = self.interval(field, level);
+                    if let Some(value) = value.as_ref().and_then(Real::within) {
+                        return value;
                     }
                 }
                 None if is_known_not_zero => {}

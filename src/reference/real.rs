@@ -3,7 +3,8 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use crate::dyadic::{Dyadic, Vector, cross, dot};
+use crate::dyadic::{Dyadic, Toward, Vector, cross, dot};
+use crate::interval::Interval;
 
 /// A real number to at least 440 significant bits; exact where it has no more than that.
 ///
@@ -12,6 +13,9 @@ use crate::dyadic::{Dyadic, Vector, cross, dot};
 /// being it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Real(Dyadic);
+
+/// Significant bits that a [`Real`] has at least.
+const BITS: i64 = 440;
 
 /// What sets a format of floats apart: digits and range.
 struct Format {
@@ -67,6 +71,16 @@ impl Format {
 impl Real {
     pub(crate) fn new(value: Dyadic) -> Real {
         Real(value)
+    }
+
+    /// The number that an interval leaves no doubt about.
+    pub(crate) fn within(interval: &Interval) -> Option<Real> {
+        interval.is_narrow(BITS).then(|| Real(interval.shortest()))
+    }
+
+    #[cfg(test)]
+    pub(crate) fn dyadic(&self) -> &Dyadic {
+        &self.0
     }
 
     /// The nearest `f64`, ties to even, subnormals included; infinite beyond the largest.
@@ -143,7 +157,7 @@ pub fn angle_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
     }
     let (a, b): (Vector, Vector) = (a.clone().map(|x| x.0), b.map(Dyadic::from_f64));
     let (across, along) = (cross(&a, &b), dot(&a, &b));
-    let across = dot(&across, &across).sqrt(120, crate::dyadic::Toward::Below);
+    let across = dot(&across, &across).sqrt(120, Toward::Below);
     // Only the ratio matters: the larger of the two comes near 1.
     let scale = -across.log2().max(along.log2()).unwrap_or(0);
     Real(across.shifted(scale)).to_f64().atan2(Real(along.shifted(scale)).to_f64())
@@ -156,5 +170,5 @@ pub fn distance_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
         return f64::INFINITY;
     }
     let offset: Vector = std::array::from_fn(|i| &a[i].0 - &Dyadic::from_f64(b[i]));
-    Real(dot(&offset, &offset).sqrt(120, crate::dyadic::Toward::Below)).to_f64()
+    Real(dot(&offset, &offset).sqrt(120, Toward::Below)).to_f64()
 }

@@ -2,7 +2,7 @@
 
 use crate::bases::aimed;
 use crate::camera::{Camera, Orientation};
-use crate::draw::{Draw, plus, scaled};
+use crate::draw::{Draw, cross, dot, plus, scaled};
 use crate::family::FrameCase;
 use crate::object::Object;
 
@@ -33,19 +33,14 @@ fn camera(draw: &mut Draw, eye: [f64; 3], orientation: Orientation, distance: f6
     }
 }
 
-pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
-    let case = if draw.once_in(2) {
-        by_rational_basis(draw, ulps)
-    } else {
-        by_irrational_basis(draw, ulps)
-    };
-    // All lengths of the world times a power of two: t alone changes.
+/// The same with all lengths of the world times a power of two: t alone changes.
+fn in_other_units(draw: &mut Draw, case: FrameCase) -> FrameCase {
     let scale = draw.power_of_two(-16, 16);
     let objects = case.objects.into_iter().map(|object| match object {
         Object::Sphere { center, radius } => {
             Object::Sphere { center: scaled(center, scale), radius: radius * scale }
         }
-        plane => plane,
+        Object::Plane { point, normal } => Object::Plane { point: scaled(point, scale), normal },
     });
     let orientation = match case.camera.orientation {
         Orientation::At { at, up } => Orientation::At { at: scaled(at, scale), up },
@@ -53,6 +48,15 @@ pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
     };
     let camera = Camera { eye: scaled(case.camera.eye, scale), orientation, ..case.camera };
     FrameCase { camera, objects: objects.collect() }
+}
+
+pub(crate) fn tangent(draw: &mut Draw, ulps: f64) -> FrameCase {
+    let case = if draw.once_in(2) {
+        by_rational_basis(draw, ulps)
+    } else {
+        by_irrational_basis(draw, ulps)
+    };
+    in_other_units(draw, case)
 }
 
 /// A camera whose basis is a whole frame divided by its length, so that all of its rays have rational
@@ -82,24 +86,62 @@ fn by_rational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
 }
 
 /// A camera turned by 45 degrees out of a whole frame, so that its basis has the square root of 2 in
-/// it. In the middle row the ray of column x is along `(x - distance, 0, -x - distance)` of the frame;
-/// spheres touch it from above and below.
+/// it. In the middle row the ray of column x is [`of_column`].
+fn half_turned(draw: &mut Draw, world: &[[f64; 3]; 3], eye: [f64; 3]) -> Camera {
+    let view = in_frame(world, scaled([-1.0, 0.0, -1.0], draw.whole(1, 5)));
+    let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), view);
+    let orientation = aimed(draw, eye, view, up);
+    camera(draw, eye, orientation, DISTANCE)
+}
+
+/// The direction of the ray of column x in the middle row of [`half_turned`], in the frame's
+/// coordinates, but for a factor.
+fn of_column(x: f64) -> [f64; 3] {
+    [x - DISTANCE, 0.0, -x - DISTANCE]
+}
+
+/// Spheres that touch rays of the middle row from above and below.
 fn by_irrational_basis(draw: &mut Draw, ulps: f64) -> FrameCase {
     let (world, length) = draw.whole_frame(2);
     let eye = draw.whole_vector(100);
     let mut objects = Vec::new();
     for _ in 0..3 {
-        let x = draw.whole(-HALF, HALF);
-        let along = scaled([x - DISTANCE, 0.0, -x - DISTANCE], draw.whole(1, 8));
+        let along = scaled(of_column(draw.whole(-HALF, HALF)), draw.whole(1, 8));
         let radii = draw.sign() * draw.whole(1, 40);
         let center = plus(along, radii, [0.0, 1.0, 0.0]);
         let radius = draw.moved_by_ulps(radii.abs() * length, ulps);
         objects.push(Object::Sphere { center: plus(eye, 1.0, in_frame(&world, center)), radius });
     }
-    let view = in_frame(&world, scaled([-1.0, 0.0, -1.0], draw.whole(1, 5)));
-    let up = plus(scaled(world[1], draw.whole(1, 5)), draw.whole(-3, 3), view);
-    let orientation = aimed(draw, eye, view, up);
-    FrameCase { camera: camera(draw, eye, orientation, DISTANCE), objects }
+    FrameCase { camera: half_turned(draw, &world, eye), objects }
+}
+
+/// Two spheres, one inside the other, and a plane that all touch in the point where the ray of a pixel
+/// of [`half_turned`] enters them.
+pub(crate) fn touching(draw: &mut Draw, ulps: f64) -> FrameCase {
+    let (world, length) = draw.whole_frame(2);
+    let eye = draw.whole_vector(100);
+    let along = of_column(draw.whole(-HALF, HALF));
+    // Toward the eye.
+    let (out, size) = loop {
+        let ([out, ..], size) = draw.whole_frame(2);
+        if dot(out, along) != 0.0 {
+            break (scaled(out, -dot(out, along).signum()), size);
+        }
+    };
+    let contact = scaled(along, draw.whole(1, 8));
+    let small = draw.whole(1, 6);
+    let sphere = |radii: f64, ulps| {
+        let center = plus(eye, 1.0, in_frame(&world, plus(contact, -radii, out)));
+        Object::Sphere { center, radius: draw.moved_by_ulps(radii * size * length, ulps) }
+    };
+    let inner = sphere(small, ulps);
+    let outer = sphere(2.0 * small + 1.0, 0.0);
+    let point = plus(eye, 1.0, in_frame(&world, contact));
+    let plane = Object::Plane { point, normal: in_frame(&world, out) };
+    let objects =
+        if draw.once_in(2) { vec![inner, outer, plane] } else { vec![outer, inner, plane] };
+    let camera = half_turned(draw, &world, eye);
+    in_other_units(draw, FrameCase { camera, objects })
 }
 
 pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
@@ -107,7 +149,7 @@ pub(crate) fn ties(draw: &mut Draw, ulps: f64) -> FrameCase {
     let radius = draw.whole(4, 12);
     let second = draw.moved_by_ulps(radius, ulps);
     let (point, normal) = (plus(center, 1.0, draw.whole_vector(6)), draw.whole_vector(9));
-    let in_plane = crate::draw::cross(normal, draw.whole_vector(9));
+    let in_plane = cross(normal, draw.whole_vector(9));
     let other_point = plus(point, draw.whole(-3, 3), in_plane);
     let other_normal = scaled(normal, draw.sign() * draw.whole(1, 7));
     let eye = plus(center, draw.between(1.5, 3.0) * radius, draw.direction());

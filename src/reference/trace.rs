@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::dyadic::{Dyadic, Vector, vector};
-use crate::object::{Object, Seen, moved};
+use crate::object::{AtRoot, Object, Seen};
 use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
@@ -114,14 +114,13 @@ impl SceneSeen {
 
     pub(crate) fn first_hit(&self, direction: &Direction) -> Option<Hit> {
         let (object, t) = self.first(direction)?;
-        let field = direction.field;
+        let root = AtRoot::new(direction.field, &direction.multiple, &t);
+        let one = Dyadic::power_of_two(0);
         Some(Hit {
             object,
             t: direction.true_t(&t),
-            normal: self.objects[object].normal(field, &direction.multiple, &t),
-            point: std::array::from_fn(|i| {
-                moved(field, &self.origin[i], &direction.multiple[i], &t).value(field)
-            }),
+            normal: self.objects[object].normal(&root),
+            point: std::array::from_fn(|i| root.coordinate(&self.origin[i], i, &one)),
         })
     }
 }
