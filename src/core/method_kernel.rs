@@ -1,11 +1,16 @@
 //! The [methods](crate::methods) chosen at run time: single rays, whole pictures, and loops for a
 //! caller that measures their time.
+//!
+//! The loops are compiled for each SIMD level and vectorized by the compiler. No product is fused with
+//! a sum but where a formula says so: every level gives the same bits.
 
 use std::sync::Arc;
 
+use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 use rayon::prelude::*;
 
+use crate::exact_ray::ExactRay;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::image::Pixel;
 use crate::method_real::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
@@ -14,7 +19,8 @@ use crate::method_trace::{FrameBy, ViewRays, first_hit, first_hit_rounded};
 use crate::methods::{Method, Visitor};
 use crate::posed::PosedCamera;
 use crate::ray::Ray;
-use crate::scene::{Object, Scene};
+use crate::scene::{Object, Root, Scene};
+use crate::steps::Steps;
 use crate::trace::trace;
 
 /// The first hit of a ray, by some method.
@@ -38,20 +44,15 @@ pub struct Traced {
     pub object: Vec<u32>,
 }
 
-/// The first hit of any ray: the object, and t widened to `f64`. What the method makes NaN or
-/// infinite is no hit. A ray that fails [`Ray::check`] hits nothing by the ladder, and whatever
-/// rounding says by the others.
+/// The first hit of any ray. A ray that fails [`Ray::check`] hits nothing by the ladder, and whatever
+/// rounding says by the others; what they make NaN or infinite is no hit.
 pub fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHit> {
     struct FirstHit<'a>(&'a Scene, &'a Ray);
     impl Visitor for FirstHit<'_> {
         type Out = Option<MethodHit>;
 
         fn ladder(self) -> Self::Out {
-            self.0.first_hit(self.1).map(|root| MethodHit {
-                object: root.object,
-                t: root.t,
-                normal: root.normal,
-            })
+            hit_of_root(self.0.first_hit(self.1))
         }
 
         fn known<M: Intersect>(self) -> Self::Out {
@@ -60,6 +61,10 @@ pub fn first_hit_by(method: Method, scene: &Scene, ray: &Ray) -> Option<MethodHi
         }
     }
     method.accept(FirstHit(scene, ray))
+}
+
+fn hit_of_root(root: Option<Root>) -> Option<MethodHit> {
+    root.map(|Root { object, t, normal, .. }| MethodHit { object, t, normal })
 }
 
 fn hit_of_ray<M: Intersect>(scene: &Scene, ray: &RoundedRay<M::Real>) -> Option<MethodHit> {
@@ -89,12 +94,12 @@ pub fn trace_by(method: Method, scene: &Scene, camera: &PosedCamera, raster: &Ra
             let plan = FrameBy::<M>::new(scene, camera, raster);
             let mut traced =
                 Traced { t: vec![0.0; raster.len()], object: vec![NO_OBJECT; raster.len()] };
-            let width = raster.columns().len().max(1);
+            let (level, width) = (Level::new(), raster.columns().len().max(1));
             let rows = traced.t.par_chunks_mut(width).zip(traced.object.par_chunks_mut(width));
             rows.enumerate().for_each_init(
                 || plan.row(),
                 |row, (index, (t, object))| {
-                    plan.trace_row(index, row);
+                    dispatch!(level, _simd => plan.trace_row(index, row));
                     object.copy_from_slice(&row.object);
                     for (t, found) in t.iter_mut().zip(&row.t) {
                         *t = found.to_f64();
@@ -121,6 +126,11 @@ pub trait FrameKernel: Send + Sync {
     /// # Panics
     /// Outside the raster.
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit>;
+
+    /// How far up the ladder the last trace had to go; the ladder alone has steps.
+    fn steps(&self) -> Option<Steps> {
+        None
+    }
 }
 
 /// A method's [`FrameKernel`].
@@ -172,7 +182,11 @@ impl FrameKernel for LadderFrame {
 
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
         let pixel = Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] };
-        first_hit_by(Method::Ladder, &self.scene, &self.camera.ray_of_pixel(pixel))
+        hit_of_root(self.scene.first_hit_of(&self.camera.exact_ray(pixel)))
+    }
+
+    fn steps(&self) -> Option<Steps> {
+        self.frame.as_ref().map(|frame| frame.steps)
     }
 }
 
@@ -191,10 +205,10 @@ impl<M: Intersect> FrameKernel for KnownFrame<M> {
         self.t.resize(self.raster.len(), M::Real::ZERO);
         self.object.resize(self.raster.len(), NO_OBJECT);
         let width = self.raster.columns().len().max(1);
-        let mut row = plan.row();
+        let (level, mut row) = (Level::new(), plan.row());
         let rows = self.t.chunks_mut(width).zip(self.object.chunks_mut(width));
         for (index, (t, object)) in rows.enumerate() {
-            plan.trace_row(index, &mut row);
+            dispatch!(level, _simd => plan.trace_row(index, &mut row));
             t.copy_from_slice(&row.t);
             object.copy_from_slice(&row.object);
         }
@@ -213,6 +227,11 @@ pub trait RayKernel: Send + Sync {
 
     /// What [`RayKernel::intersect`] found for a ray; nothing before that.
     fn hit(&self, index: usize) -> Option<MethodHit>;
+
+    /// How far up the ladder the rays had to go the last time; the ladder alone has steps.
+    fn steps(&self) -> Option<Steps> {
+        None
+    }
 }
 
 /// A method's [`RayKernel`]. Scenes and rays are rounded to the method's precision here, before
@@ -223,7 +242,11 @@ pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Box<dyn RayKernel> 
         type Out = Box<dyn RayKernel>;
 
         fn ladder(self) -> Self::Out {
-            Box::new(LadderRays { cases: self.0.to_vec(), hits: Vec::new() })
+            Box::new(LadderRays {
+                cases: self.0.to_vec(),
+                hits: Vec::new(),
+                steps: Steps::default(),
+            })
         }
 
         fn known<M: Intersect>(self) -> Self::Out {
@@ -240,17 +263,26 @@ pub fn ray_kernel(method: Method, cases: &[(Scene, Ray)]) -> Box<dyn RayKernel> 
 struct LadderRays {
     cases: Vec<(Scene, Ray)>,
     hits: Vec<Option<MethodHit>>,
+    steps: Steps,
 }
 
 impl RayKernel for LadderRays {
     fn intersect(&mut self) {
         self.hits.clear();
-        let hit = |(scene, ray): &(Scene, Ray)| first_hit_by(Method::Ladder, scene, ray);
-        self.hits.extend(self.cases.iter().map(hit));
+        self.steps = Steps::default();
+        for (scene, ray) in &self.cases {
+            let ray = ExactRay::of(ray).ok();
+            let root = ray.and_then(|ray| scene.first_hit_counting(&ray, &mut self.steps));
+            self.hits.push(hit_of_root(root));
+        }
     }
 
     fn hit(&self, index: usize) -> Option<MethodHit> {
         *self.hits.get(index)?
+    }
+
+    fn steps(&self) -> Option<Steps> {
+        (!self.hits.is_empty()).then_some(self.steps)
     }
 }
 
@@ -261,11 +293,17 @@ struct KnownRays<M: Intersect> {
     hits: Vec<Option<(u32, M::Real)>>,
 }
 
+#[inline(always)]
+fn first_hits<M: Intersect>(cases: &[RoundedCase<M::Real>], hits: &mut [Option<(u32, M::Real)>]) {
+    for (hit, (scene, ray)) in hits.iter_mut().zip(cases) {
+        *hit = first_hit_rounded::<M>(scene, ray);
+    }
+}
+
 impl<M: Intersect> RayKernel for KnownRays<M> {
     fn intersect(&mut self) {
-        for (hit, (scene, ray)) in self.hits.iter_mut().zip(&self.cases) {
-            *hit = first_hit_rounded::<M>(scene, ray);
-        }
+        let KnownRays { cases, hits } = self;
+        dispatch!(Level::new(), _simd => first_hits::<M>(cases, hits));
     }
 
     fn hit(&self, index: usize) -> Option<MethodHit> {

@@ -1,9 +1,11 @@
 //! The numbers that the [methods](crate::methods) compute in, and vectors of them.
 
+use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use glam::DVec3;
 
+use crate::double_double::DoubleDouble;
 use crate::plane::Plane;
 use crate::ray::Ray;
 use crate::scene::Scene;
@@ -78,6 +80,42 @@ macro_rules! implement_real {
 
 implement_real!(f32);
 implement_real!(f64);
+
+impl Real for DoubleDouble {
+    const ZERO: Self = DoubleDouble { hi: 0.0, lo: 0.0 };
+    const INFINITY: Self = DoubleDouble { hi: f64::INFINITY, lo: 0.0 };
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        DoubleDouble::from(x)
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self.hi
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // The algorithm divides by the root; of 0, and of what has none, f64's is right.
+        let plain = DoubleDouble::from(self.hi.sqrt());
+        if self.hi > 0.0 { self.square_root() } else { plain }
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        let is_same = self.hi.is_sign_negative() == sign.hi.is_sign_negative();
+        if is_same { self } else { -self }
+    }
+}
+
+/// By value; nothing compares with NaN.
+impl PartialOrd for DoubleDouble {
+    #[inline(always)]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        match self.hi.partial_cmp(&other.hi)? {
+            Ordering::Equal => self.lo.partial_cmp(&other.lo),
+            order => Some(order),
+        }
+    }
+}
 
 /// A point or direction in a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -114,7 +114,8 @@ impl<M: Intersect> FrameBy<M> {
         }
     }
 
-    /// Traces the raster's `row`th row.
+    /// Traces the raster's `index`th row.
+    #[inline(always)]
     pub(crate) fn trace_row(&self, index: usize, row: &mut Row<M::Real>) {
         let part = self.rays.row_parts[index];
         let of_rows = [part.x, part.y, part.z];

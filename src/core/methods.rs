@@ -23,6 +23,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::double_double::DoubleDouble;
 pub use crate::method_kernel::{
     FrameKernel, MethodHit, RayKernel, Traced, first_hit_by, frame_kernel, ray_kernel, trace_by,
 };
@@ -68,6 +69,8 @@ pub enum Method {
     /// What this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
     /// [`trace`](crate::trace).
     Ladder,
+    /// [`ByQ`] with [`Plain`] in double-double, rounded at the end: no filter, no exact step.
+    DoubleDouble,
     /// A known formula, every operation in one precision, no error bound.
     Known(Formula, Precision),
 }
@@ -89,12 +92,13 @@ impl fmt::Display for UnknownMethod {
 impl std::error::Error for UnknownMethod {}
 
 impl Method {
-    /// All methods: the ladder, then the known formulas, from the plainest on, `f32` first.
-    pub const ALL: [Method; 15] = {
+    /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32` first.
+    pub const ALL: [Method; 16] = {
         use Formula::*;
         use Precision::*;
         [
             Method::Ladder,
+            Method::DoubleDouble,
             Method::Known(Textbook, F32),
             Method::Known(Textbook, F64),
             Method::Known(HalfB, F32),
@@ -118,6 +122,7 @@ impl Method {
         use Precision::*;
         match self {
             Method::Ladder => "ladder",
+            Method::DoubleDouble => "double-double",
             Method::Known(Textbook, F32) => "textbook-f32",
             Method::Known(Textbook, F64) => "textbook-f64",
             Method::Known(HalfB, F32) => "half-b-f32",
@@ -144,7 +149,7 @@ impl Method {
     pub fn precision(self) -> Precision {
         match self {
             Method::Known(_, precision) => precision,
-            Method::Ladder => Precision::F64,
+            Method::Ladder | Method::DoubleDouble => Precision::F64,
         }
     }
 
@@ -153,6 +158,10 @@ impl Method {
         match self {
             Method::Ladder => {
                 "Shewchuk, Discrete & Computational Geometry 18 (1997), for the idea of adaptive steps"
+            }
+            Method::DoubleDouble => {
+                "Dekker, Numerische Mathematik 18 (1971); Joldes, Muller, Popescu, ACM Transactions on \
+                 Mathematical Software 44 (2017)"
             }
             Method::Known(formula, _) => formula.source(),
         }
@@ -164,6 +173,10 @@ impl Method {
             Method::Ladder => {
                 "Each decision in f64 with an error bound, where that leaves doubt in double-double, \
                  and where that does too, exactly."
+            }
+            Method::DoubleDouble => {
+                "The half-b formula with about 106 digits, rounded at the end: fails where squares \
+                 leave the range of f64, and on exact ties and tangents of rounded rays."
             }
             Method::Known(formula, _) => formula.about(),
         }
@@ -257,6 +270,7 @@ impl Method {
         use Precision::{F32, F64};
         match self {
             Method::Ladder => visitor.ladder(),
+            Method::DoubleDouble => visitor.known::<ByQ<DoubleDouble, Plain>>(),
             Method::Known(formula, F32) => formula.accept::<f32, V>(visitor),
             Method::Known(formula, F64) => formula.accept::<f64, V>(visitor),
         }

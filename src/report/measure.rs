@@ -114,7 +114,10 @@ impl Run {
         Report {
             reference: subject::REFERENCE.to_owned(),
             cpu: machine::describe(),
-            baseline: format!("{BASELINE}, both roots, timed as all are: {}, one thread", self.timed_what),
+            baseline: format!(
+                "{BASELINE}, both roots, timed as all are: {}, one thread",
+                self.timed_what
+            ),
             cases: begun.map(CaseRun::report).collect(),
             left_out,
         }

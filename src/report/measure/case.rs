@@ -112,9 +112,7 @@ impl CaseRun {
 
     pub(super) fn is_done(&self) -> bool {
         match &self.state {
-            State::Working(work) => {
-                work.spent >= self.budget || work.share(self.rounds) >= 1.0
-            }
+            State::Working(work) => work.spent >= self.budget || work.share(self.rounds) >= 1.0,
             State::Done(_) => true,
             State::ToCome(_) | State::Making => false,
         }
@@ -258,6 +256,7 @@ impl SetWork {
             let worker = &mut self.workers[place];
             let took = self.subject.time(&mut worker.kernel, one_thread);
             worker.tally.time(took.as_nanos() as f64 / pixels);
+            worker.tally.climb(worker.kernel.steps());
             self.timings += 1;
         }
     }

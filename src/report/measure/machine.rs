@@ -2,12 +2,33 @@
 
 use std::fs;
 
+use pinhole_core::Level;
+
 /// The processor's name, where it can be had, and its vector instructions that programs choose by.
 pub(super) fn describe() -> String {
     let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
     let features = features();
-    let features = if features.is_empty() { "no vector instructions asked for".to_owned() } else { features.join(", ") };
-    format!("{name} ({}; {features})", std::env::consts::ARCH)
+    let features = if features.is_empty() {
+        "no vector instructions asked for".to_owned()
+    } else {
+        features.join(", ")
+    };
+    format!("{name} ({}; {features}; every method ran with {})", std::env::consts::ARCH, level())
+}
+
+/// The instructions that core chose.
+fn level() -> &'static str {
+    match Level::new() {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx512(_) => "avx512",
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Avx2(_) => "avx2 and fma",
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        Level::Sse4_2(_) => "sse4.2",
+        #[cfg(target_arch = "aarch64")]
+        Level::Neon(_) => "neon",
+        _ => "the architecture's least",
+    }
 }
 
 fn name() -> Option<String> {

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::sync::Arc;
 use std::time::Duration;
 
-use pinhole_core::methods::{Formula, Method, Precision};
+use pinhole_core::methods::{Formula, Method};
 use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, PosedCamera, Raster, Scene, trace};
 
 use super::case::{CaseRun, Made, Plan, Set};
@@ -17,7 +17,7 @@ const TIMED_SIDE: u32 = 256;
 /// At most this many questions of one object to one ray are timed at once, so that no slice is long.
 const TIMED_TESTS: usize = 1 << 20;
 /// At most this many pixels are compared with the truth.
-const MOST_PIXELS: usize = 20_000;
+const MOST_PIXELS: usize = 60_000;
 const SEED: u64 = 1;
 
 /// What of a scene a case is about.
@@ -69,11 +69,15 @@ fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>)
     if objects.is_empty() {
         leave_out("no sphere rows and no plane rows: the scene is empty");
     } else if spheres.is_empty() {
-        leave_out("no sphere rows: the scene has no spheres; all methods but the ladder share the textbook's plane");
+        leave_out(
+            "no sphere rows: the scene has no spheres; all methods but the ladder share the textbook's plane",
+        );
     } else if planes.is_empty() {
         leave_out("no plane rows: the scene has no planes");
     } else {
-        leave_out("planes, alone: one row a precision: all methods but the ladder share the textbook's plane");
+        leave_out(
+            "planes, alone: one row a precision: all methods but the ladder share the textbook's plane",
+        );
     }
     if around.is_empty() && !spheres.is_empty() {
         leave_out("no inside rows: the eye is outside every sphere");
@@ -84,10 +88,8 @@ fn parts(name: &str, scene: &Scene, camera: &Camera, left_out: &mut Vec<String>)
 /// All methods, or where there is no sphere, one for each way to meet a plane.
 pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
     let differ = |method: &Method| match method {
-        Method::Known(formula, _) => {
-            !scene.spheres().is_empty() || *formula == Formula::Textbook
-        }
-        Method::Ladder => true,
+        Method::Known(formula, _) => !scene.spheres().is_empty() || *formula == Formula::Textbook,
+        Method::Ladder | Method::DoubleDouble => true,
     };
     Method::ALL.into_iter().filter(differ).collect()
 }

@@ -3,11 +3,9 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use pinhole_core::methods::{
-    FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel,
-};
+use pinhole_core::methods::{FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
-    Camera, DVec3, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere, Viewport,
+    Camera, DVec3, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere, Steps, Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
@@ -52,10 +50,7 @@ pub(super) struct Picture {
 /// One method at work on a subject.
 pub(super) enum Kernel {
     Rays(Box<dyn RayKernel>),
-    Frames {
-        of_pixels: Vec<Box<dyn FrameKernel>>,
-        timed: Vec<Box<dyn FrameKernel>>,
-    },
+    Frames { of_pixels: Vec<Box<dyn FrameKernel>>, timed: Vec<Box<dyn FrameKernel>> },
 }
 
 /// From this many objects on, those that a ray misses for sure are not shown to the reference.
@@ -78,7 +73,7 @@ impl Subject {
         }
     }
 
-    fn locate<'a>(pictures: &'a [Picture], mut index: usize) -> Option<(usize, &'a Picture, usize)> {
+    fn locate(pictures: &[Picture], mut index: usize) -> Option<(usize, &Picture, usize)> {
         for (number, picture) in pictures.iter().enumerate() {
             if index < picture.pixels.len() {
                 return Some((number, picture, index));
@@ -142,7 +137,7 @@ impl Subject {
             Subject::Rays(rays) => rays.repeats,
             Subject::Frames(_) => 1,
         };
-        let measure = || {
+        let mut measure = || {
             let start = Instant::now();
             match kernel {
                 Kernel::Rays(kernel) => (0..repeats).for_each(|_| kernel.intersect()),
@@ -153,6 +148,19 @@ impl Subject {
         match one_thread {
             Some(pool) => pool.install(measure),
             None => measure(),
+        }
+    }
+}
+
+impl Kernel {
+    /// How far up the ladder the last measurement of time had to go.
+    pub(super) fn steps(&self) -> Option<Steps> {
+        match self {
+            Kernel::Rays(kernel) => kernel.steps(),
+            Kernel::Frames { timed, .. } => {
+                let mut each = timed.iter().map(|kernel| kernel.steps());
+                each.try_fold(Steps::default(), |sum, steps| Some(sum + steps?))
+            }
         }
     }
 }
@@ -176,11 +184,8 @@ impl Picture {
     ) -> Picture {
         let objects = objects_of(scene);
         let of_reference = reference_camera(given);
-        let view = if objects.len() < MANY_OBJECTS {
-            of_reference.prepare(&objects).ok()
-        } else {
-            None
-        };
+        let view =
+            if objects.len() < MANY_OBJECTS { of_reference.prepare(&objects).ok() } else { None };
         let scene = Arc::clone(scene);
         let pixels = Vec::new();
         Picture { scene, camera: *camera, of_reference, objects, view, raster, pixels, timed }

@@ -16,13 +16,18 @@ pub(super) struct Tally {
     normal_error_max: Option<f64>,
     /// Nanoseconds a pixel, one a round.
     times: Vec<f64>,
-    pub(super) steps: Option<Steps>,
+    steps: Option<Steps>,
 }
 
 impl Tally {
     /// One more decision. Errors are taken where it is right; that of t, where the true t is a number
     /// of the method's precision at its full number of digits.
-    pub(super) fn decide(&mut self, method: Method, truth: Option<&Hit>, found: Option<&MethodHit>) {
+    pub(super) fn decide(
+        &mut self,
+        method: Method,
+        truth: Option<&Hit>,
+        found: Option<&MethodHit>,
+    ) {
         self.decisions += 1;
         let (truth, found) = match (truth, found) {
             (None, None) => return,
@@ -52,6 +57,15 @@ impl Tally {
         self.times.push(ns_per_pixel);
     }
 
+    /// How far up the ladder the last round had to go.
+    pub(super) fn climb(&mut self, steps: Option<pinhole_core::Steps>) {
+        self.steps = steps.map(|steps| Steps {
+            f64: steps.f64,
+            double_double: steps.double_double,
+            exact: steps.exact,
+        });
+    }
+
     pub(super) fn row(&self, method: Method) -> MethodRow {
         let ulps = sorted(&self.ulps);
         let times = sorted(&self.times);
@@ -65,10 +79,7 @@ impl Tally {
                 max: ulps.last().copied(),
             },
             normal_error_max: self.normal_error_max,
-            ns_per_pixel: Times {
-                median: quantile(&times, 0.5),
-                min: times.first().copied(),
-            },
+            ns_per_pixel: Times { median: quantile(&times, 0.5), min: times.first().copied() },
             steps: self.steps,
         }
     }

@@ -1,0 +1,149 @@
+//! The measuring engine: what it counts, in slices, on small scenes.
+
+use pinhole::report::measure::Run;
+use pinhole::report::model::{Case, MethodRow, Report};
+use pinhole_core::methods::Method;
+use pinhole_core::{Camera, DVec3, ImageSize, Plane, Scene, Sphere, Viewport};
+
+fn sphere(center: [f64; 3], radius: f64) -> Sphere {
+    Sphere { center: DVec3::from_array(center), radius }
+}
+
+fn small_camera() -> Camera {
+    Camera { image: ImageSize::new(24, 20).unwrap(), ..Camera::CANONICAL }
+}
+
+fn run_of(spheres: &[Sphere], planes: &[Plane]) -> Run {
+    let scene = Scene::new(spheres.to_vec(), planes.to_vec()).unwrap();
+    Run::of_scene("small", &scene, &small_camera()).unwrap()
+}
+
+fn finished(mut run: Run) -> Report {
+    while !run.is_done() {
+        run.step();
+    }
+    assert_eq!(run.done(), run.total());
+    run.report()
+}
+
+fn row<'a>(case: &'a Case, name: &str) -> &'a MethodRow {
+    case.methods.iter().find(|row| row.name == name).unwrap()
+}
+
+fn floor() -> Plane {
+    Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y }
+}
+
+#[test]
+fn a_small_scene_is_measured_whole() {
+    let ball = sphere([0.25, 0.0, -5.0], 1.0);
+    let report = finished(run_of(&[ball], &[]));
+    let [case] = report.cases.as_slice() else { panic!("{report:?}") };
+    assert_eq!((case.name.as_str(), case.knob), ("small", None));
+    assert!((0.05..0.2).contains(&case.coverage), "{}", case.coverage);
+    let names: Vec<_> = case.methods.iter().map(|row| row.name.as_str()).collect();
+    assert_eq!(names, Method::ALL.map(Method::name));
+    for row in &case.methods {
+        assert_eq!(row.decisions, 24 * 20, "{}", row.name);
+        let (median, max) = (row.ulp.median.unwrap(), row.ulp.max.unwrap());
+        assert!(median <= row.ulp.p99.unwrap() && row.ulp.p99.unwrap() <= max, "{row:?}");
+        assert!(max < 1000.0, "{row:?}");
+        let times = row.ns_per_pixel;
+        assert!(0.0 < times.min.unwrap() && times.min <= times.median, "{row:?}");
+        assert!(row.normal_error_max.unwrap() < if row.is_single() { 1e-2 } else { 1e-10 });
+    }
+    let ladder = row(case, "ladder");
+    assert_eq!(ladder.wrong, 0);
+    assert!(report.cpu.contains(std::env::consts::ARCH), "{}", report.cpu);
+    assert!(report.baseline.starts_with("textbook-f32"), "{}", report.baseline);
+    assert!(report.reference.starts_with("arbitrary precision"), "{}", report.reference);
+}
+
+/// The horizon of a sphere of radius 10,000, from 1/1024 above: in single precision c is rounded by
+/// as much as it is.
+#[test]
+fn the_textbook_is_wrong_on_a_planet_and_the_ladder_is_not() {
+    let height = 1.0 / 1024.0;
+    let planet = Scene::new(vec![sphere([0.0, -1e4 - height, 0.0], 1e4)], vec![]).unwrap();
+    let viewport = Viewport { width: 0.002, height: 0.002, distance: 1.0 };
+    let camera = Camera { viewport, ..small_camera() };
+    let report = finished(Run::of_scene("planet", &planet, &camera).unwrap());
+    let case = &report.cases[0];
+    let textbook = row(case, "textbook-f32");
+    assert!(textbook.wrong > 20, "{textbook:?}");
+    let ladder = row(case, "ladder");
+    assert_eq!((ladder.wrong, ladder.decisions), (0, 480));
+    assert!(ladder.ulp.max.unwrap() <= row(case, "textbook-f64").ulp.max.unwrap());
+}
+
+#[test]
+fn what_a_scene_does_not_have_is_left_out_in_words() {
+    let ball = sphere([0.0, 0.0, -5.0], 1.0);
+    let sky = sphere([0.0, 0.0, 0.0], 50.0);
+    let names = |report: &Report| -> Vec<String> {
+        report.cases.iter().map(|case| case.name.clone()).collect()
+    };
+    let of = |report: &Report, what: &str| report.left_out.contains(&format!("small: {what}"));
+    let no_planes = "no plane rows: the scene has no planes";
+    let no_inside = "no inside rows: the eye is outside every sphere";
+
+    let report = finished(run_of(&[ball], &[]));
+    assert_eq!(names(&report), ["small"]);
+    assert!(of(&report, no_planes) && of(&report, no_inside), "{:?}", report.left_out);
+
+    let report = finished(run_of(&[ball, sky], &[floor()]));
+    let parts = ["small", "small: spheres around the eye, alone", "small: planes, alone"];
+    assert_eq!(names(&report), parts);
+    assert!(!of(&report, no_planes) && !of(&report, no_inside), "{:?}", report.left_out);
+    let planes: Vec<_> = report.cases[2].methods.iter().map(|row| row.name.as_str()).collect();
+    assert!(planes.contains(&"ladder") && planes.contains(&"textbook-f32"), "{planes:?}");
+    assert!(!planes.contains(&"kahan-f32"), "{planes:?}");
+
+    let report = finished(run_of(&[], &[]));
+    assert!(of(&report, "no sphere rows and no plane rows: the scene is empty"));
+    assert_eq!(report.cases[0].coverage, 0.0);
+}
+
+#[test]
+fn a_partial_report_is_one_too() {
+    let mut run = run_of(&[sphere([0.0, 0.0, -5.0], 1.0)], &[floor()]);
+    assert_eq!(run.report().cases, []);
+    assert_eq!(run.done(), 0);
+    let mut last = 0;
+    for _ in 0..3 {
+        run.step();
+        let report = run.report();
+        assert!(last <= run.done() && run.done() <= run.total());
+        last = run.done();
+        pinhole::report::json::to_json(&report).unwrap();
+        for row in report.cases.iter().flat_map(|case| &case.methods) {
+            assert!(row.wrong <= row.decisions, "{row:?}");
+        }
+    }
+    let case = &run.report().cases[0];
+    assert!((1..=480).contains(&case.methods[0].decisions), "{case:?}");
+}
+
+#[test]
+fn a_camera_that_sees_nothing_is_refused() {
+    let camera = Camera { eye: DVec3::NEG_Z, ..small_camera() };
+    assert!(Run::of_scene("small", &Scene::default(), &camera).is_err());
+}
+
+#[test]
+fn families_begin_with_the_ordinary_one() {
+    let mut run = Run::of_families(1);
+    while run.report().cases.len() < 2 {
+        run.step();
+    }
+    assert!(0 < run.done() && run.done() < run.total());
+    let report = run.report();
+    let case = &report.cases[0];
+    assert_eq!((case.name.as_str(), case.knob), ("ordinary", Some(0.0)));
+    assert!(!case.knob_name.is_empty());
+    for row in &case.methods {
+        assert!(row.decisions > 0 && row.wrong == 0, "{row:?}");
+        assert!(row.ns_per_pixel.median.is_some(), "{row:?}");
+    }
+    assert!(report.left_out.iter().any(|line| line.contains("families of bases")));
+}
