@@ -90,15 +90,4 @@ fn pixels_show_what_the_svg_says() {
     for ink in [[0, 0, 0], [0xb0, 0, 0x20], [0xd5, 0x5e, 0], [0, 0x72, 0xb2], [0x1a; 3]] {
         assert!(count(ink) > 200, "{ink:?}: {}", count(ink));
     }
-    if let Some(folder) = std::env::var_os("PINHOLE_SHOW") {
-        let folder = std::path::PathBuf::from(folder);
-        pinhole::formats::png::save(
-            &folder.join("plot.png"),
-            raster.width,
-            raster.height,
-            &raster.pixels,
-        )
-        .unwrap();
-        std::fs::write(folder.join("plot.svg"), figure.to_svg()).unwrap();
-    }
 }

@@ -141,7 +141,7 @@ pub(crate) fn knob(figure: &mut Figure, frame: Frame, errors: &Errors, summary: 
     let scale = Knobs::over(&knobs, inside);
     let name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
     let name = if name.is_empty() { "knob" } else { name };
-    across(figure, frame, scale.ticks(knobs.contains(&0.0)), name);
+    across(figure, frame, scale.ticks(), name);
     errors.draw(figure, frame, false);
     let mut marks = Vec::new();
     for method in &summary.methods {
