@@ -39,6 +39,16 @@ fn a_family_has_a_curve_a_method() {
 }
 
 #[test]
+fn what_was_left_out_is_told_without_end() {
+    let mut report = sample::report();
+    report.left_out = (0..100).map(|k| format!("the rays of case {k}")).collect();
+    let svg = svg_of(&report);
+    assert!(svg.contains("Left out: the rays of case 0; the rays of case 1;"));
+    assert!(svg.contains(" more, which the table lists</text>"));
+    assert!(!svg.contains("case 99"));
+}
+
+#[test]
 fn a_method_without_a_common_hit_has_a_place_of_its_own() {
     let mut report = sample::report();
     report.cases.truncate(1);
