@@ -95,14 +95,18 @@ impl Real for DoubleDouble {
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        // The algorithm divides by the root; of 0, and of what has none, f64's is right.
-        let plain = DoubleDouble::from(self.hi.sqrt());
-        if self.hi > 0.0 { self.square_root() } else { plain }
+        // The algorithm divides by the root; of 0, and of what has none, f64's is right. Choices of
+        // numbers, not of ways, so that a loop over them can be vectorized.
+        let (root, plain, has_root) = (self.square_root(), self.hi.sqrt(), self.hi > 0.0);
+        DoubleDouble {
+            hi: if has_root { root.hi } else { plain },
+            lo: if has_root { root.lo } else { 0.0 },
+        }
     }
     #[inline(always)]
     fn copysign(self, sign: Self) -> Self {
-        let is_same = self.hi.is_sign_negative() == sign.hi.is_sign_negative();
-        if is_same { self } else { -self }
+        let turn = 1_f64.copysign(self.hi) * 1_f64.copysign(sign.hi);
+        DoubleDouble { hi: self.hi * turn, lo: self.lo * turn }
     }
 }
 
@@ -114,6 +118,16 @@ impl PartialOrd for DoubleDouble {
             Ordering::Equal => self.lo.partial_cmp(&other.lo),
             order => Some(order),
         }
+    }
+
+    #[inline(always)]
+    fn lt(&self, other: &Self) -> bool {
+        (self.hi < other.hi) | ((self.hi == other.hi) & (self.lo < other.lo))
+    }
+
+    #[inline(always)]
+    fn gt(&self, other: &Self) -> bool {
+        other.lt(self)
     }
 }
 

@@ -250,12 +250,10 @@ impl SetWork {
     /// Takes the times of the next methods in turn.
     fn time(&mut self, rounds: usize, one_thread: Option<&ThreadPool>) {
         let start = Instant::now();
-        let pixels = self.subject.timed_len().max(1) as f64;
         while start.elapsed() < PIECE && self.timings < rounds * self.workers.len() {
             let place = self.timings % self.workers.len();
             let worker = &mut self.workers[place];
-            let took = self.subject.time(&mut worker.kernel, one_thread);
-            worker.tally.time(took.as_nanos() as f64 / pixels);
+            worker.tally.time(self.subject.time(&mut worker.kernel, one_thread));
             worker.tally.climb(worker.kernel.steps());
             self.timings += 1;
         }

@@ -12,12 +12,10 @@ use pinhole_reference::{self as reference, Family, FrameCase, Kind, Object, RayC
 
 use super::case::{CaseRun, Made, Plan, Set};
 use super::scenes::methods_for;
-use super::subject::{Picture, Rays, Subject};
+use super::subject::{Picture, Subject};
 
 /// Rays for each setting of a knob.
 const RAYS: usize = 1000;
-/// Rays timed at once.
-const TIMED_RAYS: usize = 4000;
 /// Pictures for each setting of a knob.
 const FRAMES: usize = 6;
 /// At most this many pixels of a picture, a side.
@@ -69,7 +67,7 @@ fn make(family: &Family, knob: f64, seed: u64) -> Made {
                 let cases: Vec<_> = given.iter().filter_map(ray_case).collect();
                 skipped += given.len() - cases.len();
                 let methods = methods_of(cases.iter().map(|(scene, _)| scene));
-                (Subject::Rays(Rays::new(cases, TIMED_RAYS)), methods)
+                (Subject::Rays(cases), methods)
             }
             Kind::Frames | Kind::Bases => {
                 let given = family.frames(knob, seed, FRAMES, single);

@@ -15,7 +15,7 @@ const SIDE: u32 = 400;
 /// At most this many pixels a side are traced for the time.
 const TIMED_SIDE: u32 = 256;
 /// At most this many questions of one object to one ray are timed at once, so that no slice is long.
-const TIMED_TESTS: usize = 1 << 20;
+const TIMED_TESTS: usize = 1 << 17;
 /// At most this many pixels are compared with the truth.
 const MOST_PIXELS: usize = 60_000;
 const SEED: u64 = 1;
@@ -137,11 +137,11 @@ fn make(title: &str, scene: Scene, camera: &Camera, posed: &PosedCamera) -> Made
     }
 }
 
-/// What is traced for the time: the image, or fewer of its pixels.
+/// What is traced for the time: the image, or fewer of its pixels, in rows as long as can be.
 fn timed_raster(posed: &PosedCamera, objects: usize) -> Raster {
-    let side = ((TIMED_TESTS / objects.max(1)) as f64).sqrt() as u32;
-    let side = side.clamp(1, TIMED_SIDE);
-    Raster::shown_on(posed.image(), side, side)
+    let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
+    let columns = pixels.min(TIMED_SIDE).min(posed.image().width());
+    Raster::shown_on(posed.image(), columns, (pixels / columns).min(TIMED_SIDE))
 }
 
 /// Which pixels to compare with the truth.

@@ -19,16 +19,9 @@ pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference
 /// Rays of one kind, numbered.
 pub(super) enum Subject {
     /// Any rays, each with a scene of its own.
-    Rays(Rays),
+    Rays(Vec<(Scene, Ray)>),
     /// Pixels of pictures.
     Frames(Vec<Picture>),
-}
-
-/// Any rays, each with a scene of its own.
-pub(super) struct Rays {
-    cases: Vec<(Scene, Ray)>,
-    /// How often the list is gone through for one measurement of time.
-    repeats: u32,
 }
 
 /// A scene, a camera, and which of its pixels to compare with the truth.
@@ -49,9 +42,19 @@ pub(super) struct Picture {
 
 /// One method at work on a subject.
 pub(super) enum Kernel {
-    Rays(Box<dyn RayKernel>),
-    Frames { of_pixels: Vec<Box<dyn FrameKernel>>, timed: Vec<Box<dyn FrameKernel>> },
+    Rays {
+        kernel: Box<dyn RayKernel>,
+        /// How often the list is gone through for one measurement of time.
+        repeats: u32,
+    },
+    Frames {
+        of_pixels: Vec<Box<dyn FrameKernel>>,
+        timed: Vec<Box<dyn FrameKernel>>,
+    },
 }
+
+/// What one measurement of the time of rays takes at least, where it can.
+const MEASUREMENT: Duration = Duration::from_micros(300);
 
 /// From this many objects on, those that a ray misses for sure are not shown to the reference.
 const MANY_OBJECTS: usize = 12;
@@ -60,16 +63,8 @@ impl Subject {
     /// How many rays there are.
     pub(super) fn len(&self) -> usize {
         match self {
-            Subject::Rays(rays) => rays.cases.len(),
+            Subject::Rays(cases) => cases.len(),
             Subject::Frames(pictures) => pictures.iter().map(|picture| picture.pixels.len()).sum(),
-        }
-    }
-
-    /// How many pixels one measurement of time is about.
-    pub(super) fn timed_len(&self) -> usize {
-        match self {
-            Subject::Rays(rays) => rays.cases.len() * rays.repeats as usize,
-            Subject::Frames(pictures) => pictures.iter().map(|picture| picture.timed.len()).sum(),
         }
     }
 
@@ -86,8 +81,8 @@ impl Subject {
     /// What the ray of this number truly hits first.
     pub(super) fn truth(&self, index: usize) -> Option<Hit> {
         match self {
-            Subject::Rays(rays) => {
-                let (scene, ray) = &rays.cases[index];
+            Subject::Rays(cases) => {
+                let (scene, ray) = &cases[index];
                 let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
                 reference::first_hit(&objects_of(scene), origin, direction)
             }
@@ -101,10 +96,12 @@ impl Subject {
     /// A method, prepared to follow these rays.
     pub(super) fn kernel(&self, method: Method) -> Kernel {
         match self {
-            Subject::Rays(rays) => {
-                let mut kernel = ray_kernel(method, &rays.cases);
+            Subject::Rays(cases) => {
+                let mut kernel = ray_kernel(method, cases);
+                let start = Instant::now();
                 kernel.intersect();
-                Kernel::Rays(kernel)
+                let fitting = MEASUREMENT.div_duration_f64(start.elapsed());
+                Kernel::Rays { kernel, repeats: (fitting as u32).clamp(1, 100) }
             }
             Subject::Frames(pictures) => {
                 let make = |picture: &Picture, raster: &Raster| {
@@ -126,29 +123,31 @@ impl Subject {
                 let (row, column) = picture.pixels[pixel];
                 of_pixels[number].hit(row, column)
             }
-            (_, Kernel::Rays(kernel)) => kernel.hit(index),
+            (_, Kernel::Rays { kernel, .. }) => kernel.hit(index),
             (Subject::Rays(_), Kernel::Frames { .. }) => None,
         }
     }
 
-    /// How long the method takes for all of it.
-    pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> Duration {
-        let repeats = match self {
-            Subject::Rays(rays) => rays.repeats,
-            Subject::Frames(_) => 1,
+    /// How long the method takes, in nanoseconds a pixel (or ray).
+    pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
+        let pixels = match (self, &*kernel) {
+            (Subject::Rays(cases), Kernel::Rays { repeats, .. }) => cases.len() * *repeats as usize,
+            (Subject::Frames(pictures), _) => pictures.iter().map(|p| p.timed.len()).sum(),
+            (Subject::Rays(_), Kernel::Frames { .. }) => 0,
         };
         let mut measure = || {
             let start = Instant::now();
             match kernel {
-                Kernel::Rays(kernel) => (0..repeats).for_each(|_| kernel.intersect()),
+                Kernel::Rays { kernel, repeats } => (0..*repeats).for_each(|_| kernel.intersect()),
                 Kernel::Frames { timed, .. } => timed.iter_mut().for_each(|kernel| kernel.trace()),
             }
             start.elapsed()
         };
-        match one_thread {
+        let took = match one_thread {
             Some(pool) => pool.install(measure),
             None => measure(),
-        }
+        };
+        took.as_nanos() as f64 / pixels.max(1) as f64
     }
 }
 
@@ -156,20 +155,12 @@ impl Kernel {
     /// How far up the ladder the last measurement of time had to go.
     pub(super) fn steps(&self) -> Option<Steps> {
         match self {
-            Kernel::Rays(kernel) => kernel.steps(),
+            Kernel::Rays { kernel, .. } => kernel.steps(),
             Kernel::Frames { timed, .. } => {
                 let mut each = timed.iter().map(|kernel| kernel.steps());
                 each.try_fold(Steps::default(), |sum, steps| Some(sum + steps?))
             }
         }
-    }
-}
-
-impl Rays {
-    /// These rays, timed in batches of about `timed` of them.
-    pub(super) fn new(cases: Vec<(Scene, Ray)>, timed: usize) -> Rays {
-        let repeats = timed.div_ceil(cases.len().max(1)).max(1) as u32;
-        Rays { cases, repeats }
     }
 }
 
