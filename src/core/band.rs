@@ -18,7 +18,7 @@ use crate::scene::{Object, Scene};
 use crate::seen::{Hit, ObjectSeen};
 use crate::sphere_seen::SphereSeen;
 use crate::steps::Steps;
-use crate::terms::{Number, SphereParts};
+use crate::terms::{Number, SECOND_ORDER, SphereParts, UNDERFLOW, dot, length, near};
 
 /// The widest vector there is: rows are padded to whole ones.
 const LANES: usize = 8;
@@ -110,9 +110,7 @@ impl<'a, T: Depth> Band<'a, T> {
         let rays = &self.rays.rough;
         let factor = self.factor(scale)?;
         let conic = Conic::new(parts, rays, patch);
-        // From half the digits of t, an f64 in doubt is asked again.
-        let t_doubt = T::DOUBT.max(0.0);
-        let thresholds = conic.thresholds(parts, side, rays.least_length, t_doubt);
+        let thresholds = conic.thresholds(parts, side, rays.least_length, T::DOUBT);
         Some(RoughKernel { conic, c: parts.c * factor, factor, side, thresholds })
     }
 
@@ -232,7 +230,7 @@ impl<'a, T: Depth> Band<'a, T> {
                 return;
             }
         }
-        self.t[place] = T::of(seen.t(&ray, end).to_f64());
+        self.t[place] = T::of(seen.t_within(&ray, end, T::DOUBT).to_f64());
         self.object[place] = index;
     }
 }
@@ -296,10 +294,9 @@ struct PlaneKernel<T> {
 }
 
 impl<T: Number> PlaneKernel<T> {
-    /// With S the longest direction of the patch, e the rounding of one operation and K the
-    /// direction's doubt, the rate is off by `|n| S (3 e + K)`, and `4 e` times its terms when it
-    /// is put together. `t` is off by that over the rate, by the offset's share, and three
-    /// roundings.
+    /// With S the longest direction of the patch and P the direction's doubt, the rate is off by
+    /// `|n| S (DOT + P)`, and by two steps of a product and a sum where it is put together. `t` is
+    /// off by that over the rate, by the offset's share, and by its own operations.
     fn new(
         seen: &PlaneSeen,
         offset: T,
@@ -307,17 +304,17 @@ impl<T: Number> PlaneKernel<T> {
         patch: &Patch,
         t_doubt: f64,
     ) -> PlaneKernel<T> {
-        let e = T::ROUNDING;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let normal = seen.normal.map(T::from);
         let corner = |[x0, x1, x2]: [f64; 3]| x0 + patch.columns * x1 + patch.rows * x2;
-        let reach = corner(vectors.map(|v| crate::terms::length(crate::terms::near(v))));
-        let share = 1.1 * (7.0 * e + rays.doubt);
-        let doubt = share * crate::terms::length(seen.normal) * reach + 1e-190;
-        let left = t_doubt - seen.offset_doubt() - 6.0 * e;
+        let reach = corner(vectors.map(|v| length(near(v))));
+        let step = T::PRODUCT + T::SUM;
+        let share = SECOND_ORDER * (T::DOT + 2.0 * step + rays.doubt());
+        let doubt = share * length(seen.normal) * reach + UNDERFLOW;
+        let left = t_doubt - seen.offset_doubt() - T::QUOTIENT - 2.0 * T::PRODUCT;
         PlaneKernel {
             offset,
-            rate: vectors.map(|v| crate::terms::dot(normal, v)),
+            rate: vectors.map(|v| dot(normal, v)),
             hit: if left > 0.0 { doubt.max(doubt / left) } else { f64::INFINITY },
             miss: doubt,
             sign: if seen.side == Ordering::Less { -1.0 } else { 1.0 },

@@ -36,13 +36,11 @@ pub(crate) struct BigRoot {
     y: Option<Surd>,
 }
 
-/// A sphere's quadratic `a t^2 - 2 b t + c = 0` and the signs of its parts.
+/// A sphere's quadratic `a t^2 - 2 b t + c = 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct BigQuadratic {
     b: Surd,
     discriminant: Surd,
-    /// Sign of D.
-    pub(crate) meets: Ordering,
 }
 
 impl BigRay {
@@ -74,8 +72,12 @@ impl BigRay {
         let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
         let b = self.dot(&q);
         let discriminant = &b.square(&self.of) - &self.a.scaled(&c);
-        let meets = discriminant.sign(&self.of);
-        BigQuadratic { b, discriminant, meets }
+        BigQuadratic { b, discriminant }
+    }
+
+    /// Sign of D: whether the line misses, touches or crosses the sphere.
+    pub(crate) fn meets(&self, quadratic: &BigQuadratic) -> Ordering {
+        quadratic.discriminant.sign(&self.of)
     }
 
     /// Sign of b: whether the sphere's centre lies ahead.
@@ -185,11 +187,6 @@ impl BigRay {
             places += 192;
         }
     }
-}
-
-/// The sign of `|center - origin|^2 - r^2`: whether the origin is inside, on or outside.
-pub(crate) fn side_of(sphere: &Sphere, origin: DVec3) -> Ordering {
-    big_c(sphere, origin).sign()
 }
 
 /// `|center - origin|^2 - r^2`

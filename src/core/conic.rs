@@ -4,7 +4,9 @@
 use std::cmp::Ordering;
 
 use crate::frame_rays::Steppers;
-use crate::terms::{Form, Number, SphereParts, Vector, cross, dot, length, near};
+use crate::terms::{
+    Form, Number, SECOND_ORDER, SphereParts, UNDERFLOW, Vector, cross, dot, length, near,
+};
 
 /// A rectangle of pixels in whole steps: around `(n, l)`, up to `columns` and `rows` away from it.
 #[derive(Clone, Copy, Debug)]
@@ -61,31 +63,39 @@ fn square<T: Number>([x0, x1, x2]: [Vector<T>; 3]) -> [T; 6] {
 }
 
 impl<T: Number> Conic<T> {
-    /// The coefficients and bounds of their error anywhere in the patch. With
-    /// `S = |s| + m |e| + k |g|` at the patch's corner, likewise `N` of `q x direction` and `B` of b,
-    /// `K` the doubts of q and the direction together and `e` the rounding of one operation:
+    /// The coefficients and bounds of their error anywhere in the patch.
+    ///
+    /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
+    /// of b; P and Q are the doubts of direction and q, and STEP is a product and a sum. A coefficient
+    /// is made of dot products of vectors that are off by P, and evaluating a polynomial, column
+    /// within row, takes two steps for each of its two variables, or one where it is linear:
     ///
     /// ```text
-    /// b:  B' = |q| S (3 e + K) + 4 e B
-    /// q x direction:  M = |q| S (3 e + K)
-    /// D, far:   (2 N + M) M + (16 e + 4 K) r^2 S^2 + 16 e N^2
-    /// D, near:  (2 B + B') B' + 16 e B^2 + (16 e + 4 K + doubt of c) |c| S^2
+    /// b:           B' = |q| S (DOT + P + Q) + 2 STEP B
+    /// q x direction:  M = |q| S (CROSS + P + Q)
+    /// D, far:   2 r S M + M^2 + r^2 S^2 (2 PRODUCT + DOT + 2 P) + DOT N^2 + F (r^2 S^2 + N^2)
+    /// D, near:  2 B B' + B'^2 + DOT B^2 + |c| S^2 (PRODUCT + DOT + 2 P + doubt of c)
+    ///           + F (B^2 + |c| S^2)          with F = SUM + 4 STEP
     /// ```
     ///
-    /// A coefficient has at most 6 roundings of the terms that these lengths bound, and evaluating
-    /// the polynomial, column within row, 8 more.
+    /// For `D = r^2 a - m^2` the first term is right where `D >= 0`, since there `|m| <= r S`. It
+    /// suffices elsewhere: with `|m| <= r S + sqrt |D|` the error is at most
+    /// `2 r S M + 2 sqrt |D| M + M^2`, and `-|D| + 2 sqrt |D| M <= M^2`, so that D computed above the
+    /// bound (with `2 M^2`) is not negative.
     pub(crate) fn new(sphere: &SphereParts<T>, rays: &Steppers<T>, patch: &Patch) -> Conic<T> {
-        let (q, e) = (sphere.q, T::ROUNDING);
+        let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let corner = |[x0, x1, x2]: [f64; 3]| x0 + patch.columns * x1 + patch.rows * x2;
         let reach_of = |v: [Vector<T>; 3]| corner(v.map(|x| length(near(x))));
-        let k = sphere.q_doubt + rays.doubt;
+        let p = rays.doubt();
+        let step = T::PRODUCT + T::SUM;
         let reach = reach_of(vectors);
-        let moved = sphere.distance * reach * (3.0 * e + k);
         let b = vectors.map(|v| dot(q, v));
         let b_reach = corner(b.map(|x| x.near().abs()));
-        let b_doubt = moved + 4.0 * e * b_reach;
+        let moved = sphere.distance * reach * (T::DOT + p + sphere.q_doubt);
+        let b_doubt = moved + 2.0 * step * b_reach;
         let a = square(vectors);
+        let evaluated = T::SUM + 4.0 * step;
         let (discriminant, doubt) = match sphere.form {
             Form::Far => {
                 let moments = vectors.map(|v| cross(q, v));
@@ -93,26 +103,29 @@ impl<T: Number> Conic<T> {
                 let rr = sphere.radius * sphere.radius;
                 let squares = square(moments);
                 let extent = sphere.radius.near() * reach;
-                let doubt = (2.0 * moment + moved) * moved
-                    + (16.0 * e + 4.0 * k) * extent * extent
-                    + 16.0 * e * moment * moment;
+                let moved = sphere.distance * reach * (T::CROSS + p + sphere.q_doubt);
+                let doubt = 2.0 * (extent + moved) * moved
+                    + (2.0 * T::PRODUCT + T::DOT + 2.0 * p + evaluated) * extent * extent
+                    + (T::DOT + evaluated) * moment * moment;
                 (std::array::from_fn(|i| rr * a[i] - squares[i]), doubt)
             }
             Form::Near => {
                 let squares = square(b.map(|x| [x, T::from(0.0), T::from(0.0)]));
+                let c_share = T::PRODUCT + T::DOT + 2.0 * p + sphere.c_doubt + evaluated;
                 let doubt = (2.0 * b_reach + b_doubt) * b_doubt
-                    + 16.0 * e * b_reach * b_reach
-                    + (16.0 * e + 4.0 * k + sphere.c_doubt) * sphere.c.near().abs() * reach * reach;
+                    + (T::DOT + evaluated) * b_reach * b_reach
+                    + c_share * sphere.c.near().abs() * reach * reach;
                 (std::array::from_fn(|i| squares[i] - a[i] * sphere.c), doubt)
             }
         };
+        let longest = reach / rays.least_length;
         Conic {
             a,
             b,
             discriminant,
-            discriminant_doubt: 1.1 * doubt + 1e-190,
-            b_doubt: 1.1 * b_doubt + 1e-190,
-            a_doubt: 1.1 * (16.0 * e + 4.0 * k),
+            discriminant_doubt: SECOND_ORDER * doubt + UNDERFLOW,
+            b_doubt: SECOND_ORDER * b_doubt + UNDERFLOW,
+            a_doubt: SECOND_ORDER * (T::DOT + 2.0 * p + 4.0 * step) * longest * longest,
         }
     }
 
@@ -140,24 +153,25 @@ impl<T: Number> Conic<T> {
         least_length: f64,
         t_doubt: f64,
     ) -> Thresholds {
-        let e = T::ROUNDING;
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
+        let operations = T::ROOT + T::SUM + T::QUOTIENT + 2.0 * T::PRODUCT;
         if side == Ordering::Equal {
-            let left = t_doubt - self.a_doubt - 12.0 * e;
+            let left = t_doubt - self.a_doubt - operations;
             let ahead = if left > 0.0 { b_doubt / left } else { f64::INFINITY };
-            return Thresholds { hit: 0.0, miss: 0.0, ahead: ahead.max(b_doubt) };
+            return Thresholds { hit: 0.0, miss: -b_doubt, ahead: ahead.max(b_doubt) };
         }
         let z = 0.99 * sphere.c.near().abs().sqrt() * least_length;
-        let left = t_doubt - sphere.c_doubt - self.a_doubt - 12.0 * e - b_doubt / z;
-        let root = doubt / (z * left);
-        // Where nothing is left, every pixel goes up the ladder by itself.
-        let hit =
-            if left > 0.0 && root.is_finite() { doubt.max(root * root) } else { f64::INFINITY };
+        let other = if side == Ordering::Less { self.a_doubt } else { 0.0 };
+        let left = t_doubt - sphere.c_doubt - other - operations - b_doubt / z;
+        // The root of a D that is large against its doubt is off by little more than half of
+        // doubt / sqrt D.
+        let root = 0.52 * doubt / (z * left);
+        let hit = if left > 0.0 && root.is_finite() {
+            (32.0 * doubt).max(root * root)
+        } else {
+            // Nothing is left: every pixel goes up the ladder by itself.
+            f64::INFINITY
+        };
         Thresholds { hit, miss: -doubt, ahead: b_doubt }
-    }
-
-    /// How far b may be off.
-    pub(crate) fn b_doubt(&self) -> f64 {
-        self.b_doubt
     }
 }

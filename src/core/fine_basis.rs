@@ -79,14 +79,13 @@ impl FineBasis {
     /// From a view direction and up, neither of them zero; `None` where up is exactly parallel to
     /// the view.
     ///
-    /// `R = f x up` in double-double is off by `3 e |f| |up|`; where it is shorter than a quarter of
+    /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is shorter than a quarter of
     /// `|f| |up|` (an up within 15 degrees of the view) the exact numbers take over, so that no angle
     /// costs accuracy.
     pub(crate) fn from_view_up(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let (f, _) = scaled(view.fine().0);
         let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
         let right = terms::cross(f, up_scaled);
-        let e = DoubleDouble::ROUNDING;
         let length = |v: Vector<DoubleDouble>| terms::length(terms::near(v));
         let sine = length(right) / (length(f) * length(up_scaled));
         if sine.is_nan() || sine < 0.25 {
@@ -97,8 +96,11 @@ impl FineBasis {
             v.map(|x| x / length)
         };
         let (u, w) = (unit(right), unit(f).map(|x| -x));
-        // A length has 3 e / 2 and its root e, a quotient 3 e; u has R's error, v both and a product.
-        let doubt = 1.05 * ((6.0 + 3.0 / sine) * e + 6.0 * e + 3.0 * e);
+        // u and w have half a dot product's error, a root's and a quotient's; u R's besides; v has
+        // both and a cross product's.
+        type T = DoubleDouble;
+        let unit_doubt = 0.5 * T::DOT + T::ROOT + T::QUOTIENT;
+        let doubt = 1.05 * (2.0 * unit_doubt + T::CROSS / sine + T::CROSS);
         let basis = FineBasis { u, v: terms::cross(w, u), w, doubt };
         // A coordinate that may be 0 is 0 on the screen, if it is.
         let may_be_zero = |x: &DoubleDouble| x.hi != 0.0 && x.hi.abs() <= 2.0 * doubt;
@@ -116,7 +118,7 @@ impl FineBasis {
         let u = over_root(&right, &of.b);
         let v = over_root(&upward, &ab);
         let w = over_root(&view, &of.a).map(|x| -x);
-        Some(FineBasis { u, v, w, doubt: 6.0 * U2 })
+        Some(FineBasis { u, v, w, doubt: 3.0 * U2 })
     }
 
     /// A basis as given.
@@ -136,11 +138,13 @@ impl FineBasis {
     /// How far the direction `x u + y v + z w` may be off, as a share of its length: with
     /// `|x| + |y| + |z| <= sqrt 3` lengths, the vectors' own doubt, a product and two sums.
     pub(crate) fn direction_doubt(&self) -> f64 {
-        if self.doubt == 0.0 {
-            // Given by hand, the vectors are orthonormal within 1e-9 only.
-            return 1.8 * 3.0 * DoubleDouble::ROUNDING;
-        }
-        1.8 * (self.doubt + 3.0 * DoubleDouble::ROUNDING)
+        // Given by hand, the vectors are orthonormal within 1e-9 only, which is in the 1.74.
+        1.74 * (self.doubt + DoubleDouble::DOT)
+    }
+
+    /// How far each vector may be off.
+    pub(crate) fn doubt(&self) -> f64 {
+        self.doubt
     }
 
     /// `x u + y v - z w`

@@ -10,8 +10,11 @@ use crate::steps::Steps;
 pub const NO_OBJECT: u32 = u32::MAX;
 
 /// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within half an
-/// ulp and 2^-16 of one at less than half the time.
+/// ulp and 2^-15 of one at less than half the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
+    /// 0
+    #[doc(hidden)]
+    const ZERO: Self;
     /// Where nothing is hit.
     const NONE: Self;
     /// How exact the row kernels' `t` must be, as a share.
@@ -40,6 +43,7 @@ mod sealed {
 }
 
 impl Depth for f64 {
+    const ZERO: f64 = 0.0;
     const NONE: f64 = f64::INFINITY;
     const DOUBT: f64 = crate::precise::T_DOUBT;
     const TIE: f64 = 4.0 * f64::EPSILON;
@@ -61,9 +65,10 @@ impl Depth for f64 {
 }
 
 impl Depth for f32 {
+    const ZERO: f32 = 0.0;
     const NONE: f32 = f32::INFINITY;
-    /// 2^-40
-    const DOUBT: f64 = 1.0 / (1_u64 << 40) as f64;
+    /// 2^-39
+    const DOUBT: f64 = 1.0 / (1_u64 << 39) as f64;
     const TIE: f64 = 4.0 * f32::EPSILON as f64;
 
     #[inline(always)]

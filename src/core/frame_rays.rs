@@ -5,7 +5,7 @@ use crate::frame::Raster;
 use crate::image::Pixel;
 use crate::posed::{PosedCamera, ViewPlace};
 use crate::scale::ldexp;
-use crate::terms::{Number, Vector, length, near};
+use crate::terms::{Number, UNIT, Vector, length, near};
 
 /// With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the view ray's direction
 /// times `2 W H` is
@@ -35,8 +35,8 @@ pub(crate) struct Steppers<T> {
     pub(crate) e: Vector<T>,
     pub(crate) g: Vector<T>,
     pub(crate) z: Vector<T>,
-    /// Error of a direction made of them, as a share of its length.
-    pub(crate) doubt: f64,
+    /// Error of each of them, as a share of its length.
+    vector_doubt: f64,
     /// `|z|`, rounded: no view ray's direction is shorter.
     pub(crate) least_length: f64,
 }
@@ -59,15 +59,14 @@ impl<'a> FrameRays<'a> {
             e: along(basis.u, viewport.width, h),
             g: along(basis.v, viewport.height, w),
             z,
-            doubt: basis.direction_doubt(),
+            vector_doubt: basis.doubt() + DoubleDouble::PRODUCT,
             least_length: 0.99 * length(near(z)),
         };
-        // The vectors' own rounding, and three operations in f64, by the same reckoning.
         let rough = Steppers {
             e: near(fine.e),
             g: near(fine.g),
             z: near(z),
-            doubt: fine.doubt + 1.8 * 4.0 * f64::ROUNDING,
+            vector_doubt: fine.vector_doubt + UNIT,
             least_length: fine.least_length,
         };
         FrameRays {
@@ -93,6 +92,12 @@ impl<'a> FrameRays<'a> {
 }
 
 impl<T: Number> Steppers<T> {
+    /// Error of a direction made of the vectors, as a share of its length. They are at right angles
+    /// (by hand, within 1e-9), so that the three terms are together no longer than `sqrt 3` times it.
+    pub(crate) fn doubt(&self) -> f64 {
+        1.74 * (self.vector_doubt + T::DOT)
+    }
+
     /// `n e + l g + z`
     pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<T> {
         let (n, l) = (T::from(n), T::from(l));

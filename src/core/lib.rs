@@ -100,5 +100,5 @@ pub use scene::{Object, ObjectError, Root, Scene, SceneError};
 pub use shade::{BACKGROUND, Rgb, Shade, shade, shade_pixel};
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
-pub use trace::{trace, trace_as, trace_at_level, trace_reporting};
+pub use trace::{retrace, trace, trace_as, trace_at_level, trace_reporting};
 pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::exact_ray::ExactRay;
+use crate::precise::T_DOUBT;
 use crate::ray::Ray;
 use crate::scale::{PLAIN_LENGTH_SQUARED, is_plain_direction, unit};
 use crate::scene::Scene;
@@ -113,7 +114,7 @@ fn normal_of_nearest_root(sphere: &Sphere, ray: Ray, t: f64) -> DVec3 {
     let Ok(exact) = ExactRay::of(&ray) else { return DVec3::ZERO };
     let seen = SphereSeen::new(sphere, ray.origin);
     let ends = ObjectSeen::Sphere(seen.clone()).ends(&exact, &mut Steps::default());
-    let apart = |end| (seen.t(&exact, end).to_f64() - t).abs();
+    let apart = |end| (seen.t(&exact, end, T_DOUBT).to_f64() - t).abs();
     match ends.iter().copied().min_by(|a, b| apart(*a).total_cmp(&apart(*b))) {
         Some(end) => seen.normal(&exact, end),
         None => -unit(ray.direction),

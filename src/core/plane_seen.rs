@@ -9,10 +9,10 @@ use crate::double_double::{DoubleDouble, U2};
 use crate::error_free::difference_with_rest;
 use crate::exact_ray::{ExactRay, scaled};
 use crate::plane::Plane;
-use crate::precise::{Precise, T_DOUBT};
+use crate::precise::Precise;
 use crate::scale::{ldexp, split};
 use crate::steps::{Step, Steps};
-use crate::terms::{DirectionParts, Number, Vector, dot, length};
+use crate::terms::{DirectionParts, Number, UNIT, Vector, dot, length};
 
 /// What the rays of one origin share of a plane: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ impl<T: Number> Rate<T> {
         const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
         let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
         let value = dot(normal.map(T::from), direction.d);
-        let share = 3.0 * T::ROUNDING + direction.doubt;
+        let share = T::DOT + direction.doubt;
         Rate { value, doubt: factor * share * normal_length * direction.length + least }
     }
 
@@ -74,12 +74,12 @@ impl PlaneSeen {
             normal_length,
             normal_scale,
             offset,
-            offset_doubt: 3.0 * 1.05 * DoubleDouble::ROUNDING * reach / offset.hi.abs(),
+            offset_doubt: 1.05 * DoubleDouble::DOT * reach / offset.hi.abs(),
             scale,
             side: offset.hi.total_cmp(&0.0),
             side_step: Step::F64,
         };
-        if seen.offset.hi.abs() <= 8.0 * f64::ROUNDING * reach {
+        if seen.offset.hi.abs() <= 8.0 * UNIT * reach {
             seen.side_step = Step::DoubleDouble;
         }
         /// Beyond this share, t would lose digits for the offset's sake.
@@ -135,16 +135,19 @@ impl PlaneSeen {
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
 
-    /// `t` of a line that is not parallel.
-    pub(crate) fn t(&self, ray: &ExactRay) -> Precise {
+    /// `t` of a line that is not parallel, with a relative error of at most `doubt`.
+    pub(crate) fn t(&self, ray: &ExactRay, doubt: f64) -> Precise {
         if self.side == Ordering::Equal {
             return Precise::ZERO;
         }
         let rate = self.fine_rate(ray);
-        let doubt = self.offset_doubt
-            + 1.05 * (rate.doubt / rate.value.hi.abs() + 4.0 * DoubleDouble::ROUNDING);
+        let off = self.offset_doubt
+            + 1.05
+                * (rate.doubt / rate.value.hi.abs()
+                    + DoubleDouble::QUOTIENT
+                    + DoubleDouble::PRODUCT);
         let t = self.offset / rate.value;
-        if doubt <= T_DOUBT && (1e-250..1e250).contains(&t.hi.abs()) {
+        if off <= doubt && (1e-250..1e250).contains(&t.hi.abs()) {
             return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
         }
         let (t, k) = ray.big().t(&self.big_root(ray));
@@ -156,7 +159,7 @@ impl PlaneSeen {
         let rate = self.rough_rate(ray);
         rate.sign()?;
         let share = rate.doubt / rate.value.abs();
-        (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * f64::ROUNDING))
+        (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * UNIT))
     }
 
     /// The root in exact numbers.

@@ -1,14 +1,12 @@
 //! A root `t` with more digits than an `f64` has, and more range.
 
-use crate::double_double::DoubleDouble;
+use crate::double_double::{DoubleDouble, U2};
 use crate::exact::Dyadic;
 use crate::scale::ldexp;
 
-/// The largest relative error of a [`Precise`]: 2^-94. Rounded to `f64` it is then within half an
-/// ulp, and 2^-41 of an ulp more.
-pub(crate) const T_DOUBT: f64 = U * U * 4096.0;
-
-const U: f64 = 0.5 * f64::EPSILON;
+/// The largest relative error of a [`Precise`]: just below 2^-93. Rounded to `f64`, which has at
+/// most 2^53 ulp in a number, it is then within half an ulp, and 2^-40 of an ulp more.
+pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
 /// `value * 2^scale`, with a relative error of at most [`T_DOUBT`].
 #[derive(Clone, Copy, Debug)]

@@ -8,7 +8,7 @@ use crate::big_ray::BigRoot;
 use crate::double_double::DoubleDouble;
 use crate::exact_ray::ExactRay;
 use crate::plane_seen::PlaneSeen;
-use crate::precise::Precise;
+use crate::precise::{Precise, T_DOUBT};
 use crate::roots::Roots;
 use crate::scale::{ldexp, split};
 use crate::scene::{Object, Root};
@@ -57,11 +57,16 @@ impl ObjectSeen {
         }
     }
 
-    /// `t` there.
+    /// `t` there, to half an ulp of `f64`.
     pub(crate) fn t(&self, ray: &ExactRay, end: End) -> Precise {
+        self.t_within(ray, end, T_DOUBT)
+    }
+
+    /// `t` there, with a relative error of at most `doubt`.
+    pub(crate) fn t_within(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
         match self {
-            ObjectSeen::Sphere(seen) => seen.t(ray, end),
-            ObjectSeen::Plane(seen) => seen.t(ray),
+            ObjectSeen::Sphere(seen) => seen.t(ray, end, doubt),
+            ObjectSeen::Plane(seen) => seen.t(ray, doubt),
         }
     }
 

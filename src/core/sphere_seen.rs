@@ -12,7 +12,7 @@ use crate::precise::{Precise, T_DOUBT};
 use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::steps::{Step, Steps};
-use crate::terms::{Form, Number, Quadratic, SphereParts, dot, length, near};
+use crate::terms::{Form, Number, Quadratic, SphereParts, UNIT, dot, length, near};
 
 /// How a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +77,7 @@ impl SphereSeen {
             q_doubt: 0.0,
             form,
         };
-        let rounding = f64::ROUNDING;
+        let rounding = UNIT;
         let rough = SphereParts {
             q: rounded,
             radius,
@@ -93,7 +93,7 @@ impl SphereSeen {
 
     /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
     pub(crate) fn rough_parts(sphere: &Sphere, origin: DVec3) -> Option<SphereParts<f64>> {
-        let (q, radius, e) = (sphere.center - origin, sphere.radius, f64::ROUNDING);
+        let (q, radius) = (sphere.center - origin, sphere.radius);
         let (qq, rr) = (q.length_squared(), radius * radius);
         // A nearer sphere's c loses more than three digits.
         let is_plain = qq > 2.0 * rr && PLAIN.contains(&radius) && qq < PLAIN.end * PLAIN.end;
@@ -101,9 +101,9 @@ impl SphereSeen {
             q: q.to_array(),
             radius,
             c: qq - rr,
-            c_doubt: 8.0 * e * (qq + rr) / (qq - rr),
+            c_doubt: 8.0 * UNIT * (qq + rr) / (qq - rr),
             distance: qq.sqrt(),
-            q_doubt: e,
+            q_doubt: UNIT,
             form: Form::Far,
         })
     }
@@ -130,7 +130,8 @@ impl SphereSeen {
             return meets;
         }
         steps.count(Step::Exact);
-        match ray.big().quadratic(&self.sphere).meets {
+        let big = ray.big();
+        match big.meets(&big.quadratic(&self.sphere)) {
             Ordering::Less => Meets::Misses,
             Ordering::Equal => Meets::Touches,
             Ordering::Greater => Meets::Crosses,
@@ -166,12 +167,12 @@ impl SphereSeen {
         Some(if self.side == Ordering::Equal { End::Far } else { End::Near })
     }
 
-    /// `t` at an end of a chord that is there.
-    pub(crate) fn t(&self, ray: &ExactRay, end: End) -> Precise {
+    /// `t` at an end of a chord that is there, with a relative error of at most `doubt`.
+    pub(crate) fn t(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
         if self.side == Ordering::Equal && self.is_origin(ray, end) {
             return Precise::ZERO;
         }
-        self.fine_t(ray, end)
+        self.fine_t(ray, end, doubt)
             .map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale))
             .unwrap_or_else(|| {
                 let big = ray.big();
@@ -190,13 +191,13 @@ impl SphereSeen {
         }
     }
 
-    /// `t` in double-double, where its relative error is at most [`T_DOUBT`]; in units of
+    /// `t` in double-double, where its relative error is at most `doubt`; in units of
     /// `2^(scale of the sphere - scale of the ray) / stretch`.
-    fn fine_t(&self, ray: &ExactRay, end: End) -> Option<DoubleDouble> {
+    fn fine_t(&self, ray: &ExactRay, end: End, doubt: f64) -> Option<DoubleDouble> {
         let quadratic = Quadratic::new(&self.fine, &ray.fine);
-        let (t, doubt) = quadratic.root(&self.fine, end == End::Far)?;
+        let (t, off) = quadratic.root(&self.fine, end == End::Far)?;
         let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
-        (doubt <= T_DOUBT && is_in_range).then_some(t)
+        (off <= doubt && is_in_range).then_some(t)
     }
 
     /// `t` in `f64` with its relative error, in the same units.
@@ -217,7 +218,7 @@ impl SphereSeen {
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
             (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
-        let t = match self.fine_t(ray, end) {
+        let t = match self.fine_t(ray, end, T_DOUBT) {
             Some(t) if is_enough => t,
             _ if self.side == Ordering::Equal && self.is_origin(ray, end) => {
                 DoubleDouble::from(0.0)
@@ -272,12 +273,12 @@ impl Relative {
         let fine_radius = DoubleDouble::from(radius);
         let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
         let value = qq - rr;
-        // |q|^2 has 3 e, r^2 has e, and their difference e of each.
+        // r^2 is exact.
         let squares = qq.hi + rr.hi;
-        let doubt = 4.0 * DoubleDouble::ROUNDING * squares / value.hi.abs();
+        let doubt = (DoubleDouble::DOT + DoubleDouble::SUM) * squares / value.hi.abs();
         if doubt <= PLENTY && value.hi.abs() > 1e-200 {
             // 6 roundings in f64, and one of q itself, twice.
-            let is_sure = value.hi.abs() > 8.0 * f64::ROUNDING * squares;
+            let is_sure = value.hi.abs() > 8.0 * UNIT * squares;
             let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
             return Relative { value, doubt: 1.05 * doubt, sign: value.hi.total_cmp(&0.0), step };
         }

@@ -1,9 +1,8 @@
 //! The quadratic of a ray and a sphere with a bound of its own error, in `f64` and in
 //! double-double: one formula for both steps of the ladder.
 //!
-//! Below, `e` is [`Number::ROUNDING`], a bound of the relative error of one operation, and every
-//! bound is of first order in e; the factor [`SECOND_ORDER`] covers the rest, and the rounding of
-//! the bounds themselves. The manner of the analysis is that of Higham, *Accuracy and Stability of
+//! Every bound is of first order in the constants of [`Number`]; the factor [`SECOND_ORDER`] covers
+//! the rest, and the rounding of the bounds themselves. The manner of the analysis is that of Higham, *Accuracy and Stability of
 //! Numerical Algorithms*, 2nd ed., chapter 3; that of filtering decisions by it, of Shewchuk,
 //! *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, Discrete &
 //! Computational Geometry 18, 1997.
@@ -22,9 +21,22 @@ pub(crate) trait Number:
     + Neg<Output = Self>
     + From<f64>
 {
-    /// A bound of the relative error of one sum, difference, product or square root; three times
-    /// it, of a quotient.
-    const ROUNDING: f64;
+    /// A bound of the relative error of a sum or difference.
+    const SUM: f64;
+    /// Of a product.
+    const PRODUCT: f64;
+    /// Of a quotient.
+    const QUOTIENT: f64;
+    /// Of a square root.
+    const ROOT: f64;
+
+    /// Of a dot product, as a share of the vectors' lengths: three products, each of which goes
+    /// through at most two sums.
+    const DOT: f64 = Self::PRODUCT + 2.0 * Self::SUM;
+
+    /// Of a cross product's length, likewise: a coordinate is off by `PRODUCT + SUM` times
+    /// `|a_j b_k| + |a_k b_j|`, and the vector of those sums is no longer than `sqrt 2 |a| |b|`.
+    const CROSS: f64 = 1.415 * (Self::PRODUCT + Self::SUM);
 
     /// The square root of a number that is greater than 0.
     fn root(self) -> Self;
@@ -33,8 +45,14 @@ pub(crate) trait Number:
     fn near(self) -> f64;
 }
 
+/// u, half the spacing of `f64` at 1.
+pub(crate) const UNIT: f64 = 0.5 * f64::EPSILON;
+
 impl Number for f64 {
-    const ROUNDING: f64 = 0.5 * f64::EPSILON;
+    const SUM: f64 = UNIT;
+    const PRODUCT: f64 = UNIT;
+    const QUOTIENT: f64 = UNIT;
+    const ROOT: f64 = UNIT;
 
     #[inline(always)]
     fn root(self) -> f64 {
@@ -48,8 +66,11 @@ impl Number for f64 {
 }
 
 impl Number for DoubleDouble {
-    /// See the operations: 3 for a sum, 7 for a product, 17 for a quotient, 4 for a square root.
-    const ROUNDING: f64 = 7.0 * U2;
+    // Proven at the operations.
+    const SUM: f64 = 3.01 * U2;
+    const PRODUCT: f64 = 7.0 * U2;
+    const QUOTIENT: f64 = 17.0 * U2;
+    const ROOT: f64 = 3.2 * U2;
 
     fn root(self) -> DoubleDouble {
         self.square_root()
@@ -62,24 +83,23 @@ impl Number for DoubleDouble {
 
 /// For terms of second order in the bounds (below 1e-12 of those of the first in `f64`) and the
 /// rounding of the bounds.
-const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
+pub(crate) const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
 
 /// What underflow can add to any of the values below, which are made of scaled vectors whose
 /// largest coordinates are within 1e-30 and 1e30: products below 2^-969 lose their rounding error,
 /// at most 2^-1073 each, times 1e120.
-const UNDERFLOW: f64 = 1e-190;
+pub(crate) const UNDERFLOW: f64 = 1e-190;
 
 /// A vector of numbers.
 pub(crate) type Vector<T> = [T; 3];
 
-/// `a . b`: error at most `3 e |a| |b|`, as each product has e and each of two sums adds e.
+/// `a . b`: error at most `DOT |a| |b|`.
 #[inline(always)]
 pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// `a x b`: error at most `3 e |a| |b|`. A coordinate is off by `2 e (|a_j b_k| + |a_k b_j|)`, and
-/// the vector of those sums is no longer than `sqrt 2 |a| |b|`.
+/// `a x b`: error at most `CROSS |a| |b|`.
 #[inline(always)]
 pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     let of = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
@@ -152,41 +172,41 @@ impl<T: Number> Quadratic<T> {
     /// The parts and their bounds. With `k` the doubts of q and d together:
     ///
     /// ```text
-    /// b:  |q||d| (3 e + k)                     a:  a (3 e + 2 k)
-    /// m = q x d:  M = |q||d| (3 e + k)
-    /// far,  r^2 a - m.m:  r^2 a (6 e + 2 k) + 4 e m.m + 2 |m| M + M^2
-    /// near, b^2 - a c:    2 |b| B + B^2 + 2 e b^2 + a |c| (5 e + 2 k + doubt of c)
+    /// b:  B = |q||d| (DOT + k)                 a:  a (DOT + 2 k)
+    /// m = q x d:  M = |q||d| (CROSS + k)
+    /// far,  r^2 a - m.m:  2 |m| M + M^2 + r^2 a (2 PRODUCT + DOT + 2 k) + DOT m.m
+    /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + doubt of c)
     /// ```
     ///
-    /// where B is the bound of b; each last subtraction is in the `e` of its two terms.
+    /// and SUM of both terms for the difference itself.
     #[inline(always)]
     pub(crate) fn new(sphere: &SphereParts<T>, direction: &DirectionParts<T>) -> Quadratic<T> {
-        let (q, d, e) = (sphere.q, direction.d, T::ROUNDING);
+        let (q, d) = (sphere.q, direction.d);
         let k = sphere.q_doubt + direction.doubt;
         let a = dot(d, d);
         let b = dot(q, d);
         let reach = sphere.distance * direction.length;
-        let b_doubt = SECOND_ORDER * (3.0 * e + k) * reach + UNDERFLOW;
+        let b_doubt = SECOND_ORDER * (T::DOT + k) * reach + UNDERFLOW;
         let (discriminant, doubt) = match sphere.form {
             Form::Far => {
                 let m = cross(q, d);
                 let (mm, rra) = (dot(m, m), sphere.radius * sphere.radius * a);
-                let (m_squared, m_doubt) = (mm.near(), (3.0 * e + k) * reach);
-                let doubt = (6.0 * e + 2.0 * k) * rra.near()
-                    + 4.0 * e * m_squared
-                    + (2.0 * m_squared.sqrt() + m_doubt) * m_doubt;
+                let (m_squared, m_doubt) = (mm.near(), (T::CROSS + k) * reach);
+                let doubt = (2.0 * m_squared.sqrt() + m_doubt) * m_doubt
+                    + (2.0 * T::PRODUCT + T::DOT + 2.0 * k + T::SUM) * rra.near()
+                    + (T::DOT + T::SUM) * m_squared;
                 (rra - mm, doubt)
             }
             Form::Near => {
                 let (b_near, ac) = (b.near().abs(), a * sphere.c);
                 let doubt = (2.0 * b_near + b_doubt) * b_doubt
-                    + 2.0 * e * b_near * b_near
-                    + (5.0 * e + 2.0 * k + sphere.c_doubt) * ac.near().abs();
+                    + (T::PRODUCT + T::SUM) * b_near * b_near
+                    + (T::PRODUCT + T::DOT + T::SUM + 2.0 * k + sphere.c_doubt) * ac.near().abs();
                 (b * b - ac, doubt)
             }
         };
         let discriminant_doubt = SECOND_ORDER * doubt + UNDERFLOW;
-        let a_doubt = SECOND_ORDER * (3.0 * e + 2.0 * k);
+        let a_doubt = SECOND_ORDER * (T::DOT + 2.0 * k);
         Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt }
     }
 
@@ -194,21 +214,23 @@ impl<T: Number> Quadratic<T> {
     ///
     /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z`
     /// (Press et al., *Numerical Recipes*, 3rd ed., section 5.6). D is off by at most its doubt, so
-    /// its root is by `doubt / sqrt D`; z is by that and b's doubt, and by two roundings; a quotient
-    /// by three.
+    /// its root is by `doubt / sqrt D`, and where D is large against its doubt, by little more than
+    /// half of that. z is off by that, b's doubt, a root and a sum.
     #[inline(always)]
     pub(crate) fn root(&self, sphere: &SphereParts<T>, far: bool) -> Option<(T, f64)> {
         let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = *self;
         if discriminant.near() <= discriminant_doubt {
             return None;
         }
-        let (e, root) = (T::ROUNDING, discriminant.root());
+        let root = discriminant.root();
+        let share = if discriminant.near() > 32.0 * discriminant_doubt { 0.51 } else { 1.0 };
         let is_ahead = b.near() >= 0.0;
         let z = if is_ahead { b + root } else { b - root };
-        let z_doubt = (b_doubt + discriminant_doubt / root.near()) / z.near().abs() + 2.0 * e;
+        let z_doubt = (b_doubt + share * discriminant_doubt / root.near()) / z.near().abs();
         let (t, other_doubt) =
             if far == is_ahead { (z / a, a_doubt) } else { (sphere.c / z, sphere.c_doubt) };
-        // One e more for what a product with a whole number adds.
-        Some((t, 1.05 * (z_doubt + other_doubt + 4.0 * e)))
+        // A product more for the whole number that t is stretched by.
+        let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
+        Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
     }
 }

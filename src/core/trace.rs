@@ -60,25 +60,38 @@ pub fn trace_at_level<T: Depth>(
     outputs: Outputs,
     done: impl Fn(usize) + Sync,
 ) -> Frame<T> {
-    let width = raster.columns().len();
     let mut frame = Frame {
         camera: *camera,
         raster: raster.clone(),
         // Zeroed memory costs nothing until a band, in its own thread, fills it.
-        t: vec![T::of(0.0); raster.len()],
+        t: vec![T::ZERO; raster.len()],
         object: vec![0; raster.len()],
         normal: if outputs.normal { vec![DVec3::ZERO; raster.len()] } else { Vec::new() },
         steps: Steps::default(),
     };
+    fill(&mut frame, level, scene, done);
+    frame
+}
+
+/// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
+/// new memory.
+pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, camera: &PosedCamera) {
+    frame.camera = *camera;
+    fill(frame, level, scene, |_| ());
+}
+
+/// Traces the frame's camera and raster into its buffers.
+fn fill<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, done: impl Fn(usize) + Sync) {
+    let Frame { camera, raster, t, object, normal, steps } = frame;
     if raster.is_empty() {
-        return frame;
+        return;
     }
-    let plan = Plan::new::<T>(level, scene, camera, raster);
+    let width = raster.columns().len();
+    let plan = Plan::new(level, scene, camera, raster);
     let band = BAND_ROWS * width;
-    let steps = frame
-        .t
+    *steps = t
         .par_chunks_mut(band)
-        .zip(frame.object.par_chunks_mut(band))
+        .zip(object.par_chunks_mut(band))
         .enumerate()
         .map(|(index, (t, object))| {
             let first = index * BAND_ROWS;
@@ -88,12 +101,10 @@ pub fn trace_at_level<T: Depth>(
             steps
         })
         .reduce(Steps::default, |a, b| a + b);
-    frame.steps = steps;
-    frame.normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
+    normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
         let pixels = row * width..(row + 1) * width;
-        plan.fill_normals(row, &frame.object[pixels], normals);
+        plan.fill_normals(row, &object[pixels], normals);
     });
-    frame
 }
 
 /// A sphere and the pixels of the raster (not of the image) that it can cover.
@@ -145,12 +156,7 @@ fn visible_by_band(
 }
 
 impl<'a> Plan<'a> {
-    fn new<T: Depth>(
-        level: Level,
-        scene: &'a Scene,
-        camera: &'a PosedCamera,
-        raster: &'a Raster,
-    ) -> Self {
+    fn new(level: Level, scene: &'a Scene, camera: &'a PosedCamera, raster: &'a Raster) -> Self {
         let bounds = Bounds::new(camera);
         let visible = scene
             .spheres()
