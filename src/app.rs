@@ -17,12 +17,13 @@ use crate::derive::{Derived, Deriver, Fault};
 use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
+use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::{self, Dialog};
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{camera, objects, readouts, selection, top_bar, views};
+use crate::panels::{accuracy, camera, objects, readouts, selection, top_bar, views};
 use crate::present::{WindowGeometry, fonts};
-use crate::session::{Session, Settings, ThemeName};
+use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::view_texture::ViewTexture;
 
@@ -39,6 +40,8 @@ pub struct App {
     derived: Derived,
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
+    map_texture: ViewTexture,
+    measuring: Measuring,
     store: Option<Store>,
     geometry: WindowGeometry,
     title: String,
@@ -69,6 +72,8 @@ impl App {
             derived: Derived::default(),
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
+            map_texture: ViewTexture::default(),
+            measuring: Measuring::default(),
             store,
             geometry: remembered.window,
             title: String::new(),
@@ -153,6 +158,10 @@ impl App {
             }
             let sizes = views::sizes(ui, &places);
             self.derived = self.deriver.derive(&self.open.document, &self.session, &sizes);
+            if self.session.settings.layout == ViewLayout::Accuracy {
+                let name = title_of(&self.open.source);
+                self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
+            }
             self.outputs(ui, &places);
         });
         self.window_outputs(&ctx);
@@ -285,11 +294,25 @@ impl App {
         if let (Some(rect), Some(shown)) = (places.world, &self.derived.world_view) {
             let stale = matches!(self.derived.fault, Some(Fault::Scene(_)));
             views::show(ui, rect, shown, &mut self.world_texture, stale);
-            views::speak(ui, views::WORLD, &self.derived);
+            views::speak(ui, views::WORLD, &views::spoken(&self.derived));
         }
         if let (Some(rect), Some(shown)) = (places.camera, &self.derived.camera_view) {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
-            views::speak(ui, views::CAMERA, &self.derived);
+            views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
+        }
+        if let (Some(area), Some(rect)) = (places.map_area, places.map) {
+            accuracy::strip(ui, area, &mut self.session.settings);
+            if let (Some(shown), Some(compared)) = (&self.derived.error_map, &self.derived.compared)
+            {
+                views::show(ui, rect, shown, &mut self.map_texture, dimmed);
+                views::speak(ui, views::MAP, &accuracy::summary(compared));
+                accuracy::legend(ui, area, compared);
+            }
+        }
+        if let (Some(rect), Some(compared)) =
+            (places.camera.or(places.world), &self.derived.drawn_by)
+        {
+            views::drawn_by(ui, rect, &accuracy::drawn_by(compared));
         }
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &fault.to_string());
@@ -300,9 +323,14 @@ impl App {
             count_from_one: settings.count_from_one,
             exact: false,
         };
-        ui.scope_builder(UiBuilder::new().max_rect(places.readouts), |ui| {
-            ui.set_clip_rect(places.readouts);
-            readouts::ui(ui, &self.derived, &self.open.document, style);
+        ui.scope_builder(UiBuilder::new().max_rect(places.below), |ui| {
+            ui.set_clip_rect(places.below);
+            let document = &self.open.document;
+            if self.session.settings.layout == ViewLayout::Accuracy {
+                accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
+            } else {
+                readouts::ui(ui, &self.derived, document, style);
+            }
         });
     }
 

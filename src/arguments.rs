@@ -47,6 +47,8 @@ pub enum Command {
     Render(RenderArguments),
     /// Send rays from a CSV file into a scene
     Trace(TraceArguments),
+    /// Measure the error of every method against its run time
+    Report(ReportArguments),
 }
 
 /// `pinhole inspect`
@@ -130,6 +132,26 @@ pub struct TraceArguments {
     /// Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output
     #[arg(short, long, value_name = "OUT.csv")]
     pub output: Option<PathBuf>,
+}
+
+/// `pinhole report`
+#[derive(Args, Clone, Debug)]
+pub struct ReportArguments {
+    /// Scene files, or names of built-in scenes; without any, the stress families
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// Write one JSON object; without a path to standard output, in place of the table
+    #[arg(long, value_name = "OUT.json", num_args = 0..=1, default_missing_value = "-")]
+    pub json: Option<PathBuf>,
+    /// Write a row a case and method
+    #[arg(long, value_name = "OUT.csv")]
+    pub csv: Option<PathBuf>,
+    /// Draw error against run time; the ending chooses the format
+    #[arg(long, value_name = "OUT.svg|OUT.png")]
+    pub plot: Option<PathBuf>,
+    /// Which random rays the stress families hold
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
 }
 
 fn view() -> impl TypedValueParser<Value = View> {

@@ -2,18 +2,23 @@
 //! idle window does no work and one drag does only what it changes.
 
 mod memo;
+mod picture;
 
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
+use pinhole_core::methods::Method;
 use pinhole_core::{
     Camera, CameraError, DVec3, Frame, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, SceneError,
-    Shade, Sphere, UpAngle, shade, trace_as,
+    Shade, Sphere, Steps, UpAngle, shade, trace_as,
 };
 
 use self::memo::Memo;
+pub use self::picture::Compared;
+use self::picture::{GoodPicture, Pictures};
+use crate::accuracy;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::inspection::Inspection;
 use crate::observer::{Observer, enclosing, seen_scene};
@@ -27,6 +32,8 @@ pub struct ViewSizes {
     pub world: Option<[u32; 2]>,
     /// Width and height of the picture in the camera view.
     pub camera: Option<[u32; 2]>,
+    /// Width and height of the error map.
+    pub map: Option<[u32; 2]>,
     /// Physical pixels per point.
     pub scale: f32,
     /// Colours of the world view.
@@ -69,6 +76,16 @@ pub struct Derived {
     pub camera_view: Option<Shown>,
     /// The scene with the camera in it.
     pub world_view: Option<Shown>,
+    /// How far up the ladder the camera's picture had to go.
+    pub steps: Option<Steps>,
+    /// The ladder's answer for the pixels that are shown, where another method stands beside it.
+    pub truth: Option<Arc<Frame>>,
+    /// What drew the camera's picture, where the ladder did not.
+    pub drawn_by: Option<Arc<Compared>>,
+    /// The method of the error map, and where it errs.
+    pub compared: Option<Arc<Compared>>,
+    /// The error map.
+    pub error_map: Option<Shown>,
     /// What the observer sees where in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }
@@ -86,16 +103,14 @@ pub struct Shown {
 #[derive(Debug, Default)]
 pub struct Deriver {
     objects: Option<Objects>,
-    camera_picture: Memo<(PosedCamera, u64, Raster, Shade), Arc<Picture>>,
+    pictures: Pictures,
     camera_view: Memo<CameraViewKey, Shown>,
+    error_map: Memo<(Method, CameraViewKey), Shown>,
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
     seen_scene: Memo<(u64, Enclosing), Arc<Scene>>,
     world_picture: Memo<(PosedCamera, u64, Enclosing), Arc<WorldPicture>>,
     world_view: Memo<WorldViewKey, Shown>,
-    inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     last_good: LastGood,
-    /// How many pictures of the camera were traced, which tells one from the next.
-    pictures: u64,
     /// How many pictures of the observer were traced.
     world_pictures: u64,
 }
@@ -181,19 +196,10 @@ struct GoodWorld {
     generation: u64,
 }
 
-/// What a camera saw, and the ray that was selected.
-#[derive(Clone, Debug)]
-struct GoodPicture {
-    posed: PosedCamera,
-    picture: Arc<Picture>,
-    selection: Selection,
-    inspection: Arc<Inspection>,
-}
-
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures + self.world_pictures
+        self.pictures.made() + self.world_pictures
     }
 
     /// Everything to show of this document.
@@ -213,14 +219,14 @@ impl Deriver {
             ..Derived::default()
         };
         if let (Some(posed), Ok(world)) = (derived.posed, &world) {
-            let good = self.picture(posed, world, session, sizes);
+            let good = self.pictures.of(posed, world, session, sizes);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good.picture = Some(good);
         }
         if let Ok(world) = world {
             self.last_good.world = Some(world);
         }
-        derived.camera_view = self.camera_view(session, sizes);
+        self.camera_views(&mut derived, session, sizes);
         self.world_view(&mut derived, document, session, sizes);
         derived
     }
@@ -236,63 +242,51 @@ impl Deriver {
         objects.scene.clone().map(|scene| GoodWorld { scene, colors, generation })
     }
 
-    /// What the camera sees, of which no more is traced than the screen shows.
-    fn picture(
-        &mut self,
-        posed: PosedCamera,
-        world: &GoodWorld,
-        session: &Session,
-        sizes: &ViewSizes,
-    ) -> GoodPicture {
-        let GoodWorld { scene, colors, generation } = world;
-        let selection = session.selection.inside(posed.image());
-        let inspection = self.inspection.get((posed, *generation, selection), |_| {
-            Arc::new(match selection {
-                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, scene, pixel),
-                Selection::Uv(uv) => Inspection::of_uv(&posed, scene, uv),
-            })
-        });
-        // With only the world view open, its viewport still shows the picture.
-        let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
-        let raster = Raster::shown_on(posed.image(), size[0], size[1]);
-        let mode = Shade::from(session.settings.shade);
-        let pictures = &mut self.pictures;
-        let picture = self.camera_picture.get((posed, *generation, raster, mode), |key| {
-            *pictures += 1;
-            let frame = trace_as::<f32>(scene, &posed, &key.2, Outputs::default());
-            let pixels = shade(&frame, scene, mode, |i| colors[i as usize], opaque);
-            Arc::new(Picture { raster: key.2.clone(), image: posed.image(), pixels })
-        });
-        GoodPicture { posed, picture, selection, inspection }
-    }
-
-    fn camera_view(&mut self, session: &Session, sizes: &ViewSizes) -> Option<Shown> {
-        let GoodPicture { posed, picture, selection, inspection } =
-            self.last_good.picture.clone()?;
-        let size = sizes.camera?;
-        let key = CameraViewKey {
-            picture: self.pictures,
-            posed,
+    /// The camera's picture and, next to it, the error map.
+    fn camera_views(&mut self, derived: &mut Derived, session: &Session, sizes: &ViewSizes) {
+        let Some(good) = self.last_good.picture.clone() else { return };
+        let key = |size: [u32; 2]| CameraViewKey {
+            picture: self.pictures.made(),
+            posed: good.posed,
             size,
-            selection,
+            selection: good.selection,
             items: session.settings.items,
             scale: sizes.scale,
             style: sizes.style,
         };
-        Some(self.camera_view.get(key, |key| {
-            let mut pixels = blank(size);
+        let view = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
             let view = CameraView {
-                picture: &picture,
-                posed: &posed,
-                inspection: Some(&inspection),
+                picture,
+                posed: &good.posed,
+                inspection: Some(&good.inspection),
                 items: key.items,
-                size: size.map(|n| n as usize),
+                size: key.size.map(|n| n as usize),
                 scale: key.scale,
                 style: key.style,
             };
-            let labels = overlay::camera(&view, &mut pixels);
-            shown(size, pixels, labels)
-        }))
+            overlay::camera(&view, pixels)
+        };
+        derived.camera_view = sizes.camera.map(|size| {
+            self.camera_view.get(key(size), |key| {
+                let mut pixels = blank(size);
+                let labels = view(&good.picture, key, &mut pixels);
+                shown(size, pixels, labels)
+            })
+        });
+        if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
+            let shown = self.error_map.get((compared.method, key(size)), |(_, key)| {
+                let mut pixels = blank(size);
+                let labels = view(map, key, &mut pixels);
+                let (comparison, width) = (&compared.comparison, size[0] as usize);
+                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
+                shown(size, pixels, labels)
+            });
+            derived.error_map = Some(shown);
+            derived.compared = Some(Arc::clone(compared));
+        }
+        derived.drawn_by.clone_from(&good.drawn_by);
+        derived.steps = Some(good.steps);
+        derived.truth = good.truth;
     }
 
     fn world_view(
@@ -317,7 +311,7 @@ impl Deriver {
             camera: document.camera,
             observer,
             size,
-            picture: seen.map(|_| self.pictures),
+            picture: seen.map(|_| self.pictures.made()),
             generation,
             selection: session.selection,
             items: session.settings.items,

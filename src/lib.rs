@@ -5,6 +5,7 @@
 //! apply, derive, outputs, once; [`mod@derive`] is pure; overlay, readouts and upload get what it made
 //! and nothing else.
 
+pub mod accuracy;
 pub mod action;
 pub mod app;
 pub mod arguments;
@@ -17,6 +18,7 @@ pub mod formats;
 mod frame_log;
 pub mod inspection;
 mod label_text;
+mod measuring;
 pub mod observer;
 pub mod overlay;
 pub mod panels;

@@ -1,5 +1,6 @@
 //! How the document is looked at: what a scene file does not hold.
 
+use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
@@ -50,6 +51,12 @@ pub struct Settings {
     pub views_split: f32,
     /// The readouts' height, in points.
     pub readouts_height: f32,
+    /// The height of plot and table in the accuracy view, in points.
+    pub accuracy_height: f32,
+    /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
+    pub method: MethodName,
+    /// The method of the error map.
+    pub compared: MethodName,
     /// Dark, light, or what the system says.
     pub theme: ThemeName,
     /// Zoom of the whole window.
@@ -66,6 +73,26 @@ pub enum ViewLayout {
     World,
     /// The camera view alone.
     Camera,
+    /// The camera view, where another method errs in it, and error against run time.
+    Accuracy,
+}
+
+/// [`Method`], in a form that is written to disk: its name. One that no method has any more is the
+/// ladder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "String", into = "&'static str")]
+pub struct MethodName(pub Method);
+
+impl From<String> for MethodName {
+    fn from(name: String) -> MethodName {
+        MethodName(Method::from_name(&name).unwrap_or(Method::Ladder))
+    }
+}
+
+impl From<MethodName> for &'static str {
+    fn from(name: MethodName) -> &'static str {
+        name.0.name()
+    }
 }
 
 /// [`Shade`], in a form that is written to disk.
@@ -102,6 +129,9 @@ impl Default for Settings {
             keep_pixel_shape: true,
             views_split: 0.54,
             readouts_height: 200.0,
+            accuracy_height: 370.0,
+            method: MethodName(Method::Ladder),
+            compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
             theme: ThemeName::System,
             zoom: 1.0,
         }
@@ -119,6 +149,8 @@ impl Settings {
         self.views_split = finite(self.views_split, default.views_split).clamp(0.0, 1.0);
         self.readouts_height =
             finite(self.readouts_height, default.readouts_height).clamp(0.0, 10_000.0);
+        self.accuracy_height =
+            finite(self.accuracy_height, default.accuracy_height).clamp(0.0, 10_000.0);
         self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
         self
     }

@@ -4,6 +4,7 @@ mod inspect;
 mod progress;
 mod render;
 pub mod render_view;
+mod report;
 mod scenes;
 mod trace;
 
@@ -57,6 +58,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
+        Command::Report(arguments) => report::run(arguments),
     }
 }
 
@@ -96,6 +98,18 @@ fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> 
 /// Turns what is wrong with a scene's camera or objects into what is wrong with the scene.
 fn of_scene(scene: &Path, error: impl fmt::Display) -> CommandError {
     CommandError::Input(format!("{}: {error}", scene.display()))
+}
+
+/// Refuses the name of another format: what it promises is not what would be in the file.
+fn named(output: &Path, ending: &str, what: &str) -> Result<(), CommandError> {
+    match output.extension() {
+        Some(other) if !other.eq_ignore_ascii_case(ending) => {
+            let stem = output.with_extension(ending);
+            let problem = format!("{what}: not {} but {}", output.display(), stem.display());
+            Err(CommandError::Arguments(problem))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Writes to standard output, with care for a reader who has seen enough.

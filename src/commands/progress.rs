@@ -1,4 +1,4 @@
-//! How far a long render is, for those who watch.
+//! How far long work is, for those who watch.
 
 use std::io::{self, IsTerminal};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
@@ -29,6 +29,14 @@ impl Progress {
         Progress::shown_later(bar)
     }
 
+    /// Of measuring so many parts.
+    pub(super) fn of_parts(parts: usize) -> Progress {
+        let target = ProgressDrawTarget::hidden();
+        let bar = ProgressBar::with_draw_target(Some(parts as u64), target);
+        set_style(&bar, "{wide_bar} measured {percent} %, {eta} left");
+        Progress::shown_later(bar)
+    }
+
     /// Of work that does not tell how far it is.
     pub(super) fn of(work: &'static str) -> Progress {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
@@ -46,6 +54,11 @@ impl Progress {
     /// More rows are done.
     pub(super) fn add(&self, rows: usize) {
         self.bar.inc(rows as u64);
+    }
+
+    /// So many parts are done in all.
+    pub(super) fn reach(&self, parts: usize) {
+        self.bar.set_position(parts as u64);
     }
 
     /// The work may be silent for long, so another thread looks at the clock.

@@ -1,12 +1,10 @@
 //! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
 
-use std::path::Path;
-
 use pinhole_core::ImageSize;
 
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
-use super::{CommandError, load, of_scene, pose};
+use super::{CommandError, load, named, of_scene, pose};
 use crate::arguments::{RenderArguments, View};
 use crate::formats::{atomic, exr, png};
 
@@ -51,18 +49,6 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         exr::save(aov, frame)?;
     }
     Ok(())
-}
-
-/// Refuses the name of another format: what it promises is not what would be in the file.
-fn named(output: &Path, ending: &str, what: &str) -> Result<(), CommandError> {
-    match output.extension() {
-        Some(other) if !other.eq_ignore_ascii_case(ending) => {
-            let stem = output.with_extension(ending);
-            let problem = format!("{what}: not {} but {}", output.display(), stem.display());
-            Err(CommandError::Arguments(problem))
-        }
-        _ => Ok(()),
-    }
 }
 
 /// The size that is asked for. A width or height alone takes the other along, in the ratio of the

@@ -95,6 +95,7 @@ fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> V
     let sizes = ViewSizes {
         world: world.then_some(size),
         camera: (!world).then_some(size),
+        map: None,
         scale,
         style: Style::Light,
     };

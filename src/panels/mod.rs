@@ -1,6 +1,7 @@
 //! The window's panels, one `ui` function a file. Each edits what it is given in place and says
 //! nothing else to anyone.
 
+pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
 mod number;

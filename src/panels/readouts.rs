@@ -2,7 +2,7 @@
 //! selected and copied.
 
 use egui::{Grid, Label, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Pixel, PosedCamera, Root, UpAngle, shortest};
+use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 
 use super::number::{error_color, significant, vector_color};
 use crate::derive::Derived;
@@ -59,7 +59,12 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                 ui.separator();
             };
             if let Some(posed) = &derived.posed {
-                block(ui, 110.0, &mut |ui| basis(ui, posed, derived.up_angle, style));
+                block(ui, 110.0, &mut |ui| {
+                    basis(ui, posed, derived.up_angle, style);
+                    if let Some(steps) = derived.steps {
+                        ui.weak(self::steps(steps));
+                    }
+                });
             }
             if let (Some(inspection), Some(posed)) = (&derived.inspection, &derived.posed) {
                 block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
@@ -67,6 +72,17 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             }
         });
     });
+}
+
+/// How far up the ladder the picture had to go.
+pub(crate) fn steps(steps: Steps) -> String {
+    let Steps { f64, double_double, exact } = steps;
+    if steps.beyond_f64() == 0 {
+        return format!("Decisions in the picture: {f64}, all by f64");
+    }
+    format!(
+        "Decisions in the picture: {f64} by f64, {double_double} by double-double, {exact} exactly"
+    )
 }
 
 /// A block's title with a button that copies its lines.

@@ -3,6 +3,7 @@
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{MenuBar, PopupCloseBehavior, Ui};
 use pinhole_core::Shade;
+use pinhole_core::methods::Method;
 
 use crate::action::Action;
 use crate::files::{OpenDocument, title_of};
@@ -83,6 +84,13 @@ fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
         }
     }
     ui.separator();
+    ui.menu_button("Picture drawn by", |ui| {
+        for method in Method::ALL {
+            let hint = format!("{}\n{}", method.about(), method.source());
+            ui.radio_value(&mut settings.method.0, method, method.name()).on_hover_text(hint);
+        }
+    });
+    ui.separator();
     ui.label("Colours");
     for (theme, text) in [
         (ThemeName::System, "As the system"),
@@ -110,6 +118,7 @@ fn layout(ui: &mut Ui, settings: &mut Settings) {
         (ViewLayout::Both, "Both views", "World view and camera view side by side"),
         (ViewLayout::World, "World", "The world view alone"),
         (ViewLayout::Camera, "Camera", "The camera view alone"),
+        (ViewLayout::Accuracy, "Accuracy", "How right each method is here, and how fast"),
     ] {
         ui.selectable_value(&mut settings.layout, layout, text).on_hover_text(hint);
     }

@@ -10,6 +10,7 @@ use crate::action::Action;
 use crate::derive::{Derived, Shown, ViewSizes};
 use crate::label_text;
 use crate::overlay;
+use crate::panels::accuracy;
 use crate::session::{Selection, Session, Settings, ViewLayout};
 use crate::view_texture::ViewTexture;
 
@@ -17,9 +18,11 @@ use crate::view_texture::ViewTexture;
 pub(crate) const WORLD: &str = "World view";
 /// The camera view's.
 pub(crate) const CAMERA: &str = "Camera view";
+/// The error map's.
+pub(crate) const MAP: &str = "Error map";
 
 /// Height of the strip above each view, in points.
-const STRIP: f32 = 26.0;
+pub(crate) const STRIP: f32 = 26.0;
 /// Width of the handle between two areas.
 const HANDLE: f32 = 8.0;
 /// No view gets smaller than this.
@@ -34,24 +37,43 @@ pub(crate) struct Places {
     pub camera_area: Option<Rect>,
     /// The camera view's picture, in the image's proportions.
     pub camera: Option<Rect>,
-    /// The readouts.
-    pub readouts: Rect,
+    /// The part that the error map may fill.
+    pub map_area: Option<Rect>,
+    /// The error map's picture, as large as the camera view's.
+    pub map: Option<Rect>,
+    /// The readouts, or plot and table of the accuracy view.
+    pub below: Rect,
 }
 
 /// Lays out views and readouts, with handles between them that change `settings`.
 pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> Places {
     let area = ui.available_rect_before_wrap();
     let most = (area.height() - SMALLEST - STRIP).max(80.0);
-    settings.readouts_height = settings.readouts_height.clamp(80.0, most);
-    let boundary = area.bottom() - settings.readouts_height;
+    let height = match settings.layout {
+        ViewLayout::Accuracy => &mut settings.accuracy_height,
+        _ => &mut settings.readouts_height,
+    };
+    *height = height.clamp(80.0, most);
+    let boundary = area.bottom() - *height;
     let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
-    settings.readouts_height -= drag(ui, handle, "readouts handle").y;
+    *height -= drag(ui, handle, "readouts handle").y;
     let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
-    let readouts = Rect::from_min_max(pos2(area.left(), boundary), area.max);
+    let below = Rect::from_min_max(pos2(area.left(), boundary), area.max);
 
+    let mut map = None;
     let (world, camera) = match settings.layout {
         ViewLayout::World => (Some(views), None),
         ViewLayout::Camera => (None, Some(views)),
+        ViewLayout::Accuracy => {
+            // Below both, so that they are alike, room for the map's legend.
+            let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
+            let x = views.center().x;
+            map = Some(Rect::from_min_max(
+                pos2(x + HANDLE / 2.0, views.top()),
+                pos2(views.right(), bottom),
+            ));
+            (None, Some(Rect::from_min_max(views.min, pos2(x - HANDLE / 2.0, bottom))))
+        }
         ViewLayout::Both => {
             // Where there is no room for two, both get half of what there is.
             let share = SMALLEST / views.width().max(2.0 * SMALLEST);
@@ -69,12 +91,15 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
     let below_strip = |rect: Rect| {
         snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + STRIP), rect.max), per_point)
     };
-    let camera_area = camera.map(below_strip);
+    let (camera_area, map_area) = (camera.map(below_strip), map.map(below_strip));
+    let fitted = |area| fitted(area, image, per_point);
     Places {
         world: world.map(below_strip),
         camera_area,
-        camera: camera_area.map(|area| fitted(area, image, per_point)),
-        readouts,
+        camera: camera_area.map(fitted),
+        map_area,
+        map: map_area.map(fitted),
+        below,
     }
 }
 
@@ -131,6 +156,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
     ViewSizes {
         world: places.world.map(physical),
         camera: places.camera.map(physical),
+        map: places.map.map(physical),
         scale: per_point,
         style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
     }
@@ -152,6 +178,11 @@ pub(crate) fn inputs(
     }
     if let Some(rect) = places.camera {
         let response = view(ui, rect, CAMERA);
+        camera_input(ui, &response, session, shown);
+        views.push(response);
+    }
+    if let Some(rect) = places.map {
+        let response = view(ui, rect, MAP);
         camera_input(ui, &response, session, shown);
         views.push(response);
     }
@@ -177,14 +208,14 @@ fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     response
 }
 
-/// Tells a screen reader what is selected in a view.
-pub(crate) fn speak(ui: &Ui, name: &str, shown: &Derived) {
+/// Tells a screen reader what is in a view.
+pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
     let id = ui.scope_id().with(name);
-    ui.ctx().accesskit_node_builder(id, |node| node.set_value(spoken(shown)));
+    ui.ctx().accesskit_node_builder(id, |node| node.set_value(text));
 }
 
 /// The selected ray in words.
-fn spoken(shown: &Derived) -> String {
+pub(crate) fn spoken(shown: &Derived) -> String {
     if let Some(fault) = shown.fault {
         return fault.to_string();
     }
@@ -306,6 +337,21 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
             label_text::write(&painter, rect.min, per_point, label);
         }
     }
+}
+
+/// What drew a picture, written on it where that was not the ladder.
+pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
+    let font = egui::FontId::proportional(16.0);
+    let most = (rect.width() - 24.0).max(20.0);
+    let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
+    // At the bottom, where the picture has no marks of its own.
+    let size = galley.size() + vec2(16.0, 8.0);
+    let band = Rect::from_min_size(pos2(rect.left(), rect.bottom() - size.y), size);
+    ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
+    let inside = UiBuilder::new().max_rect(band.shrink2(vec2(8.0, 4.0)));
+    ui.scope_builder(inside, |ui| {
+        ui.label(RichText::new(text).size(16.0).color(Color32::BLACK));
+    });
 }
 
 /// The reason for a picture that is not new, written across it.

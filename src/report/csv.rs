@@ -3,7 +3,7 @@
 use super::model::Report;
 
 /// The first line.
-const HEADER: [&str; 18] = [
+const HEADER: [&str; 16] = [
     "case",
     "knob_name",
     "knob",
@@ -20,8 +20,6 @@ const HEADER: [&str; 18] = [
     "steps_f64",
     "steps_double_double",
     "steps_exact",
-    "reference",
-    "cpu",
 ];
 
 /// The whole file. What does not exist is an empty cell; numbers read back to the same `f64`.
@@ -52,8 +50,6 @@ pub fn to_csv(report: &Report) -> csv::Result<Vec<u8>> {
                 count(row.steps.map(|steps| steps.f64)),
                 count(row.steps.map(|steps| steps.double_double)),
                 count(row.steps.map(|steps| steps.exact)),
-                report.reference.clone(),
-                report.cpu.clone(),
             ])?;
         }
     }

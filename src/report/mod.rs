@@ -6,6 +6,6 @@ pub mod csv;
 pub mod json;
 pub mod measure;
 pub mod model;
-mod number;
+pub(crate) mod number;
 pub mod plot;
 pub mod table;

@@ -20,6 +20,24 @@ pub(crate) fn short(x: f64) -> String {
     }
 }
 
+/// `10⁻⁶`, and `1` and `10` as they are.
+pub(crate) fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        _ => {
+            let raised = |c: char| match c {
+                '-' => '⁻',
+                digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
+                    .chars()
+                    .nth(digit.to_digit(10).unwrap_or(0) as usize)
+                    .unwrap_or(digit),
+            };
+            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::short;

@@ -3,6 +3,7 @@
 
 mod inspect;
 mod render;
+mod report;
 mod scenes;
 mod trace;
 
@@ -76,11 +77,11 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn commands_that_do_not_exist_yet_are_not_offered() {
     let help = run("--help").done();
-    for command in ["scenes", "inspect", "render", "trace"] {
+    for command in ["scenes", "inspect", "render", "trace", "report"] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }
-    for command in ["report", "check", "export", "import", "figure", "bench"] {
+    for command in ["check", "export", "import", "figure", "bench"] {
         assert!(!help.contains(&format!("\n  {command} ")), "{help}");
     }
 }

@@ -1,6 +1,6 @@
 //! Scales: from numbers to places along a panel's edge, and the numbers written there.
 
-use crate::report::number::short;
+use crate::report::number::{power_of_ten, short};
 
 /// A stretch of a panel's edge, in points; may run backwards.
 pub(crate) type Stretch = [f64; 2];
@@ -106,57 +106,96 @@ impl Close {
     }
 }
 
-/// Where the settings of a knob stand: on a logarithmic scale if none is negative, else side by
-/// side.
+/// Where the settings of a knob stand: true to scale where that keeps them apart, on a logarithmic
+/// scale where that does, else side by side.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Knobs {
+pub(crate) struct Knobs {
+    scale: KnobScale,
+    sorted: Vec<f64>,
+    along: Stretch,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum KnobScale {
+    Linear,
     Logarithmic(Decades),
-    SideBySide { sorted: Vec<f64>, along: Stretch },
+    SideBySide,
 }
 
 impl Knobs {
     /// Over these settings.
-    pub(crate) fn over(knobs: &[f64], [from, to]: Stretch) -> Knobs {
+    pub(crate) fn over(knobs: &[f64], along: Stretch) -> Knobs {
         let mut sorted = knobs.to_vec();
         sorted.sort_by(f64::total_cmp);
         sorted.dedup();
-        let wide = range(sorted.iter().copied()).is_some_and(|[low, high]| high >= 30.0 * low);
-        if wide && sorted.iter().all(|knob| *knob >= 0.0) {
-            let inside = if sorted[0] == 0.0 { from + 0.12 * (to - from) } else { from };
-            return Knobs::Logarithmic(Decades::over(sorted.into_iter(), [inside, to], from));
+        let [from, to] = along;
+        let mut scales = vec![KnobScale::Linear];
+        if sorted.iter().all(|knob| *knob >= 0.0) {
+            // Where the knob may be off, zero has a place before the scale.
+            let off = sorted.first() == Some(&0.0);
+            let inside = if off { from + 0.12 * (to - from) } else { from };
+            let decades = Decades::over(sorted.iter().copied(), [inside, to], from);
+            scales.push(KnobScale::Logarithmic(decades));
         }
-        Knobs::SideBySide { sorted, along: [from, to] }
+        let scales = scales.into_iter().map(|scale| Knobs { scale, sorted: sorted.clone(), along });
+        let apart = scales.into_iter().find(Knobs::are_apart);
+        apart.unwrap_or(Knobs { scale: KnobScale::SideBySide, sorted, along })
+    }
+
+    /// Whether no two settings stand so close that their marks hide each other.
+    fn are_apart(&self) -> bool {
+        let [from, to] = self.along;
+        let gap = 0.05 * (to - from).abs();
+        self.sorted.windows(2).all(|pair| self.place(pair[1]) - self.place(pair[0]) >= gap)
     }
 
     /// Where a setting stands.
     pub(crate) fn place(&self, knob: f64) -> f64 {
-        match self {
-            Knobs::Logarithmic(decades) => decades.place(knob),
-            Knobs::SideBySide { sorted, along: [from, to] } => {
-                let index = sorted.iter().position(|other| *other == knob).unwrap_or(0);
-                from + (index as f64 + 0.5) / sorted.len().max(1) as f64 * (to - from)
+        let [from, to] = self.along;
+        let (low, high) = (self.sorted.first(), self.sorted.last());
+        let part = match &self.scale {
+            KnobScale::Logarithmic(decades) => return decades.place(knob),
+            KnobScale::Linear => match (low, high) {
+                // Halves, as the whole may be beyond the range of numbers.
+                (Some(low), Some(high)) if high > low => {
+                    (0.5 * knob - 0.5 * low) / (0.5 * high - 0.5 * low)
+                }
+                _ => 0.5,
+            },
+            KnobScale::SideBySide => {
+                let index = self.sorted.iter().position(|other| *other == knob).unwrap_or(0);
+                (index as f64 + 0.5) / self.sorted.len().max(1) as f64
             }
-        }
+        };
+        from + part * (to - from)
     }
 
-    /// The numbers written there, of which `has_zero` is one where a knob may be off.
-    pub(crate) fn ticks(&self, has_zero: bool) -> Vec<Tick> {
-        match self {
-            Knobs::Logarithmic(decades) => {
-                let zero = has_zero.then(|| Tick { at: decades.zero, text: "0".to_owned() });
-                zero.into_iter().chain(decades.ticks(6)).collect()
+    /// The numbers written there: powers of ten on a logarithmic scale, else the settings; none so
+    /// close to the one before that they would touch.
+    pub(crate) fn ticks(&self) -> Vec<Tick> {
+        let setting = |knob: &f64| Tick { at: self.place(*knob), text: short(*knob) };
+        let ticks: Vec<Tick> = match &self.scale {
+            KnobScale::Logarithmic(decades) => {
+                let zero = self.sorted.iter().filter(|knob| **knob == 0.0).map(setting);
+                zero.chain(decades.ticks(6)).collect()
             }
-            Knobs::SideBySide { sorted, .. } => {
-                let step = sorted.len().div_ceil(6).max(1);
-                sorted
-                    .iter()
-                    .step_by(step)
-                    .map(|knob| Tick { at: self.place(*knob), text: short(*knob) })
-                    .collect()
+            _ => self.sorted.iter().map(setting).collect(),
+        };
+        let mut written: Vec<Tick> = Vec::new();
+        for tick in ticks {
+            let width = |tick: &Tick| CHARACTER * tick.text.chars().count() as f64;
+            let free =
+                |last: &Tick| tick.at - last.at >= 0.5 * (width(&tick) + width(last)) + CHARACTER;
+            if written.last().is_none_or(free) {
+                written.push(tick);
             }
         }
+        written
     }
 }
+
+/// The width of a digit at a scale, in points.
+const CHARACTER: f64 = 9.2;
 
 /// The smallest and the largest of the positive, finite values.
 fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
@@ -164,24 +203,6 @@ fn range(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
         .filter(|value| *value > 0.0 && value.is_finite())
         .map(|value| [value, value])
         .reduce(|[low, high], [value, _]| [low.min(value), high.max(value)])
-}
-
-/// `10⁻⁶`, and `1` and `10` as they are.
-fn power_of_ten(exponent: i32) -> String {
-    match exponent {
-        0 => "1".to_owned(),
-        1 => "10".to_owned(),
-        _ => {
-            let raised = |c: char| match c {
-                '-' => '⁻',
-                digit => "⁰¹²³⁴⁵⁶⁷⁸⁹"
-                    .chars()
-                    .nth(digit.to_digit(10).unwrap_or(0) as usize)
-                    .unwrap_or(digit),
-            };
-            format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
-        }
-    }
 }
 
 #[cfg(test)]
@@ -226,13 +247,16 @@ mod tests {
 
     #[test]
     fn knobs_that_may_be_off_or_negative_have_places() {
-        let knobs = Knobs::over(&[0.0, 1e-12, 1e-6, 1.0], [0.0, 100.0]);
+        let knobs = Knobs::over(&[0.0, 1e-12, 1e-6, 1.0], [0.0, 400.0]);
         assert_eq!(knobs.place(0.0), 0.0);
-        assert_eq!(knobs.place(1e-12), 12.0);
-        assert_eq!(knobs.place(1.0), 100.0);
-        assert_eq!(texts(&knobs.ticks(true))[..2], ["0", "10⁻¹²"]);
-        let knobs = Knobs::over(&[1.0, -1.0, 0.0], [0.0, 90.0]);
-        assert_eq!([-1.0, 0.0, 1.0].map(|knob| knobs.place(knob)), [15.0, 45.0, 75.0]);
-        assert_eq!(texts(&knobs.ticks(true)), ["-1", "0", "1"]);
+        assert_eq!(knobs.place(1e-12), 48.0);
+        assert_eq!(knobs.place(1.0), 400.0);
+        assert_eq!(texts(&knobs.ticks())[..2], ["0", "10⁻¹²"]);
+        let knobs = Knobs::over(&[2.0, -1.0, 0.0], [0.0, 90.0]);
+        assert_eq!([-1.0, 0.0, 2.0].map(|knob| knobs.place(knob)), [0.0, 30.0, 90.0]);
+        assert_eq!(texts(&knobs.ticks()), ["-1", "0", "2"]);
+        let knobs = Knobs::over(&[-1000.0, -1.0, 0.0, 1.0, 1000.0], [0.0, 50.0]);
+        assert_eq!([-1000.0, -1.0, 1000.0].map(|knob| knobs.place(knob)), [5.0, 15.0, 45.0]);
+        assert_eq!(texts(&knobs.ticks()), ["-1000"], "no room for more");
     }
 }

@@ -50,6 +50,21 @@ pub(crate) fn of(family: &str) -> Marker {
 const RADIUS: f64 = 7.0;
 
 impl Marker {
+    /// Its colour on light or dark ground: what would be lost on dark is lightened.
+    pub(crate) fn ink_on(&self, dark: bool) -> Ink {
+        if !dark {
+            return self.color;
+        }
+        let luma = [0.299, 0.587, 0.114].iter().zip(self.color).map(|(k, c)| k * f64::from(c));
+        // How far to go to white, so that the darkest are as light as a mid grey at least.
+        let luma: f64 = luma.sum();
+        let part = ((130.0 - luma) / (255.0 - luma)).max(0.0);
+        if self.outline == Outline::Star {
+            return [0xff; 3];
+        }
+        self.color.map(|c| (f64::from(c) + part * (255.0 - f64::from(c))).round() as u8)
+    }
+
     /// Draws the mark.
     pub(crate) fn draw(&self, figure: &mut Figure, center: Place, hollow: bool) {
         let points = self.corners(center);

@@ -10,7 +10,7 @@
 mod axis;
 mod figure;
 mod legend;
-mod marker;
+pub(crate) mod marker;
 mod panel;
 mod raster;
 mod summary;
@@ -18,9 +18,10 @@ mod svg;
 
 use self::figure::Align;
 pub use self::figure::Figure;
-use self::panel::{Errors, Frame, TEXT, WEAK};
+use self::panel::{Errors, Frame, GAP, TEXT, WEAK};
 pub use self::raster::Raster;
 use self::summary::Summary;
+pub(crate) use self::summary::{SINGLE, in_ulps_of_f64};
 use super::model::Report;
 
 const WIDTH: f64 = 1280.0;
@@ -32,9 +33,6 @@ const NUMBERS: f64 = 104.0;
 /// The height of a panel, and of a row with all that belongs to it.
 const PANEL: f64 = 300.0;
 const ROW: f64 = 440.0;
-
-/// Between two panels: room for the names of the lines.
-const GAP: f64 = 68.0;
 
 /// Pixels to a point in PNG: as wide as a projector.
 pub const PNG_SCALE: f32 = 1.5;
@@ -80,10 +78,25 @@ fn foot(figure: &mut Figure, top: f64, report: &Report) -> f64 {
         }
     }
     if !report.left_out.is_empty() {
-        let left_out = format!("Left out: {}", report.left_out.join("; "));
-        y = paragraph(figure, y, 16.0, &left_out);
+        y = paragraph(figure, y, 16.0, &format!("Left out: {}", left_out(&report.left_out)));
     }
     y - 16.0
+}
+
+/// The first of what was left out, and how much more there is: all of it is in the table.
+fn left_out(lines: &[String]) -> String {
+    const MOST: usize = 600;
+    let mut length = 0;
+    let fits = |line: &&String| {
+        length += line.chars().count();
+        length <= MOST
+    };
+    let first: Vec<&str> = lines.iter().take_while(fits).map(String::as_str).collect();
+    let first = if first.is_empty() { vec![lines[0].as_str()] } else { first };
+    match lines.len() - first.len() {
+        0 => first.join("; "),
+        more => format!("{}; and {more} more, which the table lists", first.join("; ")),
+    }
 }
 
 /// Text over as many lines as it needs; returns where the next may stand.

@@ -17,6 +17,9 @@ pub(crate) const SMALL: f64 = 16.0;
 /// The height of the places for zero errors and for methods that have no error to show.
 const LANE: f64 = 30.0;
 
+/// Right of a row's panels: room for the names of the lines.
+pub(crate) const GAP: f64 = 68.0;
+
 /// Room between the outermost values and the frame.
 const MARGIN: f64 = 12.0;
 
@@ -98,9 +101,25 @@ fn across(figure: &mut Figure, frame: Frame, ticks: Vec<Tick>, name: &str) {
         figure.line(&[[at, frame.top], [at, frame.bottom]], GRID, 1.0);
         figure.text([at, frame.bottom + 16.0], Align::Middle, SMALL, TEXT, text);
     }
-    let middle = 0.5 * (frame.left + frame.right);
-    let at = [middle, frame.bottom + 40.0];
-    figure.text(at, Align::Middle, 18.0, TEXT, name.to_owned());
+    let y = frame.bottom + 40.0;
+    let (width, needed) = (frame.right - frame.left, text_width(name, NAME));
+    if needed <= width {
+        let middle = 0.5 * (frame.left + frame.right);
+        figure.text([middle, y], Align::Middle, NAME, TEXT, name.to_owned());
+    } else {
+        // A long name goes on to the right, and to the left as far as its neighbour lets it; it gets
+        // smaller where it must.
+        let size = (NAME * (width + GAP + 50.0) / needed).min(NAME);
+        figure.text([frame.right + GAP, y], Align::Right, size, TEXT, name.to_owned());
+    }
+}
+
+/// The size of the name of a scale.
+const NAME: f64 = 18.0;
+
+/// How wide a text is about, rather more than less: Noto Sans needs half its size for a character.
+pub(crate) fn text_width(text: &str, size: f64) -> f64 {
+    0.51 * size * text.chars().count() as f64
 }
 
 /// Error against time: a mark a method at its largest error, with a stem down to the 99th
@@ -141,7 +160,7 @@ pub(crate) fn knob(figure: &mut Figure, frame: Frame, errors: &Errors, summary: 
     let scale = Knobs::over(&knobs, inside);
     let name = summary.cases.first().map_or("", |case| case.knob_name.as_str());
     let name = if name.is_empty() { "knob" } else { name };
-    across(figure, frame, scale.ticks(knobs.contains(&0.0)), name);
+    across(figure, frame, scale.ticks(), name);
     errors.draw(figure, frame, false);
     let mut marks = Vec::new();
     for method in &summary.methods {

@@ -1,0 +1,145 @@
+//! What the camera sees: by the ladder, by the method that the user wants to see fail, and the
+//! difference.
+
+use std::sync::Arc;
+
+use pinhole_core::methods::{Method, trace_by};
+use pinhole_core::{
+    Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps, shade, trace, trace_as,
+};
+
+use super::memo::Memo;
+use super::{GoodWorld, ViewSizes, opaque};
+use crate::accuracy::{self, Comparison};
+use crate::inspection::Inspection;
+use crate::overlay::Picture;
+use crate::session::{Selection, Session};
+
+/// A method's picture next to the truth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The method.
+    pub method: Method,
+    /// Every pixel against the ladder's.
+    pub comparison: Comparison,
+    /// What the method makes of the pixels.
+    pub frame: Frame,
+}
+
+/// What a camera saw, and the ray that was selected.
+#[derive(Clone, Debug)]
+pub(super) struct GoodPicture {
+    pub(super) posed: PosedCamera,
+    pub(super) picture: Arc<Picture>,
+    pub(super) selection: Selection,
+    pub(super) inspection: Arc<Inspection>,
+    /// How far up the ladder it had to go.
+    pub(super) steps: Steps,
+    /// By the ladder, where another method stands beside it.
+    pub(super) truth: Option<Arc<Frame>>,
+    /// What drew the picture, where the ladder did not.
+    pub(super) drawn_by: Option<Arc<Compared>>,
+    /// The error map's method and its picture, where the map is shown.
+    pub(super) compared: Option<(Arc<Compared>, Arc<Picture>)>,
+}
+
+/// What is seen from where: a camera, the generation of the objects, and the pixels.
+type Seen = (PosedCamera, u64, Raster);
+
+/// Remembers what the camera saw.
+#[derive(Debug, Default)]
+pub(super) struct Pictures {
+    truth: Memo<Seen, Arc<Frame>>,
+    /// By the picture's method, and by the map's where that is another one.
+    by: [Memo<(Method, Seen), Arc<Compared>>; 2],
+    picture: Memo<(Method, Seen, Shade), (Arc<Picture>, Steps)>,
+    map: Memo<(Method, Seen), Arc<Picture>>,
+    inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
+    /// How many pictures were made, which tells one from the next.
+    made: u64,
+}
+
+impl Pictures {
+    /// How many pictures were made so far.
+    pub(super) fn made(&self) -> u64 {
+        self.made
+    }
+
+    /// What the camera sees, of which no more is traced than the screen shows.
+    pub(super) fn of(
+        &mut self,
+        posed: PosedCamera,
+        world: &GoodWorld,
+        session: &Session,
+        sizes: &ViewSizes,
+    ) -> GoodPicture {
+        let GoodWorld { scene, generation, .. } = world;
+        let selection = session.selection.inside(posed.image());
+        let inspection = self.inspection.get((posed, *generation, selection), |_| {
+            Arc::new(match selection {
+                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, scene, pixel),
+                Selection::Uv(uv) => Inspection::of_uv(&posed, scene, uv),
+            })
+        });
+        // With only the world view open, its viewport still shows the picture.
+        let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
+        let seen = (posed, *generation, Raster::shown_on(posed.image(), size[0], size[1]));
+        let settings = &session.settings;
+        let (method, other) = (settings.method.0, settings.compared.0);
+        // Only a comparison needs all digits of t.
+        let truth = (method != Method::Ladder || sizes.map.is_some()).then(|| {
+            self.truth.get(seen.clone(), |(.., raster)| {
+                Arc::new(trace(scene, &posed, raster, Outputs::default()))
+            })
+        });
+        let mut compare = |slot: usize, method| {
+            let truth = truth.as_deref()?;
+            Some(compare(&mut self.by[slot], method, &seen, world, truth))
+        };
+        let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
+        let compared = sizes.map.and_then(|_| compare(usize::from(other != method), other));
+        let (mode, made) = (Shade::from(settings.shade), &mut self.made);
+        let (picture, steps) = self.picture.get((method, seen.clone(), mode), |(_, seen, _)| {
+            *made += 1;
+            match (&drawn_by, &truth) {
+                (Some(by), Some(truth)) => (painted(&by.frame, world, mode), truth.steps),
+                _ => {
+                    let frame = trace_as::<f32>(scene, &posed, &seen.2, Outputs::default());
+                    (painted(&frame, world, mode), frame.steps)
+                }
+            }
+        });
+        let compared = compared.map(|compared| {
+            let map = self.map.get((other, seen), |(_, (.., raster))| {
+                let pixels = accuracy::colors(&compared.comparison);
+                Arc::new(Picture { raster: raster.clone(), image: posed.image(), pixels })
+            });
+            (compared, map)
+        });
+        GoodPicture { posed, picture, selection, inspection, steps, truth, drawn_by, compared }
+    }
+}
+
+/// The colours of what was traced.
+fn painted<T: Depth>(frame: &Frame<T>, world: &GoodWorld, mode: Shade) -> Arc<Picture> {
+    let GoodWorld { scene, colors, .. } = world;
+    let pixels = shade(frame, scene, mode, |i| colors[i as usize], opaque);
+    let (raster, image) = (frame.raster().clone(), frame.camera().image());
+    Arc::new(Picture { raster, image, pixels })
+}
+
+fn compare(
+    memo: &mut Memo<(Method, Seen), Arc<Compared>>,
+    method: Method,
+    seen: &Seen,
+    world: &GoodWorld,
+    truth: &Frame,
+) -> Arc<Compared> {
+    memo.get((method, seen.clone()), |(method, (posed, _, raster))| {
+        let traced = trace_by(*method, &world.scene, posed, raster);
+        let comparison = Comparison::new(truth, &traced);
+        let mut frame = truth.clone();
+        (frame.t, frame.object) = (traced.t, traced.object);
+        Arc::new(Compared { method: *method, comparison, frame })
+    })
+}

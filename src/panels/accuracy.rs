@@ -1,0 +1,191 @@
+//! The accuracy view: beside the camera's picture where another method errs in it, below error
+//! against run time as plot and table.
+
+mod plot;
+mod table;
+
+use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use pinhole_core::methods::Method;
+use pinhole_core::{Frame, NO_OBJECT, Pixel, PosedCamera, shortest};
+
+use super::readouts;
+use super::views::{MAP, STRIP};
+use crate::accuracy::{self, PixelError};
+use crate::derive::{Compared, Derived};
+use crate::document::Document;
+use crate::measuring::Measuring;
+use crate::report::number::short;
+use crate::session::{MethodName, Selection, Session, Settings};
+
+/// Room for the map's legend below it, in points.
+pub(crate) const LEGEND: f32 = 44.0;
+
+/// The table needs no more width than this, in points; the plot gets the rest.
+const TABLE: f32 = 560.0;
+
+/// Chooses a method; `name` is for screen readers.
+pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
+    let combo = ComboBox::from_id_salt(name).selected_text(chosen.0.name()).width(150.0);
+    let response = combo
+        .height(420.0)
+        .show_ui(ui, |ui| {
+            for method in Method::ALL {
+                let hint = format!("{}\n{}", method.about(), method.source());
+                ui.selectable_value(&mut chosen.0, method, method.name()).on_hover_text(hint);
+            }
+        })
+        .response;
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+}
+
+/// The title above the map, with the choice of its method.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
+    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+        ui.horizontal_centered(|ui| {
+            ui.strong(MAP);
+            method(ui, "error map of", &mut settings.compared);
+        });
+    });
+}
+
+/// What the map's colours mean, and how many pixels are wrong, below it.
+pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
+    let below = Rect::from_min_size(
+        pos2(area.left(), area.bottom() + 2.0),
+        vec2(area.width(), LEGEND - 2.0),
+    );
+    ui.scope_builder(UiBuilder::new().max_rect(below), |ui| {
+        ui.set_clip_rect(below);
+        ui.horizontal(|ui| {
+            let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
+            ui.painter().rect_filled(mark, 0.0, Color32::WHITE);
+            ui.painter().rect_filled(mark.shrink(1.5), 0.0, accuracy::WRONG);
+            ui.strong(summary(compared));
+        });
+        ui.horizontal(|ui| {
+            ui.label("t off by 1 ulp");
+            let width = (ui.available_width() - 60.0).clamp(40.0, 260.0);
+            let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
+            let steps = width as usize;
+            for step in 0..steps {
+                let decades = accuracy::DECADES * (step as f64 + 0.5) / steps as f64;
+                let left = bar.left() + step as f32;
+                let slice =
+                    Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
+                let color = accuracy::color_of_ulps(10f64.powf(decades));
+                ui.painter().rect_filled(slice, 0.0, color);
+            }
+            ui.label("10¹⁶ ulps");
+        });
+    });
+}
+
+/// `textbook-f32: 12 of 160000 pixels wrong, t off by at most 3e9 ulps`
+pub(crate) fn summary(compared: &Compared) -> String {
+    let Compared { method, comparison, .. } = compared;
+    let (wrong, all) = (comparison.wrong, comparison.errors.len());
+    let errors = match comparison.largest {
+        Some(ulps) => format!(", t off by at most {} ulps", short(ulps)),
+        None => String::new(),
+    };
+    format!("{method}: {wrong} of {all} pixels wrong{errors}")
+}
+
+/// What is written on a picture that the ladder did not draw.
+pub(crate) fn drawn_by(compared: &Compared) -> String {
+    let Compared { method, comparison, .. } = compared;
+    match comparison.wrong {
+        1 => format!("drawn by {method}: 1 wrong pixel"),
+        wrong => format!("drawn by {method}: {wrong} wrong pixels"),
+    }
+}
+
+/// Plot and table, and above them how far measuring is and what the selected pixel says.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    measuring: &Measuring,
+    derived: &Derived,
+    document: &Document,
+    session: &mut Session,
+) {
+    if let Some(text) = selected(derived, document, session) {
+        ui.label(text);
+    }
+    ui.horizontal(|ui| match measuring.share() {
+        Some(share) => {
+            ui.label("Measuring");
+            let bar = ProgressBar::new(share).desired_width(220.0).show_percentage();
+            let response = ui.add(bar);
+            let spoken = format!("measured {:.0} %", 100.0 * share);
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+            if measuring.report().is_some() && !measuring.is_current() {
+                ui.weak("until then the last scene's numbers");
+            }
+        }
+        None => {
+            if let Some(report) = measuring.report() {
+                let text = format!("Measured on {}, against {}", report.cpu, report.reference);
+                ui.add(egui::Label::new(text).truncate());
+            }
+        }
+    });
+    if let Some(steps) = derived.steps {
+        ui.weak(readouts::steps(steps));
+    }
+    let Some(report) = measuring.report().cloned() else { return };
+    let Some(case) = report.cases.first() else { return };
+    let area = ui.available_rect_before_wrap();
+    let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
+    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom()));
+    let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
+    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot::ui(ui, case));
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            table::ui(ui, case, &mut session.settings.compared);
+        });
+    });
+}
+
+/// What the ladder and the map's method say of the selected pixel.
+fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
+    let (posed, truth) = (derived.posed.as_ref()?, derived.truth.as_deref()?);
+    let compared = derived.compared.as_deref()?;
+    let pixel = pixel_of(session.selection, posed)?;
+    let from = u32::from(session.settings.count_from_one);
+    let place = format!("row {}, column {}", pixel.row + from, pixel.column + from);
+    let Some(index) = index_of(truth, pixel) else {
+        return Some(RichText::new(format!("{place}: not among the pixels that are shown")));
+    };
+    let says = |frame: &Frame| match frame.object[index] {
+        NO_OBJECT => "hits nothing".to_owned(),
+        object => {
+            // Every digit: the last ones are what this is about.
+            let t = shortest(frame.t[index]);
+            format!("hits {} at t = {t}", document.title_of(object as usize))
+        }
+    };
+    let verdict = match compared.comparison.errors[index] {
+        PixelError::Wrong => "wrong".to_owned(),
+        PixelError::Miss => "right".to_owned(),
+        PixelError::Ulps(ulps) => format!("{} ulps off", short(ulps)),
+    };
+    let (ladder, other) = (says(truth), says(&compared.frame));
+    let text = format!("{place}: ladder {ladder}; {} {other}: {verdict}", compared.method);
+    Some(RichText::new(text).strong())
+}
+
+fn pixel_of(selection: Selection, posed: &PosedCamera) -> Option<Pixel> {
+    match selection.inside(posed.image()) {
+        Selection::Pixel(pixel) => Some(pixel),
+        Selection::Uv(uv) => posed.pixel_of_uv(uv).map(|place| place.pixel),
+    }
+}
+
+/// Where a pixel is in a frame, if it was traced.
+fn index_of(frame: &Frame, pixel: Pixel) -> Option<usize> {
+    let raster = frame.raster();
+    let row = raster.rows().binary_search(&pixel.row).ok()?;
+    let column = raster.columns().binary_search(&pixel.column).ok()?;
+    Some(row * raster.columns().len() + column)
+}

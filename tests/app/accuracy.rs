@@ -1,0 +1,236 @@
+//! The accuracy view: the error map, who draws the picture, and measuring in slices.
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::session::{MethodName, Selection, Settings, ViewLayout};
+use pinhole::store::Remembered;
+use pinhole_core::Pixel;
+use pinhole_core::methods::Method;
+
+use super::harness::{assert_says, texts_with, type_into, window, window_with};
+
+fn named(name: &str) -> MethodName {
+    MethodName(Method::from_name(name).unwrap())
+}
+
+/// A window that comes back with these settings. It measures all the time, so a test goes on step by
+/// step instead of waiting for rest.
+fn with(scene: &str, settings: Settings) -> Harness<'static, App> {
+    window_with(scene, Remembered { settings, ..Remembered::default() }, None)
+}
+
+/// A window on a sphere so small and far that single precision loses its outline.
+fn far_window() -> Harness<'static, App> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("far.toml");
+    let text = "pinhole = 1\n[camera]\neye = [0, 0, 10000]\nat = [0, 0, 0]\nup = [0, 1, 0]\n\
+                [viewport]\nwidth = 0.0004\nheight = 0.0004\n[image]\nwidth = 200\nheight = 200\n\
+                [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
+    std::fs::write(&path, text).unwrap();
+    window(&path)
+}
+
+fn open(window: &mut Harness<'_, App>) {
+    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    window.run_steps(3);
+}
+
+fn choose(window: &mut Harness<'_, App>, combo: &str, method: &str) {
+    window.get_by_role_and_label(Role::ComboBox, combo).click();
+    window.run_steps(3);
+    window.get_by_role_and_label(Role::Button, method).click();
+    window.run_steps(3);
+}
+
+fn map_says(window: &Harness<'_, App>) -> String {
+    window.get_by_role_and_label(Role::Image, "Error map").value().unwrap()
+}
+
+#[test]
+fn a_closed_view_measures_nothing_and_takes_no_room() {
+    let window = window("planet");
+    let derived = window.state().derived();
+    assert!(derived.compared.is_none() && derived.error_map.is_none());
+    assert!(window.query_by_label("Error map").is_none());
+}
+
+#[test]
+fn the_map_follows_the_camera_at_once() {
+    let mut window = window("grazing");
+    open(&mut window);
+    let before = window.state().derived().clone();
+    let compared = before.compared.unwrap();
+    assert_eq!(compared.comparison.errors.len(), before.truth.unwrap().t.len());
+    assert_eq!(compared.method.name(), "textbook-f32");
+    window.get_by_role_and_label(Role::SpinButton, "eye x").click();
+    window.run_steps(2);
+    window.get_by_role_and_label(Role::SpinButton, "eye x").type_text("0.25");
+    window.run_steps(2);
+    window.key_press(egui::Key::Enter);
+    window.run_steps(2);
+    let after = window.state().derived().clone();
+    assert_ne!(after.compared.unwrap().comparison, compared.comparison);
+    assert_ne!(after.error_map.unwrap().image.pixels, before.error_map.unwrap().image.pixels);
+}
+
+#[test]
+fn the_map_is_of_the_chosen_method_and_says_how_many_pixels_are_wrong() {
+    let mut window = window("planet");
+    open(&mut window);
+    assert!(map_says(&window).starts_with("textbook-f32: "), "{}", map_says(&window));
+    choose(&mut window, "error map of", "ladder");
+    let text = map_says(&window);
+    assert!(text.starts_with("ladder: 0 of ") && text.ends_with("at most 0 ulps"), "{text}");
+    choose(&mut window, "error map of", "lagrange-f64");
+    assert_eq!(window.state().session().settings.compared, named("lagrange-f64"));
+    assert!(map_says(&window).starts_with("lagrange-f64: "));
+    let map = window.state().derived().error_map.clone().unwrap();
+    assert_eq!(map.image.size, window.state().derived().camera_view.clone().unwrap().image.size);
+}
+
+#[test]
+fn wrong_pixels_are_red_with_a_white_edge() {
+    let mut window = far_window();
+    open(&mut window);
+    let derived = window.state().derived().clone();
+    let wrong = derived.compared.unwrap().comparison.wrong;
+    let image = derived.error_map.unwrap().image;
+    let red = image.pixels.iter().filter(|p| p.r() == 0xff && p.g() == 0x2d).count();
+    let white = image.pixels.iter().filter(|p| **p == egui::Color32::WHITE).count();
+    assert!(wrong > 0, "the scene is there to show that");
+    assert!(red >= 25 && white >= 20, "{wrong} wrong, {red} red, {white} white");
+    assert!(map_says(&window).contains(&format!(": {wrong} of ")), "{}", map_says(&window));
+}
+
+#[test]
+fn a_click_in_the_map_selects_the_pixel_and_says_what_both_make_of_it() {
+    let mut window = window("canonical");
+    open(&mut window);
+    let rect = window.get_by_role_and_label(Role::Image, "Error map").rect();
+    let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
+    window.hover_at(at);
+    window.run_steps(2);
+    window.drag_at(at);
+    window.run_steps(2);
+    window.drop_at(at);
+    window.run_steps(2);
+    let Selection::Pixel(Pixel { row, column }) = window.state().session().selection else {
+        panic!("no pixel is selected")
+    };
+    assert!(row.abs_diff(300) <= 1 && column.abs_diff(100) <= 1, "{row}, {column}");
+    let text = texts_with(&window, &format!("row {row}, column {column}: ladder hits "));
+    assert!(text.iter().any(|text| text.contains("; textbook-f32 hits ")), "{text:?}");
+}
+
+#[test]
+fn a_picture_by_another_method_is_marked() {
+    let mut window = far_window();
+    let ladders = window.state().derived().camera_view.clone().unwrap().image;
+    let draw_by = |window: &mut Harness<'_, App>, method| {
+        for label in ["Show", "Picture drawn by", method] {
+            window.get_by_label(label).click();
+            window.run();
+        }
+        window.key_press(egui::Key::Escape);
+        window.run();
+    };
+    draw_by(&mut window, "textbook-f32");
+    let derived = window.state().derived().clone();
+    let wrong = derived.drawn_by.unwrap().comparison.wrong;
+    assert!(wrong > 1, "the scene is there to show that");
+    assert_says(&window, &format!("drawn by textbook-f32: {wrong} wrong pixels"));
+    assert_ne!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
+    draw_by(&mut window, "ladder");
+    let derived = window.state().derived().clone();
+    assert!(derived.drawn_by.is_none());
+    assert_eq!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
+    assert_eq!(texts_with(&window, "drawn by "), Vec::<String>::new());
+}
+
+#[test]
+fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
+    let mut window = window("canonical");
+    type_into(&mut window, "W", "40");
+    type_into(&mut window, "H", "40");
+    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    window.step();
+    window.step();
+    assert!(!texts_with(&window, "measured ").is_empty(), "how far it is");
+    let done = |window: &Harness<'_, App>| !texts_with(window, "Measured on ").is_empty();
+    let until_done = |window: &mut Harness<'_, App>| {
+        let mut steps = 0;
+        while !done(window) {
+            window.step();
+            steps += 1;
+            assert!(steps < 20_000, "it never ends: {:?}", texts_with(window, "measured "));
+        }
+        steps
+    };
+    assert!(until_done(&mut window) > 2, "in slices");
+    assert!(texts_with(&window, "ladder").len() > 1);
+    assert_says(&window, "error map of lagrange-f64");
+    // At rest, nothing is asked for.
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "eye z").click();
+    window.run_steps(2);
+    window.get_by_role_and_label(Role::SpinButton, "eye z").type_text("1");
+    window.run_steps(2);
+    window.key_press(egui::Key::Enter);
+    window.step();
+    window.step();
+    assert!(!done(&window), "the numbers are of another scene");
+    until_done(&mut window);
+}
+
+#[test]
+fn what_was_chosen_is_remembered() {
+    let settings = Settings {
+        layout: ViewLayout::Accuracy,
+        method: named("kahan-f64"),
+        compared: named("half-b-f32"),
+        accuracy_height: 250.0,
+        ..Settings::default()
+    };
+    let text = serde_json::to_string(&settings).unwrap();
+    assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);
+    let unknown = text.replace("kahan-f64", "a-method-of-tomorrow");
+    assert_eq!(serde_json::from_str::<Settings>(&unknown).unwrap().method, named("ladder"));
+}
+
+#[test]
+fn a_fault_leaves_the_last_map_and_stops_measuring() {
+    let mut window = with("canonical", Settings::default());
+    open(&mut window);
+    window.get_by_role_and_label(Role::SpinButton, "up y").click();
+    window.run_steps(2);
+    window.get_by_role_and_label(Role::SpinButton, "up y").type_text("0");
+    window.run_steps(2);
+    window.key_press(egui::Key::Enter);
+    // Nothing asks for another frame, so this comes to rest.
+    window.run();
+    assert!(window.state().derived().fault.is_some());
+    assert!(window.state().derived().error_map.is_some());
+}
+
+#[test]
+fn the_window_says_how_far_up_the_ladder_its_picture_went() {
+    let mut window = window("canonical");
+    let steps = window.state().derived().steps.unwrap();
+    assert!(steps.total() > 0);
+    let said = if steps.beyond_f64() == 0 {
+        format!("Decisions in the picture: {}, all by f64", steps.f64)
+    } else {
+        format!(
+            "Decisions in the picture: {} by f64, {} by double-double, {} exactly",
+            steps.f64, steps.double_double, steps.exact
+        )
+    };
+    assert_says(&window, &said);
+    open(&mut window);
+    let steps = window.state().derived().steps.unwrap();
+    let said = texts_with(&window, "Decisions in the picture: ");
+    assert!(!said.is_empty());
+    assert!(said.iter().all(|text| text.contains(&steps.f64.to_string())), "{said:?}");
+}

@@ -1,0 +1,139 @@
+//! `pinhole report`
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use super::{Run, command_in, entries, run, run_in};
+
+/// Small, so that it is soon measured.
+const SCENE: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                     [image]\nwidth = 12\nheight = 8\n[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n";
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("s.toml"), SCENE).unwrap();
+    fs::write(folder.path().join("two.toml"), SCENE.replace("-5", "-6")).unwrap();
+    folder
+}
+
+fn report(folder: &Path, line: &str) -> Run {
+    run_in(folder, &line.split(' ').collect::<Vec<_>>())
+}
+
+fn json_of(text: &str) -> serde_json::Value {
+    serde_json::from_str(text).unwrap()
+}
+
+#[test]
+fn a_table_that_says_what_it_rests_on() {
+    let folder = folder();
+    let table = report(folder.path(), "report s.toml").done();
+    for part in ["reference  ", "cpu  ", "s.toml: ", "coverage ", "\nladder ", "\ntextbook-f32 "] {
+        assert!(table.contains(part), "no {part:?} in\n{table}");
+    }
+    assert!(table.lines().all(|line| line.chars().count() <= 120), "{table}");
+    assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
+}
+
+#[test]
+fn json_without_a_path_is_all_there_is_on_standard_output() {
+    let folder = folder();
+    for line in ["report s.toml --json", "report s.toml --json -", "report --json -- s.toml"] {
+        let answer = json_of(&report(folder.path(), line).done());
+        assert_eq!(answer["cases"][0]["name"], "s.toml");
+        assert_eq!(answer["cases"][0]["knob"], serde_json::Value::Null);
+        let methods = answer["cases"][0]["methods"].as_array().unwrap();
+        let ladder = methods.iter().find(|method| method["name"] == "ladder").unwrap();
+        assert_eq!(ladder["wrong"], 0);
+        assert!(ladder["decisions"].as_u64().unwrap() > 0);
+        assert!(ladder["ns_per_pixel"]["median"].as_f64().unwrap() > 0.0);
+    }
+    assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
+}
+
+#[test]
+fn several_scenes_are_several_cases_in_every_file() {
+    let folder = folder();
+    let line = "report s.toml two.toml --json a.json --csv a.csv --plot a.svg";
+    let table = report(folder.path(), line).done();
+    assert!(table.contains("\ns.toml: ") && table.contains("\ntwo.toml: "), "{table}");
+    assert_eq!(entries(folder.path()), ["a.csv", "a.json", "a.svg", "s.toml", "two.toml"]);
+    let read = |name| fs::read_to_string(folder.path().join(name)).unwrap();
+    assert_eq!(json_of(&read("a.json"))["cases"].as_array().unwrap().len(), 2);
+    let csv = read("a.csv");
+    assert!(csv.starts_with("case,knob_name,knob,coverage,method,wrong,"), "{csv}");
+    assert!(csv.contains("\ns.toml,") && csv.contains("\ntwo.toml,"), "{csv}");
+    let svg = read("a.svg");
+    assert!(svg.contains(">s.toml</text>") && svg.contains(">two.toml</text>"), "{svg}");
+}
+
+#[test]
+fn a_plot_may_be_pixels() {
+    let folder = folder();
+    report(folder.path(), "report s.toml --plot a.PNG").done();
+    let bytes = fs::read(folder.path().join("a.PNG")).unwrap();
+    let image = image_of(&bytes);
+    assert_eq!(image.width, 1920);
+    assert!(image.height > 600, "{}", image.height);
+}
+
+fn image_of(bytes: &[u8]) -> png::OutputInfo {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap()
+}
+
+#[test]
+fn wrong_arguments_are_told_before_anything_is_measured() {
+    let folder = folder();
+    let fails = |line: &str, status: i32, message: &str| {
+        report(folder.path(), line).failed(status, message)
+    };
+    fails("report --plot a.pdf", 2, "--plot writes SVG or PNG: not a.pdf but a.svg or a.png");
+    fails("report --plot a", 2, "--plot writes SVG or PNG: not a but a.svg or a.png");
+    fails("report --json a.csv", 2, "--json writes JSON: not a.csv but a.json");
+    fails("report --csv a.json", 2, "--csv writes CSV: not a.json but a.csv");
+    for scene in ["canonical", "s.toml"] {
+        let message = format!(
+            "--json takes {scene} as the file to write: put scenes first, as in {scene} --json"
+        );
+        fails(&format!("report --json {scene}"), 2, &message);
+    }
+    fails(
+        "report --csv a --plot no/a.svg",
+        1,
+        "no/a.svg: cannot be written: no such file or directory",
+    );
+    fails("report --csv a --json a", 2, "--json and --csv both write a");
+    fails("report s.toml no.toml", 1, "no.toml: cannot be read: no such file or directory");
+    run("report canonical cannonical")
+        .failed(1, "cannonical: neither a file nor a built-in scene: did you mean canonical?");
+    run("report --seed x").refused("invalid value 'x' for '--seed <N>'");
+    assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
+}
+
+#[test]
+fn a_scene_at_fault_is_told_at_its_place() {
+    let folder = folder();
+    fs::write(folder.path().join("s.toml"), SCENE.replace("[0, 1, 0]", "[0, 0, 2]")).unwrap();
+    let run = report(folder.path(), "report two.toml s.toml");
+    assert_eq!((run.status, run.stdout.as_str()), (1, ""));
+    assert!(run.stderr.contains("s.toml:5:6: "), "{}", run.stderr);
+}
+
+/// All families take minutes, so they are sure to be interrupted.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing() {
+    let folder = folder();
+    let mut child = command_in(folder.path())
+        .args(["report", "--json", "a.json", "--csv", "a.csv", "--plot", "a.png"])
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(300));
+    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.unwrap().success());
+    assert!(!child.wait().unwrap().success());
+    assert_eq!(entries(folder.path()), ["s.toml", "two.toml"]);
+}
