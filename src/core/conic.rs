@@ -68,10 +68,10 @@ impl<T: Number> Conic<T> {
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
     /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and a sum. A coefficient
     /// is made of dot products of vectors that are off by P, and evaluating a polynomial, column
-    /// within row, takes two steps for each of its two variables, or one where it is linear:
+    /// within row, takes two steps for each of its two variables, or half as many, one of them looser, where it is linear:
     ///
     /// ```text
-    /// b:           B' = |q| S (DOT + P + Q) + 2 STEP B
+    /// b:           B' = |q| S (DOT + P + Q) + 3 STEP B
     /// q x direction:  M = |q| S (CROSS + P + Q)
     /// D, far:   2 r S M + M^2 + r^2 S^2 (2 PRODUCT + DOT + 2 P) + DOT N^2 + F (r^2 S^2 + N^2)
     /// D, near:  2 B B' + B'^2 + DOT B^2 + |c| S^2 (PRODUCT + DOT + 2 P + doubt of c)
@@ -93,7 +93,7 @@ impl<T: Number> Conic<T> {
         let b = vectors.map(|v| dot(q, v));
         let b_reach = corner(b.map(|x| x.near().abs()));
         let moved = sphere.distance * reach * (T::DOT + p + sphere.q_doubt);
-        let b_doubt = moved + 2.0 * step * b_reach;
+        let b_doubt = moved + 3.0 * step * b_reach;
         let a = square(vectors);
         let evaluated = T::SUM + 4.0 * step;
         let (discriminant, doubt) = match sphere.form {
@@ -180,7 +180,8 @@ impl<T: Number> Conic<T> {
         t_doubt: f64,
     ) -> Thresholds {
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
-        let operations = T::ROOT + T::SUM + T::QUOTIENT + 2.0 * T::PRODUCT;
+        // The kernels' own operations: at most 78 u^2 in double-double, half a dozen u in f64.
+        let operations = 4.0 * T::QUOTIENT + 2.0 * T::PRODUCT;
         if side == Ordering::Equal {
             let left = t_doubt - self.a_doubt - operations;
             let ahead = if left > 0.0 { b_doubt / left } else { f64::INFINITY };

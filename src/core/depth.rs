@@ -1,6 +1,7 @@
 //! What a frame keeps `t` in, and how a row's answers go into it.
 
 use fearless_simd::Simd;
+use fearless_simd::prelude::*;
 
 /// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within half an
 /// ulp and 2^-15 of one at less than half the time.
@@ -47,8 +48,12 @@ mod sealed {
     impl Sealed for f32 {}
 }
 
+/// Two `t` that are closer than this many spacings may be in the wrong order for their rounding.
+const TIE: f64 = 4.0;
+
+/// What one precision's [`Depth`] is, but for how lanes become its vectors.
 macro_rules! depth {
-    ($real:ident, $bits:ident, $doubt:expr, $is_fine:expr, $range:expr) => {
+    ($real:ident, $doubt:expr, $is_fine:expr, $range:expr, $blend_lanes:ident) => {
         impl Depth for $real {
             const ZERO: $real = 0.0;
             const NONE: $real = $real::INFINITY;
@@ -67,41 +72,36 @@ macro_rules! depth {
 
             #[inline(always)]
             fn blend<S: Simd>(
-                _: S,
+                simd: S,
                 found: &[f64],
                 t: &mut [$real],
                 object: &mut [u32],
                 index: u32,
             ) -> bool {
-                let mut in_doubt = 0;
-                for ((found, t), object) in found.iter().zip(t).zip(object) {
-                    let (x, known) = (*found as $real, *t);
-                    let is_sure = is_sure_beside(x, known);
-                    // Masks instead of branches: a select before a store becomes a masked store,
-                    // which is slow on many processors.
-                    let take = $bits::from((x < known) & is_sure).wrapping_neg();
-                    let bits = known.to_bits();
-                    *t = $real::from_bits(bits ^ ((bits ^ x.to_bits()) & take));
-                    *object ^= (*object ^ index) & (take as u32);
-                    in_doubt |= $bits::from(!is_sure);
+                let n = S::u32s::LEN;
+                let whole = t.len() - t.len() % n;
+                let mut any = false;
+                let rows = t[..whole].chunks_exact_mut(n).zip(object[..whole].chunks_exact_mut(n));
+                for (found, (t, object)) in found.chunks_exact(n).zip(rows) {
+                    any |= $blend_lanes(simd, found, t, object, index);
                 }
-                return in_doubt != 0;
-
-                #[inline(always)]
-                fn is_sure_beside(x: $real, known: $real) -> bool {
-                    // Two t may be in the wrong order for their rounding.
-                    const TIE: $real = 4.0 * $real::EPSILON;
-                    let is_plain = (x > $range.0) & (x < $range.1);
-                    (x == $real::INFINITY) | (is_plain & ((x - known).abs() > TIE * x))
+                for k in whole..t.len() {
+                    let x = found[k] as $real;
+                    let in_doubt = <$real as Depth>::is_in_doubt(found[k], t[k], object[k], index);
+                    any |= in_doubt;
+                    if !in_doubt && x < t[k] {
+                        (t[k], object[k]) = (x, index);
+                    }
                 }
+                any
             }
 
             #[inline(always)]
             fn is_in_doubt(found: f64, t: $real, object: u32, index: u32) -> bool {
-                const TIE: $real = 4.0 * $real::EPSILON;
                 let x = found as $real;
+                let tie = (TIE * f64::from($real::EPSILON)) as $real * x;
                 let is_plain = (x > $range.0) & (x < $range.1);
-                let is_sure = (x == $real::INFINITY) | (is_plain & ((x - t).abs() > TIE * x));
+                let is_sure = (x == $real::INFINITY) | (is_plain & ((x - t).abs() > tie));
                 // What was just taken over is there itself.
                 !is_sure && object != index
             }
@@ -110,5 +110,74 @@ macro_rules! depth {
 }
 
 // 2^-39 of f32 makes 2^-15 of an ulp.
-depth!(f32, u32, 1.0 / (1_u64 << 39) as f64, false, (1e-37, 1e38));
-depth!(f64, u64, crate::precise::T_DOUBT, true, (1e-290, 1e290));
+depth!(f32, 1.0 / (1_u64 << 39) as f64, false, SINGLE_RANGE, blend_single);
+depth!(f64, crate::precise::T_DOUBT, true, DOUBLE_RANGE, blend_double);
+
+/// Well within the range, so that what is computed of it is too.
+const SINGLE_RANGE: (f32, f32) = (1e-37, 1e38);
+const DOUBLE_RANGE: (f64, f64) = (1e-290, 1e290);
+
+/// Which lanes of x are nearer than what is known, and which are in doubt.
+macro_rules! compare {
+    ($simd:ident, $vector:ty, $x:ident, $known:ident, $real:ident, $range:expr) => {{
+        let tie = $x * ((TIE * f64::from($real::EPSILON)) as $real);
+        let is_apart = ($x - $known).simd_gt(tie) | ($known - $x).simd_gt(tie);
+        let is_plain = $x.simd_gt(<$vector>::splat($simd, $range.0))
+            & $x.simd_lt(<$vector>::splat($simd, $range.1));
+        let is_sure = $x.simd_eq(<$vector>::splat($simd, $real::INFINITY)) | (is_plain & is_apart);
+        (is_sure & $x.simd_lt($known), !is_sure)
+    }};
+}
+
+/// One vector of `f32`.
+#[inline(always)]
+fn blend_single<S: Simd>(
+    simd: S,
+    found: &[f64],
+    t: &mut [f32],
+    object: &mut [u32],
+    index: u32,
+) -> bool {
+    let half = S::f64s::LEN;
+    let low = S::f64s::from_slice(simd, &found[..half]);
+    let high = S::f64s::from_slice(simd, &found[half..]);
+    let (x, known) = (low.narrow(high), S::f32s::from_slice(simd, t));
+    let (take, in_doubt) = compare!(simd, S::f32s, x, known, f32, SINGLE_RANGE);
+    // Vectors, not a loop over numbers: that would become masked stores, slow on many processors.
+    take.select(x, known).store_slice(t);
+    let objects = S::u32s::from_slice(simd, object);
+    take.select(S::u32s::splat(simd, index), objects).store_slice(object);
+    in_doubt.any_true()
+}
+
+/// Two vectors of `f64`.
+#[inline(always)]
+fn blend_double<S: Simd>(
+    simd: S,
+    found: &[f64],
+    t: &mut [f64],
+    object: &mut [u32],
+    index: u32,
+) -> bool {
+    let half = S::f64s::LEN;
+    let (low, high) = t.split_at_mut(half);
+    let (low, low_in_doubt) = blend_half::<S>(simd, &found[..half], low);
+    let (high, high_in_doubt) = blend_half::<S>(simd, &found[half..], high);
+    let objects = S::u32s::from_slice(simd, object);
+    let take = low.narrow(high);
+    take.select(S::u32s::splat(simd, index), objects).store_slice(object);
+    low_in_doubt | high_in_doubt
+}
+
+/// One vector of `f64`: which lanes were taken over, and whether any is in doubt.
+#[inline(always)]
+fn blend_half<S: Simd>(
+    simd: S,
+    found: &[f64],
+    t: &mut [f64],
+) -> (<S::f64s as SimdBase<S>>::Mask, bool) {
+    let (x, known) = (S::f64s::from_slice(simd, found), S::f64s::from_slice(simd, t));
+    let (take, in_doubt) = compare!(simd, S::f64s, x, known, f64, DOUBLE_RANGE);
+    take.select(x, known).store_slice(t);
+    (take, in_doubt.any_true())
+}

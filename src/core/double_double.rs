@@ -42,6 +42,16 @@ impl<F: Lane> DoubleDouble<F> {
         DoubleDouble { hi, lo }
     }
 
+    /// The sum, off by at most `8 u^2 (|self| + |other|)` (Joldes, Muller, Popescu, algorithm 5): the
+    /// two low parts' rounding and that of what they are added to make `3 u^2`, and where the high
+    /// parts cancel, the last step makes 5 more. Half the operations of `+`.
+    #[inline(always)]
+    pub(crate) fn loosely_plus(self, other: Self) -> Self {
+        let (high, error) = two_sum(self.hi, other.hi);
+        let (hi, lo) = fast_two_sum(high, error + (self.lo + other.lo));
+        DoubleDouble { hi, lo }
+    }
+
     /// `self * x`: relative error at most `3 u^2` (Joldes, Muller, Popescu, *Tight and rigorous
     /// error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44, 2017,
     /// algorithm 8 and theorem 4.2).

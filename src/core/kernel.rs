@@ -8,6 +8,7 @@ use fearless_simd::{Select, Simd};
 
 use crate::conic::{ConicRow, Thresholds};
 use crate::double_double::DoubleDouble;
+use crate::error_free::two_sum;
 use crate::lane::Lane;
 use crate::lanes::Lanes;
 
@@ -25,6 +26,13 @@ pub(crate) trait LaneNumber<S: Simd>:
     type Scalar: Copy;
 
     fn splat(simd: S, x: Self::Scalar) -> Self;
+
+    /// `c0 + m c1`, of whose terms none is much larger than the sum.
+    fn linear(c: [Self; 2], m: Lanes<S>) -> Self;
+
+    /// `c / (b + sqrt D)`, rounded, for `D > 0` and `b > 0`; anything elsewhere.
+    fn near_root(c: Self, b: Self, discriminant: Self) -> Lanes<S>;
+
     fn times_whole(self, m: Lanes<S>) -> Self;
     fn times_number(self, x: Self) -> Self;
     fn root(self) -> Self;
@@ -40,6 +48,16 @@ impl<S: Simd> LaneNumber<S> for Lanes<S> {
     #[inline(always)]
     fn splat(simd: S, x: f64) -> Self {
         Lanes::splat(simd, x)
+    }
+
+    #[inline(always)]
+    fn linear(c: [Self; 2], m: Lanes<S>) -> Self {
+        c[0] + c[1] * m
+    }
+
+    #[inline(always)]
+    fn near_root(c: Self, b: Self, discriminant: Self) -> Lanes<S> {
+        c / (b + discriminant.sqrt())
     }
 
     #[inline(always)]
@@ -74,6 +92,35 @@ impl<S: Simd> LaneNumber<S> for DoubleDouble<Lanes<S>> {
     #[inline(always)]
     fn splat(simd: S, x: DoubleDouble) -> Self {
         DoubleDouble { hi: Lanes::splat(simd, x.hi), lo: Lanes::splat(simd, x.lo) }
+    }
+
+    #[inline(always)]
+    fn linear(c: [Self; 2], m: Lanes<S>) -> Self {
+        c[0].loosely_plus(c[1].times(m))
+    }
+
+    /// One square root and one division. With `s = fl(sqrt D)` and `z = b + s`, both in `f64`, and
+    /// `i = 1 / (s z)`, the reciprocals `1 / s = i z` and `1 / z = i s` are right to 3 u, which is
+    /// enough for the corrections that follow: half of `(D - s^2) / s` for the root, and
+    /// `(c - q z') / z` for the quotient `q = c / z`, where z' has all digits.
+    ///
+    /// Relative error before the last rounding, with `u = 2^-53`: the root's correction is below
+    /// `2 u s` and off by `12 u^2 s` at most, what is added to it by `6 u^2 z`; q is off by `4 u`, so
+    /// that `c - q z'` is below `7 u c`, off by `16 u^2 c`, and its product with `1 / z` by
+    /// `28 u^2 + 14 u^2` more. In all below `78 u^2`.
+    #[inline(always)]
+    fn near_root(c: Self, b: Self, discriminant: Self) -> Lanes<S> {
+        let root = discriminant.hi.sqrt();
+        let (square, square_error) = root.two_product(root);
+        let root_rest = ((discriminant.hi - square) - square_error) + discriminant.lo;
+        let (z, z_error) = two_sum(b.hi, root);
+        let reciprocal = Lanes::one(z) / (root * z);
+        let z_rest = z_error + (b.lo + root_rest * (reciprocal * z).half());
+        let reciprocal = reciprocal * root;
+        let quotient = c.hi * reciprocal;
+        let (product, product_error) = quotient.two_product(z);
+        let rest = ((c.hi - product) - product_error) + (c.lo - quotient * z_rest);
+        quotient + rest * reciprocal
     }
 
     #[inline(always)]
@@ -163,12 +210,12 @@ pub(crate) fn sphere_row<S: Simd, N: LaneNumber<S>>(
                     continue;
                 }
                 let discriminant = quadratic(d, m);
-                let b = b[0] + b[1].times_whole(m);
-                let t = c / (b + discriminant.root());
+                let b = N::linear(b, m);
+                let t = N::near_root(c, b, discriminant);
                 let (discriminant, b) = (discriminant.near().0, b.near().0);
                 let is_miss = discriminant.simd_lt(miss) | b.simd_lt(behind);
                 let is_hit = discriminant.simd_ge(hit) & b.simd_gt(ahead);
-                is_hit.select(t.near().0, is_miss.select(none, doubt))
+                is_hit.select(t.0, is_miss.select(none, doubt))
             }
             Ordering::Less => {
                 let discriminant = quadratic(d, m);

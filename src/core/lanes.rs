@@ -5,7 +5,6 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use fearless_simd::prelude::*;
 use fearless_simd::{ExtractToken, Level, Simd};
 
-use crate::double_double::DoubleDouble;
 use crate::error_free::{SPLITTER, Split, dekker_product};
 use crate::lane::Lane;
 
@@ -19,13 +18,11 @@ impl<S: Simd> Lanes<S> {
     pub(crate) fn splat(simd: S, x: f64) -> Self {
         Lanes(S::f64s::splat(simd, x))
     }
-}
 
-impl<S: Simd> DoubleDouble<Lanes<S>> {
-    /// The same number in every lane.
+    /// 1 in as many lanes as another vector has.
     #[inline(always)]
-    pub(crate) fn splat(simd: S, x: DoubleDouble) -> Self {
-        DoubleDouble { hi: Lanes::splat(simd, x.hi), lo: Lanes::splat(simd, x.lo) }
+    pub(crate) fn one(like: Self) -> Self {
+        Lanes::splat(like.0.token(), 1.0)
     }
 }
 
