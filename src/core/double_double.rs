@@ -28,13 +28,6 @@ pub struct DoubleDouble<F = f64> {
 pub(crate) const U2: f64 = 0.25 * f64::EPSILON * f64::EPSILON;
 
 impl<F: Lane> DoubleDouble<F> {
-    /// `a + b`, exactly.
-    #[inline(always)]
-    pub(crate) fn sum(a: F, b: F) -> Self {
-        let (hi, lo) = two_sum(a, b);
-        DoubleDouble { hi, lo }
-    }
-
     /// `a * b`, exactly.
     #[inline(always)]
     pub(crate) fn product(a: F, b: F) -> Self {

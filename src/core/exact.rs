@@ -57,6 +57,11 @@ impl Dyadic {
         (&self.mantissa, self.exponent)
     }
 
+    /// The mantissa that goes with a smaller exponent.
+    fn aligned(&self, exponent: i32) -> BigInt {
+        &self.mantissa << (self.exponent - exponent) as u32
+    }
+
     pub(crate) fn square(&self) -> Dyadic {
         self * self
     }
@@ -177,8 +182,7 @@ impl Add for &Dyadic {
             return self.clone();
         }
         let exponent = self.exponent.min(other.exponent);
-        let aligned = |x: &Dyadic| &x.mantissa << (x.exponent - exponent) as u32;
-        Dyadic { mantissa: aligned(self) + aligned(other), exponent }
+        Dyadic { mantissa: self.aligned(exponent) + other.aligned(exponent), exponent }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::error_free::dekker_product;
 ///
 /// The same operations give the same bits whatever the width, because none of them fuses a product
 /// with a sum but where the result is exact.
-pub(crate) trait Lane:
+pub trait Lane:
     Copy
     + Add<Output = Self>
     + Sub<Output = Self>

@@ -95,6 +95,8 @@ pub use exact_ray::ExactRay;
 pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use glam::{DVec2, DVec3};
 pub use image::{ImageError, ImageSize, Pixel};
+#[doc(hidden)]
+pub use lane::Lane;
 pub use number::shortest;
 pub use plane::{Plane, PlaneTerms};
 pub use posed::{PixelOfUv, PosedCamera, Projection};

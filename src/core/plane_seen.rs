@@ -30,7 +30,7 @@ pub(crate) struct PlaneSeen {
     pub(crate) scale: i32,
     /// On which side the plane is: the exact sign of the offset.
     pub(crate) side: Ordering,
-    pub(crate) side_step: Step,
+    side_step: Step,
 }
 
 /// `normal . direction` with its exact sign.
@@ -132,6 +132,9 @@ impl PlaneSeen {
 
     /// Whether the ray hits the plane at a `t > 0`.
     pub(crate) fn is_hit(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
+        if self.side_step != Step::F64 {
+            steps.count(self.side_step);
+        }
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
 

@@ -190,20 +190,3 @@ impl Hit<'_> {
         self.seen.root(self.index, ray, self.end)
     }
 }
-
-/// The first of the objects' hits: the smallest `t > 0`, of equal ones the object that comes first.
-pub(crate) fn first_of<'a>(
-    objects: impl Iterator<Item = (u32, &'a ObjectSeen)>,
-    ray: &ExactRay,
-    steps: &mut Steps,
-) -> Option<Hit<'a>> {
-    let mut first: Option<Hit> = None;
-    for (index, seen) in objects {
-        let Some(end) = seen.first_end(ray, steps) else { continue };
-        let hit = Hit { index, seen, end };
-        if first.as_ref().is_none_or(|first| hit.is_before(first, ray, steps)) {
-            first = Some(hit);
-        }
-    }
-    first
-}

@@ -108,11 +108,6 @@ impl SphereSeen {
         })
     }
 
-    /// The step that decided on which side of the sphere the origin is.
-    pub(crate) fn side_step(&self) -> Step {
-        self.side_step
-    }
-
     /// Whether the ray's line meets the sphere.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Meets {
         if self.side == Ordering::Less {
@@ -157,6 +152,9 @@ impl SphereSeen {
 
     /// Which end of the line's chord the ray hits first: the smallest `t > 0`.
     pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+        if self.side_step != Step::F64 {
+            steps.count(self.side_step);
+        }
         if self.side == Ordering::Less {
             steps.count(Step::F64);
             return Some(End::Far);

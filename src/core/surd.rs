@@ -1,7 +1,7 @@
 //! Exact numbers with two square roots in them, which is what a camera's pixel rays are made of.
 
 use std::cmp::Ordering;
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, Neg, Sub};
 
 use num_bigint::BigInt;
 
@@ -54,7 +54,7 @@ impl Surd {
     pub(crate) fn times(&self, other: &Surd, of: &Radicands) -> Surd {
         /// The root under which the product of two coefficients goes: bit 0 for A, bit 1 for B.
         /// Where both have a root, its radicand comes out.
-        fn factor<'a>(i: usize, j: usize, of: &'a Radicands) -> Option<&'a Dyadic> {
+        fn factor(i: usize, j: usize, of: &Radicands) -> Option<&Dyadic> {
             match i & j {
                 0 => None,
                 1 => Some(&of.a),

@@ -184,7 +184,7 @@ fn the_exr_file_holds_what_the_rays_meet() {
     assert_eq!(NO_OBJECT, 4_294_967_295);
     for (k, object) in objects.iter().enumerate() {
         let (t, n) = (frame.t[k], frame.normal[k]);
-        assert_eq!(floats("t")[k], t as f32);
+        assert_eq!(floats("t")[k], t);
         assert_eq!(*object == NO_OBJECT, floats("t")[k].is_infinite());
         assert_eq!(
             [floats("N.X")[k], floats("N.Y")[k], floats("N.Z")[k]],

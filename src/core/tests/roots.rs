@@ -320,7 +320,6 @@ fn a_parallel_plane_is_no_hit() {
 fn a_planes_point_lies_in_the_plane() {
     let floor = plane([0.0, 0.1, 0.0], [0.0, 3.0, 0.0]);
     let ray = Ray { origin: vec3(1e9, 1e6, -1e9), direction: vec3(0.123, -0.77, 0.456) };
-    let t = floor.roots(&ray).first_positive().unwrap();
     assert_eq!(root_on(floor, &ray).point.y, 0.1);
     assert_eq!(root_on(floor, &ray).normal, DVec3::Y);
 }

@@ -6,7 +6,7 @@ use pinhole_core::{NO_OBJECT, PosedCamera, Sphere};
 
 /// What is computed of the quadratic.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Form {
+pub(crate) enum Form {
     /// `(-b -+ sqrt(b^2 - 4ac)) / 2a`, the smaller positive one.
     TwoRoots,
     /// `c / (sqrt D - b)` with half of b: right for an eye outside.
@@ -14,7 +14,7 @@ pub enum Form {
 }
 
 /// A frame with the buffers of a `Frame`.
-pub struct Loop<R> {
+pub(crate) struct Loop<R> {
     columns: Vec<[R; 3]>,
     column_x: Vec<R>,
     column_y: Vec<R>,
@@ -22,14 +22,14 @@ pub struct Loop<R> {
     rows: Vec<[R; 3]>,
     from_center: [R; 3],
     c: R,
-    pub t: Vec<R>,
-    pub object: Vec<u32>,
+    pub(crate) t: Vec<R>,
+    pub(crate) object: Vec<u32>,
 }
 
 macro_rules! textbook {
     ($real:ident, $vector:ident) => {
         impl Loop<$real> {
-            pub fn new(camera: &PosedCamera, sphere: &Sphere) -> Self {
+            pub(crate) fn new(camera: &PosedCamera, sphere: &Sphere) -> Self {
                 let image = camera.image();
                 let basis = camera.basis();
                 let distance = camera.viewport().distance;
@@ -57,7 +57,7 @@ macro_rules! textbook {
                 }
             }
 
-            pub fn run(&mut self, level: Level, form: Form) {
+            pub(crate) fn run(&mut self, level: Level, form: Form) {
                 dispatch!(level, simd => self.trace(simd, form));
             }
 
