@@ -1,7 +1,7 @@
 //! Measures error against run time, a slice at a time: [`Run`].
 //!
 //! A run is a list of cases (a scene, or a stress family at one setting of its knob). Of each, some
-//! rays are followed by every [`Method`](pinhole_core::methods::Method) and by the reference, and
+//! rays are followed by every [`Method`] and by the reference, and
 //! whole frames or lists of rays are timed in rounds that take the methods in turn, so that whatever
 //! slows the machine down slows all of them.
 

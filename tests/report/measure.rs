@@ -59,13 +59,13 @@ fn a_small_scene_is_measured_whole() {
     assert!(report.reference.starts_with("arbitrary precision"), "{}", report.reference);
 }
 
-/// The horizon of a sphere of radius 10,000, from 1/1024 above: in single precision c is rounded by
-/// as much as it is.
+/// The horizon of a sphere of radius 10,000, from 1/4096 above: in single precision the eye is on
+/// it, and every ray below the horizontal hits.
 #[test]
 fn the_textbook_is_wrong_on_a_planet_and_the_ladder_is_not() {
-    let height = 1.0 / 1024.0;
+    let height = 1.0 / 4096.0;
     let planet = Scene::new(vec![sphere([0.0, -1e4 - height, 0.0], 1e4)], vec![]).unwrap();
-    let viewport = Viewport { width: 0.002, height: 0.002, distance: 1.0 };
+    let viewport = Viewport { width: 0.001, height: 0.001, distance: 1.0 };
     let camera = Camera { viewport, ..small_camera() };
     let report = finished(Run::of_scene("planet", &planet, &camera).unwrap());
     let case = &report.cases[0];
