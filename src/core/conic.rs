@@ -66,7 +66,7 @@ impl<T: Number> Conic<T> {
     /// The coefficients and bounds of their error anywhere in the patch.
     ///
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
-    /// of b; P and Q are the doubts of direction and q, and STEP is a product and a sum. A coefficient
+    /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and a sum. A coefficient
     /// is made of dot products of vectors that are off by P, and evaluating a polynomial, column
     /// within row, takes two steps for each of its two variables, or one where it is linear:
     ///
@@ -88,7 +88,7 @@ impl<T: Number> Conic<T> {
         let corner = |[x0, x1, x2]: [f64; 3]| x0 + patch.columns * x1 + patch.rows * x2;
         let reach_of = |v: [Vector<T>; 3]| corner(v.map(|x| length(near(x))));
         let p = rays.doubt();
-        let step = T::PRODUCT + T::SUM;
+        let step = T::STRETCH + T::SUM;
         let reach = reach_of(vectors);
         let b = vectors.map(|v| dot(q, v));
         let b_reach = corner(b.map(|x| x.near().abs()));
@@ -132,12 +132,38 @@ impl<T: Number> Conic<T> {
     /// The row that is `k` steps from the middle.
     #[inline(always)]
     pub(crate) fn row(&self, k: f64) -> ConicRow<T> {
-        let k = T::from(k);
-        let of = |c: &[T; 6]| [c[0] + k * (c[2] + k * c[5]), c[1] + k * c[4], c[3]];
+        let of = |c: &[T; 6]| {
+            let constant = c[0] + (c[2] + c[5].stretched(k)).stretched(k);
+            [constant, c[1] + c[4].stretched(k), c[3]]
+        };
         ConicRow {
             a: of(&self.a),
-            b: [self.b[0] + k * self.b[2], self.b[1]],
+            b: [self.b[0] + self.b[2].stretched(k), self.b[1]],
             discriminant: of(&self.discriminant),
+        }
+    }
+
+    /// From coefficients that are off by no more than a rounding each: all that is left is the
+    /// evaluation, 4 steps of a product with a whole number and a sum, of what the terms can be at
+    /// the patch's corner.
+    pub(crate) fn of_coefficients(
+        a: [T; 6],
+        b: [T; 3],
+        discriminant: [T; 6],
+        patch: &Patch,
+    ) -> Conic<T> {
+        let Patch { columns: m, rows: k, .. } = *patch;
+        let powers = [1.0, m, k, m * m, m * k, k * k];
+        let size = |c: &[T]| -> f64 { c.iter().zip(powers).map(|(x, p)| x.near().abs() * p).sum() };
+        let share = SECOND_ORDER * (T::SUM + 4.0 * (T::STRETCH + T::SUM));
+        let least_a = a[0].near() - (size(&a) - a[0].near());
+        Conic {
+            discriminant_doubt: share * size(&discriminant) + UNDERFLOW,
+            b_doubt: share * size(&b) + UNDERFLOW,
+            a_doubt: if least_a > 0.0 { share * size(&a) / least_a } else { f64::INFINITY },
+            a,
+            b,
+            discriminant,
         }
     }
 

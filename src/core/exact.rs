@@ -212,6 +212,11 @@ impl Mul for &Dyadic {
     }
 }
 
+/// The number as given.
+pub(crate) fn big_of(x: f64) -> Dyadic {
+    Dyadic::from(x)
+}
+
 /// A vector of exact numbers.
 pub(crate) type Exact3 = [Dyadic; 3];
 

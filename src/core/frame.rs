@@ -2,90 +2,13 @@
 
 use glam::DVec3;
 
+use crate::depth::Depth;
 use crate::image::{ImageSize, Pixel};
 use crate::posed::PosedCamera;
 use crate::steps::Steps;
 
 /// [`Frame::object`] where the ray hits nothing.
 pub const NO_OBJECT: u32 = u32::MAX;
-
-/// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within half an
-/// ulp and 2^-15 of one at less than half the time.
-pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
-    /// 0
-    #[doc(hidden)]
-    const ZERO: Self;
-    /// Where nothing is hit.
-    const NONE: Self;
-    /// How exact the row kernels' `t` must be, as a share.
-    #[doc(hidden)]
-    const DOUBT: f64;
-    /// Two `t` that are closer than this share may be in the wrong order for their rounding.
-    #[doc(hidden)]
-    const TIE: f64;
-
-    /// The nearest one; infinite or the smallest positive one where it is beyond the range.
-    #[doc(hidden)]
-    fn of(t: f64) -> Self;
-
-    /// Whether it is far from the ends of the range.
-    #[doc(hidden)]
-    fn is_in_range(t: f64) -> bool;
-
-    /// As `f64`, exactly.
-    fn widened(self) -> f64;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f64 {}
-    impl Sealed for f32 {}
-}
-
-impl Depth for f64 {
-    const ZERO: f64 = 0.0;
-    const NONE: f64 = f64::INFINITY;
-    const DOUBT: f64 = crate::precise::T_DOUBT;
-    const TIE: f64 = 4.0 * f64::EPSILON;
-
-    #[inline(always)]
-    fn of(t: f64) -> f64 {
-        t
-    }
-
-    #[inline(always)]
-    fn is_in_range(t: f64) -> bool {
-        t > 1e-290 && t < 1e290
-    }
-
-    #[inline(always)]
-    fn widened(self) -> f64 {
-        self
-    }
-}
-
-impl Depth for f32 {
-    const ZERO: f32 = 0.0;
-    const NONE: f32 = f32::INFINITY;
-    /// 2^-39
-    const DOUBT: f64 = 1.0 / (1_u64 << 39) as f64;
-    const TIE: f64 = 4.0 * f32::EPSILON as f64;
-
-    #[inline(always)]
-    fn of(t: f64) -> f32 {
-        (t as f32).max(f32::from_bits(1))
-    }
-
-    #[inline(always)]
-    fn is_in_range(t: f64) -> bool {
-        t > 1e-37 && t < 1e38
-    }
-
-    #[inline(always)]
-    fn widened(self) -> f64 {
-        self.into()
-    }
-}
 
 /// Which rows and columns of the image to trace, ascending. A screen smaller than the image shows
 /// only some of its pixels; the others need not be traced.

@@ -1,5 +1,8 @@
 //! The view rays of a frame, as whole steps along columns and rows.
 
+use std::ops::Range;
+
+use crate::conic::Patch;
 use crate::double_double::DoubleDouble;
 use crate::frame::Raster;
 use crate::image::Pixel;
@@ -83,6 +86,15 @@ impl<'a> FrameRays<'a> {
 
     pub(crate) fn camera(&self) -> &'a PosedCamera {
         self.camera
+    }
+
+    /// The patch that rows and columns of the raster make.
+    pub(crate) fn patch(&self, rows: &Range<usize>, columns: &Range<usize>) -> Patch {
+        let (n, l) = (&self.n[columns.clone()], &self.l[rows.clone()]);
+        let (n0, l0) = (n[n.len() / 2], l[l.len() / 2]);
+        let reach =
+            |of: &[f64], from: f64| (of[0] - from).abs().max((of[of.len() - 1] - from).abs());
+        Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
     }
 
     /// The pixel in the raster's `row`th row and `column`th column.

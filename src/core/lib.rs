@@ -41,11 +41,12 @@
 
 mod band;
 mod basis;
+mod big_conic;
 mod big_ray;
-mod blend;
 mod bounds;
 mod camera;
 mod conic;
+mod depth;
 mod double_double;
 mod error_free;
 mod exact;
@@ -64,6 +65,8 @@ mod method_trace;
 pub mod methods;
 mod normals;
 mod number;
+mod object_kernel;
+mod plan;
 mod plane;
 mod plane_seen;
 mod posed;
@@ -86,9 +89,10 @@ pub use fearless_simd::Level;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
+pub use depth::Depth;
 pub use double_double::DoubleDouble;
 pub use exact_ray::ExactRay;
-pub use frame::{Depth, Frame, FramePixel, NO_OBJECT, Outputs, Raster};
+pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
 pub use glam::{DVec2, DVec3};
 pub use image::{ImageError, ImageSize, Pixel};
 pub use number::shortest;

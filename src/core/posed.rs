@@ -4,13 +4,13 @@
 use glam::{DVec2, DVec3};
 
 use crate::basis::Basis;
+use crate::big_conic::{BigSteppers, product, surds};
 use crate::big_ray::BigRay;
 use crate::double_double::DoubleDouble;
 use crate::error_free::difference_with_rest;
 use crate::exact::{Dyadic, exact3, times};
 use crate::exact_ray::{ExactRay, scaled};
 use crate::fine_basis::{BigBasis, FineBasis, ViewGiven};
-use crate::frame::Raster;
 use crate::image::{ImageSize, Pixel};
 use crate::ray::{Ray, RayError};
 use crate::scale::ldexp;
@@ -283,15 +283,27 @@ impl PosedCamera {
         }
     }
 
-    /// Whether all directions of view rays through the raster surely are
-    /// [plain](crate::scale::is_plain_direction).
-    pub(crate) fn has_plain_directions(&self, raster: &Raster) -> bool {
-        let largest =
-            |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, |a, x| x.abs().max(a));
-        let u = largest(&mut raster.columns().iter().map(|column| self.u_of_column(*column)));
-        let v = largest(&mut raster.rows().iter().map(|row| self.v_of_row(*row)));
-        let distance = self.viewport.distance;
-        distance > 1e-59 && u + v + distance < 1e59
+    /// All of a frame's view rays in exact numbers.
+    pub(crate) fn big_steppers(&self) -> BigSteppers {
+        let Viewport { width, height, distance } = self.viewport;
+        let (w, h) = (f64::from(self.image.width()), f64::from(self.image.height()));
+        let (x, y, z) = (product(width, h), product(height, w), product(distance, 2.0 * w * h));
+        let eye = exact3(self.eye);
+        match self.aim {
+            AimGiven::ViewUp(view, up) => {
+                let BigBasis { view, right, upward, of } = BigBasis::new(&view, up);
+                let (e, g) = (surds(&times(&right, &x), 1), surds(&times(&upward, &y), 0));
+                let z = surds(&times(&view, &z), 2);
+                BigSteppers { eye, e, g, z, scale: Radicands::root_of_product(), of }
+            }
+            AimGiven::Basis => {
+                let along = |v: DVec3, x: &Dyadic| surds(&times(&exact3(v), x), 0);
+                let (e, g) = (along(self.basis.u, &x), along(self.basis.v, &y));
+                let z = along(-self.basis.w, &z);
+                let (scale, of) = (Surd::from(Dyadic::from(1.0)), Radicands::none());
+                BigSteppers { eye, e, g, z, scale, of }
+            }
+        }
     }
 
     /// `u*U`: what the pixels of a column share of their directions.

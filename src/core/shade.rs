@@ -5,7 +5,8 @@ use std::sync::LazyLock;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::frame::{Depth, Frame, NO_OBJECT};
+use crate::depth::Depth;
+use crate::frame::{Frame, NO_OBJECT};
 use crate::normals::Normals;
 use crate::ray::Ray;
 use crate::scene::Scene;

@@ -135,7 +135,7 @@ fn scene_and_camera() -> impl Strategy<Value = (Scene, PosedCamera)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn random_scenes((scene, camera) in scene_and_camera()) {
