@@ -112,27 +112,13 @@ pub(crate) fn ui(
     if let Some(text) = selected(derived, document, session) {
         ui.label(text);
     }
-    ui.horizontal(|ui| match measuring.share() {
-        Some(share) => {
-            ui.label("Measuring");
-            let bar = ProgressBar::new(share).desired_width(220.0).show_percentage();
-            let response = ui.add(bar);
-            let spoken = format!("measured {:.0} %", 100.0 * share);
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
-            if measuring.report().is_some() && !measuring.is_current() {
-                ui.weak("until then the last scene's numbers");
-            }
+    ui.horizontal(|ui| {
+        if let Some(steps) = derived.steps {
+            ui.weak(readouts::steps(steps));
+            ui.separator();
         }
-        None => {
-            if let Some(report) = measuring.report() {
-                let text = format!("Measured on {}, against {}", report.cpu, report.reference);
-                ui.add(egui::Label::new(text).truncate());
-            }
-        }
+        progress(ui, measuring);
     });
-    if let Some(steps) = derived.steps {
-        ui.weak(readouts::steps(steps));
-    }
     let Some(report) = measuring.report().cloned() else { return };
     let Some(case) = report.cases.first() else { return };
     let area = ui.available_rect_before_wrap();
@@ -145,6 +131,22 @@ pub(crate) fn ui(
             table::ui(ui, case, &mut session.settings.compared);
         });
     });
+}
+
+/// How far measuring is, or what the numbers rest on.
+fn progress(ui: &mut Ui, measuring: &Measuring) {
+    if let Some(share) = measuring.share() {
+        ui.label("Measuring");
+        let response = ui.add(ProgressBar::new(share).desired_width(180.0).show_percentage());
+        let spoken = format!("measured {:.0} %", 100.0 * share);
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+        if measuring.report().is_some() && !measuring.is_current() {
+            ui.weak("until then the last scene's numbers");
+        }
+    } else if let Some(report) = measuring.report() {
+        let text = format!("Measured on {}, against {}", report.cpu, report.reference);
+        ui.add(egui::Label::new(text).truncate());
+    }
 }
 
 /// What the ladder and the map's method say of the selected pixel.

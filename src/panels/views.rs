@@ -339,10 +339,13 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
     }
 }
 
+/// The size of the text on a picture that the ladder did not draw, in points.
+const MARK: f32 = 15.0;
+
 /// What drew a picture, written on it where that was not the ladder.
 pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
-    let font = egui::FontId::proportional(16.0);
-    let most = (rect.width() - 24.0).max(20.0);
+    let font = egui::FontId::proportional(MARK);
+    let most = (rect.width() - 16.0).max(20.0);
     let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
     // At the bottom, where the picture has no marks of its own.
     let size = galley.size() + vec2(16.0, 8.0);
@@ -350,7 +353,7 @@ pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
     ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
     let inside = UiBuilder::new().max_rect(band.shrink2(vec2(8.0, 4.0)));
     ui.scope_builder(inside, |ui| {
-        ui.label(RichText::new(text).size(16.0).color(Color32::BLACK));
+        ui.label(RichText::new(text).size(MARK).color(Color32::BLACK));
     });
 }
 

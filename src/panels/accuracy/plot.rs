@@ -1,8 +1,8 @@
 //! Error against run time, both logarithmic: a mark a method.
 
-use egui::{Color32, Ui};
+use egui::{Align2, Color32, RichText, Ui};
 use egui_plot::{
-    GridInput, GridMark, HLine, HoverPosition, LineStyle, MarkerShape, Plot, PlotUi, Points,
+    GridInput, GridMark, HLine, HoverPosition, LineStyle, MarkerShape, Plot, PlotUi, Points, Text,
 };
 use pinhole_core::methods::Method;
 
@@ -54,6 +54,13 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
             for (ulp, name) in [(1.0, "one ulp of f64"), (SINGLE, "one ulp of f32")] {
                 let line = HLine::new(name, f64::log10(ulp)).allow_hover(false);
                 plot.hline(line.color(Color32::GRAY).style(LineStyle::dashed_loose()));
+            }
+            // Where a mark is, so that the plot gets no wider for it.
+            if let Some(left) = marks.iter().map(|mark| mark.at[0]).reduce(f64::min) {
+                let at = [left, SINGLE.log10()].into();
+                let name = RichText::new("one ulp of f32").size(13.0);
+                let name = Text::new("name of the line", at, name);
+                plot.text(name.color(Color32::GRAY).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
             }
             // The first method on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark));
