@@ -24,6 +24,25 @@
 //! - A hit is the smallest `t > 0`; `t = 0` is none, a tangent is one. Among exact ties the object
 //!   that is listed first wins. Objects are counted from 0: spheres, then planes.
 //!
+//! # The ladder
+//!
+//! Every decision (hit or miss, which of two objects is first, on which side of an object the eye is,
+//! whether there is a basis) is what exact real arithmetic gives for the `f64` inputs as given. It is
+//! made in `f64` with a bound of the error; what lies within the bound, in double-double with one;
+//! what lies within that, in integers of any length. The bounds stand, derived, where they are
+//! computed. [`Steps`] counts how far each decision had to go.
+//!
+//! - *Any ray*: a [`Ray`]'s origin and direction are meant to the bit: [`Scene::first_hit`].
+//! - *A pixel's ray*: eye, at (or view), up, viewport and image are meant to the bit, and nothing in
+//!   between is rounded, neither the basis nor (u, v) nor the direction: [`PosedCamera::exact_ray`]
+//!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
+//!
+//! `t` is within half an ulp and 2^-40 of one, a normal within 3e-16 rad. NaN, infinities, zero
+//! directions and radii are refused at the door, by [`Ray::check`], [`Scene::new`] and
+//! [`Camera::posed`], with typed errors.
+//!
+//! [`methods`] holds the known formulas beside it, to compare.
+//!
 //! # A picture in ten lines
 //!
 //! ```
