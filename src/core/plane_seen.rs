@@ -95,7 +95,9 @@ impl PlaneSeen {
     fn set_exact(&mut self, origin: DVec3) {
         let exact = big_offset(&self.plane, origin);
         self.side = exact.sign();
-        self.side_step = Step::Exact;
+        if self.offset_doubt.is_nan() || self.offset_doubt >= 0.5 {
+            self.side_step = Step::Exact;
+        }
         let (value, k) = exact.to_double_double();
         // A scale of its own, so that nothing underflows.
         self.scale = k - self.normal_scale;

@@ -12,7 +12,9 @@ use crate::precise::{Precise, T_DOUBT};
 use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::steps::{Step, Steps};
-use crate::terms::{Form, Number, Quadratic, SphereParts, UNIT, dot, length, near};
+use crate::terms::{
+    Form, Number, Quadratic, SphereParts, UNDERFLOW, UNIT, dot, length, near,
+};
 
 /// How a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -274,14 +276,19 @@ impl Relative {
         // r^2 is exact.
         let squares = qq.hi + rr.hi;
         let doubt = (DoubleDouble::DOT + DoubleDouble::SUM) * squares / value.hi.abs();
+        // In f64 there are 6 roundings, and one of q itself, twice.
+        let step = if value.hi.abs() > 8.0 * UNIT * squares + UNDERFLOW {
+            Step::F64
+        } else if doubt < 0.5 && value.hi.abs() > UNDERFLOW {
+            Step::DoubleDouble
+        } else {
+            Step::Exact
+        };
         if doubt <= PLENTY && value.hi.abs() > 1e-200 {
-            // 6 roundings in f64, and one of q itself, twice.
-            let is_sure = value.hi.abs() > 8.0 * UNIT * squares;
-            let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
             return Relative { value, doubt: 1.05 * doubt, sign: value.hi.total_cmp(&0.0), step };
         }
         let exact = big_c(sphere, origin);
-        let (sign, step) = (exact.sign(), Step::Exact);
+        let sign = exact.sign();
         let (value, k) = exact.to_double_double();
         let k = k - 2 * scale;
         let value = DoubleDouble { hi: ldexp(value.hi, k), lo: ldexp(value.lo, k) };
