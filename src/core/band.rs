@@ -13,6 +13,7 @@ use crate::kernel::DOUBT;
 use crate::lanes::Lanes;
 use crate::object_kernel::{FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor};
 use crate::plan::Plan;
+use crate::precise::Precise;
 use crate::scene::Object;
 use crate::seen::{Hit, ObjectSeen};
 use crate::sphere_seen::SphereSeen;
@@ -99,7 +100,7 @@ impl<'a, T: Depth> Band<'a, T> {
         } else {
             let seen = SphereSeen::new(&sphere, eye);
             let conic = Conic::new(&seen.fine, &self.plan.rays.fine, &patch);
-            let kernel = FineKernel::new::<T>(&self.plan.rays, &seen, conic, &patch);
+            let kernel = FineKernel::new::<T>(&self.plan.rays, &seen, conic, None, &patch);
             kernel.map(|fine| SphereKernel::Fine(Box::new(fine)))
         };
         let level = self.plan.level;
@@ -216,7 +217,14 @@ impl<'a, T: Depth> Band<'a, T> {
                 return;
             }
         }
-        self.t[place] = T::of(seen.t_within(&ray, end, T::DOUBT).to_f64());
+        // A large sphere's polynomials may know t at a fraction of the ladder's cost.
+        let polynomials = self.plan.large.get(&index).and_then(|kernel| {
+            let (m, k) = (self.plan.rays.n[column], self.plan.rays.l[row]);
+            let near_root = kernel.near_root.as_ref()?.t(m - kernel.patch.n, k - kernel.patch.l)?;
+            Some(Precise::new(near_root.value.times(self.plan.rays.stretch), near_root.scale))
+        });
+        let t = polynomials.unwrap_or_else(|| seen.t_within(&ray, end, T::DOUBT));
+        self.t[place] = T::of(t.to_f64());
         self.object[place] = index;
     }
 }

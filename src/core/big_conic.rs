@@ -1,10 +1,11 @@
 //! The coefficients of a sphere's outline from exact numbers.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 
 use crate::conic::{Conic, Patch};
 use crate::double_double::DoubleDouble;
 use crate::exact::{Dyadic, Exact3, big_of, dot, ratio};
+use crate::precise::Precise;
 use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::surd::{Radicands, Surd};
@@ -27,15 +28,15 @@ impl BigSteppers {
         &(&terms[0] + &terms[1]) + &terms[2]
     }
 
-    /// The polynomials of a sphere around the patch's middle, each coefficient rounded once; q and
-    /// c in units of `2^scale`, directions of `2^ray_scale`.
+    /// The polynomials of a sphere around the patch's middle, each coefficient rounded once (q and
+    /// c in units of `2^scale`, directions of `2^ray_scale`), and its nearer root in fixed point.
     pub(crate) fn conic(
         &self,
         sphere: &Sphere,
         patch: &Patch,
         scale: i32,
         ray_scale: i32,
-    ) -> Conic<DoubleDouble> {
+    ) -> (Conic<DoubleDouble>, BigNearRoot) {
         let q: Exact3 = std::array::from_fn(|i| &big_of(sphere.center[i]) - &self.eye[i]);
         let c = &dot(&q, &q) - &big_of(sphere.radius).square();
         let (n, l) = (big_of(patch.n), big_of(patch.l));
@@ -57,27 +58,89 @@ impl BigSteppers {
         });
         let squared_scale = self.scale.square(&self.of);
         let near = |x: &[Surd], by: &Surd, k: i32| self.rounded(x, by, k);
-        Conic::of_coefficients(
+        let conic = Conic::of_coefficients(
             array(near(&a, &squared_scale, -2 * ray_scale)),
             array(near(&b, &self.scale, -ray_scale - scale)),
             array(near(&discriminant, &squared_scale, -2 * (ray_scale + scale))),
             patch,
-        )
+        );
+        // D in twice the places of b, so that its root has b's.
+        let (_, d_places) = self.fixed(&discriminant);
+        let places = d_places.div_euclid(2);
+        let whole = |x: &[Surd], places| x.iter().map(|x| x.fixed(places, &self.of)).collect();
+        let (scale, scale_places) = self.fixed(std::slice::from_ref(&self.scale));
+        let root = BigNearRoot {
+            b: whole(&b, places),
+            discriminant: whole(&discriminant, 2 * places),
+            c: c.parts().0 * &scale[0],
+            c_exponent: c.parts().1 - scale_places + places,
+        };
+        (conic, root)
     }
 
-    /// Each `x / by * 2^k`, off by at most `2^-105` of itself and `2^-150` of the largest.
+    /// Fixed-point numbers, each off by less than 4, and their places: the largest has at least 280
+    /// bits, so that no cancellation takes away what it is good for.
+    fn fixed(&self, x: &[Surd]) -> (Vec<BigInt>, i32) {
+        const LEAST: i32 = 280;
+        let bound = x.iter().map(|x| x.log2_bound(&self.of)).max().unwrap_or_default();
+        let mut places = LEAST + 40 - bound;
+        // A bound can be far above what cancels; numbers that are all 0 have no digits to find.
+        for _ in 0..64 {
+            let found: Vec<BigInt> = x.iter().map(|x| x.fixed(places, &self.of)).collect();
+            let bits = found.iter().map(BigInt::bits).max().unwrap_or_default() as i32;
+            if bits >= LEAST {
+                return (found, places);
+            }
+            places += LEAST + 40 - bits;
+        }
+        (vec![BigInt::ZERO; x.len()], places)
+    }
+
+    /// Each `x / by * 2^k`, off by at most `2^-105` of itself and `2^-270` of the largest.
     fn rounded(&self, x: &[Surd], by: &Surd, k: i32) -> Vec<DoubleDouble> {
-        const DIGITS: i32 = 320;
-        let bound = |x: &Surd| x.log2_bound(&self.of);
-        let places = DIGITS - x.iter().map(bound).max().unwrap_or_default();
-        let by_places = DIGITS - bound(by);
-        let by = by.fixed(by_places, &self.of);
-        let round = |x: &Surd| {
-            let numerator: BigInt = x.fixed(places, &self.of);
-            let (value, exponent) = ratio(&numerator, &by, by_places - places + k);
+        let ((numerators, places), (by, by_places)) =
+            (self.fixed(x), self.fixed(std::slice::from_ref(by)));
+        let round = |numerator: &BigInt| {
+            let (value, exponent) = ratio(numerator, &by[0], by_places - places + k);
             DoubleDouble { hi: ldexp(value.hi, exponent), lo: ldexp(value.lo, exponent) }
         };
-        x.iter().map(round).collect()
+        numerators.iter().map(round).collect()
+    }
+}
+
+/// A sphere's nearer root as a polynomial over the patch's pixels, in fixed point: what a pixel in
+/// doubt about its `t` alone costs a microsecond by.
+#[derive(Clone, Debug)]
+pub(crate) struct BigNearRoot {
+    b: Vec<BigInt>,
+    discriminant: Vec<BigInt>,
+    /// `c` times the directions' scale, in units of `2^c_exponent / 2^places`.
+    c: BigInt,
+    c_exponent: i32,
+}
+
+impl BigNearRoot {
+    /// `t` per stretch, m columns and k rows from the middle: `c / (b + sqrt D)` with a relative
+    /// error of at most `2^-100`; `None` where D or b has too few digits left, or is not positive.
+    pub(crate) fn t(&self, m: f64, k: f64) -> Option<Precise> {
+        // Coefficients are off by 4, and m and k below 2^16: b is off by less than 2^20, D by 2^37.
+        const DIGITS: u64 = 104;
+        let (m, k) = (m as i64, k as i64);
+        let [b0, b1, b2] = &self.b[..] else { return None };
+        let [d0, d1, d2, d11, d12, d22] = &self.discriminant[..] else { return None };
+        let b = b0 + b1 * m + b2 * k;
+        let discriminant = d0 + (d1 + d11 * m + d12 * k) * m + (d2 + d22 * k) * k;
+        let is_enough = b.sign() == Sign::Plus
+            && discriminant.sign() == Sign::Plus
+            && discriminant.bits() >= 37 + DIGITS;
+        if !is_enough {
+            return None;
+        }
+        let z = b + discriminant.sqrt();
+        (z.bits() >= 21 + DIGITS).then(|| {
+            let (value, exponent) = ratio(&self.c, &z, self.c_exponent);
+            Precise::new(value, exponent)
+        })
     }
 }
 

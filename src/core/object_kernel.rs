@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use fearless_simd::Simd;
 
+use crate::big_conic::BigNearRoot;
 use crate::conic::{Conic, Patch, Thresholds};
 use crate::depth::Depth;
 use crate::double_double::DoubleDouble;
@@ -67,6 +68,8 @@ impl RoughKernel {
 /// A sphere's polynomials in double-double, and in `f64` for what that decides.
 pub(crate) struct FineKernel {
     pub(crate) patch: Patch,
+    /// For a sphere that is seen from outside, where it was worth finding.
+    pub(crate) near_root: Option<BigNearRoot>,
     rough: RoughKernel,
     conic: Conic<DoubleDouble>,
     c: DoubleDouble,
@@ -80,6 +83,7 @@ impl FineKernel {
         rays: &FrameRays,
         seen: &SphereSeen,
         conic: Conic<DoubleDouble>,
+        near_root: Option<BigNearRoot>,
         patch: &Patch,
     ) -> Option<FineKernel> {
         let rough = RoughKernel::new::<T>(rays, &seen.rough, seen.side, seen.scale, patch)?;
@@ -87,7 +91,8 @@ impl FineKernel {
         let thresholds = conic.thresholds(&seen.fine, seen.side, least, T::DOUBT);
         let factor = DoubleDouble::from(rough.factor);
         let c = seen.fine.c * factor;
-        Some(FineKernel { patch: *patch, rough, conic, c, factor, thresholds })
+        let near_root = near_root.filter(|_| seen.side == Ordering::Greater);
+        Some(FineKernel { patch: *patch, near_root, rough, conic, c, factor, thresholds })
     }
 
     #[inline(always)]

@@ -117,8 +117,10 @@ impl<'a> Plan<'a> {
             let seen = SphereSeen::new(sphere, camera.eye());
             let patch = self.rays.patch(&whole(rows), &whole(columns));
             let steppers = steppers.get_or_insert_with(|| camera.big_steppers());
-            let conic = steppers.conic(sphere, &patch, seen.scale, self.rays.scale);
-            if let Some(kernel) = FineKernel::new::<T>(&self.rays, &seen, conic, &patch) {
+            let (conic, near_root) = steppers.conic(sphere, &patch, seen.scale, self.rays.scale);
+            if let Some(kernel) =
+                FineKernel::new::<T>(&self.rays, &seen, conic, Some(near_root), &patch)
+            {
                 self.large.insert(*index, kernel);
             }
         }

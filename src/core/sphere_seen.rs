@@ -12,9 +12,7 @@ use crate::precise::{Precise, T_DOUBT};
 use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::steps::{Step, Steps};
-use crate::terms::{
-    Form, Number, Quadratic, SphereParts, UNDERFLOW, UNIT, dot, length, near,
-};
+use crate::terms::{Form, Number, Quadratic, SphereParts, UNDERFLOW, UNIT, dot, length, near};
 
 /// How a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -321,3 +321,32 @@ fn two_balls_on_a_floor() {
     "#]]
     .assert_eq(&as_text(&frame));
 }
+
+/// Spheres that cover thousands of pixels take a way of their own: coefficients from exact numbers.
+#[test]
+fn spheres_that_fill_the_picture() {
+    let spheres = [
+        sphere([0.1, 0.2, -5.0], 2.4),
+        sphere([0.0, -5001.0, 0.0], 5000.0),
+        sphere([0.3, 0.1, 0.2], 9.0),
+        sphere([0.0, 0.0, -1e9], 4e8),
+        sphere([0.0, 0.0, -1.0], 1.0),
+        sphere([-1.0, 0.5, -1.2], 1.1),
+    ];
+    let by_hand = Basis { u: DVec3::X, v: vec3(5e-10, 1.0, 0.0), w: DVec3::Z };
+    for (index, ball) in spheres.into_iter().enumerate() {
+        let scene = spheres_only(vec![ball, sphere([0.0, 0.0, -20.0], 18.0)]);
+        for (view, up) in [(DVec3::NEG_Z, DVec3::Y), (vec3(0.1, -0.2, -1.0), vec3(0.3, 1.0, 0.1))] {
+            let posed = camera(DVec3::ZERO, view, up, 110, 80).posed().unwrap();
+            assert_full(&scene, &posed);
+        }
+        let orientation = Orientation::Basis(by_hand);
+        let image = ImageSize::new(90, 70).unwrap();
+        let zoomed = Viewport { width: 1e-7, height: 1e-7, distance: 1.0 };
+        for viewport in [Viewport::CANONICAL, zoomed] {
+            let eye = vec3(1e-3 * index as f64, 0.0, 0.0);
+            let posed = Camera { eye, orientation, viewport, image }.posed().unwrap();
+            assert_full(&scene, &posed);
+        }
+    }
+}
