@@ -18,6 +18,7 @@ use crate::scene::Object;
 use crate::seen::{Hit, ObjectSeen};
 use crate::sphere_seen::SphereSeen;
 use crate::steps::Steps;
+use crate::terms::{Quadratic, SphereParts};
 
 /// The widest vector there is: rows are padded to whole ones.
 const LANES: usize = 8;
@@ -35,6 +36,9 @@ pub(crate) struct Band<'a, T> {
     /// The kernels' answers for one row.
     found: Vec<f64>,
 }
+
+/// Up to this many pixels, a sphere's polynomials cost more than asking each pixel.
+const SMALL: usize = 64;
 
 /// What a kernel does with one row: columns from the middle, row's l, answers.
 type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
@@ -77,31 +81,27 @@ impl<'a, T: Depth> Band<'a, T> {
             };
             return self.add(index, rows, columns, &kernel.patch, &row, None);
         }
+        let parts = SphereSeen::rough_parts(&sphere, eye);
+        let is_small = rows.len() * columns.len() <= SMALL;
+        if is_small
+            && let Some(parts) = &parts
+            && let Some(factor) = factor(&self.plan.rays, 0)
+        {
+            return self.add_small_sphere(index, rows, columns, parts, factor);
+        }
         let patch = self.plan.rays.patch(&rows, &columns);
-        // A patch of few pixels is not worth the coefficients in double-double.
-        let is_small = rows.len() * columns.len() < 64;
-        let kernel = if !T::IS_FINE || is_small {
-            let kernel = match SphereSeen::rough_parts(&sphere, eye) {
-                Some(parts) => {
-                    RoughKernel::new::<T>(&self.plan.rays, &parts, Ordering::Greater, 0, &patch)
+        let kernel = match parts {
+            Some(parts) if !T::IS_FINE => self.rough_kernel(&parts, Ordering::Greater, 0, &patch),
+            _ => {
+                let seen = SphereSeen::new(&sphere, eye);
+                if T::IS_FINE {
+                    let conic = Conic::new(&seen.fine, &self.plan.rays.fine, &patch);
+                    let kernel = FineKernel::new::<T>(&self.plan.rays, &seen, conic, None, &patch);
+                    kernel.map(|fine| SphereKernel::Fine(Box::new(fine)))
+                } else {
+                    self.rough_kernel(&seen.rough, seen.side, seen.scale, &patch)
                 }
-                None => {
-                    let seen = SphereSeen::new(&sphere, eye);
-                    RoughKernel::new::<T>(
-                        &self.plan.rays,
-                        &seen.rough,
-                        seen.side,
-                        seen.scale,
-                        &patch,
-                    )
-                }
-            };
-            kernel.map(SphereKernel::Rough)
-        } else {
-            let seen = SphereSeen::new(&sphere, eye);
-            let conic = Conic::new(&seen.fine, &self.plan.rays.fine, &patch);
-            let kernel = FineKernel::new::<T>(&self.plan.rays, &seen, conic, None, &patch);
-            kernel.map(|fine| SphereKernel::Fine(Box::new(fine)))
+            }
         };
         let level = self.plan.level;
         let row: RowOf = match &kernel {
@@ -114,6 +114,46 @@ impl<'a, T: Depth> Band<'a, T> {
             None => &|_, _, found| found.fill(DOUBT),
         };
         self.add(index, rows, columns, &patch, row, None);
+    }
+
+    fn rough_kernel(
+        &self,
+        parts: &SphereParts<f64>,
+        side: Ordering,
+        scale: i32,
+        patch: &Patch,
+    ) -> Option<SphereKernel> {
+        let kernel = RoughKernel::new::<T>(&self.plan.rays, parts, side, scale, patch);
+        kernel.map(SphereKernel::Rough)
+    }
+
+    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is asked by
+    /// itself, in `f64`.
+    fn add_small_sphere(
+        &mut self,
+        index: u32,
+        rows: Range<usize>,
+        columns: Range<usize>,
+        parts: &SphereParts<f64>,
+        factor: f64,
+    ) {
+        let rays = &self.plan.rays;
+        let width = rays.n.len();
+        let mut own = None;
+        for row in rows {
+            self.steps.f64 += columns.len() as u64;
+            for column in columns.clone() {
+                let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
+                let place = (row - self.rows.start) * width + column;
+                let found = small_hit::<T>(&quadratic, parts, factor, self.t[place]);
+                if found.is_nan() {
+                    let seen = own.get_or_insert_with(|| self.seen(index));
+                    self.settle(index, seen, row, column);
+                } else if found < f64::INFINITY {
+                    (self.t[place], self.object[place]) = (T::of(found), index);
+                }
+            }
+        }
     }
 
     /// Adds a plane; none that the eye lies in, which no ray hits.
@@ -227,4 +267,31 @@ impl<'a, T: Depth> Band<'a, T> {
         self.t[place] = T::of(t.to_f64());
         self.object[place] = index;
     }
+}
+
+/// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
+/// surely does not; NaN in doubt.
+#[inline(always)]
+fn small_hit<T: Depth>(
+    quadratic: &Quadratic<f64>,
+    parts: &SphereParts<f64>,
+    factor: f64,
+    known: T,
+) -> f64 {
+    /// Far more than `t` in `f64` is off by where its doubt is this small.
+    const APART: f64 = 1e-6;
+    let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
+    if discriminant < -discriminant_doubt || b < -b_doubt {
+        return f64::INFINITY;
+    }
+    let Some((t, doubt)) = quadratic.root(parts, false) else { return DOUBT };
+    let (t, known) = (t * factor, known.widened());
+    if b <= b_doubt || doubt > APART {
+        return DOUBT;
+    }
+    if t > known * (1.0 + 4.0 * APART) {
+        return f64::INFINITY;
+    }
+    let is_sure = doubt <= T::DOUBT && t < known * (1.0 - 4.0 * APART) && T::is_in_range(t);
+    if is_sure { t } else { DOUBT }
 }

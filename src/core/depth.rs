@@ -22,6 +22,10 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sea
     #[doc(hidden)]
     fn of(t: f64) -> Self;
 
+    /// Whether it is well within the range.
+    #[doc(hidden)]
+    fn is_in_range(t: f64) -> bool;
+
     /// As `f64`, exactly.
     fn widened(self) -> f64;
 
@@ -63,6 +67,11 @@ macro_rules! depth {
             #[inline(always)]
             fn of(t: f64) -> $real {
                 (t as $real).max($real::from_bits(1))
+            }
+
+            #[inline(always)]
+            fn is_in_range(t: f64) -> bool {
+                t > $range.0.into() && t < $range.1.into()
             }
 
             #[inline(always)]

@@ -8,7 +8,7 @@ use crate::frame::Raster;
 use crate::image::Pixel;
 use crate::posed::{PosedCamera, ViewPlace};
 use crate::scale::ldexp;
-use crate::terms::{Number, UNIT, Vector, length, near};
+use crate::terms::{DirectionParts, Number, UNIT, Vector, length, near};
 
 /// With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the view ray's direction
 /// times `2 W H` is
@@ -24,6 +24,10 @@ pub(crate) struct FrameRays<'a> {
     pub(crate) n: Vec<f64>,
     /// l of each row.
     pub(crate) l: Vec<f64>,
+    /// `n e` of each column, in `f64`.
+    column_parts: Vec<Vector<f64>>,
+    /// At least the length of every direction.
+    longest: f64,
     pub(crate) fine: Steppers<DoubleDouble>,
     pub(crate) rough: Steppers<f64>,
     /// `2 W H`
@@ -72,11 +76,16 @@ impl<'a> FrameRays<'a> {
             vector_doubt: fine.vector_doubt + UNIT,
             least_length: fine.least_length,
         };
+        let n: Vec<f64> = raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect();
+        let l: Vec<f64> = raster.rows().iter().map(|r| h - 2.0 * f64::from(*r) - 1.0).collect();
+        let parts = [w * length(rough.e), h * length(rough.g), length(rough.z)];
         FrameRays {
             camera,
             raster,
-            n: raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect(),
-            l: raster.rows().iter().map(|r| h - 2.0 * f64::from(*r) - 1.0).collect(),
+            column_parts: n.iter().map(|n| rough.e.map(|x| n * x)).collect(),
+            longest: 1.01 * parts.iter().sum::<f64>(),
+            n,
+            l,
             fine,
             rough,
             stretch: ViewPlace::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
@@ -95,6 +104,15 @@ impl<'a> FrameRays<'a> {
         let reach =
             |of: &[f64], from: f64| (of[0] - from).abs().max((of[of.len() - 1] - from).abs());
         Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
+    }
+
+    /// A pixel's direction in `f64`; of its length, a bound is enough for what it is used for.
+    #[inline(always)]
+    pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionParts<f64> {
+        let Steppers { g, z, .. } = &self.rough;
+        let (part, l) = (self.column_parts[column], self.l[row]);
+        let d = std::array::from_fn(|i| part[i] + (l * g[i] + z[i]));
+        DirectionParts { d, length: self.longest, doubt: self.rough.doubt() }
     }
 
     /// The pixel in the raster's `row`th row and `column`th column.
