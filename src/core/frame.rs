@@ -70,6 +70,11 @@ impl Raster {
         }
     }
 
+    /// One pixel alone.
+    pub fn of_pixel(pixel: Pixel) -> Raster {
+        Raster { rows: vec![pixel.row], columns: vec![pixel.column] }
+    }
+
     /// The rows traced, ascending.
     pub fn rows(&self) -> &[u32] {
         &self.rows

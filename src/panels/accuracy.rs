@@ -5,12 +5,12 @@ mod plot;
 mod table;
 
 use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use pinhole_core::methods::Method;
-use pinhole_core::{Frame, NO_OBJECT, Pixel, PosedCamera, shortest};
+use pinhole_core::methods::{Method, trace_by};
+use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, trace};
 
 use super::readouts;
 use super::views::{MAP, STRIP};
-use crate::accuracy::{self, PixelError};
+use crate::accuracy::{self, Comparison, PixelError};
 use crate::derive::{Compared, Derived};
 use crate::document::Document;
 use crate::measuring::Measuring;
@@ -123,7 +123,8 @@ pub(crate) fn ui(
     let Some(case) = report.cases.first() else { return };
     let area = ui.available_rect_before_wrap();
     let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
-    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom()));
+    // The axis' name needs the room that the panel's edge would cut off.
+    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom() - 10.0));
     let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot::ui(ui, case));
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
@@ -149,31 +150,29 @@ fn progress(ui: &mut Ui, measuring: &Measuring) {
     }
 }
 
-/// What the ladder and the map's method say of the selected pixel.
+/// What the ladder and the map's method say of the selected pixel, be it among those that the map
+/// shows or not.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
-    let (posed, truth) = (derived.posed.as_ref()?, derived.truth.as_deref()?);
-    let compared = derived.compared.as_deref()?;
+    let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
     let pixel = pixel_of(session.selection, posed)?;
+    let method = session.settings.compared.0;
+    let raster = Raster::of_pixel(pixel);
+    let truth = trace(scene, posed, &raster, Outputs::default());
+    let traced = trace_by(method, scene, posed, &raster);
     let from = u32::from(session.settings.count_from_one);
     let place = format!("row {}, column {}", pixel.row + from, pixel.column + from);
-    let Some(index) = index_of(truth, pixel) else {
-        return Some(RichText::new(format!("{place}: not among the pixels that are shown")));
-    };
-    let says = |frame: &Frame| match frame.object[index] {
+    let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
-        object => {
-            // Every digit: the last ones are what this is about.
-            let t = shortest(frame.t[index]);
-            format!("hits {} at t = {t}", document.title_of(object as usize))
-        }
+        // Every digit: the last ones are what this is about.
+        object => format!("hits {} at t = {}", document.title_of(object as usize), shortest(t)),
     };
-    let verdict = match compared.comparison.errors[index] {
+    let verdict = match Comparison::new(&truth, &traced).errors[0] {
         PixelError::Wrong => "wrong".to_owned(),
         PixelError::Miss => "right".to_owned(),
         PixelError::Ulps(ulps) => format!("{} ulps off", short(ulps)),
     };
-    let (ladder, other) = (says(truth), says(&compared.frame));
-    let text = format!("{place}: ladder {ladder}; {} {other}: {verdict}", compared.method);
+    let (ladder, other) = (says(truth.object[0], truth.t[0]), says(traced.object[0], traced.t[0]));
+    let text = format!("{place}: ladder {ladder}; {method} {other}: {verdict}");
     Some(RichText::new(text).strong())
 }
 
@@ -182,12 +181,4 @@ fn pixel_of(selection: Selection, posed: &PosedCamera) -> Option<Pixel> {
         Selection::Pixel(pixel) => Some(pixel),
         Selection::Uv(uv) => posed.pixel_of_uv(uv).map(|place| place.pixel),
     }
-}
-
-/// Where a pixel is in a frame, if it was traced.
-fn index_of(frame: &Frame, pixel: Pixel) -> Option<usize> {
-    let raster = frame.raster();
-    let row = raster.rows().binary_search(&pixel.row).ok()?;
-    let column = raster.columns().binary_search(&pixel.column).ok()?;
-    Some(row * raster.columns().len() + column)
 }
