@@ -50,7 +50,7 @@ impl Plane {
 
     /// [`Plane::terms`] of a ray with all its digits.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
-        let seen = PlaneSeen::new(self, ray.origin());
+        let seen = PlaneSeen::up_to(self, ray.origin(), ray.last);
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 
@@ -73,6 +73,6 @@ impl Plane {
 
     /// [`Plane::roots`] of a ray with all its digits.
     pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        ObjectSeen::Plane(PlaneSeen::new(self, ray.origin())).roots(ray)
+        ObjectSeen::Plane(PlaneSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }

@@ -60,7 +60,7 @@ impl Sphere {
 
     /// [`Sphere::quadratic`] of a ray with all its digits.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
-        let seen = SphereSeen::new(self, ray.origin());
+        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
         SphereQuadratic {
@@ -79,6 +79,6 @@ impl Sphere {
 
     /// [`Sphere::roots`] of a ray with all its digits.
     pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        ObjectSeen::Sphere(SphereSeen::new(self, ray.origin())).roots(ray)
+        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }
