@@ -85,6 +85,10 @@ mod terms;
 mod trace;
 mod viewport;
 
+#[cfg(test)]
+#[path = "tests/unit/arithmetic.rs"]
+mod arithmetic_tests;
+
 pub use fearless_simd::Level;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
