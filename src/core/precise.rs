@@ -74,6 +74,6 @@ impl Precise {
         };
         let difference = (a - b).hi;
         let doubt = share * (a.hi.abs() + b.hi.abs());
-        (difference.abs() > doubt).then(|| if difference < 0.0 { Less } else { Greater })
+        (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
     }
 }

@@ -297,8 +297,21 @@ impl Object {
         }
     }
 
-    /// The first hit of the ray with this object alone, which is given `index`.
+    /// Checks what [`Scene::new`] checks.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), ObjectError> {
+        match self {
+            Object::Sphere(sphere) => sphere.check(),
+            Object::Plane(plane) => plane.check(),
+        }
+    }
+
+    /// The first hit of the ray with this object alone, which is given `index`; none of an object
+    /// that does not pass [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
+        self.check().ok()?;
         let seen = ObjectSeen::by(self, ray);
         let end = seen.first_end(ray, &mut Steps::default())?;
         Some(seen.root(index, ray, end))
