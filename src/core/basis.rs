@@ -8,6 +8,7 @@ use crate::exact::{Dyadic, dot, exact3};
 use crate::fine_basis::{FineBasis, ViewGiven, angle_parts, basis_of};
 use crate::number::{shortest, triple};
 use crate::scale::length;
+use crate::steps::Step;
 
 /// How far a basis given by hand may be from orthonormal: `| |a| - 1 |` and `|a . b|` of its vectors.
 ///
@@ -265,7 +266,12 @@ impl Aim {
     }
 
     pub(crate) fn fine_basis(&self) -> Result<FineBasis, BasisError> {
-        basis_of(&self.view, self.up)
+        Ok(self.fine_basis_up_to(Step::Exact)?.0)
+    }
+
+    /// With the ladder cut off after a step, and the step that it took.
+    pub(crate) fn fine_basis_up_to(&self, last: Step) -> Result<(FineBasis, Step), BasisError> {
+        basis_of(&self.view, self.up, last)
     }
 
     fn up_angle(&self) -> Result<UpAngle, BasisError> {

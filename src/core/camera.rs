@@ -10,6 +10,7 @@ use crate::fine_basis::FineBasis;
 use crate::image::{ImageError, ImageSize};
 use crate::posed::{AimGiven, PosedCamera};
 use crate::scale::unit;
+use crate::steps::Step;
 use crate::viewport::{Viewport, ViewportError};
 
 /// Where the camera looks and which way is up: one of the three ways to say so.
@@ -119,11 +120,32 @@ impl Camera {
     /// # Errors
     /// Where there is none, see [`BasisError`].
     pub fn basis(&self) -> Result<Basis, BasisError> {
-        Ok(self.aim()?.1.rounded())
+        Ok(self.basis_cut_off_after(Step::Exact)?.0)
     }
 
-    /// What the basis is made of, and the basis with all its digits.
-    fn aim(&self) -> Result<(AimGiven, FineBasis), BasisError> {
+    /// The basis with the ladder cut off after a step, to show what the later steps are for, and the
+    /// step that it took. [`Step::Exact`] cuts off nothing; after [`Step::F64`] it is the textbook's
+    /// formula in `f64`, which the ladder itself never uses.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let eye = DVec3::new(0.1, 0.2, 0.3);
+    /// let orientation = Orientation::At { at: 3.0 * eye, up: DVec3::new(1.0, 2.0, 3.0) };
+    /// let (_, step) = Camera { eye, orientation, ..Camera::CANONICAL }
+    ///     .basis_cut_off_after(Step::Exact)?;
+    /// assert_eq!(step, Step::Exact);
+    /// # Ok::<(), BasisError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Where there is none, in what that step knows.
+    pub fn basis_cut_off_after(&self, step: Step) -> Result<(Basis, Step), BasisError> {
+        let (_, basis, step) = self.aim(step)?;
+        Ok((basis.rounded(), step))
+    }
+
+    /// What the basis is made of, the basis with all its digits, and the step that it took.
+    fn aim(&self, last: Step) -> Result<(AimGiven, FineBasis, Step), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
         }
@@ -131,10 +153,12 @@ impl Camera {
             Orientation::At { at, up } => Aim::from_to(self.eye, at, up)?,
             Orientation::View { view, up } => Aim::along(view, up)?,
             Orientation::Basis(Basis { u, v, w }) => {
-                return Ok((AimGiven::Basis, FineBasis::given(&Basis::by_hand(u, v, w)?)));
+                let basis = FineBasis::given(&Basis::by_hand(u, v, w)?);
+                return Ok((AimGiven::Basis, basis, Step::F64));
             }
         };
-        Ok((AimGiven::ViewUp(aim.view, aim.up), aim.fine_basis()?))
+        let (basis, step) = aim.fine_basis_up_to(last)?;
+        Ok((AimGiven::ViewUp(aim.view, aim.up), basis, step))
     }
 
     /// The angle between up and the view direction. A basis given by hand has v for its up.
@@ -173,7 +197,7 @@ impl Camera {
     /// # Errors
     /// Where it has no basis or its viewport is not a rectangle in front of the eye.
     pub fn posed(&self) -> Result<PosedCamera, CameraError> {
-        let (aim, basis) = self.aim()?;
+        let (aim, basis, _) = self.aim(Step::Exact)?;
         self.viewport.check()?;
         Ok(PosedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }

@@ -7,7 +7,8 @@ use crate::double_double::{DoubleDouble, U2};
 use crate::error_free::difference_with_rest;
 use crate::exact::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
 use crate::exact_ray::scaled;
-use crate::scale::ldexp;
+use crate::scale::{ldexp, unit};
+use crate::steps::Step;
 use crate::surd::Radicands;
 use crate::terms::{self, Number, Vector};
 
@@ -82,20 +83,35 @@ impl FineBasis {
     /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is shorter than a quarter of
     /// `|f| |up|` (an up within 15 degrees of the view) the exact numbers take over, so that no angle
     /// costs accuracy.
-    pub(crate) fn from_view_up(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
+    ///
+    /// With the ladder cut off after `last`, that step's rounded numbers must do. Told along with the
+    /// basis is the step that it took.
+    pub(crate) fn from_view_up(
+        view: &ViewGiven,
+        up: DVec3,
+        last: Step,
+    ) -> (Option<FineBasis>, Step) {
+        if last == Step::F64 {
+            return (FineBasis::by_textbook(view, up), last);
+        }
+        let may_be_exact = last == Step::Exact;
+        let exactly = || (FineBasis::from_exact(view, up), Step::Exact);
         let (f, _) = scaled(view.fine().0);
         let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
         let right = terms::cross(f, up_scaled);
         let length = |v: Vector<DoubleDouble>| terms::length(terms::near(v));
         let sine = length(right) / (length(f) * length(up_scaled));
-        if sine.is_nan() || sine < 0.25 {
-            return FineBasis::from_exact(view, up);
+        if may_be_exact && (sine.is_nan() || sine < 0.25) {
+            return exactly();
         }
-        let unit = |v: Vector<DoubleDouble>| {
+        if length(right) == 0.0 {
+            return (None, last);
+        }
+        let fine_unit = |v: Vector<DoubleDouble>| {
             let length = terms::dot(v, v).square_root();
             v.map(|x| x / length)
         };
-        let (u, w) = (unit(right), unit(f).map(|x| -x));
+        let (u, w) = (fine_unit(right), fine_unit(f).map(|x| -x));
         // u and w have half a dot product's error, a root's and a quotient's; u R's besides; v has
         // both and a cross product's.
         type T = DoubleDouble;
@@ -105,7 +121,18 @@ impl FineBasis {
         // A coordinate that may be 0 is 0 on the screen, if it is.
         let may_be_zero = |x: &DoubleDouble| x.hi != 0.0 && x.hi.abs() <= 2.0 * doubt;
         let in_doubt = [u, basis.v, w].iter().flatten().any(may_be_zero);
-        if in_doubt { FineBasis::from_exact(view, up) } else { Some(basis) }
+        if may_be_exact && in_doubt { exactly() } else { (Some(basis), Step::DoubleDouble) }
+    }
+
+    /// The textbook's formula in `f64`; `None` where its cross product is rounded to 0.
+    fn by_textbook(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
+        let (view, up) = (unit(view.rounded()), unit(up));
+        let right = up.cross(-view);
+        if right == DVec3::ZERO {
+            return None;
+        }
+        let (u, w) = (unit(right), -view);
+        Some(FineBasis::given(&Basis { u, v: w.cross(u), w }))
     }
 
     /// The same from exact numbers: each coordinate is off by `3 u^2` at most.
@@ -189,7 +216,12 @@ fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
 ///
 /// # Errors
 /// Where they are exactly parallel.
-pub(crate) fn basis_of(view: &ViewGiven, up: DVec3) -> Result<FineBasis, BasisError> {
-    FineBasis::from_view_up(view, up)
-        .ok_or_else(|| BasisError::UpParallelToView { up, view: view.rounded() })
+pub(crate) fn basis_of(
+    view: &ViewGiven,
+    up: DVec3,
+    last: Step,
+) -> Result<(FineBasis, Step), BasisError> {
+    let (basis, step) = FineBasis::from_view_up(view, up, last);
+    let parallel = || BasisError::UpParallelToView { up, view: view.rounded() };
+    Ok((basis.ok_or_else(parallel)?, step))
 }

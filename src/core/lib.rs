@@ -56,6 +56,73 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # By raw numbers
+//!
+//! Whoever has numbers and a question calls one function. Vectors are anything that makes a
+//! [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`; of `f32`, `f64::from` of each number or glam's
+//! `as_dvec3`, which lose nothing.
+//!
+//! | question | call |
+//! | --- | --- |
+//! | any ray and one object: every t | [`Sphere::roots`], [`Plane::roots`] |
+//! | any ray: what does it hit first | [`Scene::first_hit`] |
+//! | the same, and by which step of the ladder | [`Scene::first_hit_counting`] |
+//! | a camera's basis | [`Basis::from_eye_at_up`], [`Basis::from_view_up`] |
+//! | a pixel's ray, rounded | [`PosedCamera::ray_of_pixel`] |
+//! | what a pixel's ray hits first, nothing rounded | [`PosedCamera::exact_ray`], [`Scene::first_hit_of`] |
+//! | what the ray through (u, v) hits first | [`PosedCamera::exact_ray_at`], [`Scene::first_hit_of`] |
+//! | a whole frame, t in `f64` or `f32` | [`trace`], [`trace_as`] |
+//!
+//! ```
+//! use pinhole_core::*;
+//!
+//! // One object: a sphere, and a plane by any point and normal.
+//! let ray = Ray::new([0.0, 0.0, 0.0], [0.0, 0.0, -1.0])?;
+//! let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
+//! let wall = Plane::new([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])?;
+//! assert_eq!(ball.roots(&ray), Roots::Two(4.0, 6.0));
+//! assert_eq!(wall.roots(&ray), Roots::One(6.0));
+//!
+//! // The first of several: t, point, normal, and which one.
+//! let scene = Scene::new(vec![ball], vec![wall])?;
+//! let hit = scene.first_hit(&ray).unwrap();
+//! assert_eq!((hit.object, hit.t, hit.normal), (0, 4.0, DVec3::Z));
+//! let mut steps = Steps::default();
+//! scene.first_hit_counting(&ExactRay::of(&ray)?, &mut steps);
+//! assert_eq!(steps.beyond_f64(), 0);
+//!
+//! // A basis. Errors say what is wrong: here eye and at would be the same point.
+//! let (eye, at, up) = ([20.0, 4.0, 10.0], [-1.0, 0.0, -5.0], [0.0, 1.0, 0.0]);
+//! let basis = Basis::from_eye_at_up(eye.into(), at.into(), up.into())?;
+//! assert!((basis.u.x - 5.0 / 74.0_f64.sqrt()).abs() < 1e-15);
+//! assert!(Basis::from_eye_at_up(eye.into(), eye.into(), up.into()).is_err());
+//!
+//! // A camera's pixel, from eye, at, up, viewport and image.
+//! let camera = Camera {
+//!     eye: [0.0, 0.0, 0.0].into(),
+//!     orientation: Orientation::At { at: [0.0, 0.0, -1.0].into(), up: up.into() },
+//!     viewport: Viewport { width: 1.0, height: 1.0, distance: 1.0 },
+//!     image: ImageSize::new(5, 5)?,
+//! };
+//! let posed = camera.posed()?;
+//! let pixel = Pixel { row: 2, column: 2 };
+//! assert_eq!(posed.ray_of_pixel(pixel), ray);
+//! assert_eq!(scene.first_hit_of(&posed.exact_ray(pixel)), Some(hit));
+//! let through_uv = posed.exact_ray_at(DVec2::new(0.2, -0.1))?;
+//! assert_eq!(scene.first_hit_of(&through_uv).map(|hit| hit.t), Some(6.0));
+//!
+//! // A whole frame: t and object of every pixel, row by row.
+//! let raster = Raster::full(posed.image());
+//! let frame = trace_as::<f32>(&scene, &posed, &raster, Outputs::default());
+//! assert_eq!((frame.t[12], frame.object[12]), (4.0, 0));
+//!
+//! // f32 values are widened, and then meant exactly.
+//! let direction = [0.1_f32, 0.0, -1.0];
+//! let ray = Ray::new([0.0; 3], direction.map(f64::from))?;
+//! assert_ne!(scene.first_hit(&ray), scene.first_hit(&Ray::new([0.0; 3], [0.1, 0.0, -1.0])?));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! This crate knows no window, no file and no command line.
 
 mod band;
@@ -103,6 +170,10 @@ mod surd;
 mod terms;
 mod trace;
 mod viewport;
+
+#[cfg(test)]
+#[path = "tests/unit/arithmetic.rs"]
+mod arithmetic_tests;
 
 pub use fearless_simd::Level;
 

@@ -30,33 +30,46 @@ pub struct PlaneTerms {
     pub offset: f64,
 }
 
+impl PlaneTerms {
+    const NONE: PlaneTerms = PlaneTerms { rate: f64::NAN, offset: f64::NAN };
+}
+
 impl Plane {
     /// The implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
     /// that the normal points to, both exactly. In world units times the normal's length; infinite
-    /// where it overflows.
+    /// where it overflows, NaN where a number is not finite or the normal is zero.
     pub fn implicit(&self, q: DVec3) -> f64 {
+        if self.check().is_err() || !q.is_finite() {
+            return f64::NAN;
+        }
         // Subtracted from 0, not negated: on the plane it is 0, not -0.
         0.0 - PlaneSeen::new(self, q).offset_given()
     }
 
     /// The intersection's parts for the readouts, each rounded once from more digits. They may
-    /// overflow or underflow where `t` does not; of a ray that is none, they are NaN.
+    /// overflow or underflow where `t` does not; of a ray or a plane that is none, they are NaN.
     pub fn terms(&self, ray: &Ray) -> PlaneTerms {
         match ExactRay::of(ray) {
             Ok(ray) => self.terms_of(&ray),
-            Err(_) => PlaneTerms { rate: f64::NAN, offset: f64::NAN },
+            Err(_) => PlaneTerms::NONE,
         }
     }
 
     /// [`Plane::terms`] of a ray with all its digits.
     pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
-        let seen = PlaneSeen::new(self, ray.origin());
+        if self.check().is_err() {
+            return PlaneTerms::NONE;
+        }
+        let seen = PlaneSeen::up_to(self, ray.origin(), ray.last);
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 
     /// Whether both are the same set of points, exactly: the normals are parallel, and each plane's
-    /// point lies in the other.
+    /// point lies in the other. What does not pass [`Plane::check`] is no set of points.
     pub fn is_same(&self, other: &Plane) -> bool {
+        if self.check().is_err() || other.check().is_err() {
+            return false;
+        }
         if PlaneSeen::new(self, other.point).side != Ordering::Equal {
             return false;
         }
@@ -66,13 +79,16 @@ impl Plane {
 
     /// Where the ray's line meets the plane, decided exactly for the numbers as given: once, or not
     /// at all if it is parallel (even inside the plane); nowhere for a ray that does not pass
-    /// [`Ray::check`]. `t` is within half an ulp, and 2^-40 of one.
+    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
 
     /// [`Plane::roots`] of a ray with all its digits.
     pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        ObjectSeen::Plane(PlaneSeen::new(self, ray.origin())).roots(ray)
+        if self.check().is_err() {
+            return Roots::None;
+        }
+        ObjectSeen::Plane(PlaneSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }

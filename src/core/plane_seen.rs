@@ -10,7 +10,8 @@ use crate::error_free::difference_with_rest;
 use crate::exact_ray::{ExactRay, scaled};
 use crate::plane::Plane;
 use crate::precise::Precise;
-use crate::scale::{ldexp, split};
+use crate::scale::{exponent, ldexp, split};
+use crate::sphere_seen::rounded_sign;
 use crate::steps::{Step, Steps};
 use crate::terms::{DirectionParts, Number, UNIT, Vector, dot, length};
 
@@ -30,7 +31,7 @@ pub(crate) struct PlaneSeen {
     pub(crate) scale: i32,
     /// On which side the plane is: the exact sign of the offset.
     pub(crate) side: Ordering,
-    side_step: Step,
+    pub(crate) side_step: Step,
 }
 
 /// `normal . direction` with its exact sign.
@@ -58,6 +59,11 @@ impl<T: Number> Rate<T> {
 
 impl PlaneSeen {
     pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneSeen {
+        PlaneSeen::up_to(plane, origin, Step::Exact)
+    }
+
+    /// With the ladder cut off after a step.
+    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneSeen {
         let (normal, normal_scale) = split(plane.normal);
         let (to, rest, quartered) = difference_with_rest(plane.point, origin);
         let to: Vector<DoubleDouble> =
@@ -66,7 +72,10 @@ impl PlaneSeen {
         let scale = quartered + more;
         let normal = normal.to_array();
         let normal_length = length(normal);
-        let offset = dot(normal.map(DoubleDouble::from), to);
+        let offset = match last {
+            Step::F64 => DoubleDouble::from(dot(normal, to.map(DoubleDouble::near))),
+            _ => dot(normal.map(DoubleDouble::from), to),
+        };
         let reach = normal_length * length(to.map(DoubleDouble::near));
         let mut seen = PlaneSeen {
             plane: *plane,
@@ -76,16 +85,16 @@ impl PlaneSeen {
             offset,
             offset_doubt: 1.05 * DoubleDouble::DOT * reach / offset.hi.abs(),
             scale,
-            side: offset.hi.total_cmp(&0.0),
+            side: (offset.hi + 0.0).total_cmp(&0.0),
             side_step: Step::F64,
         };
         if seen.offset.hi.abs() <= 8.0 * UNIT * reach {
-            seen.side_step = Step::DoubleDouble;
+            seen.side_step = last.min(Step::DoubleDouble);
         }
         /// Beyond this share, t would lose digits for the offset's sake.
         const PLENTY: f64 = 256.0 * U2;
         let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
-        if !is_sure {
+        if !is_sure && last == Step::Exact {
             seen.set_exact(origin);
         }
         seen
@@ -95,7 +104,8 @@ impl PlaneSeen {
     fn set_exact(&mut self, origin: DVec3) {
         let exact = big_offset(&self.plane, origin);
         self.side = exact.sign();
-        if self.offset_doubt.is_nan() || self.offset_doubt >= 0.5 {
+        // The offset may need the exact number where its sign does not.
+        if !(self.offset_doubt < 0.5 && self.offset.hi.abs() > 1e-200) {
             self.side_step = Step::Exact;
         }
         let (value, k) = exact.to_double_double();
@@ -107,13 +117,21 @@ impl PlaneSeen {
 
     /// The exact sign of `normal . direction`.
     fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        if let Some(sign) = self.rough_rate(ray).sign() {
+        let rough = self.rough_rate(ray);
+        if let Some(sign) = rough.sign() {
             steps.count(Step::F64);
             return sign;
         }
-        if let Some(sign) = self.fine_rate(ray).sign() {
+        if ray.last == Step::F64 {
+            return rounded_sign(rough.value, ray.last, steps);
+        }
+        let fine = self.fine_rate(ray);
+        if let Some(sign) = fine.sign() {
             steps.count(Step::DoubleDouble);
             return sign;
+        }
+        if ray.last == Step::DoubleDouble {
+            return rounded_sign(fine.value.hi, ray.last, steps);
         }
         steps.count(Step::Exact);
         ray.big().rate(&self.plane)
@@ -145,7 +163,13 @@ impl PlaneSeen {
         if self.side == Ordering::Equal {
             return Precise::ZERO;
         }
+        if ray.last == Step::F64 {
+            return self.rounded_t(DoubleDouble::from(self.rough_rate(ray).value), ray);
+        }
         let rate = self.fine_rate(ray);
+        if ray.last == Step::DoubleDouble {
+            return self.rounded_t(rate.value, ray);
+        }
         let off = self.offset_doubt
             + 1.05
                 * (rate.doubt / rate.value.hi.abs()
@@ -157,6 +181,16 @@ impl PlaneSeen {
         }
         let (t, k) = ray.big().t(&self.big_root(ray));
         Precise::new(t, k)
+    }
+
+    /// `t` by a rate as it stands, whatever its doubt.
+    #[cold]
+    fn rounded_t(&self, rate: DoubleDouble, ray: &ExactRay) -> Precise {
+        let k = exponent(rate.hi);
+        let rate = DoubleDouble { hi: ldexp(rate.hi, -k), lo: ldexp(rate.lo, -k) };
+        let t = self.offset / rate;
+        let t = if ray.last == Step::F64 { DoubleDouble::from(t.hi) } else { t };
+        Precise::new(t.times(ray.stretch), self.scale - ray.scale - k)
     }
 
     /// `t` in `f64` with its relative error, in units of `2^(scale - scale of the ray) / stretch`.

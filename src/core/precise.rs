@@ -1,5 +1,7 @@
 //! A root `t` with more digits than an `f64` has, and more range.
 
+use std::cmp::Ordering;
+
 use crate::double_double::{DoubleDouble, U2};
 use crate::exact::Dyadic;
 use crate::scale::ldexp;
@@ -41,7 +43,17 @@ impl Precise {
     }
 
     /// Less, greater, or `None` where the two are closer than their errors.
-    pub(crate) fn compare(self, other: Precise) -> Option<std::cmp::Ordering> {
+    pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
+        self.compare_beyond(other, 2.0 * T_DOUBT)
+    }
+
+    /// Which is less, as the numbers stand.
+    pub(crate) fn compare_rounded(self, other: Precise) -> Ordering {
+        self.compare_beyond(other, 0.0).unwrap_or(Ordering::Equal)
+    }
+
+    /// Less, greater, or `None` where the two are closer than a share of them.
+    fn compare_beyond(self, other: Precise, share: f64) -> Option<Ordering> {
         use std::cmp::Ordering::{Greater, Less};
         let sign = |x: f64| x.total_cmp(&0.0);
         let (x, y) = (self.value.hi + 0.0, other.value.hi + 0.0);
@@ -61,7 +73,7 @@ impl Precise {
             (shift(self.value, -k), other.value)
         };
         let difference = (a - b).hi;
-        let doubt = 2.0 * T_DOUBT * (a.hi.abs() + b.hi.abs());
+        let doubt = share * (a.hi.abs() + b.hi.abs());
         (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
     }
 }

@@ -48,6 +48,28 @@ impl fmt::Display for RayError {
 impl std::error::Error for RayError {}
 
 impl Ray {
+    /// A checked ray, from whatever makes a [`DVec3`]: `[f64; 3]`, `(f64, f64, f64)`. Numbers in
+    /// `f32` are widened first, which changes none.
+    ///
+    /// # Errors
+    /// Where a coordinate is not finite or the direction is zero.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let ray = Ray::new([0.0, 0.0, 0.0], [0.0, 0.0, -2.0])?;
+    /// assert_eq!(ray.at(2.0), DVec3::new(0.0, 0.0, -4.0));
+    /// // Of f32, by number or by vector.
+    /// let direction = [0.25_f32, -0.5, -1.0];
+    /// let ray = Ray::new([0.0; 3], direction.map(f64::from))?;
+    /// assert_eq!(ray.direction, DVec3::new(0.25, -0.5, -1.0));
+    /// assert_eq!(Ray::new([0.0; 3], [0.0; 3]), Err(RayError::DirectionIsZero));
+    /// # Ok::<(), RayError>(())
+    /// ```
+    pub fn new(origin: impl Into<DVec3>, direction: impl Into<DVec3>) -> Result<Ray, RayError> {
+        let ray = Ray { origin: origin.into(), direction: direction.into() };
+        ray.check().map(|()| ray)
+    }
+
     /// Checks that origin and direction are finite and the direction is not zero.
     ///
     /// # Errors

@@ -12,7 +12,7 @@ use crate::roots::Roots;
 use crate::seen::{Hit, ObjectSeen};
 use crate::sphere::Sphere;
 use crate::sphere_seen::End;
-use crate::steps::Steps;
+use crate::steps::{Step, Steps};
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -108,6 +108,26 @@ impl std::error::Error for ObjectError {}
 impl std::error::Error for SceneError {}
 
 impl Sphere {
+    /// A checked sphere, from whatever makes a [`DVec3`].
+    ///
+    /// # Errors
+    /// Where the centre is not finite or the radius not positive and finite.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
+    /// let (center, radius) = ([0.5_f32, 0.0, -5.0], 1.5_f32);
+    /// let of_f32 = Sphere::new(center.map(f64::from), f64::from(radius))?;
+    /// assert_eq!(of_f32.center.x, 0.5);
+    /// assert_eq!(Sphere::new([0.0; 3], -1.0), Err(ObjectError::Radius { value: -1.0 }));
+    /// # assert_eq!(ball.radius, 1.0);
+    /// # Ok::<(), ObjectError>(())
+    /// ```
+    pub fn new(center: impl Into<DVec3>, radius: f64) -> Result<Sphere, ObjectError> {
+        let sphere = Sphere { center: center.into(), radius };
+        sphere.check().map(|()| sphere)
+    }
+
     /// Checks that the centre is finite and the radius positive and finite.
     ///
     /// # Errors
@@ -124,6 +144,26 @@ impl Sphere {
 }
 
 impl Plane {
+    /// A checked plane through a point, at right angles to a normal of any length, from whatever
+    /// makes a [`DVec3`].
+    ///
+    /// # Errors
+    /// Where a coordinate is not finite or the normal is zero.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let wall = Plane::new([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])?;
+    /// let normal = [0.0_f32, 0.0, 0.1];
+    /// let of_f32 = Plane::new([0.0, 0.0, -6.0], normal.map(f64::from))?;
+    /// assert!(of_f32.is_same(&wall));
+    /// assert_eq!(Plane::new([0.0; 3], [0.0; 3]), Err(ObjectError::NormalIsZero));
+    /// # Ok::<(), ObjectError>(())
+    /// ```
+    pub fn new(point: impl Into<DVec3>, normal: impl Into<DVec3>) -> Result<Plane, ObjectError> {
+        let plane = Plane { point: point.into(), normal: normal.into() };
+        plane.check().map(|()| plane)
+    }
+
     /// Checks that point and normal are finite and the normal is not zero.
     ///
     /// # Errors
@@ -202,7 +242,7 @@ impl Scene {
 
     /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
     pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
-        let seen: Vec<ObjectSeen> = self.seen_from(ray.origin()).collect();
+        let seen: Vec<ObjectSeen> = self.seen_by(ray).collect();
         let steps = &mut Steps::default();
         let mut hits = Vec::new();
         for (index, seen) in (0..).zip(&seen) {
@@ -227,7 +267,10 @@ impl Scene {
     /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
         let mut first: Option<(u32, ObjectSeen, End)> = None;
-        for (index, seen) in (0..).zip(self.seen_from(ray.origin())) {
+        for (index, seen) in (0..).zip(self.seen_by(ray)) {
+            if seen.side_step() > Step::F64 {
+                steps.count(seen.side_step());
+            }
             let Some(end) = seen.first_end(ray, steps) else { continue };
             let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_end)| {
                 let first = Hit { index: *first_index, seen: first_seen, end: *first_end };
@@ -240,8 +283,8 @@ impl Scene {
         first.map(|(index, seen, end)| seen.root(index, ray, end))
     }
 
-    fn seen_from(&self, origin: DVec3) -> impl Iterator<Item = ObjectSeen> + '_ {
-        self.objects().map(move |object| ObjectSeen::new(&object, origin))
+    fn seen_by(&self, ray: &ExactRay) -> impl Iterator<Item = ObjectSeen> {
+        self.objects().map(|object| ObjectSeen::by(&object, ray))
     }
 }
 
@@ -254,9 +297,22 @@ impl Object {
         }
     }
 
-    /// The first hit of the ray with this object alone, which is given `index`.
+    /// Checks what [`Scene::new`] checks.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), ObjectError> {
+        match self {
+            Object::Sphere(sphere) => sphere.check(),
+            Object::Plane(plane) => plane.check(),
+        }
+    }
+
+    /// The first hit of the ray with this object alone, which is given `index`; none of an object
+    /// that does not pass [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
-        let seen = ObjectSeen::new(self, ray.origin());
+        self.check().ok()?;
+        let seen = ObjectSeen::by(self, ray);
         let end = seen.first_end(ray, &mut Steps::default())?;
         Some(seen.root(index, ray, end))
     }

@@ -25,9 +25,26 @@ pub(crate) enum ObjectSeen {
 
 impl ObjectSeen {
     pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectSeen {
+        ObjectSeen::up_to(object, origin, Step::Exact)
+    }
+
+    /// From the origin of a ray, whose ladder may be cut off.
+    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectSeen {
+        ObjectSeen::up_to(object, ray.origin(), ray.last)
+    }
+
+    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectSeen {
         match object {
-            Object::Sphere(sphere) => ObjectSeen::Sphere(SphereSeen::new(sphere, origin)),
-            Object::Plane(plane) => ObjectSeen::Plane(PlaneSeen::new(plane, origin)),
+            Object::Sphere(sphere) => ObjectSeen::Sphere(SphereSeen::up_to(sphere, origin, last)),
+            Object::Plane(plane) => ObjectSeen::Plane(PlaneSeen::up_to(plane, origin, last)),
+        }
+    }
+
+    /// The step that decided on which side of the object the origin is.
+    pub(crate) fn side_step(&self) -> Step {
+        match self {
+            ObjectSeen::Sphere(seen) => seen.side_step,
+            ObjectSeen::Plane(seen) => seen.side_step,
         }
     }
 
@@ -173,15 +190,22 @@ impl Hit<'_> {
                 return t.total_cmp(&other_t);
             }
         }
-        if self.end == other.end && self.seen.is_same(other.seen) {
+        let is_whole = ray.last == Step::Exact;
+        if is_whole && self.end == other.end && self.seen.is_same(other.seen) {
             steps.count(Step::F64);
             return Ordering::Equal;
         }
-        if let Some(order) = self.seen.t(ray, self.end).compare(other.seen.t(ray, other.end)) {
+        let (t, other_t) = (self.seen.t(ray, self.end), other.seen.t(ray, other.end));
+        if ray.last > Step::F64
+            && let Some(order) = t.compare(other_t)
+        {
             steps.count(Step::DoubleDouble);
             return order;
         }
-        steps.count(Step::Exact);
+        steps.count(ray.last);
+        if !is_whole {
+            return t.compare_rounded(other_t);
+        }
         let (one, other) = (self.seen.big_root(ray, self.end), other.seen.big_root(ray, other.end));
         ray.big().compare(&one, &other)
     }

@@ -39,28 +39,38 @@ pub struct SphereQuadratic {
     pub discriminant: f64,
 }
 
+impl SphereQuadratic {
+    const NONE: SphereQuadratic =
+        SphereQuadratic { a: f64::NAN, b: f64::NAN, c: f64::NAN, discriminant: f64::NAN };
+}
+
 impl Sphere {
     /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside, both
-    /// exactly. In squared world units; infinite where it overflows.
+    /// exactly. In squared world units; infinite where it overflows, NaN where a number is not finite
+    /// or the radius not positive.
     pub fn implicit(&self, q: DVec3) -> f64 {
+        if self.check().is_err() || !q.is_finite() {
+            return f64::NAN;
+        }
         let seen = SphereSeen::new(self, q);
         ldexp(seen.fine.c.hi, 2 * seen.scale)
     }
 
     /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
-    /// or underflow where the roots do not; of a ray that is none, they are NaN.
+    /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
     pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
         match ExactRay::of(ray) {
             Ok(ray) => self.quadratic_of(&ray),
-            Err(_) => {
-                SphereQuadratic { a: f64::NAN, b: f64::NAN, c: f64::NAN, discriminant: f64::NAN }
-            }
+            Err(_) => SphereQuadratic::NONE,
         }
     }
 
     /// [`Sphere::quadratic`] of a ray with all its digits.
     pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
-        let seen = SphereSeen::new(self, ray.origin());
+        if self.check().is_err() {
+            return SphereQuadratic::NONE;
+        }
+        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
         SphereQuadratic {
@@ -72,13 +82,16 @@ impl Sphere {
     }
 
     /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
-    /// a ray that does not pass [`Ray::check`]. Each `t` is within half an ulp, and 2^-40 of one.
+    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
 
     /// [`Sphere::roots`] of a ray with all its digits.
     pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        ObjectSeen::Sphere(SphereSeen::new(self, ray.origin())).roots(ray)
+        if self.check().is_err() {
+            return Roots::None;
+        }
+        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }

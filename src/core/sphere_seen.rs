@@ -12,7 +12,7 @@ use crate::precise::{Precise, T_DOUBT};
 use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::steps::{Step, Steps};
-use crate::terms::{Form, Number, Quadratic, SphereParts, UNDERFLOW, UNIT, dot, length, near};
+use crate::terms::{Form, Number, Quadratic, SphereParts, UNIT, dot, length, near, sphere_normal};
 
 /// How a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +23,17 @@ pub(crate) enum Meets {
     Touches,
     /// In two.
     Crosses,
+}
+
+impl From<Ordering> for Meets {
+    /// By the sign of D.
+    fn from(sign: Ordering) -> Meets {
+        match sign {
+            Ordering::Less => Meets::Misses,
+            Ordering::Equal => Meets::Touches,
+            Ordering::Greater => Meets::Crosses,
+        }
+    }
 }
 
 /// Which of the two points of a line and a sphere.
@@ -54,11 +65,16 @@ pub(crate) struct SphereSeen {
     /// Where the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
     /// The step that decided so.
-    side_step: Step,
+    pub(crate) side_step: Step,
 }
 
 impl SphereSeen {
     pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereSeen {
+        SphereSeen::up_to(sphere, origin, Step::Exact)
+    }
+
+    /// With the ladder cut off after a step.
+    pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereSeen {
         let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
         let parts: [DoubleDouble; 3] =
             std::array::from_fn(|i| DoubleDouble { hi: q[i], lo: rest[i] });
@@ -67,7 +83,10 @@ impl SphereSeen {
         let rounded = near(q);
         let distance = length(rounded);
         let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
-        let c = Relative::of_c(sphere, origin, q, radius, scale + quartered);
+        let c = match last {
+            Step::F64 => Relative::rounded(rounded, radius),
+            _ => Relative::of_c(sphere, origin, q, radius, (scale + quartered, last)),
+        };
         let fine = SphereParts {
             q,
             radius: DoubleDouble::from(radius),
@@ -116,21 +135,25 @@ impl SphereSeen {
         }
         let of_sign =
             |sure: Option<bool>| sure.map(|is| if is { Meets::Crosses } else { Meets::Misses });
-        if let Some(meets) = of_sign(sure_sign(&Quadratic::new(&self.rough, &ray.rough))) {
+        let rough = Quadratic::new(&self.rough, &ray.rough);
+        if let Some(meets) = of_sign(sure_sign(&rough)) {
             steps.count(Step::F64);
             return meets;
         }
-        if let Some(meets) = of_sign(sure_sign(&Quadratic::new(&self.fine, &ray.fine))) {
+        if ray.last == Step::F64 {
+            return rounded_sign(rough.discriminant, ray.last, steps).into();
+        }
+        let fine = Quadratic::new(&self.fine, &ray.fine);
+        if let Some(meets) = of_sign(sure_sign(&fine)) {
             steps.count(Step::DoubleDouble);
             return meets;
         }
+        if ray.last == Step::DoubleDouble {
+            return rounded_sign(fine.discriminant.hi, ray.last, steps).into();
+        }
         steps.count(Step::Exact);
         let big = ray.big();
-        match big.meets(&big.quadratic(&self.sphere)) {
-            Ordering::Less => Meets::Misses,
-            Ordering::Equal => Meets::Touches,
-            Ordering::Greater => Meets::Crosses,
-        }
+        big.meets(&big.quadratic(&self.sphere)).into()
     }
 
     /// Whether the centre lies ahead: the sign of b, of a line that meets the sphere.
@@ -140,10 +163,16 @@ impl SphereSeen {
         if let Some(sign) = sure(rough.b, rough.b_doubt) {
             return sign;
         }
+        if ray.last == Step::F64 {
+            return rounded_sign(rough.b, ray.last, steps);
+        }
         let fine = Quadratic::new(&self.fine, &ray.fine);
         if let Some(sign) = sure(fine.b.hi, fine.b_doubt) {
             steps.count(Step::DoubleDouble);
             return sign;
+        }
+        if ray.last == Step::DoubleDouble {
+            return rounded_sign(fine.b.hi, ray.last, steps);
         }
         steps.count(Step::Exact);
         let big = ray.big();
@@ -170,13 +199,32 @@ impl SphereSeen {
         if self.side == Ordering::Equal && self.is_origin(ray, end) {
             return Precise::ZERO;
         }
-        self.fine_t(ray, end, doubt)
-            .map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale))
-            .unwrap_or_else(|| {
+        let fine = if ray.last == Step::Exact {
+            self.fine_t(ray, end, doubt)
+        } else {
+            Some(self.rounded_t(ray, end))
+        };
+        fine.map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale)).unwrap_or_else(
+            || {
                 let big = ray.big();
                 let (t, k) = big.t(&self.big_root(ray, end));
                 Precise::new(t, k)
-            })
+            },
+        )
+    }
+
+    /// `t` by the step after which the ray's ladder is cut off, in the units of
+    /// [`SphereSeen::fine_t`].
+    #[cold]
+    fn rounded_t(&self, ray: &ExactRay, end: End) -> DoubleDouble {
+        let far = end == End::Far;
+        match ray.last {
+            Step::F64 => {
+                let quadratic = Quadratic::new(&self.rough, &ray.rough);
+                DoubleDouble::from(quadratic.rounded_root(&self.rough, far))
+            }
+            _ => Quadratic::new(&self.fine, &ray.fine).rounded_root(&self.fine, far),
+        }
     }
 
     /// Whether this end of the chord is the origin itself, which lies on the sphere: its roots are 0
@@ -212,6 +260,9 @@ impl SphereSeen {
 
     /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
     pub(crate) fn normal(&self, ray: &ExactRay, end: End) -> DVec3 {
+        if ray.last != Step::Exact {
+            return self.rounded_normal(ray, end);
+        }
         // t d is off by this share of its length, about |q|; a radius small against that needs more.
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
@@ -223,9 +274,18 @@ impl SphereSeen {
             }
             _ => return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end)),
         };
-        let offset: [DoubleDouble; 3] = std::array::from_fn(|i| ray.fine.d[i] * t - self.fine.q[i]);
-        let length = dot(offset, offset).root();
-        DVec3::from_array(offset.map(|x| (x / length).hi))
+        DVec3::from_array(sphere_normal(self.fine.q, &ray.fine, t))
+    }
+
+    /// The normal by the step after which the ray's ladder is cut off.
+    #[cold]
+    fn rounded_normal(&self, ray: &ExactRay, end: End) -> DVec3 {
+        let is_origin = self.side == Ordering::Equal && self.is_origin(ray, end);
+        let t = if is_origin { DoubleDouble::default() } else { self.rounded_t(ray, end) };
+        DVec3::from_array(match ray.last {
+            Step::F64 => sphere_normal(self.rough.q, &ray.rough, t.hi),
+            _ => sphere_normal(self.fine.q, &ray.fine, t),
+        })
     }
 
     /// The quadratic's parts, rounded, in units of the ray's and the sphere's scales. D is 0 where
@@ -257,6 +317,15 @@ struct Relative {
 }
 
 impl Relative {
+    /// In `f64` alone, whatever the doubt.
+    fn rounded(q: [f64; 3], radius: f64) -> Relative {
+        let (qq, rr) = (dot(q, q), radius * radius);
+        let value = qq - rr;
+        let doubt = 8.0 * UNIT * (qq + rr) / value.abs();
+        let value = DoubleDouble::from(value);
+        Relative { value, doubt, sign: sign_of(value.hi), step: Step::F64 }
+    }
+
     /// Of q and r in units of `2^scale`. In double-double where that keeps its digits, else from the
     /// exact number: close to the sphere c is all that is left of large squares.
     fn of_c(
@@ -264,7 +333,7 @@ impl Relative {
         origin: DVec3,
         q: [DoubleDouble; 3],
         radius: f64,
-        scale: i32,
+        (scale, last): (i32, Step),
     ) -> Relative {
         /// Beyond this share, t would lose digits for c's sake.
         const PLENTY: f64 = 256.0 * U2;
@@ -274,18 +343,15 @@ impl Relative {
         // r^2 is exact.
         let squares = qq.hi + rr.hi;
         let doubt = (DoubleDouble::DOT + DoubleDouble::SUM) * squares / value.hi.abs();
-        // In f64 there are 6 roundings, and one of q itself, twice.
-        let step = if value.hi.abs() > 8.0 * UNIT * squares + UNDERFLOW {
-            Step::F64
-        } else if doubt < 0.5 && value.hi.abs() > UNDERFLOW {
-            Step::DoubleDouble
-        } else {
-            Step::Exact
-        };
-        if doubt <= PLENTY && value.hi.abs() > 1e-200 {
-            return Relative { value, doubt: 1.05 * doubt, sign: value.hi.total_cmp(&0.0), step };
+        // 6 roundings in f64, and one of q itself, twice.
+        let is_sure = value.hi.abs() > 8.0 * UNIT * squares && value.hi.abs() > 1e-200;
+        let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
+        if doubt <= PLENTY && value.hi.abs() > 1e-200 || last == Step::DoubleDouble {
+            return Relative { value, doubt: 1.05 * doubt, sign: sign_of(value.hi), step };
         }
         let exact = big_c(sphere, origin);
+        // c may need the exact number where its sign does not.
+        let step = if doubt < 0.5 && value.hi.abs() > 1e-200 { step } else { Step::Exact };
         let sign = exact.sign();
         let (value, k) = exact.to_double_double();
         let k = k - 2 * scale;
@@ -294,6 +360,18 @@ impl Relative {
         let is_kept = sign == Ordering::Equal || value.hi.abs() > 1e-200;
         Relative { value, doubt: if is_kept { 2.0 * U2 } else { f64::INFINITY }, sign, step }
     }
+}
+
+/// Less, equal or greater than 0; -0 is 0.
+fn sign_of(x: f64) -> Ordering {
+    (x + 0.0).total_cmp(&0.0)
+}
+
+/// The sign of a number as it stands, by the last step that may decide.
+#[cold]
+pub(crate) fn rounded_sign(x: f64, last: Step, steps: &mut Steps) -> Ordering {
+    steps.count(last);
+    sign_of(x)
 }
 
 /// The sign of D where it is beyond doubt.

@@ -16,8 +16,8 @@ pub struct Steps {
     pub exact: u64,
 }
 
-/// One step of the ladder.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// One step of the ladder, the lowest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Step {
     /// `f64` with an error bound.
     F64,

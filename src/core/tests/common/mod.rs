@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod given;
+pub(crate) mod levels;
 pub(crate) mod oracle;
 
 use pinhole_core::*;

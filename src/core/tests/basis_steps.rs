@@ -1,0 +1,116 @@
+//! Each step of the basis's ladder is reached, and is needed.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{Numbers, vec3};
+use pinhole_core::*;
+use pinhole_reference::{Orientation as Given, Real, Status, angle_between};
+
+/// A camera whose `at - eye` is `factor up + aside`, of more digits than an f64 has.
+fn looking_along_up(up: [u64; 3], factor: u64, aside: f64) -> Camera {
+    let (mut eye, mut at) = ([0.0; 3], [0.0; 3]);
+    for i in 0..3 {
+        let view = u128::from(up[i]) * u128::from(factor);
+        at[i] = view as f64;
+        eye[i] = -((view as i128 - at[i] as i128) as f64);
+    }
+    eye[0] -= aside;
+    let up = up.map(|x| x as f64).into();
+    let orientation = Orientation::At { at: at.into(), up };
+    Camera { eye: eye.into(), orientation, ..Camera::CANONICAL }
+}
+
+fn truth_of(camera: &Camera) -> Result<[[Real; 3]; 3], Status> {
+    let orientation = match camera.orientation {
+        Orientation::At { at, up } => Given::At { at: at.to_array(), up: up.to_array() },
+        Orientation::View { view, up } => Given::View { view: view.to_array(), up: up.to_array() },
+        Orientation::Basis(Basis { u, v, w }) => {
+            Given::Basis { u: u.to_array(), v: v.to_array(), w: w.to_array() }
+        }
+    };
+    pinhole_reference::basis(camera.eye.to_array(), &orientation)
+}
+
+/// The largest angle between a vector and the true one.
+fn turned(found: &Basis, truth: &[[Real; 3]; 3]) -> f64 {
+    let angles = [found.u, found.v, found.w].into_iter().zip(truth);
+    angles.map(|(found, truth)| angle_between(truth, found.to_array())).fold(0.0, f64::max)
+}
+
+/// What the ladder owes: each coordinate rounded once.
+const ROUNDING: f64 = 1.2e-16;
+
+const UPS: [[u64; 3]; 4] = [
+    [1 << 52 | 12345, 3 << 51 | 7, 1 << 52 | 987_654_321],
+    [1 << 52 | 99991, 1 << 51 | 77_777_777, 1 << 51 | 1],
+    [1 << 50 | 3, 1 << 52 | 31_415_926_535, 1 << 51 | 271_828_182_845],
+    [1 << 52 | 1, 1 << 52 | 3, 1 << 52 | 5],
+];
+
+/// The textbook's formula rounds u, v and w more often than once.
+#[test]
+fn an_ordinary_basis_needs_double_double() {
+    let mut wrong = 0;
+    let mut numbers = Numbers(3);
+    for _ in 0..100 {
+        let orientation = Orientation::At { at: numbers.point(5.0), up: DVec3::Y };
+        let camera = Camera { eye: vec3(20.0, 4.0, 10.0), orientation, ..Camera::CANONICAL };
+        let truth = truth_of(&camera).unwrap();
+        for last in [Step::DoubleDouble, Step::Exact] {
+            let (basis, step) = camera.basis_cut_off_after(last).unwrap();
+            assert!(turned(&basis, &truth) <= ROUNDING, "{camera:?}");
+            assert_eq!(step, Step::DoubleDouble, "{camera:?}");
+        }
+        let (basis, step) = camera.basis_cut_off_after(Step::F64).unwrap();
+        assert_eq!(step, Step::F64);
+        wrong += usize::from(turned(&basis, &truth) > ROUNDING);
+    }
+    assert!(wrong > 0);
+}
+
+/// An up within 1e-16 rad of the view, and far closer: f64 turns the camera by anything, and where
+/// at - eye has a hundred digits, so does double-double.
+#[test]
+fn up_nearly_parallel_to_view_needs_the_exact_step() {
+    let mut wrong_by = [0.0_f64; 2];
+    for up in UPS {
+        for aside in [1.0, 0.5_f64.powi(10), 0.5_f64.powi(20)] {
+            let camera = looking_along_up(up, (1 << 30) + 3, aside);
+            let truth = truth_of(&camera).unwrap();
+            let (basis, step) = camera.basis_cut_off_after(Step::Exact).unwrap();
+            assert_eq!((basis, step), (camera.basis().unwrap(), Step::Exact));
+            assert!(turned(&basis, &truth) <= ROUNDING, "{camera:?}");
+            for (last, worst) in [Step::F64, Step::DoubleDouble].into_iter().zip(&mut wrong_by) {
+                let off = match camera.basis_cut_off_after(last) {
+                    Ok((basis, step)) => {
+                        assert_eq!(step, last);
+                        turned(&basis, &truth)
+                    }
+                    Err(error) => {
+                        assert!(matches!(error, BasisError::UpParallelToView { .. }), "{error}");
+                        std::f64::consts::PI
+                    }
+                };
+                *worst = worst.max(off);
+            }
+        }
+    }
+    assert!(wrong_by.iter().all(|angle| *angle > 1e-3), "{wrong_by:?}");
+}
+
+/// An up exactly parallel to the view: only the exact step knows that there is no basis.
+#[test]
+fn up_exactly_parallel_to_view_needs_the_exact_step() {
+    let mut made_up = 0;
+    for up in UPS {
+        for factor in [(1 << 30) + 3, (1 << 29) + 12347, 3_u64.pow(19)] {
+            let camera = looking_along_up(up, factor, 0.0);
+            assert_eq!(truth_of(&camera), Err(Status::UpParallelToView));
+            let found = camera.basis_cut_off_after(Step::Exact);
+            assert!(matches!(found, Err(BasisError::UpParallelToView { .. })), "{found:?}");
+            made_up += usize::from(camera.basis_cut_off_after(Step::DoubleDouble).is_ok());
+        }
+    }
+    assert!(made_up > 0);
+}

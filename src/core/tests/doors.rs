@@ -1,0 +1,257 @@
+//! What is no ray, object, basis or camera gets a typed error at its door; and whoever goes on with
+//! it all the same meets no panic, no hit and no endless loop.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{given, vec3};
+use pinhole_core::methods::{Method, first_hit_by};
+use pinhole_core::*;
+use pinhole_reference::{
+    Object as GivenObject, RayCase, invalid_bases, invalid_cameras, invalid_rays,
+};
+
+/// The field that a case's text says is at fault: "center" of "center.x is NaN".
+fn field_of(what: &str) -> &str {
+    let name = what.split(' ').next().unwrap();
+    name.strip_suffix(".x").or(name.strip_suffix(".y")).or(name.strip_suffix(".z")).unwrap_or(name)
+}
+
+fn objects_of(case: &RayCase) -> (Vec<Sphere>, Vec<Plane>) {
+    let (mut spheres, mut planes) = (Vec::new(), Vec::new());
+    for object in &case.objects {
+        match *object {
+            GivenObject::Sphere { center, radius } => {
+                spheres.push(Sphere { center: center.into(), radius });
+            }
+            GivenObject::Plane { point, normal } => {
+                planes.push(Plane { point: point.into(), normal: normal.into() });
+            }
+        }
+    }
+    (spheres, planes)
+}
+
+#[track_caller]
+fn assert_ray_error(error: RayError, what: &str) {
+    match error {
+        RayError::NotFinite { field, value } => {
+            assert_eq!(field, field_of(what), "{what}");
+            assert!(!value.is_finite(), "{what}");
+        }
+        RayError::DirectionIsZero => assert!(what.starts_with("direction is "), "{what}"),
+    }
+}
+
+#[track_caller]
+fn assert_object_error(error: ObjectError, what: &str) {
+    match error {
+        ObjectError::NotFinite { field, value } => {
+            assert_eq!(field, field_of(what), "{what}");
+            assert!(!value.is_finite(), "{what}");
+        }
+        ObjectError::Radius { value } => {
+            assert_eq!(field_of(what), "radius");
+            assert!(value.is_nan() || value <= 0.0 || value.is_infinite(), "{what}");
+        }
+        ObjectError::NormalIsZero => assert!(what.starts_with("normal is "), "{what}"),
+    }
+}
+
+#[test]
+fn rays_and_objects() {
+    let mut refused = [0; 3];
+    for (what, case) in invalid_rays() {
+        let (spheres, planes) = objects_of(&case);
+        let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
+        let (sphere, plane) = (spheres[0], planes[0]);
+        let doors = [
+            ray.check().err(),
+            Ray::new(case.origin, case.direction).err(),
+            ExactRay::of(&ray).err(),
+        ];
+        let of_sphere = [sphere.check().err(), Sphere::new(sphere.center, sphere.radius).err()];
+        let of_plane = [plane.check().err(), Plane::new(plane.point, plane.normal).err()];
+        match Scene::new(spheres, planes) {
+            Ok(scene) => {
+                refused[0] += 1;
+                for error in doors {
+                    assert_ray_error(error.unwrap(), &what);
+                }
+                assert_meets_nothing(&scene, &ray, &what);
+            }
+            Err(SceneError::Sphere { index, error }) => {
+                refused[1] += 1;
+                assert_eq!(index, 0, "{what}");
+                for door in [Some(error)].into_iter().chain(of_sphere) {
+                    assert_object_error(door.unwrap(), &what);
+                }
+                assert_is_none(&Object::Sphere(sphere), &what);
+            }
+            Err(SceneError::Plane { index, error }) => {
+                refused[2] += 1;
+                assert_eq!(index, 1, "{what}");
+                for door in [Some(error)].into_iter().chain(of_plane) {
+                    assert_object_error(door.unwrap(), &what);
+                }
+                assert_is_none(&Object::Plane(plane), &what);
+            }
+        }
+    }
+    assert!(refused.iter().all(|count| *count >= 10), "{refused:?}");
+}
+
+/// A ray that is none meets nothing.
+#[track_caller]
+fn assert_meets_nothing(scene: &Scene, ray: &Ray, what: &str) {
+    assert_eq!(scene.first_hit(ray), None, "{what}");
+    assert_eq!(scene.roots(ray), [], "{what}");
+    assert_eq!(first_hit_by(Method::Ladder, scene, ray), None, "{what}");
+    for object in scene.objects() {
+        assert_eq!(object.roots(ray), Roots::None, "{what}");
+    }
+    for method in Method::ALL {
+        if let Some(hit) = first_hit_by(method, scene, ray) {
+            assert!(hit.t > 0.0 && hit.t.is_finite(), "{method} on {what}");
+        }
+    }
+    // Readouts of what there is not are NaN, and nothing else.
+    let quadratic = scene.spheres()[0].quadratic(ray);
+    assert!(
+        [quadratic.a, quadratic.b, quadratic.c, quadratic.discriminant].iter().all(|x| x.is_nan())
+    );
+    let terms = scene.planes()[0].terms(ray);
+    assert!(terms.rate.is_nan() && terms.offset.is_nan());
+    let _ = (ray.at(1.0), ray.distance_along(1.0));
+}
+
+/// An object that is none is met by nothing, from anywhere, by whatever step.
+#[track_caller]
+fn assert_is_none(object: &Object, what: &str) {
+    let posed = Camera::CANONICAL.posed().unwrap();
+    let given = [
+        Ray::new([0.0; 3], [0.0, 0.0, -1.0]).unwrap(),
+        Ray::new([0.0, 0.0, -5.0], [0.3, 0.2, -1.0]).unwrap(),
+        Ray::new([1e300, -1e-300, 5.0], [1e-300, 5e-324, -1e300]).unwrap(),
+    ];
+    let pixel = Pixel { row: 200, column: 200 };
+    let mut rays: Vec<ExactRay> = given.iter().map(|ray| ExactRay::of(ray).unwrap()).collect();
+    rays.push(posed.exact_ray(pixel));
+    for ray in rays {
+        for last in [Step::F64, Step::DoubleDouble, Step::Exact] {
+            let ray = ray.cut_off_after(last);
+            assert_eq!(object.first_hit(0, &ray), None, "{what}");
+            let roots = match object {
+                Object::Sphere(sphere) => {
+                    assert!(sphere.quadratic_of(&ray).discriminant.is_nan(), "{what}");
+                    sphere.roots_of(&ray)
+                }
+                Object::Plane(plane) => {
+                    assert!(plane.terms_of(&ray).rate.is_nan(), "{what}");
+                    assert!(!plane.is_same(plane), "{what}");
+                    plane.roots_of(&ray)
+                }
+            };
+            assert_eq!(roots, Roots::None, "{what}");
+        }
+    }
+    assert!(object.check().is_err() && object.implicit(DVec3::ZERO).is_nan(), "{what}");
+}
+
+#[test]
+fn bases() {
+    let cases = invalid_bases();
+    assert!(cases.len() > 50);
+    for (what, case) in cases {
+        let eye = case.eye.into();
+        let orientation = given::orientation(&case.orientation);
+        let camera = Camera { eye, orientation, ..Camera::CANONICAL };
+        let of_camera = [Step::F64, Step::DoubleDouble, Step::Exact]
+            .map(|last| camera.basis_cut_off_after(last).err());
+        let alone = match orientation {
+            Orientation::At { at, up } => {
+                assert!(UpAngle::of_eye_at_up(eye, at, up).is_err(), "{what}");
+                Basis::from_eye_at_up(eye, at, up).err()
+            }
+            Orientation::View { view, up } => {
+                assert!(UpAngle::between(view, up).is_err(), "{what}");
+                Basis::from_view_up(view, up).err()
+            }
+            Orientation::Basis(Basis { u, v, w }) => Basis::by_hand(u, v, w).err(),
+        };
+        for error in of_camera.into_iter().chain([camera.basis().err(), alone]) {
+            let Some(BasisError::NotFinite { field, value }) = error else {
+                panic!("{error:?} where {what}");
+            };
+            assert_eq!(field, field_of(&what));
+            assert!(!value.is_finite(), "{what}");
+        }
+        let posed = camera.posed();
+        assert!(
+            matches!(posed, Err(CameraError::Basis(BasisError::NotFinite { .. }))),
+            "{posed:?} where {what}"
+        );
+        assert!(camera.up_angle().is_err(), "{what}");
+        for kind in [OrientationKind::At, OrientationKind::View, OrientationKind::Basis] {
+            // Converted, it has no basis either, unless u alone is at fault, which is left out.
+            if field_of(&what) == "basis.u" {
+                continue;
+            }
+            let converted = camera.given_by(kind).and_then(|camera| camera.basis());
+            assert!(converted.is_err(), "{what} by {kind:?}");
+        }
+        let _ = (camera.view(), camera.up());
+    }
+}
+
+#[test]
+fn cameras() {
+    let cases = invalid_cameras();
+    assert!(cases.len() >= 20);
+    for (what, given) in cases {
+        let size = ImageSize::new(given.columns, given.rows);
+        let Ok(image) = size else {
+            assert!(what.starts_with("columns") || what.starts_with("rows"), "{what}");
+            continue;
+        };
+        let viewport =
+            Viewport { width: given.width, height: given.height, distance: given.distance };
+        let camera = Camera { image, viewport, ..Camera::CANONICAL };
+        let error = camera.posed().unwrap_err();
+        assert!(matches!(error, CameraError::Viewport(_)), "{error:?} where {what}");
+        assert_eq!(
+            viewport.check().err().map(CameraError::Viewport).map(|e| e.to_string()),
+            Some(error.to_string())
+        );
+        assert!(error.to_string().contains(field_of(&what)), "{error} where {what}");
+        // The basis has nothing to do with it.
+        assert!(camera.basis().is_ok(), "{what}");
+        let _ = (viewport.horizontal_fov(), viewport.vertical_fov());
+    }
+}
+
+/// What a camera is asked for may be no place either.
+#[test]
+fn places_in_a_camera() {
+    let posed = Camera::CANONICAL.posed().unwrap();
+    let strange = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
+    for x in strange {
+        for uv in [DVec2::new(x, 0.0), DVec2::new(0.0, x), DVec2::splat(x)] {
+            let error = posed.exact_ray_at(uv).unwrap_err();
+            assert!(matches!(error, RayError::NotFinite { field: "uv", .. }), "{error:?}");
+            assert_eq!(posed.pixel_of_uv(uv), None, "{uv}");
+            assert!(posed.ray(uv).check().is_err(), "{uv}");
+        }
+        for point in [vec3(x, 0.0, -1.0), vec3(0.0, 0.0, x)] {
+            assert!(
+                !posed.project(point).uv.is_finite() || !posed.project(point).depth.is_finite()
+            );
+        }
+    }
+    // Beside the image there are rays all the same, of numbers.
+    let scene = Scene::new(vec![Sphere::new([0.0, 0.0, -5.0], 1.0).unwrap()], vec![]).unwrap();
+    for pixel in [Pixel { row: u32::MAX, column: 0 }, Pixel { row: 400, column: u32::MAX }] {
+        assert!(posed.ray_of_pixel(pixel).check().is_ok());
+        assert_eq!(scene.first_hit_of(&posed.exact_ray(pixel)), None);
+    }
+}

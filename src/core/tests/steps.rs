@@ -1,0 +1,328 @@
+//! Each step of the ladder is reached, and is needed: with the ladder cut off before it, a case with
+//! a name goes wrong.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::given;
+use pinhole_core::*;
+use pinhole_reference::{Camera as GivenCamera, Family, Hit, Object, Orientation as Given};
+
+/// Whose first hit is asked for.
+#[derive(Clone, Debug)]
+enum Asked {
+    Ray {
+        origin: DVec3,
+        direction: DVec3,
+    },
+    /// The middle pixel of a 3 x 3 image, seen along this view from the origin, level with y up.
+    MiddlePixel {
+        view: DVec3,
+    },
+}
+
+#[derive(Clone, Debug)]
+struct Case {
+    objects: Vec<Object>,
+    asked: Asked,
+}
+
+fn ball(center: DVec3, radius: f64) -> Object {
+    Object::Sphere { center: center.to_array(), radius }
+}
+
+fn wall(point: DVec3, normal: DVec3) -> Object {
+    Object::Plane { point: point.to_array(), normal: normal.to_array() }
+}
+
+fn whole(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+fn middle_camera(view: DVec3) -> GivenCamera {
+    GivenCamera {
+        eye: [0.0; 3],
+        orientation: Given::View { view: view.to_array(), up: [0.0, 1.0, 0.0] },
+        width: 1.0,
+        height: 1.0,
+        distance: 1.0,
+        columns: 3,
+        rows: 3,
+    }
+}
+
+impl Case {
+    fn ray(objects: &[Object], origin: DVec3, direction: DVec3) -> Case {
+        Case { objects: objects.to_vec(), asked: Asked::Ray { origin, direction } }
+    }
+
+    fn middle_pixel(objects: &[Object], view: DVec3) -> Case {
+        Case { objects: objects.to_vec(), asked: Asked::MiddlePixel { view } }
+    }
+
+    fn truth(&self) -> Option<Hit> {
+        match self.asked {
+            Asked::Ray { origin, direction } => {
+                pinhole_reference::first_hit(&self.objects, origin.to_array(), direction.to_array())
+            }
+            Asked::MiddlePixel { view } => {
+                middle_camera(view).first_hit_of_pixel(&self.objects, 1, 1)
+            }
+        }
+    }
+
+    /// The ladder's answer, cut off after a step, and how its decisions were made.
+    fn answer(&self, last: Step) -> (Option<Root>, Steps) {
+        let scene = given::scene(&self.objects);
+        let mut steps = Steps::default();
+        let hit = match self.asked {
+            Asked::Ray { origin, direction } => {
+                let ray = ExactRay::of(&Ray::new(origin, direction).unwrap()).unwrap();
+                scene.first_hit_counting(&ray.cut_off_after(last), &mut steps)
+            }
+            Asked::MiddlePixel { view } => {
+                let camera = given::camera(&middle_camera(view)).posed().unwrap();
+                let ray = camera.exact_ray(Pixel { row: 1, column: 1 });
+                scene.first_hit_counting(&ray.cut_off_after(last), &mut steps)
+            }
+        };
+        (hit, steps)
+    }
+}
+
+/// The same object at about the same t: rounding moves t by far less, the other root by far more.
+fn is_same(found: Option<&Root>, truth: Option<&Hit>) -> bool {
+    match (found, truth) {
+        (None, None) => true,
+        (Some(found), Some(truth)) => {
+            let t = truth.t.to_f64();
+            found.object as usize == truth.object && (found.t - t).abs() <= 1e-3 * t
+        }
+        _ => false,
+    }
+}
+
+/// The variants of a case: the whole ladder is right about all of them, and tells that it took the
+/// `needed` step; cut off before that, it is wrong about some. (About all it need not be: a sign
+/// that rounding makes up is right half of the time.)
+#[track_caller]
+fn assert_needs(needed: Step, variants: &[Case]) {
+    let before = if needed == Step::Exact { Step::DoubleDouble } else { Step::F64 };
+    let mut wrong = 0;
+    for case in variants {
+        let truth = case.truth();
+        let (found, steps) = case.answer(Step::Exact);
+        assert!(is_same(found.as_ref(), truth.as_ref()), "{found:?} in {case:?}");
+        if let (Some(found), Some(truth)) = (found, &truth) {
+            assert!(truth.t.ulps_from(found.t) <= 0.5 + 1e-12, "{found:?} in {case:?}");
+        }
+        match needed {
+            Step::Exact => assert!(steps.exact > 0, "{steps:?} in {case:?}"),
+            _ => assert!(steps.double_double > 0 && steps.exact == 0, "{steps:?} in {case:?}"),
+        }
+        let (found, steps) = case.answer(before);
+        assert_eq!(steps.exact, 0, "{case:?}");
+        assert!(before > Step::F64 || steps.double_double == 0, "{steps:?} in {case:?}");
+        assert!(found.is_none_or(|hit| hit.t > 0.0 && hit.point.is_finite()), "{found:?}");
+        wrong += usize::from(!is_same(found.as_ref(), truth.as_ref()));
+    }
+    assert!(wrong > 0, "{before:?} alone is right about all {} variants", variants.len());
+}
+
+/// `(m^2 - n^2, 2 m n, m^2 + n^2)`: the sides of a right triangle, all whole.
+fn triple(m: f64, n: f64) -> (f64, f64, f64) {
+    (m * m - n * n, 2.0 * m * n, m * m + n * n)
+}
+
+/// The ray along (a, b) and a sphere of radius k c that it touches `s` directions ahead, the radius
+/// moved from there.
+fn tangent_by_triple((m, n): (f64, f64), s: f64, k: f64, moved: fn(f64) -> f64) -> Case {
+    let (a, b, c) = triple(m, n);
+    let center = whole(s * a - k * b, s * b + k * a, 0.0);
+    Case::ray(&[ball(center, moved(k * c))], DVec3::ZERO, whole(a, b, 0.0))
+}
+
+const DISTANCES: [f64; 6] = [1.0, 3.0, 10.0, 30.0, 100.0, 1000.0];
+
+/// Nearly a tangent: one unit in the last place of the radius decides, which f64 cannot see.
+#[test]
+fn one_ulp_beside_a_tangent_needs_double_double() {
+    let beside = |s| {
+        [f64::next_up, f64::next_down]
+            .map(|moved| tangent_by_triple((20001.0, 5000.0), s, 1.0, moved))
+    };
+    assert_needs(Step::DoubleDouble, &DISTANCES.map(beside).concat());
+}
+
+/// The tangent itself: no bound, however small, lets a rounded 0 pass for 0.
+#[test]
+fn a_tangent_by_a_pythagorean_triple_needs_the_exact_step() {
+    let exactly = |s| {
+        [(10001.0, 1000.0), (20001.0, 5000.0)]
+            .map(|sides| [1.0, 3.0, 7.0].map(|k| tangent_by_triple(sides, s, k, |r| r)))
+            .concat()
+    };
+    let variants = DISTANCES.map(exactly).concat();
+    assert_needs(Step::Exact, &variants);
+    let wrong_by_f64 = variants.iter().any(|case| {
+        let (found, _) = case.answer(Step::F64);
+        !is_same(found.as_ref(), case.truth().as_ref())
+    });
+    assert!(wrong_by_f64);
+}
+
+/// Views of whole length, across from y by a whole length too: 13, 5; 145, 17; ...
+const VIEWS: [DVec3; 5] = [
+    DVec3::new(3.0, 12.0, 4.0),
+    DVec3::new(4.0, 12.0, 3.0),
+    DVec3::new(-3.0, 12.0, -4.0),
+    DVec3::new(6.0, -24.0, 8.0),
+    DVec3::new(8.0, 144.0, 15.0),
+];
+
+/// `view x up` and `(view x up) x view` for up along y.
+fn right_and_upward(view: DVec3) -> (DVec3, DVec3) {
+    let right = view.cross(DVec3::Y);
+    (right, right.cross(view))
+}
+
+/// The middle pixel's ray, whose direction no double-double holds, touches a sphere.
+#[test]
+fn a_pixels_tangent_needs_the_exact_step() {
+    let tangents = |view: DVec3| {
+        let (right, upward) = right_and_upward(view);
+        [right, upward].map(|across| {
+            let sphere = ball(10.0 * view + across, across.length());
+            Case::middle_pixel(&[sphere], view)
+        })
+    };
+    assert_needs(Step::Exact, &VIEWS.map(tangents).concat());
+}
+
+/// The middle row of a tilted camera lies in a plane of whole numbers: parallel to every plane with
+/// that normal, though the dot product is rounded to something else than 0.
+#[test]
+fn a_row_parallel_to_a_plane_needs_the_exact_step() {
+    let views = [whole(1.0, 2.0, 3.0), whole(1.0, -1.0, -3.0), whole(2.0, -1.0, -7.0)];
+    let sides = |view: DVec3| {
+        let (_, upward) = right_and_upward(view);
+        [1.0, -1.0].map(|side| Case::middle_pixel(&[wall(side * upward, upward)], view))
+    };
+    assert_needs(Step::Exact, &views.map(sides).concat());
+}
+
+/// A ray in a direction of whole numbers, exactly at right angles to a plane's normal: f64 rounds the
+/// dot product's three terms to a sum that is not 0, and sees a hit.
+#[test]
+fn a_parallel_ray_is_beyond_f64() {
+    let mut wrong = 0;
+    for k in [100_000_007.0, 123_456_789.0, 987_654_321.0] {
+        for side in [1.0, -1.0] {
+            let normal = k * whole(1.0, 2.0, 2.0);
+            let direction = normal.cross(whole(100_003.0, 7.0, 1.0));
+            let case = Case::ray(&[wall(side * normal, normal)], DVec3::ZERO, direction);
+            assert_eq!(case.truth(), None);
+            let (found, steps) = case.answer(Step::Exact);
+            assert_eq!((found, steps.exact), (None, 1), "{case:?}");
+            wrong += usize::from(case.answer(Step::F64).0.is_some());
+        }
+    }
+    assert!(wrong > 0);
+}
+
+/// A sphere inside another one, touching it where the ray enters both: a tie, the one listed first
+/// wins.
+#[test]
+fn touching_spheres_need_the_exact_step() {
+    let touching = |view: DVec3| {
+        let (contact, length) = (10.0 * view, view.length());
+        let inner = ball(contact + view, length);
+        let outer = ball(contact + 2.0 * view, 2.0 * length);
+        [[inner, outer], [outer, inner]].map(|objects| Case::middle_pixel(&objects, view))
+    };
+    assert_needs(Step::Exact, &VIEWS.map(touching).concat());
+}
+
+/// The same for any ray, off the axis.
+#[test]
+fn touching_spheres_off_the_axis_need_the_exact_step() {
+    let contact = 100_000_007.0 * whole(1.0, 2.0, 2.0);
+    let asides = [whole(1.0, 1.0, 0.0), whole(1.0, -3.0, 5.0), whole(12345.0, 54321.0, 999.0)];
+    let variants = asides.map(|aside| {
+        let origin = 3.0 * contact + aside;
+        let outer = ball(DVec3::ZERO, contact.length());
+        let inner = ball(0.5 * contact, 0.5 * contact.length());
+        [[inner, outer], [outer, inner]]
+            .map(|objects| Case::ray(&objects, origin, contact - origin))
+    });
+    assert_needs(Step::Exact, &variants.concat());
+}
+
+/// A ray through the line in which two planes cross: at the same t.
+#[test]
+fn planes_that_cross_on_the_ray_need_the_exact_step() {
+    let crossing = |view: DVec3| {
+        let (point, (_, upward)) = (10.0 * view, right_and_upward(view));
+        let planes = [wall(point, view + upward), wall(point, view)];
+        [planes, [planes[1], planes[0]]].map(|objects| Case::middle_pixel(&objects, view))
+    };
+    assert_needs(Step::Exact, &VIEWS.map(crossing).concat());
+}
+
+/// The origin exactly on a sphere, where `|q|^2` and `r^2` have more digits than f64: leaving it, or
+/// along it, the ray hits nothing.
+#[test]
+fn an_origin_on_a_sphere_is_beyond_f64() {
+    let mut wrong = 0;
+    for k in [10_000_019.0, 100_000_007.0, 123_456_789.0] {
+        let origin = k * whole(1.0, 2.0, 2.0);
+        let sphere = ball(DVec3::ZERO, 3.0 * k);
+        for direction in [origin, origin.cross(whole(1.0, -3.0, 5.0))] {
+            let case = Case::ray(&[sphere], origin, direction);
+            assert_eq!(case.truth(), None);
+            let (found, steps) = case.answer(Step::Exact);
+            assert_eq!(found, None, "{case:?}");
+            assert!(steps.exact > 0, "{steps:?} in {case:?}");
+            wrong += usize::from(case.answer(Step::F64).0.is_some());
+        }
+    }
+    assert!(wrong > 0);
+}
+
+/// The origin exactly in a plane: no ray hits it.
+#[test]
+fn an_origin_in_a_plane_is_beyond_f64() {
+    let mut wrong = 0;
+    for k in [10_000_019.0, 100_000_007.0, 987_654_321.0] {
+        let (point, normal) = (k * whole(1.0, 2.0, 2.0), whole(12345.0, 54321.0, 999.0));
+        let origin = point + point.cross(normal);
+        for direction in [whole(0.3, 0.7, -1.0), whole(-0.3, -0.7, 1.0)] {
+            let case = Case::ray(&[wall(point, normal)], origin, direction);
+            assert_eq!(case.truth(), None);
+            let (found, steps) = case.answer(Step::Exact);
+            assert_eq!((found, steps.exact), (None, 1), "{case:?}");
+            wrong += usize::from(case.answer(Step::F64).0.is_some());
+        }
+    }
+    assert!(wrong > 0);
+}
+
+/// A frame's own decisions take every step.
+#[test]
+fn frames_reach_every_step() {
+    let mut steps = Steps::default();
+    for family in Family::all() {
+        for knob in family.knobs() {
+            for case in family.frames(*knob, 7, 1, false) {
+                if case.camera.rows.max(case.camera.columns) > 64 {
+                    continue;
+                }
+                let camera = given::camera(&case.camera).posed().unwrap();
+                let raster = Raster::full(camera.image());
+                let scene = given::scene(&case.objects);
+                steps += trace(&scene, &camera, &raster, Outputs::default()).steps;
+            }
+        }
+    }
+    assert!(steps.f64 > 1000 && steps.double_double > 0 && steps.exact > 0, "{steps:?}");
+}
