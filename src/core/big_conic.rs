@@ -1,5 +1,7 @@
 //! The coefficients of a sphere's outline from exact numbers.
 
+use std::cmp::Ordering;
+
 use num_bigint::{BigInt, Sign};
 
 use crate::conic::{Conic, Patch};
@@ -96,15 +98,19 @@ impl BigSteppers {
         (vec![BigInt::ZERO; x.len()], places)
     }
 
-    /// Each `x / by * 2^k`, off by at most `2^-105` of itself and `2^-270` of the largest.
+    /// Each `x / by * 2^k`, off by at most `2^-105` of itself: each has its own places, because what
+    /// is small beside the others may be all that a patch of one row or column has.
     fn rounded(&self, x: &[Surd], by: &Surd, k: i32) -> Vec<DoubleDouble> {
-        let ((numerators, places), (by, by_places)) =
-            (self.fixed(x), self.fixed(std::slice::from_ref(by)));
-        let round = |numerator: &BigInt| {
-            let (value, exponent) = ratio(numerator, &by[0], by_places - places + k);
+        let (by, by_places) = self.fixed(std::slice::from_ref(by));
+        let round = |x: &Surd| {
+            if x.sign(&self.of) == Ordering::Equal {
+                return DoubleDouble::default();
+            }
+            let (numerator, places) = self.fixed(std::slice::from_ref(x));
+            let (value, exponent) = ratio(&numerator[0], &by[0], by_places - places + k);
             DoubleDouble { hi: ldexp(value.hi, exponent), lo: ldexp(value.lo, exponent) }
         };
-        numerators.iter().map(round).collect()
+        x.iter().map(round).collect()
     }
 }
 

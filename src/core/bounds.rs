@@ -25,12 +25,13 @@ pub(crate) struct Bounds<'a> {
 }
 
 impl<'a> Bounds<'a> {
-    /// A traced ray differs from the real ray through `(u, v, -distance)` of an orthonormal basis:
-    /// its direction is rounded, the basis is off by rounding (or, by hand, by its tolerance), and
-    /// the intersection is decided in rounded arithmetic. All three together move it by less than
-    /// `doubt` times its length: a share of its length, not of each coordinate, which on a viewport
-    /// of extreme aspect is the difference between a margin and none. So a traced ray that meets the
-    /// sphere is a real ray that meets a sphere larger by `doubt * (|oc| + r)`.
+    /// The rays are exact; the bounds are computed in `f64` from the rounded basis and the rounded
+    /// way to the centre. With respect to that basis, taken as orthonormal, a ray is off by the
+    /// basis' rounding (or, by hand, by its tolerance), and the centre by the rounding of its
+    /// coordinates: all together by less than `doubt` times their length, a share of the length, not
+    /// of each coordinate, which on a viewport of extreme aspect is the difference between a margin
+    /// and none. So a ray that meets the sphere is, in these coordinates, one that meets a sphere
+    /// larger by `doubt * (|oc| + r)`.
     pub(crate) fn new(camera: &'a PosedCamera) -> Self {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let basis = camera.basis();
@@ -63,11 +64,15 @@ impl<'a> Bounds<'a> {
         let q = self.camera.basis().to_camera_from_world(to_center);
         let depth = -q.z;
         let radius = sphere.radius + self.doubt * (sphere.radius + to_center.abs().element_sum());
+        let anywhere = PixelBounds { rows: 0..u32::MAX, columns: 0..u32::MAX };
+        if !is_in_plain_range(q, radius) {
+            return Some(anywhere);
+        }
         if depth + radius < 0.0 {
             return None;
         }
-        if !(depth > radius && is_in_plain_range(q, radius)) {
-            return Some(PixelBounds { rows: 0..u32::MAX, columns: 0..u32::MAX });
+        if depth <= radius {
+            return Some(anywhere);
         }
         let image = self.camera.image();
         let (left, right) = tangents(q.x, depth, radius);

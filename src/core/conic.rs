@@ -180,8 +180,9 @@ impl<T: Number> Conic<T> {
         t_doubt: f64,
     ) -> Thresholds {
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
-        // The kernels' own operations: at most 78 u^2 in double-double, half a dozen u in f64.
-        let operations = 4.0 * T::QUOTIENT + 2.0 * T::PRODUCT;
+        // The kernels' own operations: at most 80 u^2 and a product in double-double, half a dozen u
+        // in f64.
+        let operations = 5.0 * T::QUOTIENT + 2.0 * T::PRODUCT;
         if side == Ordering::Equal {
             let left = t_doubt - self.a_doubt - operations;
             let ahead = if left > 0.0 { b_doubt / left } else { f64::INFINITY };

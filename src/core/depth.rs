@@ -3,6 +3,8 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::kernel::MISS;
+
 /// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within half an
 /// ulp and 2^-15 of one at less than half the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
@@ -110,7 +112,8 @@ macro_rules! depth {
                 let x = found as $real;
                 let tie = (TIE * f64::from($real::EPSILON)) as $real * x;
                 let is_plain = (x > $range.0) & (x < $range.1);
-                let is_sure = (x == $real::INFINITY) | (is_plain & ((x - t).abs() > tie));
+                // A miss is infinite in f64 already; what only the narrowing makes infinite is none.
+                let is_sure = (found == MISS) | (is_plain & ((x - t).abs() > tie));
                 // What was just taken over is there itself.
                 !is_sure && object != index
             }
@@ -126,14 +129,14 @@ depth!(f64, crate::precise::T_DOUBT, true, DOUBLE_RANGE, blend_double);
 const SINGLE_RANGE: (f32, f32) = (1e-37, 1e38);
 const DOUBLE_RANGE: (f64, f64) = (1e-290, 1e290);
 
-/// Which lanes of x are nearer than what is known, and which are in doubt.
+/// Which lanes of x, misses apart, are nearer than what is known, and which are in doubt.
 macro_rules! compare {
-    ($simd:ident, $vector:ty, $x:ident, $known:ident, $real:ident, $range:expr) => {{
+    ($simd:ident, $vector:ty, $x:ident, $known:ident, $is_miss:expr, $real:ident, $range:expr) => {{
         let tie = $x * ((TIE * f64::from($real::EPSILON)) as $real);
         let is_apart = ($x - $known).simd_gt(tie) | ($known - $x).simd_gt(tie);
         let is_plain = $x.simd_gt(<$vector>::splat($simd, $range.0))
             & $x.simd_lt(<$vector>::splat($simd, $range.1));
-        let is_sure = $x.simd_eq(<$vector>::splat($simd, $real::INFINITY)) | (is_plain & is_apart);
+        let is_sure = $is_miss | (is_plain & is_apart);
         (is_sure & $x.simd_lt($known), !is_sure)
     }};
 }
@@ -150,8 +153,10 @@ fn blend_single<S: Simd>(
     let half = S::f64s::LEN;
     let low = S::f64s::from_slice(simd, &found[..half]);
     let high = S::f64s::from_slice(simd, &found[half..]);
+    let miss = S::f64s::splat(simd, MISS);
+    let is_miss = low.simd_eq(miss).narrow(high.simd_eq(miss));
     let (x, known) = (low.narrow(high), S::f32s::from_slice(simd, t));
-    let (take, in_doubt) = compare!(simd, S::f32s, x, known, f32, SINGLE_RANGE);
+    let (take, in_doubt) = compare!(simd, S::f32s, x, known, is_miss, f32, SINGLE_RANGE);
     // Vectors, not a loop over numbers: that would become masked stores, slow on many processors.
     take.select(x, known).store_slice(t);
     let objects = S::u32s::from_slice(simd, object);
@@ -186,7 +191,8 @@ fn blend_half<S: Simd>(
     t: &mut [f64],
 ) -> (<S::f64s as SimdBase<S>>::Mask, bool) {
     let (x, known) = (S::f64s::from_slice(simd, found), S::f64s::from_slice(simd, t));
-    let (take, in_doubt) = compare!(simd, S::f64s, x, known, f64, DOUBLE_RANGE);
+    let is_miss = x.simd_eq(S::f64s::splat(simd, MISS));
+    let (take, in_doubt) = compare!(simd, S::f64s, x, known, is_miss, f64, DOUBLE_RANGE);
     take.select(x, known).store_slice(t);
     (take, in_doubt.any_true())
 }

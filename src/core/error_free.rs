@@ -24,7 +24,7 @@ pub(crate) fn fast_two_sum<F: Lane>(a: F, b: F) -> (F, F) {
 
 /// `(p, e)` with `p = fl(a * b)` and `a * b = p + e` exactly, for factors below 2^996 and products
 /// of at least 2^-969 (Dekker 1971, by Veltkamp's splitting): plain operations, for processors that
-/// have no fused multiply-add, with the same bits as [`fused_product`].
+/// have no fused multiply-add, with the same bits as it (but for the sign of an error of 0).
 #[inline(always)]
 pub(crate) fn dekker_product<F: Split>(a: F, b: F) -> (F, F) {
     let product = a * b;

@@ -115,6 +115,14 @@ impl<'a> ExactRay<'a> {
         }
     }
 
+    /// The direction of a ray as given; `None` of a view ray.
+    pub(crate) fn given(&self) -> Option<DVec3> {
+        match self.source {
+            Source::Given(direction) => Some(direction),
+            Source::View(..) => None,
+        }
+    }
+
     /// The ray in `f64`: the direction rounded.
     pub fn rounded(&self) -> Ray {
         let direction = match self.source {

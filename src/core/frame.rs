@@ -40,7 +40,8 @@ pub struct Frame<T = f64> {
     pub object: Vec<u32>,
     /// Outward unit normals, zero where nothing is hit; empty unless asked for.
     pub normal: Vec<DVec3>,
-    /// How far up the ladder the decisions had to go. Each pixel that is asked of an object is one.
+    /// How far up the ladder the decisions had to go. Each pixel that is asked of an object is one; a
+    /// pixel that is settled by itself may make several: whether it is met, and ahead, and first.
     pub steps: Steps,
 }
 

@@ -49,14 +49,15 @@ pub(crate) struct Steppers<T> {
 }
 
 impl<'a> FrameRays<'a> {
-    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster) -> FrameRays<'a> {
+    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster, is_fine: bool) -> FrameRays<'a> {
         let image = camera.image();
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let viewport = camera.viewport();
         let measures = [viewport.width, viewport.height, viewport.distance];
         let (_, scale) = crate::exact_ray::scaled(measures.map(DoubleDouble::from));
-        let basis = camera.with_finest_basis();
-        let basis = basis.fine_basis();
+        // What `f64` kernels see of it does not depend on the last digits.
+        let finest = if is_fine { camera.with_finest_basis() } else { *camera };
+        let basis = finest.fine_basis();
         let along = |v: Vector<DoubleDouble>, measure: f64, count: f64| {
             let step = DoubleDouble::product(ldexp(measure, -scale), count);
             v.map(|x| x * step)
@@ -104,6 +105,13 @@ impl<'a> FrameRays<'a> {
         let reach =
             |of: &[f64], from: f64| (of[0] - from).abs().max((of[of.len() - 1] - from).abs());
         Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
+    }
+
+    /// Whether e, g and z are of ordinary lengths, so that none of their digits was lost to the
+    /// common scale.
+    pub(crate) fn is_plain(&self) -> bool {
+        let Steppers { e, g, z, .. } = &self.rough;
+        [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
     }
 
     /// A pixel's direction in `f64`; of its length, a bound is enough for what it is used for.

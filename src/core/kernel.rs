@@ -106,8 +106,8 @@ impl<S: Simd> LaneNumber<S> for DoubleDouble<Lanes<S>> {
     ///
     /// Relative error before the last rounding, with `u = 2^-53`: the root's correction is below
     /// `2 u s` and off by `12 u^2 s` at most, what is added to it by `6 u^2 z`; q is off by `4 u`, so
-    /// that `c - q z'` is below `7 u c`, off by `16 u^2 c`, and its product with `1 / z` by
-    /// `28 u^2 + 14 u^2` more. In all below `78 u^2`.
+    /// that `c - q z'` is below `7.5 u c`, off by `17.5 u^2 c`, and its product with `1 / z` by
+    /// `30 u^2 + 14 u^2` more. In all below `80 u^2`.
     #[inline(always)]
     fn near_root(c: Self, b: Self, discriminant: Self) -> Lanes<S> {
         let root = discriminant.hi.sqrt();
@@ -195,7 +195,7 @@ pub(crate) fn sphere_row<S: Simd, N: LaneNumber<S>>(
     let (c, factor) = (number(row.c), number(row.factor));
     let minus_c = -c;
     let rough_d = rough.polynomial.map(splat);
-    let rough_miss = splat(rough.miss).0;
+    let (rough_miss, rough_hit) = (splat(rough.miss).0, splat(-rough.miss).0);
     let Thresholds { hit, miss, ahead } = row.thresholds;
     let (hit, miss, ahead, behind) = (splat(hit).0, splat(miss).0, splat(ahead).0, splat(-ahead).0);
     let (none, doubt) = (splat(MISS).0, splat(DOUBT).0);
@@ -204,8 +204,9 @@ pub(crate) fn sphere_row<S: Simd, N: LaneNumber<S>>(
         let m = Lanes::<S>(S::f64s::from_slice(simd, m));
         let found = match row.side {
             Ordering::Greater => {
-                let is_miss = quadratic(rough_d, m).0.simd_lt(rough_miss);
-                if is_miss.all_true() {
+                let rough = quadratic(rough_d, m).0;
+                let is_rough_hit = rough.simd_gt(rough_hit);
+                if rough.simd_lt(rough_miss).all_true() {
                     none.store_slice(t);
                     continue;
                 }
@@ -213,8 +214,9 @@ pub(crate) fn sphere_row<S: Simd, N: LaneNumber<S>>(
                 let b = N::linear(b, m);
                 let t = N::near_root(c, b, discriminant);
                 let (discriminant, b) = (discriminant.near().0, b.near().0);
-                let is_miss = discriminant.simd_lt(miss) | b.simd_lt(behind);
-                let is_hit = discriminant.simd_ge(hit) & b.simd_gt(ahead);
+                let is_miss = rough.simd_lt(rough_miss) | b.simd_lt(behind);
+                // What is counted as decided in f64 was.
+                let is_hit = discriminant.simd_ge(hit) & b.simd_gt(ahead) & is_rough_hit;
                 is_hit.select(t.0, is_miss.select(none, doubt))
             }
             Ordering::Less => {

@@ -12,7 +12,6 @@ use rayon::prelude::*;
 
 use crate::exact_ray::ExactRay;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
-use crate::image::Pixel;
 use crate::method_real::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
 use crate::method_sphere::Intersect;
 use crate::method_trace::{FrameBy, ViewRays, first_hit, first_hit_rounded};
@@ -181,8 +180,12 @@ impl FrameKernel for LadderFrame {
     }
 
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
-        let pixel = Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] };
-        hit_of_root(self.scene.first_hit_of(&self.camera.exact_ray(pixel)))
+        let traced = self.frame.as_ref()?.at(row, column);
+        let object = traced.object?;
+        // The frame was traced without normals, which cost more than all the rest.
+        let root = self.scene.first_hit_of(&self.camera.exact_ray(traced.pixel));
+        let normal = root.filter(|root| root.object == object)?.normal;
+        Some(MethodHit { object, t: traced.t, normal })
     }
 
     fn steps(&self) -> Option<Steps> {

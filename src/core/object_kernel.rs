@@ -19,7 +19,7 @@ use crate::terms::{Number, SECOND_ORDER, SphereParts, UNDERFLOW, dot, length, ne
 /// From the units of the polynomials to those of `t`; `None` where they are extreme.
 pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
     let factor = ldexp(rays.stretch, scale - rays.scale);
-    (1e-60..1e60).contains(&factor).then_some(factor)
+    (rays.is_plain() && (1e-60..1e60).contains(&factor)).then_some(factor)
 }
 
 pub(crate) enum SphereKernel {

@@ -88,7 +88,7 @@ impl<'a> Plan<'a> {
         raster: &'a Raster,
     ) -> Self {
         let bounds = Bounds::new(camera);
-        let rays = FrameRays::new(camera, raster);
+        let rays = FrameRays::new(camera, raster, T::IS_FINE);
         let visible: Vec<Vec<Vec<Visible>>> = scene
             .spheres()
             .par_chunks(SPHERES_PER_RUN)

@@ -10,6 +10,7 @@ use crate::exact_ray::ExactRay;
 use crate::plane_seen::PlaneSeen;
 use crate::ray::Ray;
 use crate::roots::Roots;
+use crate::scale::unit;
 use crate::seen::ObjectSeen;
 
 /// All points `q` with `normal . (q - point) = 0`.
@@ -68,6 +69,11 @@ impl Plane {
     /// point lies in the other. What does not pass [`Plane::check`] is no set of points.
     pub fn is_same(&self, other: &Plane) -> bool {
         if self.check().is_err() || other.check().is_err() {
+            return false;
+        }
+        // Most planes differ by far more than rounding: the exact numbers are for those that do not.
+        let (n, m) = (unit(self.normal), unit(other.normal));
+        if n.cross(m).length_squared() > 1e-20 {
             return false;
         }
         if PlaneSeen::new(self, other.point).side != Ordering::Equal {

@@ -248,7 +248,9 @@ impl PosedCamera {
     /// The view ray's direction times the place's stretch, in units of `2^k`.
     pub(crate) fn fine_direction(&self, place: ViewPlace) -> (Vector<DoubleDouble>, i32) {
         let coordinates = self.coordinates(place);
-        let largest = coordinates.iter().map(|(x, _)| x.abs()).fold(0.0, f64::max);
+        // By the products, not the measures: at the picture's centre width and height drop out.
+        let size = |(x, n): &(f64, f64)| if *n == 0.0 { 0.0 } else { x.abs() };
+        let largest = coordinates.iter().map(size).fold(0.0, f64::max);
         let (_, k) =
             scaled([DoubleDouble::from(largest), DoubleDouble::default(), DoubleDouble::default()]);
         let coordinates = coordinates.map(|(x, n)| DoubleDouble::product(ldexp(x, -k), n));

@@ -10,7 +10,7 @@ use crate::exact_ray::ExactRay;
 use crate::plane_seen::PlaneSeen;
 use crate::precise::{Precise, T_DOUBT};
 use crate::roots::Roots;
-use crate::scale::{ldexp, split};
+use crate::scale::{exponent, ldexp, split};
 use crate::scene::{Object, Root};
 use crate::sphere_seen::{End, Meets, SphereSeen};
 use crate::steps::{Step, Steps};
@@ -145,11 +145,18 @@ impl ObjectSeen {
     }
 }
 
-/// `origin + t direction`.
+/// `origin + t direction`, each coordinate rounded once.
 fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
-    let k = t.scale + ray.scale;
     let coordinate = |i: usize| {
-        let step = ray.fine.d[i] * t.value / DoubleDouble::from(ray.stretch);
+        // A given coordinate has its own scale, in which it loses no digit.
+        let (d, k) = match ray.given() {
+            Some(direction) if direction[i] != 0.0 => {
+                let k = exponent(direction[i]);
+                (DoubleDouble::from(ldexp(direction[i], -k)), k)
+            }
+            _ => (ray.fine.d[i], ray.scale),
+        };
+        let (step, k) = (d * t.value / DoubleDouble::from(ray.stretch), t.scale + k);
         let step = DoubleDouble { hi: ldexp(step.hi, k), lo: ldexp(step.lo, k) };
         let sum = (step + DoubleDouble::from(ray.origin()[i])).hi;
         if sum.is_finite() { sum } else { (ray.origin()[i] + step.hi).clamp(f64::MIN, f64::MAX) }

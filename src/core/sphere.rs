@@ -73,11 +73,14 @@ impl Sphere {
         let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
+        let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
+        // What underflows keeps its sign.
+        let least = if discriminant == 0.0 { 0.0 } else { f64::from_bits(1) };
         SphereQuadratic {
             a: ldexp(a / stretch / stretch, 2 * k),
             b: 0.0 - ldexp(b / stretch, k + seen.scale),
             c: ldexp(c, 2 * seen.scale),
-            discriminant: ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale)),
+            discriminant: scaled.abs().max(least).copysign(discriminant),
         }
     }
 

@@ -15,10 +15,12 @@ use crate::steps::Steps;
 
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
-/// Each pixel is what [`Scene::first_hit_of`] says of its [exact ray](PosedCamera::exact_ray), bit
-/// for bit in object and `t`, whatever the number of threads and the processor: per object, only the
-/// pixels inside its bounds are asked, what the rays share is computed once, and a pixel in doubt
-/// goes up the ladder by itself. A scene without planes runs no plane code.
+/// Each pixel's object is what [`Scene::first_hit_of`] says of its
+/// [exact ray](PosedCamera::exact_ray), and its `t` is within the same bounds (the two may differ in
+/// the last bit, where the exact `t` lies within 2^-40 of an ulp of the middle between two `f64`).
+/// The same bits come from any number of threads and any processor. Per object, only the pixels
+/// inside its bounds are asked, what the rays share is computed once, and a pixel in doubt goes up the
+/// ladder by itself. A scene without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_reporting(scene, camera, raster, outputs, |_| ())
 }

@@ -350,3 +350,40 @@ fn spheres_that_fill_the_picture() {
         }
     }
 }
+
+/// The same objects in `f32` and `f64`, and those of each pixel's own ray: t beyond the range of
+/// `f32`, subnormal scenes, viewports of extreme measures.
+#[test]
+fn measures_at_the_ends_of_the_range() {
+    let image = |width, height| ImageSize::new(width, height).unwrap();
+    let tiny = Viewport { width: 1e-20, height: 1e-20, distance: 1e-20 };
+    let far = Scene::new(
+        vec![sphere([0.0, 0.0, -1e20], 3e19)],
+        vec![plane([0.0, 0.0, -2e20], [0.0, 0.0, 1.0])],
+    );
+    let around = spheres_only(vec![sphere([5e-324; 3], 1e-323)]);
+    let beside = spheres_only(vec![sphere([1e-6, 2e-6, 3e-6], 1e-7)]);
+    let (view, up) = (vec3(1.0, 2.0, 3.0), DVec3::Y);
+    let ball = spheres_only(vec![sphere([0.1, 0.3, -2.0], 0.8)]);
+    let of = |width, height, distance| Viewport { width, height, distance };
+    let cases = [
+        (far.unwrap(), DVec3::NEG_Z, tiny, image(20, 20)),
+        (around, vec3(-0.52, -0.52, -0.677), Viewport::CANONICAL, image(4, 4)),
+        (beside.clone(), view, of(1.0, 1.0, 1e-310), image(3, 3)),
+        (beside.clone(), view, of(1e300, 1e300, 1e-15), image(3, 3)),
+        (beside, view, of(1e-310, 1e-310, 1e-310), image(5, 5)),
+        (ball.clone(), vec3(0.1, 0.2, -1.0), of(1e36, 1.0, 1.0), image(1, 8192)),
+        (ball.clone(), vec3(0.1, 0.2, -1.0), of(1e45, 1.0, 1.0), image(1, 8192)),
+        (ball, vec3(0.1, 0.2, -1.0), of(1.0, 1e45, 1.0), image(8192, 1)),
+    ];
+    for (scene, view, viewport, image) in cases {
+        let orientation = Orientation::View { view, up };
+        let camera = Camera { eye: DVec3::ZERO, orientation, viewport, image }.posed().unwrap();
+        assert_full(&scene, &camera);
+        let raster = Raster::full(image);
+        let double = trace(&scene, &camera, &raster, Outputs::default());
+        let single = trace_as::<f32>(&scene, &camera, &raster, Outputs::default());
+        assert_eq!(double.object, single.object);
+        assert!(double.object.iter().any(|object| *object != NO_OBJECT));
+    }
+}
