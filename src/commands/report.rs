@@ -42,6 +42,12 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
 /// What can be told to be wrong before minutes of work.
 fn check(arguments: &ReportArguments) -> Result<(), CommandError> {
     let ReportArguments { json, csv, plot, .. } = arguments;
+    for (name, path) in [("--csv", csv), ("--plot", plot)] {
+        if path.as_deref().is_some_and(is_stdout) {
+            let problem = format!("{name} needs a file: only --json can go to standard output");
+            return Err(CommandError::Arguments(problem));
+        }
+    }
     if let Some(json) = json.as_deref().filter(|json| !is_stdout(json)) {
         if is_scene(json) {
             let problem = format!(

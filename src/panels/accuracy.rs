@@ -64,8 +64,8 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
             ui.strong(summary(compared));
         });
         ui.horizontal(|ui| {
-            ui.label("t off by 1 ulp");
-            let width = (ui.available_width() - 60.0).clamp(40.0, 260.0);
+            ui.label("t off by 1 ulp of f64");
+            let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
             let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
             let steps = width as usize;
             for step in 0..steps {
@@ -76,28 +76,28 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
                 let color = accuracy::color_of_ulps(10f64.powf(decades));
                 ui.painter().rect_filled(slice, 0.0, color);
             }
-            ui.label("10¹⁶ ulps");
+            ui.label("10¹⁶");
         });
     });
 }
 
-/// `textbook-f32: 12 of 160000 pixels wrong, t off by at most 3e9 ulps`
+/// `textbook-f32: 12 of the 90000 pixels shown are wrong, t off by at most 3e9 ulps of f64`
 pub(crate) fn summary(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
     let (wrong, all) = (comparison.wrong, comparison.errors.len());
     let errors = match comparison.largest {
-        Some(ulps) => format!(", t off by at most {} ulps", short(ulps)),
+        Some(ulps) => format!(", t off by at most {} ulps of f64", short(ulps)),
         None => String::new(),
     };
-    format!("{method}: {wrong} of {all} pixels wrong{errors}")
+    format!("{method}: {wrong} of the {all} pixels shown are wrong{errors}")
 }
 
 /// What is written on a picture that the ladder did not draw.
 pub(crate) fn drawn_by(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
     match comparison.wrong {
-        1 => format!("drawn by {method}: 1 wrong pixel"),
-        wrong => format!("drawn by {method}: {wrong} wrong pixels"),
+        1 => format!("drawn by {method}: 1 wrong pixel shown"),
+        wrong => format!("drawn by {method}: {wrong} wrong pixels shown"),
     }
 }
 
@@ -109,15 +109,15 @@ pub(crate) fn ui(
     document: &Document,
     session: &mut Session,
 ) {
-    if let Some(text) = selected(derived, document, session) {
-        ui.label(text);
-    }
+    // One line, however many digits: what is below must not jump while one drags.
+    let text = selected(derived, document, session).unwrap_or_default();
+    ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);
     ui.horizontal(|ui| {
         if let Some(steps) = derived.steps {
             ui.weak(readouts::steps(steps));
             ui.separator();
         }
-        progress(ui, measuring);
+        progress(ui, measuring, derived);
     });
     let Some(report) = measuring.report().cloned() else { return };
     let Some(case) = report.cases.first() else { return };
@@ -135,9 +135,11 @@ pub(crate) fn ui(
 }
 
 /// How far measuring is, or what the numbers rest on.
-fn progress(ui: &mut Ui, measuring: &Measuring) {
-    if let Some(share) = measuring.share() {
-        ui.label("Measuring");
+fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
+    if derived.fault.is_some() {
+        ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
+    } else if let Some(share) = measuring.share() {
+        ui.label("Measuring: so far");
         let response = ui.add(ProgressBar::new(share).desired_width(180.0).show_percentage());
         let spoken = format!("measured {:.0} %", 100.0 * share);
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));

@@ -75,7 +75,7 @@ pub(crate) static FAMILIES: [Family; 12] = [
         name: "frame-long-thin",
         about: "A picture of one row or one column.",
         knob_name: "log10 of its pixels",
-        knobs: &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0],
+        knobs: &[0.0, 1.0, 2.0, 3.0, 4.0],
         make: Make::Frame(long_thin),
     },
     Family {

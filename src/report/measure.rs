@@ -115,7 +115,9 @@ impl Run {
             reference: subject::REFERENCE.to_owned(),
             cpu: machine::describe(),
             baseline: format!(
-                "{BASELINE}, both roots, timed as all are: {}, one thread",
+                "{BASELINE}, both roots, timed as all are: {}, one thread; the ladder's time is that of \
+                 the product's own path, which rounds t once from more digits than f64 has, the \
+                 others' that of their formula",
                 self.timed_what
             ),
             cases: begun.map(CaseRun::report).collect(),

@@ -26,6 +26,9 @@ pub fn to_table(report: &Report) -> String {
         out.push('\n');
         block(&mut out, case, baseline_of(report, case));
     }
+    if report.cases.len() > 1 {
+        totals(&mut out, report);
+    }
     if !report.left_out.is_empty() {
         out.push_str("\nleft out:\n");
         for line in &report.left_out {
@@ -33,6 +36,24 @@ pub fn to_table(report: &Report) -> String {
         }
     }
     out
+}
+
+/// Each method's wrong decisions in all cases together: what is left when the cases have scrolled by.
+fn totals(out: &mut String, report: &Report) {
+    let mut totals: Vec<(&str, u64, u64)> = Vec::new();
+    for row in report.cases.iter().flat_map(|case| &case.methods) {
+        match totals.iter_mut().find(|(name, ..)| *name == row.name) {
+            Some((_, wrong, decisions)) => {
+                *wrong += row.wrong;
+                *decisions += row.decisions;
+            }
+            None => totals.push((&row.name, row.wrong, row.decisions)),
+        }
+    }
+    let _ = writeln!(out, "\nall {} together: wrong of decisions", report.cases.len());
+    for (name, wrong, decisions) in totals {
+        let _ = writeln!(out, "{name:<18}{wrong:>9} of {decisions}");
+    }
 }
 
 /// The time that the others are compared with: that of the method which the baseline's text begins
@@ -79,7 +100,7 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
         if let Some(steps) = row.steps {
             let _ = writeln!(
                 out,
-                "{} decided {} in f64, {} in double-double, {} exactly",
+                "{} decided {} in f64, {} in double-double, {} exactly, in all that was timed",
                 row.name, steps.f64, steps.double_double, steps.exact
             );
         }

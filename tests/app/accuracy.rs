@@ -82,7 +82,7 @@ fn the_map_is_of_the_chosen_method_and_says_how_many_pixels_are_wrong() {
     assert!(map_says(&window).starts_with("textbook-f32: "), "{}", map_says(&window));
     choose(&mut window, "error map of", "ladder");
     let text = map_says(&window);
-    assert!(text.starts_with("ladder: 0 of ") && text.ends_with("at most 0 ulps"), "{text}");
+    assert!(text.starts_with("ladder: 0 of the ") && text.ends_with("at most 0 ulps of f64"), "{text}");
     choose(&mut window, "error map of", "lagrange-f64");
     assert_eq!(window.state().session().settings.compared, named("lagrange-f64"));
     assert!(map_says(&window).starts_with("lagrange-f64: "));
@@ -140,7 +140,7 @@ fn a_picture_by_another_method_is_marked() {
     let derived = window.state().derived().clone();
     let wrong = derived.drawn_by.unwrap().comparison.wrong;
     assert!(wrong > 1, "the scene is there to show that");
-    assert_says(&window, &format!("drawn by textbook-f32: {wrong} wrong pixels"));
+    assert_says(&window, &format!("drawn by textbook-f32: {wrong} wrong pixels shown"));
     assert_ne!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
     draw_by(&mut window, "ladder");
     let derived = window.state().derived().clone();
