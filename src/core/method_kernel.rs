@@ -4,7 +4,7 @@
 //! The loops are compiled for each SIMD level and vectorized by the compiler. No product is fused with
 //! a sum but where a formula says so: every level gives the same bits.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use fearless_simd::{Level, dispatch};
 use glam::DVec3;
@@ -148,7 +148,7 @@ pub fn frame_kernel(
                 scene: Arc::clone(self.0),
                 camera: *self.1,
                 raster: self.2.clone(),
-                frame: None,
+                frame: OnceLock::new(),
             })
         }
 
@@ -171,16 +171,22 @@ struct LadderFrame {
     scene: Arc<Scene>,
     camera: PosedCamera,
     raster: Raster,
-    frame: Option<Frame>,
+    frame: OnceLock<Frame>,
+}
+
+impl LadderFrame {
+    fn traced(&self) -> Frame {
+        trace(&self.scene, &self.camera, &self.raster, Outputs::default())
+    }
 }
 
 impl FrameKernel for LadderFrame {
     fn trace(&mut self) {
-        self.frame = Some(trace(&self.scene, &self.camera, &self.raster, Outputs::default()));
+        self.frame = OnceLock::from(self.traced());
     }
 
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit> {
-        let traced = self.frame.as_ref()?.at(row, column);
+        let traced = self.frame.get_or_init(|| self.traced()).at(row, column);
         let object = traced.object?;
         // The frame was traced without normals, which cost more than all the rest.
         let root = self.scene.first_hit_of(&self.camera.exact_ray(traced.pixel));
@@ -189,7 +195,7 @@ impl FrameKernel for LadderFrame {
     }
 
     fn steps(&self) -> Option<Steps> {
-        self.frame.as_ref().map(|frame| frame.steps)
+        self.frame.get().map(|frame| frame.steps)
     }
 }
 
