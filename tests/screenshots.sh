@@ -18,7 +18,7 @@ unset WAYLAND_DISPLAY
 openbox 2>/dev/null &
 until xdotool get_num_desktops >/dev/null 2>&1; do sleep 0.1; done
 
-# shot NAME SCENE SETTINGS: the window without its frame, on the whole screen.
+# shot NAME SCENE SETTINGS [SECONDS]: the window without its frame, on the whole screen.
 shot() {
   mkdir -p "$work/pinhole"
   printf '{"settings": %s, "window": {"maximized": true}}' "$3" >"$work/pinhole/state.json"
@@ -26,7 +26,7 @@ shot() {
   local program=$! window=
   until window=$(xdotool search --onlyvisible --name ' - Pinhole'); do sleep 0.1; done
   xdotool mousemove 1279 799
-  sleep 2
+  sleep "${4:-2}"
   import -window "$window" "$out/$1.png"
   kill "$program"
   wait "$program" 2>/dev/null || true
@@ -35,3 +35,5 @@ shot() {
 shot canonical canonical '{}'
 shot look-at-light look-at '{"theme": "Light"}'
 shot planet planet '{}'
+# Measuring takes its time.
+shot accuracy planet '{"layout": "Accuracy"}' 20

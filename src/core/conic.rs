@@ -66,9 +66,11 @@ impl<T: Number> Conic<T> {
     /// The coefficients and bounds of their error anywhere in the patch.
     ///
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
-    /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and a sum. A coefficient
-    /// is made of dot products of vectors that are off by P, and evaluating a polynomial, column
-    /// within row, takes two steps for each of its two variables, or half as many, one of them looser, where it is linear:
+    /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and
+    /// a sum. A coefficient is made of dot products of vectors that are off by P. Evaluating a
+    /// polynomial, column within row, takes two steps for each of its two variables; where it is
+    /// linear, one for the row, and for the column one with a looser sum (`8 u^2` in double-double),
+    /// together less than three steps:
     ///
     /// ```text
     /// b:           B' = |q| S (DOT + P + Q) + 3 STEP B

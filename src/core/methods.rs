@@ -92,7 +92,8 @@ impl fmt::Display for UnknownMethod {
 impl std::error::Error for UnknownMethod {}
 
 impl Method {
-    /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32` first.
+    /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32`
+    /// first.
     pub const ALL: [Method; 16] = {
         use Formula::*;
         use Precision::*;

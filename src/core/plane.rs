@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::exact::{Dyadic, cross, exact3};
-
 use crate::exact_ray::ExactRay;
 use crate::plane_seen::PlaneSeen;
 use crate::ray::Ray;
@@ -85,7 +84,8 @@ impl Plane {
 
     /// Where the ray's line meets the plane, decided exactly for the numbers as given: once, or not
     /// at all if it is parallel (even inside the plane); nowhere for a ray that does not pass
-    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and 2^-40 of one.
+    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and
+    /// 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }

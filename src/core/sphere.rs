@@ -85,7 +85,8 @@ impl Sphere {
     }
 
     /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
-    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
+    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
+    /// `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }

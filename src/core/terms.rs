@@ -2,10 +2,10 @@
 //! double-double: one formula for both steps of the ladder.
 //!
 //! Every bound is of first order in the constants of [`Number`]; the factor [`SECOND_ORDER`] covers
-//! the rest, and the rounding of the bounds themselves. The manner of the analysis is that of Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 2nd ed., chapter 3; that of filtering decisions by it, of Shewchuk,
-//! *Adaptive precision floating-point arithmetic and fast robust geometric predicates*, Discrete &
-//! Computational Geometry 18, 1997.
+//! the rest, and the rounding of the bounds themselves. The manner of the analysis is that of Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter 3; that of filtering decisions
+//! by it, of Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric
+//! predicates*, Discrete & Computational Geometry 18, 1997.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
