@@ -81,15 +81,15 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     });
 }
 
-/// `textbook-f32: 12 of the 90000 pixels shown are wrong, t off by at most 3e9 ulps of f64`
+/// `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`
 pub(crate) fn summary(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
     let (wrong, all) = (comparison.wrong, comparison.errors.len());
     let errors = match comparison.largest {
-        Some(ulps) => format!(", t off by at most {} ulps of f64", short(ulps)),
+        Some(ulps) => format!(", t off up to {} ulps", short(ulps)),
         None => String::new(),
     };
-    format!("{method}: {wrong} of the {all} pixels shown are wrong{errors}")
+    format!("{method}: {wrong} of {all} pixels shown wrong{errors}")
 }
 
 /// What is written on a picture that the ladder did not draw.

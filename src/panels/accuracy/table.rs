@@ -13,11 +13,11 @@ use crate::session::MethodName;
 const COLUMNS: [(&str, &str); 7] = [
     ("wrong", "Decisions (hit or miss, which object is first) that exact arithmetic does not make"),
     ("share", "Wrong decisions as a share of all"),
-    ("t: median", "Error in t, in ulps of the method's own precision: half are at most this"),
+    ("median", "Error in t, in ulps of the method's own precision: half are at most this"),
     ("p99", "Error in t, in ulps of the method's own precision: 99 of 100 are at most this"),
     ("max ulps", "Error in t, in ulps of the method's own precision: all are at most this"),
-    ("normal, rad", "The largest angle between its normal and the true one, in radians"),
-    ("ns a pixel", "Nanoseconds a pixel, the median of interleaved rounds, on one thread"),
+    ("rad", "The largest angle between its normal and the true one, in radians"),
+    ("ns", "Nanoseconds a pixel, the median of interleaved rounds, on one thread"),
 ];
 
 /// Shows a row a method; a click on one makes it the error map's.
