@@ -119,7 +119,7 @@ impl<F: Lane> Div for DoubleDouble<F> {
     type Output = Self;
 
     /// Relative error at most `17 u^2` (the same, algorithm 17 and theorem 6.2: `15 u^2` and a
-    /// little; its product by a quotient has `3/2 u^2` less than [`DoubleDouble::times`]).
+    /// little; its product by a quotient has `3/2 u^2` less than ours by one `f64`).
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.hi / other.hi;

@@ -156,6 +156,7 @@ mod plan;
 mod plane;
 mod plane_seen;
 mod posed;
+mod power;
 mod precise;
 mod ray;
 mod roots;

@@ -152,9 +152,6 @@ impl PlaneSeen {
 
     /// Whether the ray hits the plane at a `t > 0`.
     pub(crate) fn is_hit(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
-        if self.side_step != Step::F64 {
-            steps.count(self.side_step);
-        }
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
 

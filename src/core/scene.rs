@@ -11,7 +11,7 @@ use crate::ray::Ray;
 use crate::roots::Roots;
 use crate::seen::{Hit, ObjectSeen};
 use crate::sphere::Sphere;
-use crate::sphere_seen::End;
+use crate::sphere_seen::{End, SphereSeen};
 use crate::steps::{Step, Steps};
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
@@ -267,7 +267,16 @@ impl Scene {
     /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
         let mut first: Option<(u32, ObjectSeen, End)> = None;
-        for (index, seen) in (0..).zip(self.seen_by(ray)) {
+        // At least the first hit's t, as far as it is known.
+        let mut nearest = f64::INFINITY;
+        for (index, object) in (0..).zip(self.objects()) {
+            if let Object::Sphere(sphere) = &object
+                && SphereSeen::is_passed(sphere, ray, nearest)
+            {
+                steps.count(Step::F64);
+                continue;
+            }
+            let seen = ObjectSeen::by(&object, ray);
             if seen.side_step() > Step::F64 {
                 steps.count(seen.side_step());
             }
@@ -277,6 +286,7 @@ impl Scene {
                 Hit { index, seen: &seen, end }.is_before(&first, ray, steps)
             });
             if is_first {
+                nearest = seen.rough_t(ray, end).map_or(f64::INFINITY, |(t, off)| t + off * t);
                 first = Some((index, seen, end));
             }
         }

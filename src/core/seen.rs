@@ -88,7 +88,7 @@ impl ObjectSeen {
     }
 
     /// `t` in `f64` and how far it may be off, as a share; `None` where it is out of range.
-    fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
+    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
             ObjectSeen::Sphere(seen) => (seen.rough_t(ray, end)?, seen.scale),
             ObjectSeen::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
