@@ -76,13 +76,17 @@ impl BigBasis {
     }
 }
 
+/// The sine of the least angle between view and up that double-double is enough for: 2^-20, about
+/// 1e-6 rad. There, R still has 9 digits more than rounding it to `f64` needs, and exact numbers would
+/// cost microseconds.
+const LEAST_SINE: f64 = 1.0 / (1 << 20) as f64;
+
 impl FineBasis {
     /// From a view direction and up, neither of them zero; `None` where up is exactly parallel to
     /// the view.
     ///
-    /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is shorter than a quarter of
-    /// `|f| |up|` (an up within 15 degrees of the view) the exact numbers take over, so that no angle
-    /// costs accuracy.
+    /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is much shorter than
+    /// `|f| |up|` the exact numbers take over, so that no angle costs accuracy.
     ///
     /// With the ladder cut off after `last`, that step's rounded numbers must do. Told along with the
     /// basis is the step that it took.
@@ -101,7 +105,7 @@ impl FineBasis {
         let right = terms::cross(f, up_scaled);
         let length = |v: Vector<DoubleDouble>| terms::length(terms::near(v));
         let sine = length(right) / (length(f) * length(up_scaled));
-        if may_be_exact && (sine.is_nan() || sine < 0.25) {
+        if may_be_exact && (sine.is_nan() || sine < LEAST_SINE) {
             return exactly();
         }
         if length(right) == 0.0 {
@@ -189,7 +193,7 @@ pub(crate) fn angle_parts(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let right = terms::length(terms::near(terms::cross(f, g)));
     let lengths = terms::length(terms::near(f)) * terms::length(terms::near(g));
     let along = terms::dot(f, g).hi;
-    if right > 0.25 * lengths {
+    if right > LEAST_SINE * lengths {
         return (right, along, lengths);
     }
     let (square, k) = BigBasis::new(view, up).of.b.to_double_double();

@@ -29,7 +29,7 @@ fn the_table_is_aligned_and_says_what_it_rests_on() {
         ladder            0    0 %       0     0.4     0.5  1.5e-16    10.2  9.18        2.62
         textbook-f32      0    0 %       0     1.6       2    6e-16     3.9  3.51           1
         half-b-f64        0    0 %       0     1.6       2    6e-16     5.3  4.77        1.36
-        ladder decided 4096 in f64, 0 in double-double, 0 exactly
+        ladder decided 4096 in f64, 0 in double-double, 0 exactly, in all that was timed
 
         tiny far sphere, radius / distance = 1e-12: 4096 decisions, coverage 3.27 %
                                             error in t, ulps      rad    ns a pixel
@@ -37,7 +37,12 @@ fn the_table_is_aligned_and_says_what_it_rests_on() {
         ladder            0      0 %     0.1     0.4     0.5  1.5e-16    10.2  9.18        2.62
         textbook-f32    721   17.6 %       -       -       -        -     3.9  3.51           1
         half-b-f64       18  0.439 %   1.3e7     5e7   6.3e7   1.9e-8     5.3  4.77        1.36
-        ladder decided 4046 in f64, 45 in double-double, 5 exactly
+        ladder decided 4046 in f64, 45 in double-double, 5 exactly, in all that was timed
+
+        all 2 together: wrong of decisions
+        ladder                    0 of 8192
+        textbook-f32            721 of 8192
+        half-b-f64               18 of 8192
 
         left out:
           planes: canonical has none

@@ -82,7 +82,7 @@ fn any_rays() {
             let mut steps = Steps::default();
             for knob in family.knobs() {
                 for single in [false, true] {
-                    for case in family.rays(*knob, seed, 60, single) {
+                    for case in family.rays(*knob, seed, 100, single) {
                         steps += check_ray(&case);
                         cases += 1;
                     }
