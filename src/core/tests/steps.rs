@@ -326,3 +326,27 @@ fn frames_reach_every_step() {
     }
     assert!(steps.f64 > 1000 && steps.double_double > 0 && steps.exact > 0, "{steps:?}");
 }
+
+/// Cut off, the ladder is wrong in places, but it still gives numbers, and goes no further.
+#[test]
+fn cut_off_it_gives_numbers_all_the_same() {
+    let mut wrong = [0; 2];
+    for family in Family::all() {
+        for case in family.knobs().iter().flat_map(|knob| family.rays(*knob, 3, 30, false)) {
+            let asked = (case.origin.into(), case.direction.into());
+            let case = Case::ray(&case.objects, asked.0, asked.1);
+            let (right, _) = case.answer(Step::Exact);
+            for (last, wrong) in [Step::F64, Step::DoubleDouble].into_iter().zip(&mut wrong) {
+                let (found, steps) = case.answer(last);
+                assert!(last > Step::F64 || steps.double_double == 0, "{steps:?} in {case:?}");
+                assert_eq!(steps.exact, 0, "{case:?}");
+                if let Some(hit) = found {
+                    let is_numbers = hit.t > 0.0 && hit.point.is_finite() && hit.normal.is_finite();
+                    assert!(is_numbers, "{hit:?} by {last:?} in {case:?}");
+                }
+                *wrong += usize::from(found.map(|hit| hit.object) != right.map(|hit| hit.object));
+            }
+        }
+    }
+    assert!(wrong[0] > wrong[1] && wrong[1] > 0, "{wrong:?}");
+}
