@@ -8,7 +8,6 @@ use crate::conic::{Conic, Patch};
 use crate::double_double::DoubleDouble;
 use crate::exact::{Dyadic, Exact3, big_of, dot, ratio};
 use crate::precise::Precise;
-use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::surd::{Radicands, Surd};
 
@@ -108,7 +107,7 @@ impl BigSteppers {
             }
             let (numerator, places) = self.fixed(std::slice::from_ref(x));
             let (value, exponent) = ratio(&numerator[0], &by[0], by_places - places + k);
-            DoubleDouble { hi: ldexp(value.hi, exponent), lo: ldexp(value.lo, exponent) }
+            value.scaled(exponent)
         };
         x.iter().map(round).collect()
     }

@@ -17,6 +17,13 @@ pub(crate) struct Patch {
     pub(crate) rows: f64,
 }
 
+impl Patch {
+    /// `x0 + m x1 + k x2` at the corner, of lengths: the largest in the patch.
+    pub(crate) fn corner(&self, [x0, x1, x2]: [f64; 3]) -> f64 {
+        x0 + self.columns * x1 + self.rows * x2
+    }
+}
+
 /// With the direction `s + m e + k g`, m columns and k rows from the middle of a [`Patch`], the
 /// parts a, b and D of a sphere's quadratic, whose coefficients stand in the order 1, m, k, m^2, mk,
 /// k^2. The middle is near the outline's, where `r^2 a` and `|q x d|^2` are small, so that nothing
@@ -87,7 +94,7 @@ impl<T: Number> Conic<T> {
     pub(crate) fn new(sphere: &SphereParts<T>, rays: &Steppers<T>, patch: &Patch) -> Conic<T> {
         let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
-        let corner = |[x0, x1, x2]: [f64; 3]| x0 + patch.columns * x1 + patch.rows * x2;
+        let corner = |x| patch.corner(x);
         let reach_of = |v: [Vector<T>; 3]| corner(v.map(|x| length(near(x))));
         let p = rays.doubt();
         let step = T::STRETCH + T::SUM;

@@ -7,6 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::error_free::{fast_two_sum, two_sum};
 use crate::lane::Lane;
+use crate::scale::ldexp;
 
 /// `hi + lo` with `|lo| <= ulp(hi) / 2`. `F` is one `f64` or a vector of them.
 ///
@@ -127,6 +128,13 @@ impl<F: Lane> Div for DoubleDouble<F> {
         let rest = (self.hi - back.hi) + (self.lo - back.lo);
         let (hi, lo) = fast_two_sum(quotient, rest / other.hi);
         DoubleDouble { hi, lo }
+    }
+}
+
+impl DoubleDouble {
+    /// `self * 2^k`, exact unless it leaves the range.
+    pub(crate) fn scaled(self, k: i32) -> DoubleDouble {
+        DoubleDouble { hi: ldexp(self.hi, k), lo: ldexp(self.lo, k) }
     }
 }
 

@@ -156,5 +156,5 @@ pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
         return (v, 0);
     }
     let k = exponent(largest);
-    (v.map(|x| DoubleDouble { hi: ldexp(x.hi, -k), lo: ldexp(x.lo, -k) }), k)
+    (v.map(|x| x.scaled(-k)), k)
 }

@@ -212,7 +212,7 @@ fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
     v.each_ref().map(|x| {
         let (numerator, exponent) = x.parts();
         let (quotient, k) = ratio(numerator, &root, exponent + places);
-        DoubleDouble { hi: ldexp(quotient.hi, k), lo: ldexp(quotient.lo, k) }
+        quotient.scaled(k)
     })
 }
 

@@ -24,8 +24,7 @@ impl<'a> Normals<'a> {
         Normals { spheres: scene.spheres(), of_planes }
     }
 
-    /// The outward unit normal where the ray meets the object at the root `t`, as
-    /// [`Object::root`] gives it; zero for an object that the scene does not have.
+    /// The outward unit normal where the ray meets the object at the root `t`; zero for an object that the scene does not have.
     #[inline(always)]
     pub(crate) fn at(&self, object: u32, ray: &Ray, t: f64) -> DVec3 {
         let index = object as usize;

@@ -127,8 +127,7 @@ impl<T: Number> PlaneKernel<T> {
     ) -> PlaneKernel<T> {
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let normal = seen.normal.map(T::from);
-        let corner = |[x0, x1, x2]: [f64; 3]| x0 + patch.columns * x1 + patch.rows * x2;
-        let reach = corner(vectors.map(|v| length(near(v))));
+        let reach = patch.corner(vectors.map(|v| length(near(v))));
         let step = T::PRODUCT + T::SUM;
         let share = SECOND_ORDER * (T::DOT + 2.0 * step + rays.doubt());
         let doubt = share * length(seen.normal) * reach + UNDERFLOW;

@@ -184,7 +184,7 @@ impl PlaneSeen {
     #[cold]
     fn rounded_t(&self, rate: DoubleDouble, ray: &ExactRay) -> Precise {
         let k = exponent(rate.hi);
-        let rate = DoubleDouble { hi: ldexp(rate.hi, -k), lo: ldexp(rate.lo, -k) };
+        let rate = rate.scaled(-k);
         let t = self.offset / rate;
         let t = if ray.last == Step::F64 { DoubleDouble::from(t.hi) } else { t };
         Precise::new(t.times(ray.stretch), self.scale - ray.scale - k)

@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use crate::big_ray::big_c;
 use crate::double_double::{DoubleDouble, U2};
-use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::sphere_seen::sign_of;
 use crate::steps::Step;
@@ -61,7 +60,7 @@ impl Power {
         let sign = exact.sign();
         let (value, k) = exact.to_double_double();
         let k = k - 2 * scale;
-        let value = DoubleDouble { hi: ldexp(value.hi, k), lo: ldexp(value.lo, k) };
+        let value = value.scaled(k);
         // Where c is too small for the scale its digits are lost, and only its sign is used.
         let is_kept = sign == Ordering::Equal || value.hi.abs() > 1e-200;
         Power { value, doubt: if is_kept { 2.0 * U2 } else { f64::INFINITY }, sign, step }

@@ -65,8 +65,7 @@ impl Precise {
             let is_larger = (k < 0) == (x > 0.0);
             return Some(if is_larger { Greater } else { Less });
         }
-        let shift =
-            |x: DoubleDouble, k: i32| DoubleDouble { hi: ldexp(x.hi, k), lo: ldexp(x.lo, k) };
+        let shift = |x: DoubleDouble, k: i32| x.scaled(k);
         let (a, b) = if k < 0 {
             (self.value, shift(other.value, k))
         } else {

@@ -157,7 +157,7 @@ fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
             _ => (ray.fine.d[i], ray.scale),
         };
         let (step, k) = (d * t.value / DoubleDouble::from(ray.stretch), t.scale + k);
-        let step = DoubleDouble { hi: ldexp(step.hi, k), lo: ldexp(step.lo, k) };
+        let step = step.scaled(k);
         let sum = (step + DoubleDouble::from(ray.origin()[i])).hi;
         if sum.is_finite() { sum } else { (ray.origin()[i] + step.hi).clamp(f64::MIN, f64::MAX) }
     };

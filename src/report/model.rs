@@ -124,6 +124,15 @@ impl Case {
 }
 
 impl MethodRow {
+    /// By which step of the ladder the method decided, where it has steps.
+    pub fn decided(&self) -> Option<String> {
+        let steps = self.steps?;
+        Some(format!(
+            "{} decided {} in f64, {} in double-double, {} exactly, in all that was timed",
+            self.name, steps.f64, steps.double_double, steps.exact
+        ))
+    }
+
     /// Wrong decisions as a share of all, 0 to 1; `None` where there are none at all.
     pub fn wrong_share(&self) -> Option<f64> {
         (self.decisions > 0).then(|| self.wrong as f64 / self.decisions as f64)

@@ -97,12 +97,8 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
         out.push('\n');
     }
     for row in &case.methods {
-        if let Some(steps) = row.steps {
-            let _ = writeln!(
-                out,
-                "{} decided {} in f64, {} in double-double, {} exactly, in all that was timed",
-                row.name, steps.f64, steps.double_double, steps.exact
-            );
+        if let Some(text) = row.decided() {
+            let _ = writeln!(out, "{text}");
         }
     }
 }

@@ -41,11 +41,8 @@ pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut MethodName) {
         },
     );
     for row in &case.methods {
-        if let Some(steps) = row.steps {
-            ui.label(format!(
-                "{} decided {} in f64, {} in double-double, {} exactly, in all that was timed",
-                row.name, steps.f64, steps.double_double, steps.exact
-            ));
+        if let Some(text) = row.decided() {
+            ui.label(text);
         }
     }
 }
