@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::image::{ImageSize, Pixel};
 use crate::posed::PosedCamera;
@@ -43,6 +44,8 @@ pub struct Frame<T = f64> {
     /// How far up the ladder the decisions had to go. Each pixel that is asked of an object is one; a
     /// pixel that is settled by itself may make several: whether it is met, and ahead, and first.
     pub steps: Steps,
+    /// What was left out, and what was left to do.
+    pub counts: Counts,
 }
 
 /// One traced pixel of a [`Frame`].

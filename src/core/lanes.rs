@@ -28,7 +28,7 @@ impl<S: Simd> Lanes<S> {
 
 /// Whether the level multiplies and adds in one instruction.
 #[inline(always)]
-fn is_fused(level: Level) -> bool {
+pub(crate) fn is_fused(level: Level) -> bool {
     match level {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         Level::Avx2(_) | Level::Avx512(_) => true,

@@ -132,6 +132,7 @@ mod big_ray;
 mod bounds;
 mod camera;
 mod conic;
+mod counts;
 mod depth;
 mod double_double;
 mod error_free;
@@ -180,6 +181,7 @@ pub use fearless_simd::Level;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
+pub use counts::Counts;
 pub use depth::Depth;
 pub use double_double::DoubleDouble;
 pub use exact_ray::ExactRay;

@@ -5,6 +5,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::band::Band;
+use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::plan::{BAND_ROWS, Plan};
@@ -64,6 +65,7 @@ pub fn trace_at_level<T: Depth>(
         object: vec![0; raster.len()],
         normal: if outputs.normal { vec![DVec3::ZERO; raster.len()] } else { Vec::new() },
         steps: Steps::default(),
+        counts: Counts::default(),
     };
     fill(&mut frame, level, scene, done);
     frame
@@ -78,7 +80,7 @@ pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, came
 
 /// Traces the frame's camera and raster into its buffers.
 fn fill<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, done: impl Fn(usize) + Sync) {
-    let Frame { camera, raster, t, object, normal, steps } = frame;
+    let Frame { camera, raster, t, object, normal, steps, .. } = frame;
     if raster.is_empty() {
         return;
     }

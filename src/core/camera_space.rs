@@ -1,0 +1,72 @@
+//! What the outlines of all spheres share of a camera.
+
+use crate::posed::PosedCamera;
+
+/// A camera as spheres are seen by it: lengths along u, v and -w from the eye, and slopes
+/// `x = u / distance`, `y = v / distance` in whole columns and rows.
+///
+/// ```text
+/// x = column_slope (column - middle_column)      y = row_slope (middle_row - row)
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CameraSpace {
+    pub(crate) eye: [f64; 3],
+    pub(crate) u: [f64; 3],
+    pub(crate) v: [f64; 3],
+    pub(crate) w: [f64; 3],
+    pub(crate) distance: f64,
+    pub(crate) column_slope: f64,
+    pub(crate) row_slope: f64,
+    pub(crate) middle_column: f64,
+    pub(crate) middle_row: f64,
+    /// The largest `|x|` and `|y|` of a pixel's centre, and a little more.
+    pub(crate) widest: [f64; 2],
+    /// See [`CameraSpace::new`].
+    pub(crate) doubt: f64,
+    /// Whether lengths and slopes are so ordinary that no product of a few of them overflows, and
+    /// the basis so close to orthonormal that `doubt` is small.
+    pub(crate) is_plain: bool,
+}
+
+impl CameraSpace {
+    /// The rays are exact; here they are taken from the rounded basis, as if that were orthonormal.
+    /// With `u = 2^-53`, `q = center - eye` is off by `u |q|`, its three dot products by `3 u |q|`
+    /// each, the basis by its rounding (or, by hand, by its defect) and the slopes by `3 u`: together
+    /// by less than 12 u and the defect. So a ray that meets a sphere is one that, here, meets a
+    /// sphere of the computed centre that is larger by `doubt (|q| + r)`, and one that meets a sphere
+    /// smaller by as much meets the true one.
+    pub(crate) fn new(camera: &PosedCamera) -> CameraSpace {
+        const ROUNDING: f64 = 16.0 * f64::EPSILON;
+        let basis = camera.basis();
+        let (u, v, w) = (basis.u, basis.v, basis.w);
+        let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
+        let right_angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
+        let defect: f64 = unit.iter().chain(&right_angles).sum();
+        let (viewport, image) = (camera.viewport(), camera.image());
+        let (columns, rows) = (f64::from(image.width()), f64::from(image.height()));
+        let column_slope = viewport.width / (viewport.distance * columns);
+        let row_slope = viewport.height / (viewport.distance * rows);
+        let doubt = ROUNDING + 4.0 * defect;
+        let plain = 1e-12..1e12;
+        let is_plain = plain.contains(&column_slope)
+            && plain.contains(&row_slope)
+            && (1e-3..1e3).contains(&(column_slope / row_slope))
+            && plain.contains(&viewport.distance)
+            && camera.eye().abs().max_element() < 1e12
+            && doubt < 1e-12;
+        CameraSpace {
+            eye: camera.eye().to_array(),
+            u: u.to_array(),
+            v: v.to_array(),
+            w: w.to_array(),
+            distance: viewport.distance,
+            column_slope,
+            row_slope,
+            middle_column: 0.5 * columns - 0.5,
+            middle_row: 0.5 * rows - 0.5,
+            widest: [0.5001 * columns * column_slope, 0.5001 * rows * row_slope],
+            doubt,
+            is_plain,
+        }
+    }
+}
