@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::Range;
 
-use fearless_simd::dispatch;
+use fearless_simd::{Simd, dispatch};
 
 use crate::conic::{Conic, Patch};
 use crate::depth::Depth;
@@ -16,6 +16,7 @@ use crate::plan::Plan;
 use crate::precise::Precise;
 use crate::scene::Object;
 use crate::seen::{Hit, ObjectSeen};
+use crate::span::{Doubt, Span, SpanTarget};
 use crate::sphere_seen::SphereSeen;
 use crate::steps::Steps;
 use crate::terms::{Quadratic, SphereParts};
@@ -59,6 +60,7 @@ impl<'a, T: Depth> Band<'a, T> {
     /// Adds all objects, and tells how their decisions were made.
     pub(crate) fn traced(mut self) -> Steps {
         let plan = self.plan;
+        let doubts = self.add_spans();
         for (index, rows, columns) in plan.seen_by(self.rows.clone()) {
             self.add_sphere(index, rows, columns);
         }
@@ -67,7 +69,27 @@ impl<'a, T: Depth> Band<'a, T> {
                 self.add_plane(plane, seen);
             }
         }
+        for doubt in doubts {
+            self.settle_doubt(&doubt);
+        }
         self.steps
+    }
+
+    /// Adds the spheres that are drawn by rows, and gives the pixels that they could not decide.
+    fn add_spans(&mut self) -> Vec<Doubt> {
+        let (plan, mut doubts) = (self.plan, Vec::new());
+        let Some(t) = T::singles(self.t) else { return doubts };
+        let mut target = SpanTarget {
+            axes: &plan.axes,
+            rows: self.rows.clone(),
+            t,
+            object: self.object,
+            doubts: &mut doubts,
+            decided: 0,
+        };
+        dispatch!(plan.level, simd => draw_spans(simd, &plan.spans, &mut target));
+        self.steps.f64 += target.decided;
+        doubts
     }
 
     /// Adds a sphere, which can cover these rows and columns of the raster at most.
@@ -234,9 +256,40 @@ impl<'a, T: Depth> Band<'a, T> {
         ObjectSeen::new(&sphere, self.plan.rays.camera().eye())
     }
 
+    /// A pixel that a sphere's row could not decide.
+    fn settle_doubt(&mut self, doubt: &Doubt) {
+        let Doubt { index, row, column, t } = *doubt;
+        let (row, column) = (row as usize, column as usize);
+        self.steps.f64 += 1;
+        let sphere = self.plan.scene.spheres()[index as usize];
+        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
+        let known = self.object[place];
+        let known_sphere = self.plan.scene.spheres().get(known as usize);
+        if known_sphere == Some(&sphere) {
+            // The same sphere given twice.
+            self.object[place] = known.min(index);
+            return;
+        }
+        let seen = self.seen(index);
+        self.settle_with(index, &seen, row, column, t);
+    }
+
     /// One pixel by itself, up the ladder.
     #[cold]
     fn settle(&mut self, index: u32, seen: &ObjectSeen, row: usize, column: usize) {
+        self.settle_with(index, seen, row, column, None);
+    }
+
+    /// The same, where `t` may be known.
+    #[cold]
+    fn settle_with(
+        &mut self,
+        index: u32,
+        seen: &ObjectSeen,
+        row: usize,
+        column: usize,
+        t: Option<f32>,
+    ) {
         let camera = self.plan.rays.camera();
         let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
         let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
@@ -249,13 +302,19 @@ impl<'a, T: Depth> Band<'a, T> {
             && let Some(object) = self.plan.scene.object(known)
         {
             let known_seen = ObjectSeen::new(&object, camera.eye());
-            let end = known_seen.first_end(&ray, &mut Steps::default());
-            let is_before = end.is_none_or(|end| {
-                hit.is_before(&Hit { index: known, seen: &known_seen, end }, &ray, &mut self.steps)
+            let known_end = known_seen.first_end(&ray, &mut Steps::default());
+            let order = known_end.map_or(Ordering::Less, |end| {
+                let known = Hit { index: known, seen: &known_seen, end };
+                hit.compare(&known, &ray, &mut self.steps)
             });
-            if !is_before {
+            if order.then(index.cmp(&known)) == Ordering::Greater {
                 return;
             }
+        }
+        self.object[place] = index;
+        if let Some(t) = t {
+            self.t[place] = T::of(f64::from(t));
+            return;
         }
         // A large sphere's polynomials may know t at a fraction of the ladder's cost.
         let polynomials = self.plan.large.get(&index).and_then(|kernel| {
@@ -265,7 +324,13 @@ impl<'a, T: Depth> Band<'a, T> {
         });
         let t = polynomials.unwrap_or_else(|| seen.t_within(&ray, end, T::DOUBT));
         self.t[place] = T::of(t.to_f64());
-        self.object[place] = index;
+    }
+}
+
+#[inline(always)]
+fn draw_spans<S: Simd>(simd: S, spans: &[Span], target: &mut SpanTarget) {
+    for span in spans {
+        span.draw(simd, target);
     }
 }
 

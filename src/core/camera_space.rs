@@ -50,7 +50,7 @@ impl CameraSpace {
         let plain = 1e-12..1e12;
         let is_plain = plain.contains(&column_slope)
             && plain.contains(&row_slope)
-            && (1e-3..1e3).contains(&(column_slope / row_slope))
+            && (1e-5..1e5).contains(&(column_slope / row_slope))
             && plain.contains(&viewport.distance)
             && camera.eye().abs().max_element() < 1e12
             && doubt < 1e-12;

@@ -31,6 +31,10 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sea
     /// As `f64`, exactly.
     fn widened(self) -> f64;
 
+    /// The same numbers, where they are `f32`.
+    #[doc(hidden)]
+    fn singles(t: &mut [Self]) -> Option<&mut [f32]>;
+
     /// Takes over what is nearer than what is there, and tells whether anything
     /// [is in doubt](Depth::is_in_doubt), which it leaves as it is.
     #[doc(hidden)]
@@ -59,7 +63,7 @@ const TIE: f64 = 4.0;
 
 /// What one precision's [`Depth`] is, but for how lanes become its vectors.
 macro_rules! depth {
-    ($real:ident, $doubt:expr, $is_fine:expr, $range:expr, $blend_lanes:ident) => {
+    ($real:ident, $doubt:expr, $is_fine:expr, $range:expr, $blend_lanes:ident, $singles:expr) => {
         impl Depth for $real {
             const ZERO: $real = 0.0;
             const NONE: $real = $real::INFINITY;
@@ -79,6 +83,10 @@ macro_rules! depth {
             #[inline(always)]
             fn widened(self) -> f64 {
                 self.into()
+            }
+
+            fn singles(t: &mut [$real]) -> Option<&mut [f32]> {
+                ($singles)(t)
             }
 
             #[inline(always)]
@@ -122,8 +130,8 @@ macro_rules! depth {
 }
 
 // 2^-39 of f32 makes 2^-15 of an ulp.
-depth!(f32, 1.0 / (1_u64 << 39) as f64, false, SINGLE_RANGE, blend_single);
-depth!(f64, crate::precise::T_DOUBT, true, DOUBLE_RANGE, blend_double);
+depth!(f32, 1.0 / (1_u64 << 39) as f64, false, SINGLE_RANGE, blend_single, Some);
+depth!(f64, crate::precise::T_DOUBT, true, DOUBLE_RANGE, blend_double, |_| None);
 
 /// Well within the range, so that what is computed of it is too.
 const SINGLE_RANGE: (f32, f32) = (1e-37, 1e38);

@@ -80,12 +80,13 @@ pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, came
 
 /// Traces the frame's camera and raster into its buffers.
 fn fill<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, done: impl Fn(usize) + Sync) {
-    let Frame { camera, raster, t, object, normal, steps, .. } = frame;
+    let Frame { camera, raster, t, object, normal, steps, counts } = frame;
     if raster.is_empty() {
         return;
     }
     let width = raster.columns().len();
     let plan = Plan::new::<T>(level, scene, camera, raster);
+    *counts = plan.counts;
     let band = BAND_ROWS * width;
     *steps = t
         .par_chunks_mut(band)

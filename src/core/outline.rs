@@ -1,0 +1,196 @@
+//! The outlines of several spheres at once, in whole columns and rows of the image.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::camera_space::CameraSpace;
+
+/// The widest vector of `f64` that any level has.
+pub(crate) const MOST_LANES: usize = 8;
+
+/// Spheres side by side: as many as a vector has lanes.
+pub(crate) struct Spheres<'a> {
+    pub(crate) x: &'a [f64],
+    pub(crate) y: &'a [f64],
+    pub(crate) z: &'a [f64],
+    pub(crate) radius: &'a [f64],
+}
+
+type Lane8 = [f64; MOST_LANES];
+
+/// What a vector of spheres looks like. Rows r and columns c are numbers of the image's; with
+/// `j = r - row`, a sphere seen from outside, wholly in front of the eye, covers on row r the
+/// columns
+///
+/// ```text
+/// |c - (column + shear j)| <= w(j)      w^2 = square0 + square1 j + square2 j^2
+/// ```
+///
+/// and there, with `S^2 = w^2 - (c - (column + shear j))^2`, its first hit is at
+///
+/// ```text
+/// t = numerator / (b(c, j) + S)         b = b0 + b_column c + b_row j
+/// ```
+///
+/// Derivation: with `q = (X, Y, -Z)` the centre as the camera sees it, `d = (x, y, -1)` and
+/// `(x, y) = (X, Y) / Z + (dx, dy)`, q is parallel to the direction at `(dx, dy) = 0`, so that in
+/// `D = r^2 d.d - |q x d|^2` nothing cancels:
+///
+/// ```text
+/// D = r^2 (1 + xc^2 + yc^2) + 2 r^2 (xc dx + yc dy)
+///     + (r^2 - Z^2 - Y^2) dx^2 + 2 X Y dx dy + (r^2 - Z^2 - X^2) dy^2
+/// ```
+///
+/// With `h = Z^2 + Y^2 - r^2` and the column slope s, `D = h s^2 S^2`; b is `q.d / (s sqrt h)`, and
+/// the numerator `c / (distance s sqrt h)` with `c = |q|^2 - r^2`.
+#[derive(Default)]
+pub(crate) struct Outlines {
+    pub(crate) column: Lane8,
+    pub(crate) row: Lane8,
+    pub(crate) shear: Lane8,
+    pub(crate) square: [Lane8; 3],
+    pub(crate) b0: Lane8,
+    pub(crate) b_column: Lane8,
+    pub(crate) b_row: Lane8,
+    pub(crate) numerator: Lane8,
+    /// How far `w^2` may be off.
+    pub(crate) square_doubt: Lane8,
+    /// First and last row with `w^2 >= -square_doubt`, not clipped, as numbers that may be fractions.
+    pub(crate) first_row: Lane8,
+    pub(crate) last_row: Lane8,
+    /// No hit has a smaller t.
+    pub(crate) nearest: Lane8,
+    /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`: this.
+    pub(crate) least_b: Lane8,
+    /// In which lanes all of the above holds.
+    pub(crate) is_plain: u64,
+    /// Which spheres lie wholly behind the eye.
+    pub(crate) is_behind: u64,
+    /// Which spheres no ray inside the image's borders can meet.
+    pub(crate) is_outside: u64,
+}
+
+/// `a . b` of lanes with numbers.
+#[inline(always)]
+fn along<S: Simd>(simd: S, q: [S::f64s; 3], axis: [f64; 3]) -> S::f64s {
+    let axis = axis.map(|x| S::f64s::splat(simd, x));
+    q[0] * axis[0] + q[1] * axis[1] + q[2] * axis[2]
+}
+
+impl Outlines {
+    /// The outlines of a vector of spheres.
+    ///
+    /// Bounds, with `u = 2^-53` and `k = r^2 / (Z^2 - r^2)`, which neither `r^2 / h` nor `r^2 / c`
+    /// exceeds: the coefficients of `w^2` are sums and products of at most a dozen operations on
+    /// numbers of one sign, apart from c, h and `Z^2 - r^2`, which lose a factor of `1 + k`. So each
+    /// is off by less than `16 u (4 + 8 k)` of itself. The radius itself may be off by
+    /// `eta = doubt (|q| + r)` (see [`CameraSpace::new`]), which moves each by at most
+    /// `(4 + 8 k) eta / r`: `r^2 / h` by `2 + 2 k`, its square by twice that, and
+    /// `square2 = -c (Z^2 - r^2) / h^2` by `8 k`. In the rows that the sphere has, the terms of `w^2`
+    /// are together at most `4 (square0 + square1^2 / |square2|)`.
+    #[inline(always)]
+    pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &Spheres) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+        let r = load(of.radius);
+        let q = [
+            load(of.x) - splat(space.eye[0]),
+            load(of.y) - splat(space.eye[1]),
+            load(of.z) - splat(space.eye[2]),
+        ];
+        let x = along(simd, q, space.u);
+        let y = along(simd, q, space.v);
+        let z = -along(simd, q, space.w);
+        let (one, two) = (splat(1.0), splat(2.0));
+        let (xx, yy, zz, rr) = (x * x, y * y, z * z, r * r);
+        let qq = xx + yy + zz;
+        let h = zz + yy - rr;
+        let c = qq - rr;
+        let depths = (z - r) * (z + r);
+
+        // In front of the eye, of ordinary size, nothing lost in h.
+        let is_plain = z.simd_gt(r * 1.07)
+            & qq.simd_lt(splat(1e24))
+            & r.simd_gt(splat(1e-12))
+            & r.simd_gt(z * splat(1e-9));
+
+        let inverse_zr = one / (z * r);
+        let (inverse_z, inverse_r) = (inverse_zr * r, inverse_zr * z);
+        let inverse_h = one / h;
+        let (xc, yc) = (x * inverse_z, y * inverse_z);
+        let row_slope = splat(space.row_slope);
+        let (per_column, per_row) = (splat(1.0 / space.column_slope), splat(1.0 / space.row_slope));
+        let column_center = splat(space.middle_column) + xc * per_column;
+        let row = splat(space.middle_row) - yc * per_row;
+        let by_h = rr * inverse_h;
+        let offset = by_h * xc * per_column;
+        let ratio = splat(space.row_slope / space.column_slope);
+        let shear = -(x * y * inverse_h * ratio);
+        let stretch = by_h * per_column * per_column;
+        let square0 = stretch * (one + xc * xc + yc * yc) + offset * offset;
+        let square1 = two * (offset * shear - stretch * yc * row_slope);
+        let minus_square2 = (c * inverse_h) * (depths * inverse_h) * (ratio * ratio);
+
+        // Rows: where w^2 = 0.
+        let inverse_square2 = one / minus_square2;
+        let eta = splat(space.doubt) * (x.abs() + y.abs() + z.abs() + r);
+        let near = splat(8.0) * rr / depths + splat(4.0);
+        let share = near * (splat(16.0 * 1.2e-16) + eta * inverse_r);
+        let size = square0 + square1 * square1 * inverse_square2;
+        let square_doubt = share * (splat(4.0) * size);
+        let middle = splat(0.5) * square1 * inverse_square2;
+        let reach = ((square0 + square_doubt) * inverse_square2 + middle * middle).sqrt();
+        let margin = splat(1e-6) + splat(1e-12) * row.abs();
+        let reach = reach + margin;
+        let (first_row, last_row) = (row + middle - reach, row + middle + reach);
+
+        let root = (inverse_h).sqrt();
+        let per_s = root * per_column;
+        let b_column = x * root;
+        let b_row = -(y * root * ratio);
+        let b0 = qq * inverse_z * per_s - b_column * column_center;
+        let per_distance = splat(1.0 / space.distance);
+
+        // Behind, or beyond one of the image's four borders, by more than all roundings.
+        let safe = r + eta * 4.0;
+        let behind = (z + safe).simd_lt(splat(0.0));
+        let beyond = |side: S::f64s, widest: f64| {
+            // The plane through the eye and the border x = widest: (1, -widest) over its length.
+            let length = splat((1.0 + widest * widest).sqrt());
+            (side - z * splat(widest)).simd_gt(safe * length)
+        };
+        let [wide, high] = space.widest;
+        let is_ordinary = qq.simd_gt(splat(1e-200))
+            & qq.simd_lt(splat(1e200))
+            & r.simd_gt(splat(1e-100))
+            & r.simd_lt(splat(1e100));
+        let is_outside =
+            is_ordinary & (beyond(x, wide) | beyond(-x, wide) | beyond(y, high) | beyond(-y, high));
+
+        let far = splat(131_072.0);
+        let is_plain = is_plain
+            & column_center.abs().simd_lt(far)
+            & row.abs().simd_lt(far)
+            & size.simd_lt(far * far)
+            & size.simd_gt(splat(1e-12));
+        self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
+        self.is_behind = (behind & is_ordinary).to_bitmask();
+        self.is_outside = is_outside.to_bitmask();
+        let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
+        put(&mut self.column, column_center + offset);
+        put(&mut self.row, row);
+        put(&mut self.shear, shear);
+        put(&mut self.square[0], square0);
+        put(&mut self.square[1], square1);
+        put(&mut self.square[2], -minus_square2);
+        put(&mut self.b0, b0);
+        put(&mut self.b_column, b_column);
+        put(&mut self.b_row, b_row);
+        put(&mut self.numerator, c * per_s * per_distance);
+        put(&mut self.square_doubt, square_doubt);
+        put(&mut self.first_row, first_row.ceil());
+        put(&mut self.last_row, last_row.floor());
+        put(&mut self.nearest, (z - r) * per_distance * splat(1.0 - 1e-6));
+        put(&mut self.least_b, c.sqrt() * per_s);
+    }
+}

@@ -1,0 +1,309 @@
+//! Spheres drawn row by row: which columns each row covers, decided once with a margin, and `t`
+//! inside them.
+
+use std::ops::Range;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::outline::{MOST_LANES, Outlines};
+use crate::raster_axes::RasterAxes;
+use crate::span_kernel::{Narrow, RowBuffers, SpanLanes, SpanRow, SpanShape, Wide, draw_row};
+
+/// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
+/// by, and so little that hardly a pixel lies within it.
+const MARGIN: f64 = 1.0 / 131_072.0;
+
+/// One sphere's outline, see [`Outlines`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outline {
+    pub(crate) column: f64,
+    pub(crate) row: f64,
+    pub(crate) shear: f64,
+    pub(crate) square: [f64; 3],
+    pub(crate) b0: f64,
+    pub(crate) b_column: f64,
+    pub(crate) b_row: f64,
+    pub(crate) numerator: f64,
+    pub(crate) square_doubt: f64,
+    pub(crate) first_row: f64,
+    pub(crate) last_row: f64,
+    pub(crate) nearest: f64,
+    pub(crate) least_b: f64,
+}
+
+impl Outlines {
+    /// One lane.
+    pub(crate) fn one(&self, lane: usize) -> Outline {
+        Outline {
+            column: self.column[lane],
+            row: self.row[lane],
+            shear: self.shear[lane],
+            square: self.square.map(|x| x[lane]),
+            b0: self.b0[lane],
+            b_column: self.b_column[lane],
+            b_row: self.b_row[lane],
+            numerator: self.numerator[lane],
+            square_doubt: self.square_doubt[lane],
+            first_row: self.first_row[lane],
+            last_row: self.last_row[lane],
+            nearest: self.nearest[lane],
+            least_b: self.least_b[lane],
+        }
+    }
+}
+
+/// A sphere that can be drawn by rows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    pub(crate) index: u32,
+    pub(crate) outline: Outline,
+    shape: SpanShape,
+    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
+    /// go up the ladder.
+    thin: f64,
+}
+
+/// A pixel that a sphere's row could not decide: whether the sphere covers it at all, or, where its
+/// `t` is known, whether it is nearer than another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Doubt {
+    pub(crate) index: u32,
+    pub(crate) row: u32,
+    pub(crate) column: u32,
+    pub(crate) t: Option<f32>,
+}
+
+impl Span {
+    /// `None` for a sphere whose `t` cannot be had to an ulp this way, which depends on the sphere
+    /// and the camera alone.
+    ///
+    /// A pixel that lies at least [`MARGIN`] inside a row's ends, in a row that is not thin, has
+    /// `S^2 >= MARGIN thin = keep square_doubt`. The root is off by `square_doubt / (2 S)` at most,
+    /// which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres, whose
+    /// kernel leaves more room, `2^-26`. The distance of a row's first and last pixel from its ends is
+    /// rounded to `2^-24` of itself, which moves the root by half of that, and is at most
+    /// `0.3 / 2 2^-24` of b where `sqrt(2 w + 1) < 0.3 b`.
+    pub(crate) fn new(index: u32, outline: &Outline) -> Option<Span> {
+        let Outline { square, b_column, numerator, square_doubt, least_b, nearest, .. } = *outline;
+        let widest = (square[0] - 0.25 * square[1] * square[1] / square[2]).sqrt();
+        // In units of 2^-24, see the kernels.
+        let narrow_error = (3.5 + 4.0 * b_column.abs()) * widest / least_b;
+        let is_wide = narrow_error > 0.42;
+        let root_error = if is_wide { 1.1e15 } else { 1.8e16 };
+        let keep = (square_doubt * root_error / (least_b * least_b)).max(32.0);
+        let thin = square_doubt * keep / MARGIN;
+        let can_be_wide = b_column.abs() * widest.min(16384.0) < 0.99 * least_b
+            && (2.0 * widest + 1.0).sqrt() < 0.3 * least_b;
+        let plain = 1e-20..1e20;
+        let is_suited = thin < 32.0
+            && (!is_wide || can_be_wide)
+            && plain.contains(&numerator)
+            && plain.contains(&least_b)
+            && plain.contains(&nearest)
+            && numerator < 1e20 * least_b;
+        is_suited.then(|| Span {
+            index,
+            outline: *outline,
+            shape: SpanShape {
+                numerator: two_parts(numerator),
+                b_column: two_parts(b_column),
+                is_wide,
+            },
+            thin: (thin * thin).max(32.0 * square_doubt),
+        })
+    }
+
+    /// The part of the raster's rows that it can cover.
+    pub(crate) fn rows(&self, axes: &RasterAxes) -> Range<usize> {
+        axes.rows_between(self.outline.first_row, self.outline.last_row)
+    }
+}
+
+/// A number as a sum of two `f32`.
+fn two_parts(x: f64) -> [f32; 2] {
+    let high = x as f32;
+    [high, (x - f64::from(high)) as f32]
+}
+
+/// Where spans are drawn: some rows of the raster.
+pub(crate) struct SpanTarget<'a> {
+    pub(crate) axes: &'a RasterAxes,
+    pub(crate) rows: Range<usize>,
+    pub(crate) t: &'a mut [f32],
+    pub(crate) object: &'a mut [u32],
+    pub(crate) doubts: &'a mut Vec<Doubt>,
+    /// How many pixels were decided.
+    pub(crate) decided: u64,
+}
+
+/// The ends of a vector of rows.
+struct Ends {
+    first: [f64; MOST_LANES],
+    last: [f64; MOST_LANES],
+    start: [f64; MOST_LANES],
+    end: [f64; MOST_LANES],
+    is_sure: u64,
+    is_reached: u64,
+}
+
+impl Span {
+    /// Draws the rows that it has in the target.
+    #[inline(always)]
+    pub(crate) fn draw<S: Simd>(&self, simd: S, target: &mut SpanTarget) {
+        let own = self.rows(target.axes);
+        let rows = own.start.max(target.rows.start)..own.end.min(target.rows.end);
+        for base in rows.clone().step_by(S::f64s::LEN) {
+            let ends = self.ends(simd, &target.axes.row_numbers[base..]);
+            for lane in 0..S::f64s::LEN.min(rows.end - base) {
+                if ends.is_reached >> lane & 1 == 0 {
+                    continue;
+                }
+                let row = base + lane;
+                if ends.is_sure >> lane & 1 == 0 {
+                    self.doubtful_row(simd, target, row);
+                    continue;
+                }
+                let (first, last) = (ends.first[lane], ends.last[lane]);
+                let inside = [first - ends.start[lane], ends.end[lane] - last];
+                self.draw_row(simd, target, row, [first, last], inside);
+            }
+        }
+    }
+
+    /// Where rows begin and end.
+    #[inline(always)]
+    fn ends<S: Simd>(&self, simd: S, row_numbers: &[f64]) -> Ends {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let Outline { column, row, shear, square, square_doubt, .. } = self.outline;
+        let j = S::f64s::from_slice(simd, &row_numbers[..S::f64s::LEN]) - splat(row);
+        let middle = splat(column) + splat(shear) * j;
+        let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
+        let half = squared.max(splat(0.0)).sqrt();
+        let (start, end) = (middle - half, middle + half);
+        let margin = splat(MARGIN);
+        let (first, last) = ((start + margin).ceil(), (end - margin).floor());
+        let same_first = first.simd_eq((start - margin).ceil());
+        let same_last = last.simd_eq((end + margin).floor());
+        let is_sure = same_first & same_last & squared.simd_ge(splat(self.thin));
+        // Rows without a column between their ends have nothing to draw.
+        let is_reached =
+            (squared.simd_ge(splat(-square_doubt)) & !is_sure) | (is_sure & first.simd_le(last));
+        let store = |x: S::f64s| {
+            let mut all = [0.0; MOST_LANES];
+            x.store_slice(&mut all[..S::f64s::LEN]);
+            all
+        };
+        Ends {
+            first: store(first),
+            last: store(last),
+            start: store(start),
+            end: store(end),
+            is_sure: is_sure.to_bitmask(),
+            is_reached: is_reached.to_bitmask(),
+        }
+    }
+
+    /// Draws the part of a row that the raster has.
+    #[inline(always)]
+    fn draw_row<S: Simd>(
+        &self,
+        simd: S,
+        target: &mut SpanTarget,
+        row: usize,
+        [first, last]: [f64; 2],
+        [left, right]: [f64; 2],
+    ) {
+        let Some((from, to)) = target.axes.columns_between(first, last) else { return };
+        let Outline { row: center, b0, b_column, b_row, .. } = self.outline;
+        let pivot =
+            if self.shape.is_wide { target.axes.pivot(first, last) } else { 0.5 * (first + last) };
+        let b = b0 + b_column * pivot + b_row * (target.axes.row_numbers[row] - center);
+        let span_row = SpanRow {
+            first: first as f32,
+            last: last as f32,
+            left: left as f32,
+            right: right as f32,
+            b: two_parts(b),
+            pivot: pivot as f32,
+        };
+        let lanes = SpanLanes::new(simd, &self.shape, &span_row);
+        let start = (row - target.rows.start) * target.axes.width();
+        let mut buffers = RowBuffers {
+            columns: &target.axes.columns,
+            t: &mut target.t[start..],
+            object: &mut target.object[start..],
+        };
+        let in_doubt = if self.shape.is_wide {
+            draw_row(simd, &mut buffers, (from, to), self.index, &Wide(&lanes))
+        } else {
+            draw_row(simd, &mut buffers, (from, to), self.index, &Narrow(&lanes))
+        };
+        target.decided += (to - from + 1) as u64;
+        if in_doubt {
+            self.find_doubts(simd, target, row, (from, to), &lanes);
+        }
+    }
+
+    /// Notes which pixels of a row are too close to what is there.
+    #[cold]
+    #[inline(never)]
+    fn find_doubts<S: Simd>(
+        &self,
+        simd: S,
+        target: &mut SpanTarget,
+        row: usize,
+        (from, to): (usize, usize),
+        lanes: &SpanLanes<S>,
+    ) {
+        let start = (row - target.rows.start) * target.axes.width();
+        for at in (from..=to).step_by(S::f32s::LEN) {
+            let columns = S::f32s::from_slice(simd, &target.axes.columns[at..at + S::f32s::LEN]);
+            let found =
+                if self.shape.is_wide { lanes.wide(columns) } else { lanes.narrow(columns) };
+            let found = found.0;
+            for (column, &t) in (at..=to).zip(found.as_slice()) {
+                let place = start + column;
+                let (known, object) = (target.t[place], target.object[place]);
+                let is_apart = (t - known).abs() > t * crate::span_kernel::TIE;
+                if object != self.index && !is_apart {
+                    let (row, column) = (row as u32, column as u32);
+                    target.doubts.push(Doubt { index: self.index, row, column, t: Some(t) });
+                    target.decided -= 1;
+                }
+            }
+        }
+    }
+
+    /// A row of which not all pixels are beyond doubt: those that are get drawn, the others noted.
+    #[cold]
+    #[inline(never)]
+    fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
+        let Outline { column, row: center, shear, square, .. } = self.outline;
+        let j = target.axes.row_numbers[row] - center;
+        let middle = column + shear * j;
+        let squared = square[0] + (square[1] + square[2] * j) * j;
+        let is_thin = squared < self.thin;
+        let half = if is_thin { (2.0 * self.thin).sqrt() } else { squared.sqrt() };
+        let (start, end) = (middle - half, middle + half);
+        let (outer_first, outer_last) = ((start - MARGIN).ceil(), (end + MARGIN).floor());
+        let (first, last) = match is_thin {
+            true => (outer_last + 1.0, outer_last),
+            false => ((start + MARGIN).ceil(), (end - MARGIN).floor()),
+        };
+        if first <= last {
+            self.draw_row(simd, target, row, [first, last], [first - start, end - last]);
+        }
+        let in_doubt = [
+            (outer_first, first.min(outer_last + 1.0) - 1.0),
+            (last.max(first - 1.0) + 1.0, outer_last),
+        ];
+        for (from, to) in in_doubt {
+            let Some((from, to)) = target.axes.columns_between(from, to) else { continue };
+            for column in from..=to {
+                let (row, column) = (row as u32, column as u32);
+                target.doubts.push(Doubt { index: self.index, row, column, t: None });
+            }
+        }
+    }
+}
