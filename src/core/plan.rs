@@ -179,7 +179,7 @@ impl<'a> Plan<'a> {
         raster: &'a Raster,
     ) -> Self {
         let rays = FrameRays::new(camera, raster, T::IS_FINE);
-        let axes = RasterAxes::new(raster, camera.image());
+        let axes = RasterAxes::new(raster);
         let space = CameraSpace::new(camera);
         let sorter = Sorter {
             level,

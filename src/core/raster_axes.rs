@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use crate::frame::Raster;
-use crate::image::ImageSize;
 
 /// The widest vector of `f32` that any level has: as far as the tables go on.
 const PADDING: usize = 16;
@@ -15,8 +14,6 @@ pub(crate) struct RasterAxes {
     pub(crate) columns: Vec<f32>,
     height: usize,
     width: usize,
-    /// Columns of the image.
-    image_columns: f64,
     /// Whether rows, and columns, follow one another without a gap.
     rows_are_whole: bool,
     columns_are_whole: bool,
@@ -28,7 +25,7 @@ fn are_whole(cells: &[u32]) -> bool {
 }
 
 impl RasterAxes {
-    pub(crate) fn new(raster: &Raster, image: ImageSize) -> RasterAxes {
+    pub(crate) fn new(raster: &Raster) -> RasterAxes {
         let (rows, columns) = (raster.rows(), raster.columns());
         let padding = std::iter::repeat_n(f32::INFINITY, PADDING);
         RasterAxes {
@@ -40,7 +37,6 @@ impl RasterAxes {
             columns: columns.iter().map(|column| *column as f32).chain(padding).collect(),
             height: rows.len(),
             width: columns.len(),
-            image_columns: f64::from(image.width()),
             rows_are_whole: are_whole(rows),
             columns_are_whole: are_whole(columns),
         }
@@ -48,12 +44,6 @@ impl RasterAxes {
 
     pub(crate) fn width(&self) -> usize {
         self.width
-    }
-
-    /// The middle of what the image, whatever the raster, has of the columns from `first` to `last`.
-    #[inline(always)]
-    pub(crate) fn pivot(&self, first: f64, last: f64) -> f64 {
-        (0.5 * (first.max(0.0) + last.min(self.image_columns - 1.0))).floor()
     }
 
     /// The raster's rows with a number from `first` to `last`, both whole.

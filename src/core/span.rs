@@ -8,7 +8,7 @@ use fearless_simd::prelude::*;
 
 use crate::outline::{MOST_LANES, Outlines};
 use crate::raster_axes::RasterAxes;
-use crate::span_kernel::{Narrow, RowBuffers, SpanLanes, SpanRow, SpanShape, Wide, draw_row};
+use crate::span_kernel::{Narrow, RowBuffers, SpanLanes, SpanRow, SpanShape, TIE, Wide, draw_row};
 
 /// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
 /// by, and so little that hardly a pixel lies within it.
@@ -81,9 +81,8 @@ impl Span {
     /// A pixel that lies at least [`MARGIN`] inside a row's ends, in a row that is not thin, has
     /// `S^2 >= MARGIN thin = keep square_doubt`. The root is off by `square_doubt / (2 S)` at most,
     /// which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres, whose
-    /// kernel leaves more room, `2^-26`. The distance of a row's first and last pixel from its ends is
-    /// rounded to `2^-24` of itself, which moves the root by half of that, and is at most
-    /// `0.3 / 2 2^-24` of b where `sqrt(2 w + 1) < 0.3 b`.
+    /// kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row adds
+    /// less than `0.15 2^-24`.
     pub(crate) fn new(index: u32, outline: &Outline) -> Option<Span> {
         let Outline { square, b_column, numerator, square_doubt, least_b, nearest, .. } = *outline;
         let widest = (square[0] - 0.25 * square[1] * square[1] / square[2]).sqrt();
@@ -93,8 +92,9 @@ impl Span {
         let root_error = if is_wide { 1.1e15 } else { 1.8e16 };
         let keep = (square_doubt * root_error / (least_b * least_b)).max(32.0);
         let thin = square_doubt * keep / MARGIN;
-        let can_be_wide = b_column.abs() * widest.min(16384.0) < 0.99 * least_b
-            && (2.0 * widest + 1.0).sqrt() < 0.3 * least_b;
+        let can_be_wide = widest < 2040.0
+            && 2.0 * b_column.abs() * widest < 0.99 * least_b
+            && (2.0 * widest + 1.0).sqrt() < 0.1 * least_b;
         let plain = 1e-20..1e20;
         let is_suited = thin < 32.0
             && (!is_wide || can_be_wide)
@@ -102,12 +102,17 @@ impl Span {
             && plain.contains(&least_b)
             && plain.contains(&nearest)
             && numerator < 1e20 * least_b;
+        let high = rounded_to_12_bits(b_column as f32);
         is_suited.then(|| Span {
             index,
             outline: *outline,
             shape: SpanShape {
                 numerator: two_parts(numerator),
-                b_column: two_parts(b_column),
+                b_column: if is_wide {
+                    [high, (b_column - f64::from(high)) as f32]
+                } else {
+                    two_parts(b_column)
+                },
                 is_wide,
             },
             thin: (thin * thin).max(32.0 * square_doubt),
@@ -118,6 +123,12 @@ impl Span {
     pub(crate) fn rows(&self, axes: &RasterAxes) -> Range<usize> {
         axes.rows_between(self.outline.first_row, self.outline.last_row)
     }
+}
+
+/// The nearest number of 12 bits.
+fn rounded_to_12_bits(x: f32) -> f32 {
+    let shifted = x * 4097.0;
+    shifted - (shifted - x)
 }
 
 /// A number as a sum of two `f32`.
@@ -216,8 +227,7 @@ impl Span {
     ) {
         let Some((from, to)) = target.axes.columns_between(first, last) else { return };
         let Outline { row: center, b0, b_column, b_row, .. } = self.outline;
-        let pivot =
-            if self.shape.is_wide { target.axes.pivot(first, last) } else { 0.5 * (first + last) };
+        let pivot = if self.shape.is_wide { first } else { 0.5 * (first + last) };
         let b = b0 + b_column * pivot + b_row * (target.axes.row_numbers[row] - center);
         let span_row = SpanRow {
             first: first as f32,
@@ -226,6 +236,8 @@ impl Span {
             right: right as f32,
             b: two_parts(b),
             pivot: pivot as f32,
+            slope: (right - left) as f32,
+            offset: (left * (last - first + right)) as f32,
         };
         let lanes = SpanLanes::new(simd, &self.shape, &span_row);
         let start = (row - target.rows.start) * target.axes.width();
@@ -265,7 +277,7 @@ impl Span {
             for (column, &t) in (at..=to).zip(found.as_slice()) {
                 let place = start + column;
                 let (known, object) = (target.t[place], target.object[place]);
-                let is_apart = (t - known).abs() > t * crate::span_kernel::TIE;
+                let is_apart = t < known * (1.0 - TIE) || t > known * (1.0 + TIE);
                 if object != self.index && !is_apart {
                     let (row, column) = (row as u32, column as u32);
                     target.doubts.push(Doubt { index: self.index, row, column, t: Some(t) });

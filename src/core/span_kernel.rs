@@ -17,8 +17,11 @@ pub(crate) struct SpanRow {
     pub(crate) right: f32,
     /// b at the pivot, in two parts.
     pub(crate) b: [f32; 2],
-    /// The column that b is given at.
+    /// The column that b is given at: the middle, for wide spheres the first.
     pub(crate) pivot: f32,
+    /// `right - left` and `left (last - first + right)`, for wide spheres.
+    pub(crate) slope: f32,
+    pub(crate) offset: f32,
 }
 
 /// What all of a sphere's rows share.
@@ -26,7 +29,7 @@ pub(crate) struct SpanRow {
 pub(crate) struct SpanShape {
     /// In two parts.
     pub(crate) numerator: [f32; 2],
-    /// b for each column, in two parts.
+    /// b for each column, in two parts, for wide spheres the first of 12 bits.
     pub(crate) b_column: [f32; 2],
     /// Whether the error of the root needs correction too.
     pub(crate) is_wide: bool,
@@ -41,6 +44,8 @@ pub(crate) struct SpanLanes<S: Simd> {
     right: SingleLanes<S>,
     b: [SingleLanes<S>; 2],
     pivot: SingleLanes<S>,
+    slope: SingleLanes<S>,
+    offset: SingleLanes<S>,
     numerator: [SingleLanes<S>; 2],
     b_column: [SingleLanes<S>; 2],
 }
@@ -56,6 +61,8 @@ impl<S: Simd> SpanLanes<S> {
             right: splat(row.right),
             b: row.b.map(splat),
             pivot: splat(row.pivot),
+            slope: splat(row.slope),
+            offset: splat(row.offset),
             numerator: shape.numerator.map(splat),
             b_column: shape.b_column.map(splat),
         }
@@ -85,28 +92,35 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// The same for any sphere: the factors keep their rests, and the root is corrected by
-    /// `(S^2 - root^2) / (2 root)`.
+    /// The same for a sphere whose S is not small beside b: with whole numbers m and n of columns
+    /// from the first and to the last pixel, and K their sum,
     ///
-    /// One reciprocal `i = 1 / (root sum)` serves both quotients, since `1 / sum = i root` and
-    /// `1 / root = i sum` are right to 3 u, and what they multiply is of the order of u. What is left
-    /// is of the order of `100 u^2`.
+    /// ```text
+    /// S^2 = (m + left) (n + right) = m n + ((right - left) m + left (K + right))
+    /// ```
+    ///
+    /// whose first term is exact, since `m + n < 2^12`. The root is corrected by
+    /// `(S^2 - root^2) / (2 root)`. One reciprocal `i = 1 / (root sum)` serves both quotients, since
+    /// `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they multiply is small.
+    ///
+    /// What is left: the rounding of the second term of `S^2`, by 3 u of itself, which is at most
+    /// `2 w + 1`, so that S is off by less than `1.5 sqrt(2 w + 1) u`; and the square of the part of b
+    /// that stands in `rest`, `2^-13` of what b varies by.
     #[inline(always)]
     pub(crate) fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
         let (from_first, to_last) = (columns - self.first, self.last - columns);
-        let (start, end) = (from_first + self.left, to_last + self.right);
-        let start_rest = self.left - (start - from_first);
-        let end_rest = self.right - (end - to_last);
-        let (square, square_error) = start.two_product(end);
-        let square_rest = square_error + (start * end_rest + end * start_rest);
+        let whole = from_first * to_last;
+        let part = from_first * self.slope + self.offset;
+        let square = whole + part;
+        let square_rest = part - (square - whole);
         let root = square.sqrt();
         let root_residual = square.residual(root, root) + square_rest;
 
-        let steps = columns - self.pivot;
-        let (moved, moved_error) = steps.two_product(self.b_column[0]);
+        // Exact: 12 bits by 12.
+        let moved = from_first * self.b_column[0];
         let b = self.b[0] + moved;
-        let b_low = self.b[1] + (moved_error + steps * self.b_column[1]);
+        let b_low = self.b[1] + from_first * self.b_column[1];
         let b_rest = (moved - (b - self.b[0])) + b_low;
         let sum = b + root;
         let sum_rest = root - (sum - b);
@@ -114,7 +128,7 @@ impl<S: Simd> SpanLanes<S> {
         let one = SingleLanes(S::f32s::splat(columns.0.token(), 1.0));
         let inverse = one / (root * sum);
         let reciprocal = inverse * root;
-        let root_rest = (root_residual * (inverse * sum)).half();
+        let root_rest = root_residual * (inverse * sum).half();
         let rest = (b_rest + sum_rest) + root_rest;
         let quotient = self.numerator[0] * reciprocal;
         let residual = self.numerator[0].residual(quotient, sum) + self.numerator[1];
@@ -131,12 +145,14 @@ pub(crate) struct RowBuffers<'a> {
 
 /// Two `t` that are closer than this share of them may be in the wrong order for their rounding:
 /// each is off by an ulp at most.
-pub(crate) const TIE: f32 = 4.0 * f32::EPSILON;
+pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
 /// What the vectors of one row share.
 struct Drawing<S: Simd> {
     simd: S,
-    tie: S::f32s,
+    below: S::f32s,
+    above: S::f32s,
+    none: S::f32s,
     end: S::f32s,
     own: S::u32s,
 }
@@ -155,12 +171,16 @@ impl<S: Simd> Drawing<S> {
         let known = S::f32s::from_slice(self.simd, t);
         let found = t_of.t(columns).0;
         let is_inside = columns.simd_le(self.end);
-        let is_apart = (found - known).abs().simd_gt(found * self.tie);
-        let is_nearer = found.simd_lt(known) & is_inside & is_apart;
-        is_nearer.select(found, known).store_slice(t);
+        let is_nearer = is_inside & found.simd_lt(known * self.below);
+        // Not a selection of what is stored: that would become a masked store, slow on many
+        // processors.
+        let nearest = is_nearer.select(found, self.none).min(known);
+        nearest.store_slice(t);
         let objects = S::u32s::from_slice(self.simd, object);
-        is_nearer.select(self.own, objects).store_slice(object);
-        is_inside & !is_apart
+        let is_changed = is_nearer.select(self.own ^ objects, S::u32s::splat(self.simd, 0));
+        (objects ^ is_changed).store_slice(object);
+        let is_farther = found.simd_gt(known * self.above);
+        is_inside & !(is_nearer | is_farther)
     }
 }
 
@@ -203,11 +223,13 @@ pub(crate) fn draw_row<S: Simd>(
     let n = S::f32s::LEN;
     let drawing = Drawing {
         simd,
-        tie: S::f32s::splat(simd, TIE),
+        below: S::f32s::splat(simd, 1.0 - TIE),
+        above: S::f32s::splat(simd, 1.0 + TIE),
+        none: S::f32s::splat(simd, f32::INFINITY),
         end: S::f32s::splat(simd, buffers.columns[to]),
         own: S::u32s::splat(simd, index),
     };
-    let mut in_doubt = drawing.tie.simd_lt(drawing.tie);
+    let mut in_doubt = drawing.none.simd_lt(drawing.none);
     // Where whole vectors may begin.
     let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
     let mut at = from;
