@@ -15,7 +15,7 @@ const NUMBERS: f64 = 76.0;
 const NAMES: f64 = 300.0;
 
 /// From one name to the next.
-const LINE: f64 = 66.0;
+const LINE: f64 = 80.0;
 
 /// How a method is drawn.
 struct Look {
@@ -63,7 +63,7 @@ pub fn figure(bench: &Bench) -> Figure {
     );
     let top = paragraph(&mut figure, 80.0, 17.0, &about);
     figure.text([MARGIN, top + 8.0], Align::Left, 17.0, TEXT, "milliseconds a frame".to_owned());
-    let (left, top) = (MARGIN + NUMBERS, top + 28.0);
+    let (left, top) = (MARGIN + NUMBERS, top + 34.0);
     let frame = Frame { left, top, right: WIDTH - MARGIN - NAMES, bottom: top + PANEL };
     panel(&mut figure, frame, bench);
     names(&mut figure, [frame.right + 34.0, frame.top + 20.0], bench);
@@ -134,7 +134,8 @@ fn names(figure: &mut Figure, [left, top]: Place, bench: &Bench) {
     }
 }
 
-/// From the least to the most, how many times as long as the ladder a method takes.
+/// From the least to the most, how many times as long as the ladder a method takes, or the ladder as
+/// the method where that is quicker throughout.
 fn compared(bench: &Bench, method: &str) -> Option<String> {
     if method == "ladder" {
         return None;
@@ -143,7 +144,13 @@ fn compared(bench: &Bench, method: &str) -> Option<String> {
     let ratios = rows.filter_map(|row| Some(row.ms.median / bench.median(&row.scene, "ladder")?));
     let mut ratios: Vec<f64> = ratios.collect();
     ratios.sort_by(f64::total_cmp);
-    let (least, most) = (short(*ratios.first()?), short(*ratios.last()?));
-    let range = if least == most { least } else { format!("{least} to {most}") };
-    Some(format!("{range} times the ladder's time"))
+    let (least, most) = (*ratios.first()?, *ratios.last()?);
+    let range = |least: f64, most: f64| match (short(least), short(most)) {
+        (least, most) if least == most => least,
+        (least, most) => format!("{least} to {most}"),
+    };
+    if most < 1.0 {
+        return Some(format!("ladder takes {} times that", range(1.0 / most, 1.0 / least)));
+    }
+    Some(format!("takes {} times the ladder", range(least, most)))
 }

@@ -3,9 +3,7 @@
 //! both logarithmic.
 //!
 //! A row a scene: error against time, and how many decisions each method got wrong. A family also
-//! shows its error against the knob; its time panel shows the worst of all settings. A plain
-//! [`Figure`] is drawn once and written as SVG or as pixels; a plotting crate would do the axes, but
-//! brings its own fonts, and no legend that counts.
+//! shows its error against the knob; its time panel shows the worst of all settings.
 
 mod legend;
 pub(crate) mod marker;
@@ -20,6 +18,7 @@ use crate::chart::figure::{Align, Figure};
 use crate::chart::frame::{Frame, GAP, MARGIN, TEXT, WEAK, paragraph};
 
 const WIDTH: f64 = 1280.0;
+
 /// Room for the numbers left of a panel.
 const NUMBERS: f64 = 104.0;
 
