@@ -1,6 +1,8 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 
+mod bench;
 mod inspect;
+mod outputs;
 mod progress;
 mod render;
 pub mod render_view;
@@ -59,6 +61,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
         Command::Report(arguments) => report::run(arguments),
+        Command::Bench(arguments) => bench::run(arguments),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::accuracy::{self, Comparison, PixelError};
 use crate::derive::{Compared, Derived};
 use crate::document::Document;
 use crate::measuring::Measuring;
-use crate::report::number::short;
+use crate::number::short;
 use crate::session::{MethodName, Selection, Session, Settings};
 
 /// Room for the map's legend below it, in points.

@@ -7,7 +7,6 @@
 
 mod case;
 mod families;
-mod machine;
 mod scenes;
 mod subject;
 mod tally;
@@ -20,6 +19,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use self::case::CaseRun;
 use super::model::Report;
+use crate::machine;
 
 /// How long one slice may go on before the next piece of work is left to the one after it.
 const SLICE: Duration = Duration::from_millis(8);
@@ -113,7 +113,7 @@ impl Run {
         left_out.extend(begun.clone().filter_map(CaseRun::left_out));
         Report {
             reference: subject::REFERENCE.to_owned(),
-            cpu: machine::describe(),
+            cpu: machine::describe("every method"),
             baseline: format!(
                 "{BASELINE}, both roots, timed as all are: {}, one thread; the ladder's time is that of \
                  the product's own path, which rounds t once from more digits than f64 has, the \

@@ -6,6 +6,5 @@ pub mod csv;
 pub mod json;
 pub mod measure;
 pub mod model;
-pub(crate) mod number;
 pub mod plot;
 pub mod table;

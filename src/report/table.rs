@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use super::model::{Case, MethodRow, Report};
-use super::number::short;
+use crate::columns::{aligned, widths, wrapped};
+use crate::number::short;
 
 /// As wide as text may be.
 const WIDTH: usize = 118;
@@ -19,7 +20,7 @@ pub fn to_table(report: &Report) -> String {
         [("reference", &report.reference), ("cpu", &report.cpu), ("baseline", &report.baseline)]
     {
         if !text.is_empty() {
-            wrapped(&mut out, &format!("{name:<10} "), text);
+            wrapped(&mut out, WIDTH, &format!("{name:<10} "), text);
         }
     }
     for case in &report.cases {
@@ -32,7 +33,7 @@ pub fn to_table(report: &Report) -> String {
     if !report.left_out.is_empty() {
         out.push_str("\nleft out:\n");
         for line in &report.left_out {
-            wrapped(&mut out, "  ", line);
+            wrapped(&mut out, WIDTH, "  ", line);
         }
     }
     out
@@ -67,12 +68,10 @@ fn baseline_of(report: &Report, case: &Case) -> Option<f64> {
 fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
     let coverage = format!("coverage {} %", short(100.0 * case.coverage));
     let decisions = case.methods.iter().map(|row| row.decisions).max().unwrap_or(0);
-    wrapped(out, "", &format!("{}: {decisions} decisions, {coverage}", case.title()));
+    wrapped(out, WIDTH, "", &format!("{}: {decisions} decisions, {coverage}", case.title()));
     let mut rows = vec![COLUMNS.map(str::to_owned)];
     rows.extend(case.methods.iter().map(|row| cells(row, baseline)));
-    let mut widths: [usize; COLUMNS.len()] = std::array::from_fn(|column| {
-        rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)
-    });
+    let mut widths = widths(&rows);
     // The heads above span three columns and two.
     const ULPS: &str = "error in t, ulps";
     const TIMES: &str = "ns a pixel";
@@ -88,14 +87,7 @@ fn block(out: &mut String, case: &Case, baseline: Option<f64>) {
         normal = until(7) - until(6),
         times = until(9) - until(7),
     );
-    for row in &rows {
-        let mut line = format!("{:<width$}", row[0], width = widths[0]);
-        for (cell, width) in row.iter().zip(widths).skip(1) {
-            let _ = write!(line, "  {cell:>width$}");
-        }
-        out.push_str(line.trim_end());
-        out.push('\n');
-    }
+    aligned(out, &rows, widths);
     for row in &case.methods {
         if let Some(text) = row.decided() {
             let _ = writeln!(out, "{text}");
@@ -123,24 +115,4 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; COLUMNS.len()] {
         number(row.ns_per_pixel.min),
         number(ratio),
     ]
-}
-
-/// Writes text behind a head, its further lines indented as far.
-fn wrapped(out: &mut String, head: &str, text: &str) {
-    let indent = head.chars().count();
-    let mut line = head.to_owned();
-    let mut empty = true;
-    for word in text.split_whitespace() {
-        if !empty && line.chars().count() + 1 + word.chars().count() > WIDTH {
-            let _ = writeln!(out, "{}", line.trim_end());
-            line = " ".repeat(indent);
-            empty = true;
-        }
-        if !empty {
-            line.push(' ');
-        }
-        line.push_str(word);
-        empty = false;
-    }
-    let _ = writeln!(out, "{}", line.trim_end());
 }

@@ -1,6 +1,7 @@
 //! The headless commands, run as a user runs them.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
+mod bench;
 mod inspect;
 mod render;
 mod report;
@@ -77,11 +78,11 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn commands_that_do_not_exist_yet_are_not_offered() {
     let help = run("--help").done();
-    for command in ["scenes", "inspect", "render", "trace", "report"] {
+    for command in ["scenes", "inspect", "render", "trace", "report", "bench"] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }
-    for command in ["check", "export", "import", "figure", "bench"] {
+    for command in ["check", "export", "import", "figure"] {
         assert!(!help.contains(&format!("\n  {command} ")), "{help}");
     }
 }

@@ -1,7 +1,8 @@
 //! The plot.
 
+use pinhole::chart::PNG_SCALE;
 use pinhole::report::model::Report;
-use pinhole::report::plot::{self, PNG_SCALE};
+use pinhole::report::plot;
 
 use crate::sample;
 

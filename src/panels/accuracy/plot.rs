@@ -8,8 +8,8 @@ use pinhole_core::methods::Method;
 
 use super::table::color_of;
 use crate::accuracy::WRONG;
+use crate::number::{power_of_ten, short};
 use crate::report::model::{Case, MethodRow};
-use crate::report::number::{power_of_ten, short};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
 
 /// Where errors of zero stand: two decades below one ulp.

@@ -4,8 +4,8 @@ use egui::{Color32, Grid, RichText, Stroke, Ui, vec2};
 use pinhole_core::methods::Method;
 
 use super::super::number::error_color;
+use crate::number::short;
 use crate::report::model::{Case, MethodRow};
-use crate::report::number::short;
 use crate::report::plot::marker;
 use crate::session::MethodName;
 

@@ -1,10 +1,10 @@
 //! Which mark is which method, and how many decisions each got wrong: a small table beside the
 //! panels, so that neither marks nor counts ever cover each other.
 
-use super::figure::{Align, Figure, Place};
 use super::marker::{self, WRONG};
-use super::panel::{TEXT, WEAK};
 use super::summary::{Summary, Worst};
+use crate::chart::figure::{Align, Figure, Place};
+use crate::chart::frame::{TEXT, WEAK};
 
 /// From one line to the next, in points.
 const LINE: f64 = 29.0;

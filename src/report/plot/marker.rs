@@ -1,24 +1,12 @@
 //! How a method is told from the others: a shape and a colour each, hollow in single precision,
 //! filled in double.
 
-use super::figure::{Figure, Ink, Place, Shape};
+use crate::chart::figure::{Figure, Ink, Place, Shape};
+pub(crate) use crate::chart::marker::Marker;
+use crate::chart::marker::{Outline, RADIUS, marker};
 
 /// Wrong decisions, wherever they are shown.
 pub(crate) const WRONG: Ink = [0xb0, 0x00, 0x20];
-
-/// The mark of a method, in any precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Marker {
-    pub(crate) color: Ink,
-    outline: Outline,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Outline {
-    /// So many equal sides, the first corner so many degrees from straight up.
-    Regular(usize, f64),
-    Star,
-}
 
 /// Colours after Okabe and Ito, "Color Universal Design" (2008), which readers who do not see red
 /// or green can tell apart; yellow, too light for white paper, is wine instead (Tol 2021).
@@ -37,62 +25,9 @@ const MARKERS: [(&str, Marker); 9] = [
 /// A method that came later, in grey.
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
-const fn marker(color: Ink, sides: usize, turned: f64) -> Marker {
-    Marker { color, outline: Outline::Regular(sides, turned) }
-}
-
 /// The mark of a method, by its name without the precision.
 pub(crate) fn of(family: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == family).map_or(STRANGER, |(_, marker)| *marker)
-}
-
-/// Half the width of a mark, in points.
-const RADIUS: f64 = 7.0;
-
-impl Marker {
-    /// Its colour on light or dark ground: what would be lost on dark is lightened.
-    pub(crate) fn ink_on(&self, dark: bool) -> Ink {
-        if !dark {
-            return self.color;
-        }
-        let luma = [0.299, 0.587, 0.114].iter().zip(self.color).map(|(k, c)| k * f64::from(c));
-        // How far to go to white, so that the darkest are as light as a mid grey at least.
-        let luma: f64 = luma.sum();
-        let part = ((130.0 - luma) / (255.0 - luma)).max(0.0);
-        if self.outline == Outline::Star {
-            return [0xff; 3];
-        }
-        self.color.map(|c| (f64::from(c) + part * (255.0 - f64::from(c))).round() as u8)
-    }
-
-    /// Draws the mark.
-    pub(crate) fn draw(&self, figure: &mut Figure, center: Place, hollow: bool) {
-        let points = self.corners(center);
-        // A line of white keeps a filled mark apart from what lies under it.
-        let (fill, stroke) = if hollow {
-            (None, Some((self.color, 2.5)))
-        } else {
-            (Some(self.color), Some(([0xff; 3], 1.0)))
-        };
-        figure.shapes.push(Shape::Polygon { points, fill, stroke });
-    }
-
-    /// The corners around a center. Triangles and stars are drawn larger, to look as large.
-    fn corners(&self, [x, y]: Place) -> Vec<Place> {
-        let corner = |degrees: f64, radius: f64| {
-            let (sin, cos) = degrees.to_radians().sin_cos();
-            [x + radius * sin, y - radius * cos]
-        };
-        match self.outline {
-            Outline::Star => (0..10)
-                .map(|k| corner(36.0 * f64::from(k), [1.6, 0.7][k as usize % 2] * RADIUS))
-                .collect(),
-            Outline::Regular(sides, turned) => {
-                let size = [1.35, 1.15, 1.1, 1.0][sides.clamp(3, 6) - 3] * RADIUS;
-                (0..sides).map(|k| corner(turned + 360.0 * k as f64 / sides as f64, size)).collect()
-            }
-        }
-    }
 }
 
 /// The mark of a method that decided wrong: a ring around its own.

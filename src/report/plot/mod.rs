@@ -3,29 +3,21 @@
 //! both logarithmic.
 //!
 //! A row a scene: error against time, and how many decisions each method got wrong. A family also
-//! shows its error against the knob; its time panel shows the worst of all settings. A plain
-//! [`Figure`] is drawn once and written as SVG or as pixels; a plotting crate would do the axes, but
-//! brings its own fonts, and no legend that counts.
+//! shows its error against the knob; its time panel shows the worst of all settings.
 
-mod axis;
-mod figure;
 mod legend;
 pub(crate) mod marker;
 mod panel;
-mod raster;
 mod summary;
-mod svg;
 
-use self::figure::Align;
-pub use self::figure::Figure;
-use self::panel::{Errors, Frame, GAP, TEXT, WEAK};
-pub use self::raster::Raster;
+use self::panel::Errors;
 use self::summary::Summary;
 pub(crate) use self::summary::{SINGLE, in_ulps_of_f64};
 use super::model::Report;
+use crate::chart::figure::{Align, Figure};
+use crate::chart::frame::{Frame, GAP, MARGIN, TEXT, WEAK, paragraph};
 
 const WIDTH: f64 = 1280.0;
-const MARGIN: f64 = 28.0;
 
 /// Room for the numbers left of a panel.
 const NUMBERS: f64 = 104.0;
@@ -33,9 +25,6 @@ const NUMBERS: f64 = 104.0;
 /// The height of a panel, and of a row with all that belongs to it.
 const PANEL: f64 = 300.0;
 const ROW: f64 = 440.0;
-
-/// Pixels to a point in PNG: as wide as a projector.
-pub const PNG_SCALE: f32 = 1.5;
 
 /// Draws a report.
 pub fn figure(report: &Report) -> Figure {
@@ -97,28 +86,6 @@ fn left_out(lines: &[String]) -> String {
         0 => first.join("; "),
         more => format!("{}; and {more} more, which the table lists", first.join("; ")),
     }
-}
-
-/// Text over as many lines as it needs; returns where the next may stand.
-fn paragraph(figure: &mut Figure, mut y: f64, size: f64, text: &str) -> f64 {
-    // Noto Sans needs half its size for a character, and a little less in long texts.
-    let most = ((WIDTH - 2.0 * MARGIN) / (0.53 * size)) as usize;
-    let mut line = String::new();
-    for word in text.split_whitespace() {
-        if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > most {
-            figure.text([MARGIN, y], Align::Left, size, WEAK, std::mem::take(&mut line));
-            y += 1.5 * size;
-        }
-        if !line.is_empty() {
-            line.push(' ');
-        }
-        line.push_str(word);
-    }
-    if !line.is_empty() {
-        figure.text([MARGIN, y], Align::Left, size, WEAK, line);
-        y += 1.5 * size;
-    }
-    y
 }
 
 fn row(figure: &mut Figure, top: f64, summary: &Summary) {

@@ -1,36 +1,18 @@
 //! One panel: a frame with its scales, and the methods in it.
 
-use super::axis::{Close, Decades, Knobs, Tick};
-use super::figure::{Align, Figure, Ink, Place, Shape};
 use super::marker;
 use super::summary::{SINGLE, Summary, in_ulps_of_f64};
+use crate::chart::axis::{Close, Decades, Knobs, Tick};
+use crate::chart::figure::{Align, Figure, Ink, Place, Shape};
+use crate::chart::frame::{FRAME, Frame, GRID, SMALL, TEXT, WEAK, across};
 
-pub(crate) const TEXT: Ink = [0x1a; 3];
-pub(crate) const WEAK: Ink = [0x5a; 3];
-const FRAME: Ink = [0x70; 3];
-const GRID: Ink = [0xe4; 3];
 const ULP: Ink = [0xa8; 3];
-
-/// The size of the numbers at a scale.
-pub(crate) const SMALL: f64 = 16.0;
 
 /// The height of the places for zero errors and for methods that have no error to show.
 const LANE: f64 = 30.0;
 
-/// Right of a row's panels: room for the names of the lines.
-pub(crate) const GAP: f64 = 68.0;
-
 /// Room between the outermost values and the frame.
 const MARGIN: f64 = 12.0;
-
-/// The frame of a panel, in points.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Frame {
-    pub(crate) left: f64,
-    pub(crate) top: f64,
-    pub(crate) right: f64,
-    pub(crate) bottom: f64,
-}
 
 /// The scale of errors, which both panels of a row share.
 pub(crate) struct Errors {
@@ -93,33 +75,6 @@ impl Errors {
             }
         }
     }
-}
-
-/// The lines up and their numbers, and what they are.
-fn across(figure: &mut Figure, frame: Frame, ticks: Vec<Tick>, name: &str) {
-    for Tick { at, text } in ticks {
-        figure.line(&[[at, frame.top], [at, frame.bottom]], GRID, 1.0);
-        figure.text([at, frame.bottom + 16.0], Align::Middle, SMALL, TEXT, text);
-    }
-    let y = frame.bottom + 40.0;
-    let (width, needed) = (frame.right - frame.left, text_width(name, NAME));
-    if needed <= width {
-        let middle = 0.5 * (frame.left + frame.right);
-        figure.text([middle, y], Align::Middle, NAME, TEXT, name.to_owned());
-    } else {
-        // A long name goes on to the right, and to the left as far as its neighbour lets it; it gets
-        // smaller where it must.
-        let size = (NAME * (width + GAP + 50.0) / needed).min(NAME);
-        figure.text([frame.right + GAP, y], Align::Right, size, TEXT, name.to_owned());
-    }
-}
-
-/// The size of the name of a scale.
-const NAME: f64 = 18.0;
-
-/// How wide a text is about, rather more than less: Noto Sans needs half its size for a character.
-pub(crate) fn text_width(text: &str, size: f64) -> f64 {
-    0.51 * size * text.chars().count() as f64
 }
 
 /// Error against time: a mark a method at its largest error, with a stem down to the 99th

@@ -4,8 +4,9 @@ use std::fs;
 
 use pinhole_core::Level;
 
-/// The processor's name, where it can be had, and its vector instructions that programs choose by.
-pub(super) fn describe() -> String {
+/// The processor's name, where it can be had, its vector instructions that programs choose by, and
+/// those that `what` ran with.
+pub(crate) fn describe(what: &str) -> String {
     let name = name().unwrap_or_else(|| std::env::consts::ARCH.to_owned());
     let features = features();
     let features = if features.is_empty() {
@@ -13,7 +14,7 @@ pub(super) fn describe() -> String {
     } else {
         features.join(", ")
     };
-    format!("{name} ({}; {features}; every method ran with {})", std::env::consts::ARCH, level())
+    format!("{name} ({}; {features}; {what} ran with {})", std::env::consts::ARCH, level())
 }
 
 /// The instructions that core chose.

@@ -1,0 +1,133 @@
+//! Scenes that are hard to be fast in: what helps in an ordinary scene does not help there.
+
+use glam::DVec3;
+use pinhole_core::{Camera, Pixel, Sphere};
+
+use crate::random::Random;
+use crate::scenes::{
+    COVERAGE, Group, Listed, Setting, camera, centers_ahead, scale_for, scene, spheres_at,
+};
+
+/// All of them, and two other sizes of image.
+pub fn all() -> Vec<Listed> {
+    let hard = |name: &str, make: fn() -> Setting| Listed::new(name, Group::Adversarial, make);
+    vec![
+        hard("overdraw-1e5", || spheres_at(100_000, COVERAGE, 10.0)),
+        hard("overdraw-1e6", || spheres_at(1_000_000, COVERAGE, 10.0)),
+        hard("behind-one", behind_one),
+        hard("sub-pixel", sub_pixel),
+        hard("six-decades", six_decades),
+        hard("in-cloud", in_cloud),
+        hard("in-sphere", in_sphere),
+        hard("one-pixel", one_pixel),
+        hard("planet", planet),
+        hard("eye-plane", eye_plane),
+        hard("one-column", || spheres_at(10_000, COVERAGE, 1.0).with_image(1, 16_384)),
+        hard("one-row", || spheres_at(10_000, COVERAGE, 1.0).with_image(16_384, 1)),
+        Listed::new("square-400", Group::Sizes, square),
+        Listed::new("4k-N=1000", Group::Sizes, || {
+            spheres_at(1000, COVERAGE, 1.0).with_image(3840, 2160)
+        }),
+    ]
+}
+
+fn of(spheres: Vec<Sphere>) -> Setting {
+    Setting::of("adversarial", scene("adversarial", spheres), camera())
+}
+
+/// 10^5 spheres, all hidden by one that fills the view.
+fn behind_one() -> Setting {
+    let mut spheres = spheres_at(100_000, COVERAGE, 1.0).scene.spheres().to_vec();
+    // sin(angle) = r / |q| = 0.75: 48.6 degrees, and the view's corners are at 45.6.
+    spheres.push(Sphere { center: DVec3::new(0.0, 0.0, -2.0), radius: 1.5 });
+    of(spheres)
+}
+
+/// 10^6 spheres a fifth of a pixel across, most of which no pixel's centre meets.
+fn sub_pixel() -> Setting {
+    let centers = centers_ahead(1_000_000, &mut Random::new(2));
+    let sphere = |center: DVec3| Sphere { center, radius: 0.1 * pixel_at(-center.z) };
+    of(centers.into_iter().map(sphere).collect())
+}
+
+/// The height of a pixel in the world, so far ahead.
+fn pixel_at(depth: f64) -> f64 {
+    let Camera { viewport, image, .. } = camera();
+    depth * viewport.height / (viewport.distance * f64::from(image.height()))
+}
+
+/// 10^5 spheres whose radii are spread evenly over six decades; the large ones cover 60 %.
+fn six_decades() -> Setting {
+    let mut random = Random::new(3);
+    let centers = centers_ahead(100_000, &mut random);
+    let radii: Vec<f64> = centers.iter().map(|_| 10f64.powf(random.within(-6.0, 0.0))).collect();
+    let scale = scale_for(COVERAGE, &centers, &|index| radii[index]);
+    let sphere = |(center, radius): (DVec3, f64)| Sphere { center, radius: scale * radius };
+    of(centers.into_iter().zip(radii).map(sphere).collect())
+}
+
+/// 10^5 spheres on all sides of the eye; 60 % of the pixels are covered.
+fn in_cloud() -> Setting {
+    let mut random = Random::new(4);
+    let mut coordinate = || random.within(-8.0, 8.0);
+    let centers: Vec<DVec3> =
+        (0..100_000).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
+    let radius = scale_for(COVERAGE, &centers, &|_| 1.0);
+    of(centers.into_iter().map(|center| Sphere { center, radius }).collect())
+}
+
+/// 10^4 spheres, and one around them and the eye.
+fn in_sphere() -> Setting {
+    let mut spheres = vec![Sphere { center: DVec3::new(0.0, 0.0, -3.0), radius: 40.0 }];
+    spheres.extend(spheres_at(10_000, COVERAGE, 1.0).scene.spheres());
+    of(spheres)
+}
+
+/// 10^5 spheres of about a pixel's size, which all cover the centre of the same one.
+fn one_pixel() -> Setting {
+    let camera = camera();
+    let posed = Setting::of("one-pixel", Default::default(), camera).camera(0);
+    let direction = posed.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;
+    let mut random = Random::new(5);
+    let sphere = |_| {
+        let depth = random.within(4.0, 12.0);
+        let pixel = pixel_at(depth);
+        let off = DVec3::new(random.within(-0.3, 0.3), random.within(-0.3, 0.3), 0.0);
+        let center = posed.eye() + depth * direction + pixel * off;
+        Sphere { center, radius: random.within(0.6, 1.2) * pixel }
+    };
+    of((0..100_000).map(sphere).collect())
+}
+
+/// A planet under the eye, and 10^4 pebbles on it.
+fn planet() -> Setting {
+    const RADIUS: f64 = 6.4e6;
+    const EYE: f64 = 1.7;
+    let mut random = Random::new(6);
+    let mut spheres = vec![Sphere { center: DVec3::new(0.0, -RADIUS - EYE, 0.0), radius: RADIUS }];
+    spheres.extend((0..10_000).map(|_| {
+        let (x, z) = (random.within(-30.0, 30.0), random.within(-60.0, -2.0));
+        let y = -EYE - (x * x + z * z) / (2.0 * RADIUS);
+        Sphere { center: DVec3::new(x, y, z), radius: random.within(0.01, 0.2) }
+    }));
+    of(spheres)
+}
+
+/// A thousand spheres beside the eye, each cut by the plane through it and reaching into the view.
+fn eye_plane() -> Setting {
+    let mut random = Random::new(7);
+    let sphere = |_| {
+        let (sin, cos) = random.within(0.0, std::f64::consts::TAU).sin_cos();
+        let away = random.within(2.0, 40.0);
+        let radius = away * random.within(0.7, 0.99);
+        let z = radius * random.within(-0.5, 0.1);
+        Sphere { center: DVec3::new(away * cos, away * sin, z), radius }
+    };
+    of((0..1000).map(sphere).collect())
+}
+
+/// One sphere in the lecture's 400 x 400 pixels.
+fn square() -> Setting {
+    let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+    Setting::of("square", scene("square", vec![ball]), Camera::CANONICAL)
+}

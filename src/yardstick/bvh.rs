@@ -1,0 +1,205 @@
+//! The textbook's loop over a tree of boxes instead of all spheres: binned surface-area heuristic
+//! (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), up to four spheres
+//! a leaf, a stack, the near child first.
+
+use glam::Vec3;
+use pinhole_core::{PosedCamera, Scene};
+
+use crate::frames::{Buffers, Rays};
+use crate::textbook::{Ball, Nearest, TextbookScene, each_pixel, nearest_flat};
+
+/// A scene with its tree.
+#[derive(Clone, Debug)]
+pub struct Bvh {
+    nodes: Vec<Node>,
+    /// The spheres in the order of the leaves, and which objects they are.
+    balls: Vec<Ball>,
+    objects: Vec<u32>,
+    scene: TextbookScene,
+}
+
+/// A box, and either two children side by side or some spheres.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    bounds: Bounds,
+    /// The left child, or the first sphere.
+    first: u32,
+    /// How many spheres; 0 of an inner node.
+    count: u32,
+}
+
+/// A box along the axes.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    low: Vec3,
+    high: Vec3,
+}
+
+const LEAF: usize = 4;
+const BINS: usize = 16;
+
+/// From this depth on a node is halved whatever its boxes cost, so that [`STACK`] is enough for 2^24
+/// spheres.
+const DEEP: usize = 40;
+const STACK: usize = 64;
+
+impl Bounds {
+    const NONE: Bounds =
+        Bounds { low: Vec3::splat(f32::INFINITY), high: Vec3::splat(f32::NEG_INFINITY) };
+
+    fn of(ball: &Ball) -> Bounds {
+        Bounds { low: ball.center - ball.radius, high: ball.center + ball.radius }
+    }
+
+    fn with(self, other: Bounds) -> Bounds {
+        Bounds { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// Half of the surface.
+    fn area(&self) -> f32 {
+        let size = self.high - self.low;
+        size.x * size.y + size.y * size.z + size.z * size.x
+    }
+
+    /// Where a ray enters, if it does so before `t`.
+    #[inline]
+    fn entry(&self, origin: Vec3, inverse: Vec3, t: f32) -> Option<f32> {
+        let (a, b) = ((self.low - origin) * inverse, (self.high - origin) * inverse);
+        let enter = a.min(b).max_element().max(0.0);
+        let leave = a.max(b).min_element();
+        (enter <= leave && enter < t).then_some(enter)
+    }
+}
+
+impl Bvh {
+    /// Builds the tree of a scene.
+    pub fn new(scene: &Scene) -> Bvh {
+        let scene = TextbookScene::new(scene);
+        let mut objects: Vec<u32> = (0..scene.balls.len() as u32).collect();
+        let mut nodes = vec![Node { bounds: Bounds::NONE, first: 0, count: 0 }];
+        let mut open = vec![(0, 0..objects.len(), 0)];
+        while let Some((place, range, depth)) = open.pop() {
+            let own = &mut objects[range.clone()];
+            let boxes = own.iter().map(|object| Bounds::of(&scene.balls[*object as usize]));
+            let bounds = boxes.fold(Bounds::NONE, Bounds::with);
+            if own.len() <= LEAF {
+                let (first, count) = (range.start as u32, own.len() as u32);
+                nodes[place] = Node { bounds, first, count };
+                continue;
+            }
+            let middle = range.start + split(own, &scene.balls, depth);
+            let left = nodes.len();
+            nodes[place] = Node { bounds, first: left as u32, count: 0 };
+            nodes.extend([Node { bounds: Bounds::NONE, first: 0, count: 0 }; 2]);
+            open.push((left, range.start..middle, depth + 1));
+            open.push((left + 1, middle..range.end, depth + 1));
+        }
+        let balls = objects.iter().map(|object| scene.balls[*object as usize]).collect();
+        Bvh { nodes, balls, objects, scene }
+    }
+
+    /// Traces a frame.
+    pub fn trace(&self, camera: &PosedCamera, buffers: &mut Buffers) {
+        let rays = Rays::of(camera);
+        each_pixel(buffers, |row, column| {
+            let direction = rays.direction(row, column);
+            let nearest = self.nearest_ball(rays.eye, direction);
+            nearest_flat(&self.scene.flats, self.balls.len(), rays.eye, direction, nearest)
+        });
+    }
+
+    fn nearest_ball(&self, origin: Vec3, direction: Vec3) -> Nearest {
+        let inverse = direction.recip();
+        let mut nearest = Nearest::NONE;
+        let mut stack = [(0u32, 0.0f32); STACK];
+        let mut height = usize::from(!self.balls.is_empty());
+        while height > 0 {
+            height -= 1;
+            let (place, entry) = stack[height];
+            if entry >= nearest.t {
+                continue;
+            }
+            let node = &self.nodes[place as usize];
+            if node.count > 0 {
+                self.ask_leaf(node, origin, direction, &mut nearest);
+                continue;
+            }
+            let entry =
+                |child: u32| self.nodes[child as usize].bounds.entry(origin, inverse, nearest.t);
+            let children = [node.first, node.first + 1];
+            let mut found = children.map(|child| entry(child).map(|entry| (child, entry)));
+            if let [Some((_, left)), Some((_, right))] = found
+                && left < right
+            {
+                found.swap(0, 1);
+            }
+            // The near one last, so that it comes first from the stack.
+            for child in found.into_iter().flatten() {
+                stack[height] = child;
+                height += 1;
+            }
+        }
+        nearest
+    }
+
+    #[inline]
+    fn ask_leaf(&self, node: &Node, origin: Vec3, direction: Vec3, nearest: &mut Nearest) {
+        for place in node.first as usize..(node.first + node.count) as usize {
+            let Some(t) = self.balls[place].first_root(origin, direction) else { continue };
+            let object = self.objects[place];
+            if t < nearest.t || (t == nearest.t && object < nearest.object) {
+                *nearest = Nearest { t, object };
+            }
+        }
+    }
+}
+
+/// Puts the spheres of the left child before those of the right one; returns how many are left.
+fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
+    let center = |object: &u32| balls[*object as usize].center;
+    let centers = objects.iter().map(center);
+    let spread = centers.fold(Bounds::NONE, |bounds, c| bounds.with(Bounds { low: c, high: c }));
+    let half = objects.len() / 2;
+    let size = spread.high - spread.low;
+    let bin_of = |axis: usize, object: &u32| {
+        let part = (center(object)[axis] - spread.low[axis]) / size[axis];
+        ((part * BINS as f32) as usize).min(BINS - 1)
+    };
+    let axes = (0..3).filter(|axis| size[*axis] > 0.0 && depth < DEEP);
+    let best = axes
+        .flat_map(|axis| {
+            let mut bins = [(0usize, Bounds::NONE); BINS];
+            for object in objects.iter() {
+                let bin = &mut bins[bin_of(axis, object)];
+                *bin = (bin.0 + 1, bin.1.with(Bounds::of(&balls[*object as usize])));
+            }
+            cuts(bins).map(move |(cost, cut)| (cost, axis, cut))
+        })
+        .min_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((_, axis, cut)) = best else {
+        let longest = size.max_position();
+        objects
+            .select_nth_unstable_by(half, |a, b| center(a)[longest].total_cmp(&center(b)[longest]));
+        return half;
+    };
+    let mut left = 0;
+    for place in 0..objects.len() {
+        if bin_of(axis, &objects[place]) < cut {
+            objects.swap(place, left);
+            left += 1;
+        }
+    }
+    left
+}
+
+/// What it costs to cut before each bin: surface times number, of both sides together. Cuts that
+/// leave a side empty are none.
+fn cuts(bins: [(usize, Bounds); BINS]) -> impl Iterator<Item = (f32, usize)> {
+    let join = |a: (usize, Bounds), b: &(usize, Bounds)| (a.0 + b.0, a.1.with(b.1));
+    let sum = move |bins: &[(usize, Bounds)]| bins.iter().fold((0, Bounds::NONE), join);
+    (1..BINS).filter_map(move |cut| {
+        let (left, right) = (sum(&bins[..cut]), sum(&bins[cut..]));
+        let cost = left.0 as f32 * left.1.area() + right.0 as f32 * right.1.area();
+        (left.0 > 0 && right.0 > 0).then_some((cost, cut))
+    })
+}

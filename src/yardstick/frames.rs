@@ -1,0 +1,66 @@
+//! What every contestant but the ladder writes, and a frame's rays as the textbook has them.
+
+use glam::{DVec3, Vec3};
+use pinhole_core::{ImageSize, NO_OBJECT, PosedCamera};
+
+/// t and object of every pixel, row by row from the top.
+#[derive(Clone, Debug)]
+pub struct Buffers {
+    /// Columns.
+    pub width: usize,
+    /// t of the first hit; infinite where there is none.
+    pub t: Vec<f32>,
+    /// The object hit, or [`NO_OBJECT`].
+    pub object: Vec<u32>,
+}
+
+impl Buffers {
+    /// The buffers of an image. All of their memory has been written to, so that no page of it is
+    /// new to the system when times are taken.
+    pub fn new(image: ImageSize) -> Buffers {
+        let width = image.width() as usize;
+        let pixels = width * image.height() as usize;
+        Buffers { width, t: vec![f32::INFINITY; pixels], object: vec![NO_OBJECT; pixels] }
+    }
+}
+
+/// The view rays of a frame in `f32`.
+pub(crate) struct Rays {
+    pub(crate) eye: Vec3,
+    u: Vec3,
+    v: Vec3,
+    /// `-distance*W`
+    ahead: Vec3,
+    width: f32,
+    height: f32,
+    columns: f32,
+    rows: f32,
+}
+
+impl Rays {
+    pub(crate) fn of(camera: &PosedCamera) -> Rays {
+        let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
+        Rays {
+            eye: camera.eye().as_vec3(),
+            u: basis.u.as_vec3(),
+            v: basis.v.as_vec3(),
+            ahead: single(-viewport.distance * basis.w),
+            width: viewport.width as f32,
+            height: viewport.height as f32,
+            columns: image.width() as f32,
+            rows: image.height() as f32,
+        }
+    }
+
+    /// `u*U + v*V - distance*W` of a pixel's centre.
+    #[inline]
+    pub(crate) fn direction(&self, row: usize, column: usize) -> Vec3 {
+        let u = self.width * ((column as f32 + 0.5) / self.columns - 0.5);
+        let v = self.height * (0.5 - (row as f32 + 0.5) / self.rows);
+        u * self.u + v * self.v + self.ahead
+    }
+}
+
+pub(crate) fn single(v: DVec3) -> Vec3 {
+    v.as_vec3()
+}

@@ -1,0 +1,40 @@
+//! What the speed of `pinhole-core` is measured with.
+//!
+//! - [`scenes`]: seeded scenes of 1 to 10^7 spheres, each with a camera that moves a little every
+//!   frame; [`adversarial`]: scenes that are hard to be fast in;
+//! - [`textbook`] and [`bvh`]: the rivals, as a good student writes them, without tricks;
+//! - [`stores`]: nothing but storing the same two buffers, which no tracer can beat;
+//! - [`rounds`]: frames timed in turn, so that whatever slows the machine down slows all of them;
+//! - [`contest`]: all of them over one scene; [`check`]: whether a frame is right, on a sample.
+//!
+//! Every contestant writes t as `f32` and the object as `u32` for every pixel, ray generation and
+//! whatever depends on the camera included; what depends on the scene alone, such as the rival's
+//! bounding volumes, is made before and not timed.
+//!
+//! ```
+//! use std::time::Duration;
+//! use pinhole_yardstick::contest::{self, Limits, Method};
+//! use pinhole_yardstick::scenes;
+//!
+//! let setting = scenes::spheres_at(10, 0.6, 1.0).with_image(96, 54);
+//! let limits = Limits { share: Duration::from_millis(1), ..Limits::default() };
+//! let outcome = contest::run(&setting, &[Method::Ladder, Method::Textbook], &limits);
+//! assert_eq!(outcome.rows.len(), 2);
+//! assert!(outcome.rows[0].times.min <= outcome.rows[0].times.median);
+//! ```
+
+pub mod adversarial;
+pub mod bvh;
+pub mod check;
+pub mod contest;
+mod frames;
+mod ladder;
+mod random;
+pub mod rounds;
+pub mod scenes;
+pub mod stores;
+pub mod textbook;
+
+pub use frames::Buffers;
+pub use random::Random;
+pub use scenes::Setting;

@@ -1,0 +1,135 @@
+//! Times of several pieces of work, taken in turn.
+
+use std::time::{Duration, Instant};
+
+/// What a piece of work took, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Times {
+    /// The middle one of all measurements.
+    pub median: f64,
+    /// The shortest one.
+    pub min: f64,
+    /// How many there are.
+    pub count: usize,
+}
+
+/// Work that is quicker than this runs several times in a row in each turn, the first time untimed:
+/// a frame is followed by frames, not by what another contestant leaves in the caches.
+const QUICK: Duration = Duration::from_millis(25);
+
+/// How often quick work is timed in a turn.
+const BURST: usize = 4;
+
+/// Times `count` pieces of work in turn, until each has spent its `share` or was timed `most` times.
+///
+/// `run(index, frame)` does the work of one frame; the frames are counted through, so that no two are
+/// alike. The first run of each is not timed, but where it alone uses up half of the share.
+pub fn interleaved(
+    count: usize,
+    share: Duration,
+    most: usize,
+    mut run: impl FnMut(usize, usize),
+) -> Vec<Times> {
+    let mut frame = 0;
+    let mut timed = |index: usize| {
+        let start = Instant::now();
+        run(index, frame);
+        frame += 1;
+        start.elapsed()
+    };
+    let mut runners: Vec<Runner> =
+        (0..count).map(|index| Runner::new(timed(index), share)).collect();
+    while runners.iter().any(|runner| runner.goes_on(share, most)) {
+        for (index, runner) in runners.iter_mut().enumerate() {
+            if runner.goes_on(share, most) {
+                runner.take_turn(most, || timed(index));
+            }
+        }
+    }
+    runners.iter().map(Runner::times).collect()
+}
+
+struct Runner {
+    times: Vec<Duration>,
+    spent: Duration,
+    last: Duration,
+}
+
+impl Runner {
+    fn new(first: Duration, share: Duration) -> Runner {
+        let times = if first > share / 2 { vec![first] } else { Vec::new() };
+        Runner { times, spent: first, last: first }
+    }
+
+    fn goes_on(&self, share: Duration, most: usize) -> bool {
+        self.times.is_empty() || (self.spent < share && self.times.len() < most)
+    }
+
+    fn take_turn(&mut self, most: usize, mut timed: impl FnMut() -> Duration) {
+        let mut count = 1;
+        if self.last < QUICK {
+            self.spent += timed();
+            count = BURST.min(most.max(1) - self.times.len());
+        }
+        for _ in 0..count {
+            self.last = timed();
+            self.spent += self.last;
+            self.times.push(self.last);
+        }
+    }
+
+    fn times(&self) -> Times {
+        let mut seconds: Vec<f64> = self.times.iter().map(Duration::as_secs_f64).collect();
+        seconds.sort_by(f64::total_cmp);
+        let middle = seconds.len() / 2;
+        let median = match seconds.len() % 2 {
+            0 => 0.5 * (seconds[middle - 1] + seconds[middle]),
+            _ => seconds[middle],
+        };
+        Times { median, min: seconds[0], count: seconds.len() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ms(x: u64) -> Duration {
+        Duration::from_millis(x)
+    }
+
+    #[test]
+    fn the_middle_and_the_least() {
+        let times = |of: &[u64]| {
+            let times = of.iter().copied().map(ms).collect();
+            Runner { times, spent: ms(0), last: ms(0) }.times()
+        };
+        assert_eq!(times(&[5, 1, 9]), Times { median: 0.005, min: 0.001, count: 3 });
+        assert_eq!(times(&[4, 2]), Times { median: 0.003, min: 0.002, count: 2 });
+    }
+
+    #[test]
+    fn everything_is_timed_in_turn_and_every_frame_is_new() {
+        let mut seen = Vec::new();
+        let times = interleaved(3, Duration::from_secs(600), 6, |index, frame| {
+            assert_eq!(frame, seen.len());
+            seen.push(index);
+        });
+        assert!(times.iter().all(|times| times.count == 6), "{times:?}");
+        // One each, then in turn four timed after one that is not, then the other two.
+        let (four, two) = ([1 + BURST, 3], [0, 1, 2]);
+        let turns = four.iter().flat_map(|n| two.iter().flat_map(|index| vec![*index; *n]));
+        assert_eq!(seen, [0, 1, 2].into_iter().chain(turns).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn slow_work_counts_from_its_first_run() {
+        let mut runs = 0;
+        let times = interleaved(1, ms(2), 100, |_, _| {
+            runs += 1;
+            std::thread::sleep(ms(3));
+        });
+        assert_eq!((runs, times[0].count), (1, 1));
+        assert!(times[0].min >= 0.003);
+    }
+}

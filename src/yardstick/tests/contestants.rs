@@ -1,0 +1,134 @@
+//! The rivals see what the ladder sees, as far as `f32` lets them.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+
+use std::time::Duration;
+
+use pinhole_core::*;
+use pinhole_yardstick::bvh::Bvh;
+use pinhole_yardstick::contest::{self, Limits, Method};
+use pinhole_yardstick::stores::Stores;
+use pinhole_yardstick::textbook::TextbookScene;
+use pinhole_yardstick::{Buffers, Setting, adversarial, check, scenes};
+
+fn ladder(setting: &Setting) -> Frame<f32> {
+    let camera = setting.camera(0);
+    trace_as(&setting.scene, &camera, &Raster::full(camera.image()), Outputs::default())
+}
+
+/// The share of pixels in which object and t, to 1e-3 of it, are those of the ladder.
+fn agreement(setting: &Setting, buffers: &Buffers) -> f64 {
+    let truth = ladder(setting);
+    let pairs = truth.t.iter().zip(&truth.object).zip(buffers.t.iter().zip(&buffers.object));
+    let is_same = |((t, object), (other_t, other)): &((&f32, &u32), (&f32, &u32))| {
+        object == other && (t == other_t || (*t - *other_t).abs() < 1e-3 * *t)
+    };
+    pairs.filter(is_same).count() as f64 / truth.t.len() as f64
+}
+
+fn rivals(setting: &Setting) -> [Buffers; 2] {
+    let mut both = [Buffers::new(setting.image()), Buffers::new(setting.image())];
+    let camera = setting.camera(0);
+    TextbookScene::new(&setting.scene).trace(&camera, &mut both[0]);
+    Bvh::new(&setting.scene).trace(&camera, &mut both[1]);
+    both
+}
+
+#[test]
+fn rivals_agree_with_the_ladder_on_nearly_all_pixels() {
+    for count in [0, 1, 3, 10, 1000] {
+        let setting = scenes::spheres_at(count, 0.6, 1.0).with_image(160, 90);
+        let [plain, tree] = rivals(&setting);
+        for buffers in [&plain, &tree] {
+            let same = agreement(&setting, buffers);
+            assert!(same > 0.995, "{count} spheres: {same}");
+        }
+        assert!(check::alike(&plain.object, &tree.object) > 0.9999);
+    }
+}
+
+#[test]
+fn rivals_see_planes() {
+    let plane = |point, normal| Plane::new(point, normal).unwrap();
+    let planes =
+        vec![plane([0.0, -1.0, 0.0], [0.0, 2.0, 0.0]), plane([0.0, 0.0, 9.0], [0.0, 0.0, 1.0])];
+    let spheres = scenes::spheres_at(10, 0.3, 1.0).scene.spheres().to_vec();
+    let camera = Camera { image: ImageSize::new(90, 90).unwrap(), ..Camera::CANONICAL };
+    let setting = Setting::new("", Scene::new(spheres, planes).unwrap(), camera).unwrap();
+    for buffers in rivals(&setting) {
+        assert!(agreement(&setting, &buffers) > 0.99);
+        assert!(buffers.object.contains(&10), "the floor is seen");
+        assert!(!buffers.object.contains(&11), "what is behind is not");
+    }
+}
+
+#[test]
+fn a_tree_holds_spheres_of_all_sizes_and_many_in_one_place() {
+    for name in ["eye-plane", "in-sphere", "planet"] {
+        let setting = adversarial::all().into_iter().find(|listed| listed.name == name).unwrap();
+        let setting = setting.make().with_image(60, 40);
+        let [plain, tree] = rivals(&setting);
+        assert!(check::alike(&plain.object, &tree.object) > 0.99, "{name}");
+    }
+    let same = vec![Sphere::new([0.0, 0.0, -5.0], 1.0).unwrap(); 1000];
+    let scene = Scene::new(same, vec![]).unwrap();
+    let setting = Setting::new("", scene, Camera::CANONICAL).unwrap().with_image(20, 20);
+    let [plain, tree] = rivals(&setting);
+    assert_eq!(plain.object, tree.object);
+    assert!(tree.object.contains(&0), "of equals the first listed");
+}
+
+#[test]
+fn stores_store_every_pixel() {
+    let image = ImageSize::new(37, 5).unwrap();
+    for mut stores in [Stores::again(image, Level::new()), Stores::to_memory(image, Level::new())] {
+        for frame in 1..4 {
+            stores.run();
+            let last = stores.last();
+            assert_eq!(last.t, vec![frame as f32; 37 * 5]);
+            assert_eq!(last.object, vec![frame; 37 * 5]);
+        }
+    }
+}
+
+#[test]
+fn a_contest_says_who_took_part_and_why_others_did_not() {
+    let limits = Limits { share: Duration::from_millis(1), most: 3, ..Limits::default() };
+    let names = |count: usize, limits: &Limits| {
+        let setting = scenes::spheres_at(count, 0.6, 1.0).with_image(40, 30);
+        let outcome = contest::run(&setting, &Method::ALL, limits);
+        assert_eq!(outcome.frame.object.len(), 1200);
+        assert!(outcome.rows.iter().all(|row| row.times.count > 0 && row.times.min > 0.0));
+        let of = |methods: Vec<Method>| methods.into_iter().map(Method::name).collect::<Vec<_>>();
+        let left_out = outcome.left_out.iter().map(|(method, _)| *method).collect();
+        (of(outcome.rows.iter().map(|row| row.method).collect()), of(left_out))
+    };
+    let (took_part, left_out) = names(10, &limits);
+    assert!(took_part.contains(&"textbook") && left_out.contains(&"textbook-bvh"));
+    let (took_part, left_out) = names(1000, &limits);
+    assert!(took_part.contains(&"textbook-bvh") && left_out.contains(&"textbook"));
+    let (took_part, _) = names(100, &limits);
+    assert!(took_part.contains(&"textbook-bvh") && took_part.contains(&"textbook"));
+    let (_, left_out) = names(100, &Limits { patience: Duration::ZERO, ..limits });
+    assert!(left_out.contains(&"textbook-bvh") && left_out.contains(&"textbook"));
+}
+
+#[test]
+fn a_wrong_pixel_is_found() {
+    let setting = scenes::spheres_at(3, 0.6, 1.0).with_image(64, 36);
+    let frame = ladder(&setting);
+    assert_eq!(check::sample(&setting.scene, &frame, 500, 1), Ok(()));
+    let hit = |t: f32| t.is_finite();
+    let change = |change: &dyn Fn(&mut Frame<f32>, usize)| {
+        let mut frame = frame.clone();
+        (0..frame.t.len())
+            .filter(|k| hit(frame.t[*k]))
+            .collect::<Vec<_>>()
+            .into_iter()
+            .for_each(|k| change(&mut frame, k));
+        check::sample(&setting.scene, &frame, 100, 1)
+    };
+    assert_eq!(change(&|frame, k| frame.t[k] = frame.t[k].next_up().next_down()), Ok(()));
+    assert!(change(&|frame, k| frame.t[k] = frame.t[k].next_up().next_up()).is_err());
+    assert!(change(&|frame, k| frame.object[k] ^= 1).is_err());
+    assert!(change(&|frame, k| frame.t[k] = f32::NAN).is_err());
+}

@@ -1,0 +1,134 @@
+//! The rival that every course writes first: for each pixel a ray, for each ray all objects, for each
+//! sphere the quadratic and its two roots; in `f32`, rows in parallel.
+
+use glam::Vec3;
+use pinhole_core::{NO_OBJECT, PosedCamera, Scene};
+use rayon::prelude::*;
+
+use crate::frames::{Buffers, Rays, single};
+
+/// A scene as the textbook keeps it.
+#[derive(Clone, Debug)]
+pub struct TextbookScene {
+    pub(crate) balls: Vec<Ball>,
+    pub(crate) flats: Vec<Flat>,
+}
+
+/// A sphere in `f32`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ball {
+    pub(crate) center: Vec3,
+    pub(crate) radius: f32,
+}
+
+/// A plane in `f32`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Flat {
+    point: Vec3,
+    normal: Vec3,
+}
+
+/// The nearest hit so far.
+#[derive(Clone, Copy)]
+pub(crate) struct Nearest {
+    pub(crate) t: f32,
+    pub(crate) object: u32,
+}
+
+impl Nearest {
+    pub(crate) const NONE: Nearest = Nearest { t: f32::INFINITY, object: NO_OBJECT };
+}
+
+impl TextbookScene {
+    /// Rounds a scene.
+    pub fn new(scene: &Scene) -> TextbookScene {
+        let ball = |sphere: &pinhole_core::Sphere| Ball {
+            center: single(sphere.center),
+            radius: sphere.radius as f32,
+        };
+        let flat = |plane: &pinhole_core::Plane| Flat {
+            point: single(plane.point),
+            normal: single(plane.normal),
+        };
+        TextbookScene {
+            balls: scene.spheres().iter().map(ball).collect(),
+            flats: scene.planes().iter().map(flat).collect(),
+        }
+    }
+
+    /// Traces a frame.
+    pub fn trace(&self, camera: &PosedCamera, buffers: &mut Buffers) {
+        let rays = Rays::of(camera);
+        each_pixel(buffers, |row, column| {
+            let direction = rays.direction(row, column);
+            let mut nearest = Nearest::NONE;
+            for (object, ball) in (0..).zip(&self.balls) {
+                if let Some(t) = ball.first_root(rays.eye, direction)
+                    && t < nearest.t
+                {
+                    nearest = Nearest { t, object };
+                }
+            }
+            nearest_flat(&self.flats, self.balls.len(), rays.eye, direction, nearest)
+        });
+    }
+}
+
+/// Fills the buffers, rows in parallel.
+pub(crate) fn each_pixel(buffers: &mut Buffers, hit: impl Fn(usize, usize) -> Nearest + Sync) {
+    let Buffers { width, t, object } = buffers;
+    let rows = t.par_chunks_mut(*width).zip(object.par_chunks_mut(*width)).enumerate();
+    rows.for_each(|(row, (t, object))| {
+        for (column, (t, object)) in t.iter_mut().zip(object).enumerate() {
+            let nearest = hit(row, column);
+            (*t, *object) = (nearest.t, nearest.object);
+        }
+    });
+}
+
+/// The nearest of what is known and the planes, whose first is object `first`.
+#[inline]
+pub(crate) fn nearest_flat(
+    flats: &[Flat],
+    first: usize,
+    origin: Vec3,
+    direction: Vec3,
+    mut nearest: Nearest,
+) -> Nearest {
+    for (object, flat) in (first as u32..).zip(flats) {
+        let t = flat.normal.dot(flat.point - origin) / flat.normal.dot(direction);
+        // A ray along the plane gives an infinite t or none, and neither is nearer.
+        if t > 0.0 && t < nearest.t {
+            nearest = Nearest { t, object };
+        }
+    }
+    nearest
+}
+
+impl Ball {
+    /// The smallest positive root of `a t^2 + b t + c = 0`:
+    ///
+    /// ```text
+    /// a = d.d    b = 2 oc.d    c = oc.oc - r^2    t = (-b -+ sqrt(b^2 - 4ac)) / 2a
+    /// ```
+    ///
+    /// Glassner (ed.), An Introduction to Ray Tracing (1989), section 2.1.
+    #[inline]
+    pub(crate) fn first_root(&self, origin: Vec3, direction: Vec3) -> Option<f32> {
+        let from_center = origin - self.center;
+        let a = direction.dot(direction);
+        let b = 2.0 * from_center.dot(direction);
+        let c = from_center.dot(from_center) - self.radius * self.radius;
+        let discriminant = b * b - 4.0 * a * c;
+        if discriminant < 0.0 {
+            return None;
+        }
+        let root = discriminant.sqrt();
+        let near = (-b - root) / (2.0 * a);
+        if near > 0.0 {
+            return Some(near);
+        }
+        let far = (-b + root) / (2.0 * a);
+        (far > 0.0).then_some(far)
+    }
+}
