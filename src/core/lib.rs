@@ -130,7 +130,9 @@ mod basis;
 mod big_conic;
 mod big_ray;
 mod bounds;
+mod boxes;
 mod camera;
+mod checks;
 mod conic;
 mod depth;
 mod double_double;
@@ -165,7 +167,10 @@ mod scene;
 mod seen;
 mod shade;
 mod sphere;
+mod sphere_index;
+mod sphere_order;
 mod sphere_seen;
+mod spheres;
 mod steps;
 mod surd;
 mod terms;
@@ -176,10 +181,15 @@ mod viewport;
 #[path = "tests/unit/arithmetic.rs"]
 mod arithmetic_tests;
 
+#[cfg(test)]
+#[path = "tests/unit/sphere_index.rs"]
+mod sphere_index_tests;
+
 pub use fearless_simd::Level;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
+pub use checks::{ObjectError, SceneError};
 pub use depth::Depth;
 pub use double_double::DoubleDouble;
 pub use exact_ray::ExactRay;
@@ -193,7 +203,7 @@ pub use plane::{Plane, PlaneTerms};
 pub use posed::{PixelOfUv, PosedCamera, Projection};
 pub use ray::{Ray, RayError};
 pub use roots::Roots;
-pub use scene::{Object, ObjectError, Root, Scene, SceneError};
+pub use scene::{Object, Root, Scene};
 pub use shade::{BACKGROUND, Rgb, Shade, shade, shade_pixel};
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
