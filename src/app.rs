@@ -157,6 +157,8 @@ impl App {
                 self.apply(&ctx, action);
             }
             let sizes = views::sizes(ui, &places);
+            // Whose spheres are then changed in place, not copied.
+            self.derived.scene = None;
             self.derived = self.deriver.derive(&self.open.document, &self.session, &sizes);
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(&self.open.source);

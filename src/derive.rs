@@ -2,26 +2,27 @@
 //! idle window does no work and one drag does only what it changes.
 
 mod memo;
+mod objects;
 mod picture;
 
-use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
 use pinhole_core::methods::Method;
 use pinhole_core::{
-    Camera, CameraError, DVec3, Frame, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, SceneError,
-    Shade, Sphere, Steps, UpAngle, shade, trace_as,
+    Camera, CameraError, DVec3, Frame, Outputs, PosedCamera, Raster, Rgb, Scene, SceneError, Shade,
+    Steps, UpAngle, shade, trace_as,
 };
 
 use self::memo::Memo;
+use self::objects::{Enclosing, GoodWorld, Objects};
 pub use self::picture::Compared;
 use self::picture::{GoodPicture, Pictures};
 use crate::accuracy;
-use crate::document::{CsvSpheres, Document, Item};
+use crate::document::Document;
 use crate::inspection::Inspection;
-use crate::observer::{Observer, enclosing, seen_scene};
+use crate::observer::{Observer, enclosing};
 use crate::overlay::{self, CameraView, Label, OverlayItems, Picture, Style, WorldView};
 use crate::session::{Selection, Session};
 
@@ -102,48 +103,18 @@ pub struct Shown {
 /// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
 #[derive(Debug, Default)]
 pub struct Deriver {
-    objects: Option<Objects>,
+    objects: Objects,
     pictures: Pictures,
     camera_view: Memo<CameraViewKey, Shown>,
     error_map: Memo<(Method, CameraViewKey), Shown>,
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
-    seen_scene: Memo<(u64, Enclosing), Arc<Scene>>,
-    world_picture: Memo<(PosedCamera, u64, Enclosing), Arc<WorldPicture>>,
+    world_frame: Memo<(PosedCamera, u64, Enclosing), Arc<Frame<f32>>>,
+    world_picture: Memo<(PosedCamera, u64, Enclosing, u64), Arc<WorldPicture>>,
     world_view: Memo<WorldViewKey, Shown>,
-    last_good: LastGood,
+    /// What the camera saw before the document got a fault.
+    last_good: Option<GoodPicture>,
     /// How many pictures of the observer were traced.
     world_pictures: u64,
-}
-
-/// The scene of the document's objects, remade when one of them changes.
-#[derive(Debug)]
-struct Objects {
-    spheres: Vec<Item<Sphere>>,
-    csv_spheres: Option<CsvSpheres>,
-    planes: Vec<Item<Plane>>,
-    scene: Result<Arc<Scene>, SceneError>,
-    colors: Arc<Vec<Rgb>>,
-    generation: u64,
-}
-
-impl Objects {
-    fn of(document: &Document, generation: u64) -> Objects {
-        let colors = (0..document.object_count() as u32).map(|i| document.color_of(i)).collect();
-        Objects {
-            spheres: document.spheres.clone(),
-            csv_spheres: document.csv_spheres.clone(),
-            planes: document.planes.clone(),
-            scene: document.scene().map(Arc::new),
-            colors: Arc::new(colors),
-            generation,
-        }
-    }
-
-    fn are_those_of(&self, document: &Document) -> bool {
-        self.spheres == document.spheres
-            && self.csv_spheres == document.csv_spheres
-            && self.planes == document.planes
-    }
 }
 
 #[derive(Debug, PartialEq)]
@@ -156,9 +127,6 @@ struct CameraViewKey {
     scale: f32,
     style: Style,
 }
-
-/// Indices of the spheres that would hide the camera from the observer.
-type Enclosing = Arc<Vec<u32>>;
 
 /// The scene as the observer sees it, before anything is drawn over it.
 #[derive(Debug)]
@@ -175,36 +143,25 @@ struct WorldViewKey {
     size: [u32; 2],
     picture: Option<u64>,
     generation: u64,
+    palette: u64,
     selection: Selection,
     items: OverlayItems,
     scale: f32,
     style: Style,
 }
 
-/// What is shown while the document has a fault: the last that had none.
-#[derive(Debug, Default)]
-struct LastGood {
-    world: Option<GoodWorld>,
-    picture: Option<GoodPicture>,
-}
-
-/// The objects of a document, all of which are some.
-#[derive(Clone, Debug)]
-struct GoodWorld {
-    scene: Arc<Scene>,
-    colors: Arc<Vec<Rgb>>,
-    generation: u64,
-}
-
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.made() + self.world_pictures
+        self.pictures.traced() + self.world_pictures
     }
 
     /// Everything to show of this document.
+    ///
+    /// Who keeps the last one's [`Derived::scene`] has it as it was, at the price of a copy where an
+    /// object changed.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
-        let world = self.world_of(document);
+        let world = self.objects.update(document).map(|()| self.objects.good().cloned());
         let posed = document.camera.posed();
         let fault = match (&posed, &world) {
             (Err(e), _) => Some(Fault::Camera(*e)),
@@ -214,37 +171,23 @@ impl Deriver {
         let mut derived = Derived {
             posed: posed.ok(),
             up_angle: document.camera.up_angle().ok(),
-            scene: world.as_ref().ok().map(|world| Arc::clone(&world.scene)),
+            scene: world.as_ref().ok().and_then(|world| Some(Arc::clone(&world.as_ref()?.scene))),
             fault,
             ..Derived::default()
         };
-        if let (Some(posed), Ok(world)) = (derived.posed, &world) {
+        if let (Some(posed), Ok(Some(world))) = (derived.posed, &world) {
             let good = self.pictures.of(posed, world, session, sizes);
             derived.inspection = Some(Arc::clone(&good.inspection));
-            self.last_good.picture = Some(good);
-        }
-        if let Ok(world) = world {
-            self.last_good.world = Some(world);
+            self.last_good = Some(good);
         }
         self.camera_views(&mut derived, session, sizes);
         self.world_view(&mut derived, document, session, sizes);
         derived
     }
 
-    /// The document's objects, made anew only where one of them has changed.
-    fn world_of(&mut self, document: &Document) -> Result<GoodWorld, SceneError> {
-        let objects = match self.objects.take() {
-            Some(known) if known.are_those_of(document) => known,
-            known => Objects::of(document, known.map_or(0, |known| known.generation + 1)),
-        };
-        let objects = self.objects.insert(objects);
-        let (colors, generation) = (Arc::clone(&objects.colors), objects.generation);
-        objects.scene.clone().map(|scene| GoodWorld { scene, colors, generation })
-    }
-
     /// The camera's picture and, next to it, the error map.
     fn camera_views(&mut self, derived: &mut Derived, session: &Session, sizes: &ViewSizes) {
-        let Some(good) = self.last_good.picture.clone() else { return };
+        let Some(good) = self.last_good.clone() else { return };
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
             posed: good.posed,
@@ -297,22 +240,22 @@ impl Deriver {
         sizes: &ViewSizes,
     ) {
         let (Some(size), Some(good), Some(observer)) =
-            (sizes.world, self.last_good.world.clone(), session.observer)
+            (sizes.world, self.objects.good().cloned(), session.observer)
         else {
             return;
         };
-        let GoodWorld { scene, colors, generation } = good.clone();
         let Ok(observer_camera) = observer.camera(size[0], size[1]).posed() else { return };
-        let color_of = |i: u32| colors.get(i as usize).copied().unwrap_or_default();
+        let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
-        let world = self.world_picture(&good, eye, observer_camera, color_of);
-        let seen = self.last_good.picture.as_ref().filter(|_| derived.fault.is_none());
+        let Some(world) = self.world_picture(&good, eye, observer_camera, color_of) else { return };
+        let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
         let key = WorldViewKey {
             camera: document.camera,
             observer,
             size,
             picture: seen.map(|_| self.pictures.made()),
-            generation,
+            generation: good.generation,
+            palette: good.palette,
             selection: session.selection,
             items: session.settings.items,
             scale: sizes.scale,
@@ -326,7 +269,7 @@ impl Deriver {
                 posed: posed.as_ref(),
                 picture: seen.map(|seen| &*seen.picture),
                 inspection,
-                scene: &scene,
+                scene: &good.scene,
                 enclosing: &world.enclosing,
                 color_of: &color_of,
                 observer: &observer,
@@ -348,26 +291,26 @@ impl Deriver {
         eye: DVec3,
         observer: PosedCamera,
         color_of: impl Fn(u32) -> Rgb + Sync,
-    ) -> Arc<WorldPicture> {
-        let GoodWorld { scene, generation, .. } = good;
+    ) -> Option<Arc<WorldPicture>> {
+        let GoodWorld { scene, generation, palette, .. } = good;
         let enclosing = self.enclosing.get((*generation, eye, observer.eye()), |_| {
             Arc::new(enclosing(scene, eye, observer.eye()))
         });
-        let seen =
-            self.seen_scene.get((*generation, Arc::clone(&enclosing)), |_| {
-                match seen_scene(scene, &enclosing) {
-                    Cow::Borrowed(_) => Arc::clone(scene),
-                    Cow::Owned(seen) => Arc::new(seen),
-                }
-            });
+        let seen = self.objects.seen(&enclosing)?;
         let world_pictures = &mut self.world_pictures;
-        self.world_picture.get((observer, *generation, enclosing), |(.., enclosing)| {
+        let key = (observer, *generation, enclosing);
+        let frame = self.world_frame.get(key.clone(), |_| {
             *world_pictures += 1;
             let raster = Raster::full(observer.image());
-            let frame = Arc::new(trace_as::<f32>(&seen, &observer, &raster, Outputs::default()));
+            Arc::new(trace_as::<f32>(&seen, &observer, &raster, Outputs::default()))
+        });
+        let (_, generation, enclosing) = key;
+        let key = (observer, generation, enclosing, *palette);
+        Some(self.world_picture.get(key, |(.., enclosing, _)| {
             let pixels = shade(&frame, &seen, Shade::Lambert, color_of, opaque);
-            Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(enclosing) })
-        })
+            let (frame, enclosing) = (Arc::clone(&frame), Arc::clone(enclosing));
+            Arc::new(WorldPicture { frame, pixels, enclosing })
+        }))
     }
 }
 

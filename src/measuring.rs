@@ -1,7 +1,7 @@
 //! Measuring error against run time for the scene at hand, a slice a frame, so that the window never
 //! stalls. This is where the window meets the clock; what is derived stays pure.
 
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 use std::time::Duration;
 
 use egui::Context;
@@ -21,7 +21,8 @@ const BETWEEN: f64 = 0.3;
 /// What is being measured, and what was.
 #[derive(Default)]
 pub(crate) struct Measuring {
-    subject: Option<(Camera, Arc<Scene>)>,
+    /// The scene is told by its place, and not held: who holds one makes its next change a copy.
+    subject: Option<(Camera, Weak<Scene>)>,
     /// When the subject was first seen, in the context's seconds.
     since: f64,
     run: Option<Run>,
@@ -40,8 +41,9 @@ impl Measuring {
         let (Some(scene), None) = (&derived.scene, derived.fault) else { return };
         let now = ctx.input(|input| input.time);
         let subject = self.subject.as_ref();
-        if subject.is_none_or(|(known, of)| known != camera || !Arc::ptr_eq(of, scene)) {
-            self.subject = Some((*camera, Arc::clone(scene)));
+        let place = Arc::as_ptr(scene);
+        if subject.is_none_or(|(known, of)| known != camera || of.as_ptr() != place) {
+            self.subject = Some((*camera, Arc::downgrade(scene)));
             (self.since, self.run, self.is_done, self.is_current) = (now, None, false, false);
         }
         if self.is_done {

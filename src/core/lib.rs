@@ -130,8 +130,10 @@ mod basis;
 mod big_conic;
 mod big_ray;
 mod bounds;
+mod boxes;
 mod camera;
 mod camera_space;
+mod checks;
 mod conic;
 mod counts;
 mod depth;
@@ -172,7 +174,10 @@ mod single_lanes;
 mod span;
 mod span_kernel;
 mod sphere;
+mod sphere_index;
+mod sphere_order;
 mod sphere_seen;
+mod spheres;
 mod steps;
 mod surd;
 mod terms;
@@ -183,10 +188,15 @@ mod viewport;
 #[path = "tests/unit/arithmetic.rs"]
 mod arithmetic_tests;
 
+#[cfg(test)]
+#[path = "tests/unit/sphere_index.rs"]
+mod sphere_index_tests;
+
 pub use fearless_simd::Level;
 
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
+pub use checks::{ObjectError, SceneError};
 pub use counts::Counts;
 pub use depth::Depth;
 pub use double_double::DoubleDouble;
@@ -201,7 +211,7 @@ pub use plane::{Plane, PlaneTerms};
 pub use posed::{PixelOfUv, PosedCamera, Projection};
 pub use ray::{Ray, RayError};
 pub use roots::Roots;
-pub use scene::{Object, ObjectError, Root, Scene, SceneError};
+pub use scene::{Object, Root, Scene};
 pub use shade::{BACKGROUND, Rgb, Shade, shade, shade_pixel};
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};

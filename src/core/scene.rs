@@ -1,23 +1,28 @@
 //! A scene: spheres, then planes, and what a ray meets of them.
 
-use std::fmt;
+use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::checks::{ObjectError, SceneError};
 use crate::exact_ray::ExactRay;
-use crate::number::{shortest, triple};
 use crate::plane::Plane;
 use crate::ray::Ray;
 use crate::roots::Roots;
 use crate::seen::{Hit, ObjectSeen};
 use crate::sphere::Sphere;
+use crate::sphere_index::SphereIndex;
 use crate::sphere_seen::{End, SphereSeen};
+use crate::spheres::Spheres;
 use crate::steps::{Step, Steps};
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
+///
+/// Of many spheres, the first frame makes an index, which is kept. Clones share spheres and index: a
+/// clone costs no more than its planes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
-    spheres: Vec<Sphere>,
+    spheres: Arc<Spheres>,
     planes: Vec<Plane>,
 }
 
@@ -43,144 +48,6 @@ pub struct Root {
     pub normal: DVec3,
 }
 
-/// What is wrong with one object.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ObjectError {
-    /// A coordinate of `center`, `point` or `normal` is NaN or infinite.
-    NotFinite {
-        /// The field's name.
-        field: &'static str,
-        /// The value.
-        value: DVec3,
-    },
-    /// A radius that is not a positive, finite number.
-    Radius {
-        /// The value.
-        value: f64,
-    },
-    /// A plane's normal is `(0, 0, 0)`.
-    NormalIsZero,
-}
-
-/// Which object of a scene is at fault, and why.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum SceneError {
-    /// A sphere.
-    Sphere {
-        /// Its index among all objects: spheres first.
-        index: usize,
-        /// What is wrong with it.
-        error: ObjectError,
-    },
-    /// A plane.
-    Plane {
-        /// Its index among all objects: spheres first.
-        index: usize,
-        /// What is wrong with it.
-        error: ObjectError,
-    },
-}
-
-impl fmt::Display for ObjectError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ObjectError::NotFinite { field, value } => {
-                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
-            }
-            ObjectError::Radius { value } => {
-                write!(f, "radius is {}: it must be finite and greater than 0", shortest(*value))
-            }
-            ObjectError::NormalIsZero => write!(f, "normal is (0, 0, 0): it must point somewhere"),
-        }
-    }
-}
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            SceneError::Sphere { index, error } => write!(f, "sphere {index}: {error}"),
-            SceneError::Plane { index, error } => write!(f, "plane {index}: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for ObjectError {}
-impl std::error::Error for SceneError {}
-
-impl Sphere {
-    /// A checked sphere, from whatever makes a [`DVec3`].
-    ///
-    /// # Errors
-    /// Where the centre is not finite or the radius not positive and finite.
-    ///
-    /// ```
-    /// use pinhole_core::*;
-    /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
-    /// let (center, radius) = ([0.5_f32, 0.0, -5.0], 1.5_f32);
-    /// let of_f32 = Sphere::new(center.map(f64::from), f64::from(radius))?;
-    /// assert_eq!(of_f32.center.x, 0.5);
-    /// assert_eq!(Sphere::new([0.0; 3], -1.0), Err(ObjectError::Radius { value: -1.0 }));
-    /// # assert_eq!(ball.radius, 1.0);
-    /// # Ok::<(), ObjectError>(())
-    /// ```
-    pub fn new(center: impl Into<DVec3>, radius: f64) -> Result<Sphere, ObjectError> {
-        let sphere = Sphere { center: center.into(), radius };
-        sphere.check().map(|()| sphere)
-    }
-
-    /// Checks that the centre is finite and the radius positive and finite.
-    ///
-    /// # Errors
-    /// What is wrong.
-    pub fn check(&self) -> Result<(), ObjectError> {
-        if !self.center.is_finite() {
-            return Err(ObjectError::NotFinite { field: "center", value: self.center });
-        }
-        if !(self.radius.is_finite() && self.radius > 0.0) {
-            return Err(ObjectError::Radius { value: self.radius });
-        }
-        Ok(())
-    }
-}
-
-impl Plane {
-    /// A checked plane through a point, at right angles to a normal of any length, from whatever
-    /// makes a [`DVec3`].
-    ///
-    /// # Errors
-    /// Where a coordinate is not finite or the normal is zero.
-    ///
-    /// ```
-    /// use pinhole_core::*;
-    /// let wall = Plane::new([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])?;
-    /// let normal = [0.0_f32, 0.0, 0.1];
-    /// let of_f32 = Plane::new([0.0, 0.0, -6.0], normal.map(f64::from))?;
-    /// assert!(of_f32.is_same(&wall));
-    /// assert_eq!(Plane::new([0.0; 3], [0.0; 3]), Err(ObjectError::NormalIsZero));
-    /// # Ok::<(), ObjectError>(())
-    /// ```
-    pub fn new(point: impl Into<DVec3>, normal: impl Into<DVec3>) -> Result<Plane, ObjectError> {
-        let plane = Plane { point: point.into(), normal: normal.into() };
-        plane.check().map(|()| plane)
-    }
-
-    /// Checks that point and normal are finite and the normal is not zero.
-    ///
-    /// # Errors
-    /// What is wrong.
-    pub fn check(&self) -> Result<(), ObjectError> {
-        for (field, value) in [("point", self.point), ("normal", self.normal)] {
-            if !value.is_finite() {
-                return Err(ObjectError::NotFinite { field, value });
-            }
-        }
-        if self.normal == DVec3::ZERO {
-            return Err(ObjectError::NormalIsZero);
-        }
-        Ok(())
-    }
-}
-
 impl Scene {
     /// A scene of these objects.
     ///
@@ -195,12 +62,81 @@ impl Scene {
             let index = spheres.len() + index;
             plane.check().map_err(|error| SceneError::Plane { index, error })?;
         }
-        Ok(Scene { spheres, planes })
+        Ok(Scene { spheres: Arc::new(Spheres::new(spheres)), planes })
+    }
+
+    /// The same spheres without any plane. They are shared, not copied.
+    #[must_use]
+    pub fn without_planes(&self) -> Scene {
+        Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
+    }
+
+    /// Puts another sphere in the place of the one with this index.
+    ///
+    /// This costs about a microsecond, and no more for many spheres: an index that was made of them
+    /// is kept and updated. But where clones of this scene are alive, all its spheres and their
+    /// index are copied first (80 bytes a sphere), so that the clones stay what they are.
+    ///
+    /// # Errors
+    /// Where the new one is no sphere, or the index is no sphere's; nothing has changed then.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
+    /// let mut scene = Scene::new(vec![ball], vec![])?;
+    /// scene.replace_sphere(0, Sphere { radius: 2.0, ..ball })?;
+    /// assert_eq!(scene.first_hit(&Ray::new([0.0; 3], [0.0, 0.0, -1.0])?).unwrap().t, 3.0);
+    /// assert_eq!(scene.replace_sphere(1, ball), Err(SceneError::NoSphere { index: 1 }));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn replace_sphere(&mut self, index: u32, sphere: Sphere) -> Result<(), SceneError> {
+        let place = index as usize;
+        if place >= self.spheres.list().len() {
+            return Err(SceneError::NoSphere { index: place });
+        }
+        sphere.check().map_err(|error| SceneError::Sphere { index: place, error })?;
+        Arc::make_mut(&mut self.spheres).replace(index, sphere);
+        Ok(())
+    }
+
+    /// Puts another plane in the place of the one with this index, which counts the spheres before
+    /// it. This costs nothing.
+    ///
+    /// # Errors
+    /// Where the new one is no plane, or the index is no plane's; nothing has changed then.
+    pub fn replace_plane(&mut self, index: u32, plane: Plane) -> Result<(), SceneError> {
+        let index = index as usize;
+        let place = index.checked_sub(self.spheres().len());
+        let known = place.and_then(|place| self.planes.get_mut(place));
+        let known = known.ok_or(SceneError::NoPlane { index })?;
+        plane.check().map_err(|error| SceneError::Plane { index, error })?;
+        *known = plane;
+        Ok(())
     }
 
     /// The spheres, objects 0, 1, ...
     pub fn spheres(&self) -> &[Sphere] {
-        &self.spheres
+        self.spheres.list()
+    }
+
+    /// The index over the spheres; `None` where there are fewer than
+    /// [`INDEX_FROM`](crate::spheres::INDEX_FROM). The first call makes it, in parallel, and must not
+    /// come from within parallel work: a thread that helps out while it waits would come back here.
+    pub(crate) fn index(&self) -> Option<&SphereIndex> {
+        self.spheres.index()
+    }
+
+    /// The spheres that a point lies strictly inside of, ascending; decided exactly. Of many spheres,
+    /// only those near the point are looked at.
+    pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
+        let spheres = self.spheres();
+        let is_around = |index: &u32| spheres[*index as usize].implicit(point) < 0.0;
+        let Some(index) = self.index() else {
+            return (0..spheres.len() as u32).filter(is_around).collect();
+        };
+        let mut around: Vec<u32> = index.boxed_around(point.to_array()).filter(is_around).collect();
+        around.sort_unstable();
+        around
     }
 
     /// The planes, the objects after the spheres.
@@ -210,7 +146,7 @@ impl Scene {
 
     /// How many objects there are.
     pub fn len(&self) -> usize {
-        self.spheres.len() + self.planes.len()
+        self.spheres().len() + self.planes.len()
     }
 
     /// Whether there is no object.
@@ -221,15 +157,15 @@ impl Scene {
     /// The object of this index, if there is one.
     pub fn object(&self, index: u32) -> Option<Object> {
         let index = index as usize;
-        match self.spheres.get(index) {
+        match self.spheres().get(index) {
             Some(sphere) => Some(Object::Sphere(*sphere)),
-            None => self.planes.get(index - self.spheres.len()).copied().map(Object::Plane),
+            None => self.planes.get(index - self.spheres().len()).copied().map(Object::Plane),
         }
     }
 
     /// All objects, spheres first.
     pub fn objects(&self) -> impl Iterator<Item = Object> + '_ {
-        let spheres = self.spheres.iter().copied().map(Object::Sphere);
+        let spheres = self.spheres().iter().copied().map(Object::Sphere);
         spheres.chain(self.planes.iter().copied().map(Object::Plane))
     }
 

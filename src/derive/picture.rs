@@ -46,23 +46,35 @@ pub(super) struct GoodPicture {
 /// What is seen from where: a camera, the generation of the objects, and the pixels.
 type Seen = (PosedCamera, u64, Raster);
 
+/// What colours a picture has: by which method, of what, in which mode, and the palette's number.
+type PictureKey = (Method, Seen, Shade, u64);
+
 /// Remembers what the camera saw.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<Seen, Arc<Frame>>,
+    /// For the colours alone, which need fewer digits of t.
+    rough: Memo<Seen, Arc<Frame<f32>>>,
     /// By the picture's method, and by the map's where that is another one.
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
-    picture: Memo<(Method, Seen, Shade), (Arc<Picture>, Steps)>,
+    picture: Memo<PictureKey, (Arc<Picture>, Steps)>,
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     /// How many pictures were made, which tells one from the next.
     made: u64,
+    /// How many were traced for that.
+    traced: u64,
 }
 
 impl Pictures {
     /// How many pictures were made so far.
     pub(super) fn made(&self) -> u64 {
         self.made
+    }
+
+    /// How many times the camera's view was traced so far.
+    pub(super) fn traced(&self) -> u64 {
+        self.traced
     }
 
     /// What the camera sees, of which no more is traced than the screen shows.
@@ -88,7 +100,9 @@ impl Pictures {
         let (method, other) = (settings.method.0, settings.compared.0);
         // Only a comparison needs all digits of t.
         let truth = (method != Method::Ladder || sizes.map.is_some()).then(|| {
+            let traced = &mut self.traced;
             self.truth.get(seen.clone(), |(.., raster)| {
+                *traced += 1;
                 Arc::new(trace(scene, &posed, raster, Outputs::default()))
             })
         });
@@ -98,16 +112,19 @@ impl Pictures {
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = sizes.map.and_then(|_| compare(usize::from(other != method), other));
-        let (mode, made) = (Shade::from(settings.shade), &mut self.made);
-        let (picture, steps) = self.picture.get((method, seen.clone(), mode), |(_, seen, _)| {
+        let mode = Shade::from(settings.shade);
+        let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
+        let key = (method, seen.clone(), mode, world.palette);
+        let (picture, steps) = self.picture.get(key, |(_, seen, ..)| {
             *made += 1;
-            match (&drawn_by, &truth) {
-                (Some(by), Some(truth)) => (painted(&by.frame, world, mode), truth.steps),
-                _ => {
-                    let frame = trace_as::<f32>(scene, &posed, &seen.2, Outputs::default());
-                    (painted(&frame, world, mode), frame.steps)
-                }
+            if let (Some(by), Some(truth)) = (&drawn_by, &truth) {
+                return (painted(&by.frame, world, mode), truth.steps);
             }
+            let frame = rough.get(seen.clone(), |(.., raster)| {
+                *traced += 1;
+                Arc::new(trace_as::<f32>(scene, &posed, raster, Outputs::default()))
+            });
+            (painted(&frame, world, mode), frame.steps)
         });
         let compared = compared.map(|compared| {
             let map = self.map.get((other, seen), |(_, (.., raster))| {

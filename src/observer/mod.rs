@@ -7,7 +7,7 @@ mod seen;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Scene, Viewport, extent_of_fov};
 use serde::{Deserialize, Serialize};
 
-pub use seen::{enclosing, seen_scene};
+pub use seen::{enclosing, hidden, seen_scene};
 
 /// Where the observer stands, as an orbit around a target: world y is up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

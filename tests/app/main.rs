@@ -7,6 +7,7 @@ mod accuracy;
 mod edits;
 mod faults;
 mod harness;
+mod objects;
 mod scene_files;
 mod selection;
 mod snapshots;
