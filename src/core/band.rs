@@ -6,17 +6,20 @@ use std::ops::Range;
 use fearless_simd::{Simd, dispatch};
 
 use crate::conic::{Conic, Patch};
+use crate::counts::Counts;
+use crate::crowd_draw::{CrowdDrawn, draw_crowd};
 use crate::depth::Depth;
 use crate::double_double::DoubleDouble;
+use crate::extent::Extent;
 use crate::frame::NO_OBJECT;
 use crate::kernel::DOUBT;
 use crate::lanes::Lanes;
 use crate::object_kernel::{FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor};
-use crate::plan::Plan;
+use crate::plan::{Plan, SLICE_ROWS};
 use crate::precise::Precise;
 use crate::scene::Object;
 use crate::seen::{Hit, ObjectSeen};
-use crate::span::{Doubt, Span, SpanTarget};
+use crate::span::{Doubt, SpanTarget};
 use crate::sphere_seen::SphereSeen;
 use crate::steps::Steps;
 use crate::terms::{Quadratic, SphereParts};
@@ -32,6 +35,7 @@ pub(crate) struct Band<'a, T> {
     t: &'a mut [T],
     object: &'a mut [u32],
     steps: Steps,
+    counts: Counts,
     /// Columns from the middle of the patch at hand.
     m: Vec<f64>,
     /// The kernels' answers for one row.
@@ -54,31 +58,56 @@ impl<'a, T: Depth> Band<'a, T> {
         t.fill(T::NONE);
         object.fill(NO_OBJECT);
         let (m, found) = (Vec::new(), Vec::new());
-        Band { plan, rows, t, object, steps: Steps::default(), m, found }
+        Band { plan, rows, t, object, steps: Steps::default(), counts: Counts::default(), m, found }
     }
 
     /// Adds all objects, and tells how their decisions were made.
-    pub(crate) fn traced(mut self) -> Steps {
+    pub(crate) fn traced(mut self) -> (Steps, Counts) {
         let plan = self.plan;
-        let doubts = self.add_spans();
-        for (index, rows, columns) in plan.seen_by(self.rows.clone()) {
-            self.add_sphere(index, rows, columns);
+        let (doubts, others) = self.add_spans();
+        for index in others {
+            if let Some(extent) = plan.extents.of(&plan.scene.spheres()[index as usize]) {
+                self.add_in_slices(index, &extent);
+            }
         }
-        for (plane, seen) in plan.planes.iter().enumerate() {
-            if let Some(seen) = seen {
-                self.add_plane(plane, seen);
+        for slice in self.slices() {
+            for (index, extent) in plan.others(slice.start / SLICE_ROWS) {
+                let rows = within(&extent.rows(), &slice);
+                self.add_sphere(index, rows, extent.columns());
+            }
+            for (plane, seen) in plan.planes.iter().enumerate() {
+                if let Some(seen) = seen {
+                    self.add_plane(plane, seen, slice.clone());
+                }
             }
         }
         for doubt in doubts {
             self.settle_doubt(&doubt);
         }
-        self.steps
+        (self.steps, self.counts)
     }
 
-    /// Adds the spheres that are drawn by rows, and gives the pixels that they could not decide.
-    fn add_spans(&mut self) -> Vec<Doubt> {
+    /// The slices of rows that it consists of.
+    fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<T> {
+        let Range { start, end } = self.rows;
+        (start..end).step_by(SLICE_ROWS).map(move |from| from..end.min(from + SLICE_ROWS))
+    }
+
+    fn add_in_slices(&mut self, index: u32, extent: &Extent) {
+        for slice in self.slices() {
+            let rows = within(&extent.rows(), &slice);
+            if !rows.is_empty() {
+                self.add_sphere(index, rows, extent.columns());
+            }
+        }
+    }
+
+    /// Adds the spheres that are drawn by rows; gives the pixels that they could not decide, and the
+    /// spheres of a crowd that are not.
+    fn add_spans(&mut self) -> (Vec<Doubt>, Vec<u32>) {
         let (plan, mut doubts) = (self.plan, Vec::new());
-        let Some(t) = T::singles(self.t) else { return doubts };
+        let mut drawn = CrowdDrawn::default();
+        let Some(t) = T::singles(self.t) else { return (doubts, drawn.others) };
         let mut target = SpanTarget {
             axes: &plan.axes,
             rows: self.rows.clone(),
@@ -87,9 +116,10 @@ impl<'a, T: Depth> Band<'a, T> {
             doubts: &mut doubts,
             decided: 0,
         };
-        dispatch!(plan.level, simd => draw_spans(simd, &plan.spans, &mut target));
+        dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
         self.steps.f64 += target.decided;
-        doubts
+        self.counts += drawn.counts;
+        (doubts, drawn.others)
     }
 
     /// Adds a sphere, which can cover these rows and columns of the raster at most.
@@ -179,13 +209,13 @@ impl<'a, T: Depth> Band<'a, T> {
     }
 
     /// Adds a plane; none that the eye lies in, which no ray hits.
-    fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectSeen) {
+    fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectSeen, rows: Range<usize>) {
         let ObjectSeen::Plane(seen) = seen_by_eye else { return };
         if seen.side == Ordering::Equal {
             return;
         }
         let index = (self.plan.scene.spheres().len() + plane) as u32;
-        let (rows, columns) = (self.rows.clone(), 0..self.plan.rays.n.len());
+        let columns = 0..self.plan.rays.n.len();
         let patch = self.plan.rays.patch(&rows, &columns);
         let level = self.plan.level;
         let (rough, fine);
@@ -328,10 +358,20 @@ impl<'a, T: Depth> Band<'a, T> {
 }
 
 #[inline(always)]
-fn draw_spans<S: Simd>(simd: S, spans: &[Span], target: &mut SpanTarget) {
-    for span in spans {
-        span.draw(simd, target);
+fn draw_spans<S: Simd>(simd: S, plan: &Plan, target: &mut SpanTarget, drawn: &mut CrowdDrawn) {
+    match &plan.crowd {
+        Some(crowd) => draw_crowd(simd, crowd, target, drawn),
+        None => {
+            for span in &plan.spans {
+                span.draw(simd, target);
+            }
+        }
     }
+}
+
+/// The part of some rows that lies in a slice.
+fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
+    rows.start.max(slice.start)..rows.end.min(slice.end)
 }
 
 /// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it

@@ -9,9 +9,9 @@ pub struct Counts {
     pub spheres: u64,
     /// Spheres dropped because they lie wholly behind the eye.
     pub behind: u64,
-    /// Spheres dropped because they cover no pixel's centre: beside the picture or between pixels.
+    /// Spheres dropped because they lie beside the picture, or between two of its rows.
     pub outside: u64,
-    /// Spheres that cover a pixel's centre, whether or not anything hides them.
+    /// The other spheres, whether or not anything hides them.
     pub in_view: u64,
     /// Times that a band of rows passed over a sphere because nearer ones hide all of it there.
     pub hidden: u64,

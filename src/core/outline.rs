@@ -4,6 +4,8 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::camera_space::CameraSpace;
+use crate::span::{KEEP, MARGIN};
+use crate::tiny::TINY_ROWS;
 
 /// The widest vector of `f64` that any level has.
 pub(crate) const MOST_LANES: usize = 8;
@@ -62,6 +64,13 @@ pub(crate) struct Outlines {
     pub(crate) nearest: Lane8,
     /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`: this.
     pub(crate) least_b: Lane8,
+    /// At least the largest `w^2`.
+    pub(crate) size: Lane8,
+    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
+    /// go up the ladder.
+    pub(crate) thin: Lane8,
+    /// Which spheres cover so few rows and columns that they are drawn pixel by pixel.
+    pub(crate) is_tiny: u64,
     /// In which lanes all of the above holds.
     pub(crate) is_plain: u64,
     /// Which spheres lie wholly behind the eye.
@@ -167,8 +176,21 @@ impl Outlines {
         let is_outside =
             is_ordinary & (beyond(x, wide) | beyond(-x, wide) | beyond(y, high) | beyond(-y, high));
 
+        let least_b = c.sqrt() * per_s;
+        let numerator = c * per_s * per_distance;
+        let nearest = (z - r) * per_distance * splat(1.0 - 1e-6);
+        let keep = (square_doubt * splat(KEEP) / (least_b * least_b)).max(splat(32.0));
+        let thin = square_doubt * keep * splat(1.0 / MARGIN);
+        let is_tiny = (last_row - first_row).simd_lt(splat(TINY_ROWS as f64))
+            & size.simd_lt(splat(9.0))
+            & thin.simd_lt(splat(1.0));
+        let in_range = |x: S::f64s| x.simd_gt(splat(1e-20)) & x.simd_lt(splat(1e20));
         let far = splat(131_072.0);
         let is_plain = is_plain
+            & in_range(least_b)
+            & in_range(numerator)
+            & in_range(nearest)
+            & numerator.simd_lt(least_b * splat(1e20))
             & column_center.abs().simd_lt(far)
             & row.abs().simd_lt(far)
             & size.simd_lt(far * far)
@@ -186,11 +208,14 @@ impl Outlines {
         put(&mut self.b0, b0);
         put(&mut self.b_column, b_column);
         put(&mut self.b_row, b_row);
-        put(&mut self.numerator, c * per_s * per_distance);
+        put(&mut self.numerator, numerator);
         put(&mut self.square_doubt, square_doubt);
         put(&mut self.first_row, first_row.ceil());
         put(&mut self.last_row, last_row.floor());
-        put(&mut self.nearest, (z - r) * per_distance * splat(1.0 - 1e-6));
-        put(&mut self.least_b, c.sqrt() * per_s);
+        put(&mut self.nearest, nearest);
+        put(&mut self.least_b, least_b);
+        put(&mut self.size, size);
+        put(&mut self.thin, (thin * thin).max(splat(32.0) * square_doubt));
+        self.is_tiny = is_tiny.to_bitmask();
     }
 }

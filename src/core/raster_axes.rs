@@ -46,6 +46,20 @@ impl RasterAxes {
         self.width
     }
 
+    pub(crate) fn height(&self) -> usize {
+        self.height
+    }
+
+    pub(crate) fn pixels(&self) -> usize {
+        self.width * self.height
+    }
+
+    /// The raster's columns with a number from `first` to `last`, both whole.
+    #[inline(always)]
+    pub(crate) fn columns_range(&self, first: f64, last: f64) -> Range<usize> {
+        self.columns_between(first, last).map_or(0..0, |(from, to)| from..to + 1)
+    }
+
     /// The raster's rows with a number from `first` to `last`, both whole.
     #[inline(always)]
     pub(crate) fn rows_between(&self, first: f64, last: f64) -> Range<usize> {
@@ -58,6 +72,13 @@ impl RasterAxes {
         }
         let from = rows.partition_point(|row| *row < first);
         from..rows.partition_point(|row| *row <= last).max(from)
+    }
+
+    /// The raster's row with this number.
+    #[inline(always)]
+    pub(crate) fn row_at(&self, number: f64) -> Option<usize> {
+        let rows = self.rows_between(number, number);
+        (!rows.is_empty()).then_some(rows.start)
     }
 
     /// The raster's first and last column with a number from `first` to `last`, both whole.

@@ -12,7 +12,10 @@ use crate::span_kernel::{Narrow, RowBuffers, SpanLanes, SpanRow, SpanShape, TIE,
 
 /// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
 /// by, and so little that hardly a pixel lies within it.
-const MARGIN: f64 = 1.0 / 131_072.0;
+pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
+
+/// See [`Span::new`]: `2^50`.
+pub(crate) const KEEP: f64 = 1.126e15;
 
 /// One sphere's outline, see [`Outlines`].
 #[derive(Clone, Copy, Debug)]
@@ -84,24 +87,18 @@ impl Span {
     /// kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row adds
     /// less than `0.15 2^-24`.
     pub(crate) fn new(index: u32, outline: &Outline) -> Option<Span> {
-        let Outline { square, b_column, numerator, square_doubt, least_b, nearest, .. } = *outline;
+        let Outline { square, b_column, numerator, square_doubt, least_b, .. } = *outline;
         let widest = (square[0] - 0.25 * square[1] * square[1] / square[2]).sqrt();
         // In units of 2^-24, see the kernels.
         let narrow_error = (3.5 + 4.0 * b_column.abs()) * widest / least_b;
         let is_wide = narrow_error > 0.42;
-        let root_error = if is_wide { 1.1e15 } else { 1.8e16 };
+        let root_error = if is_wide { KEEP } else { 16.0 * KEEP };
         let keep = (square_doubt * root_error / (least_b * least_b)).max(32.0);
         let thin = square_doubt * keep / MARGIN;
         let can_be_wide = widest < 2040.0
             && 2.0 * b_column.abs() * widest < 0.99 * least_b
             && (2.0 * widest + 1.0).sqrt() < 0.1 * least_b;
-        let plain = 1e-20..1e20;
-        let is_suited = thin < 32.0
-            && (!is_wide || can_be_wide)
-            && plain.contains(&numerator)
-            && plain.contains(&least_b)
-            && plain.contains(&nearest)
-            && numerator < 1e20 * least_b;
+        let is_suited = thin < 32.0 && (!is_wide || can_be_wide);
         let high = rounded_to_12_bits(b_column as f32);
         is_suited.then(|| Span {
             index,
@@ -246,10 +243,11 @@ impl Span {
             t: &mut target.t[start..],
             object: &mut target.object[start..],
         };
+        let own = (self.index, self.outline.nearest as f32);
         let in_doubt = if self.shape.is_wide {
-            draw_row(simd, &mut buffers, (from, to), self.index, &Wide(&lanes))
+            draw_row(simd, &mut buffers, (from, to), own, &Wide(&lanes))
         } else {
-            draw_row(simd, &mut buffers, (from, to), self.index, &Narrow(&lanes))
+            draw_row(simd, &mut buffers, (from, to), own, &Narrow(&lanes))
         };
         target.decided += (to - from + 1) as u64;
         if in_doubt {

@@ -153,6 +153,7 @@ struct Drawing<S: Simd> {
     below: S::f32s,
     above: S::f32s,
     none: S::f32s,
+    nearest: S::f32s,
     end: S::f32s,
     own: S::u32s,
 }
@@ -169,6 +170,9 @@ impl<S: Simd> Drawing<S> {
     ) -> <S::f32s as SimdBase<S>>::Mask {
         let columns = S::f32s::from_slice(self.simd, columns);
         let known = S::f32s::from_slice(self.simd, t);
+        if known.simd_lt(self.nearest).all_true() {
+            return self.none.simd_lt(self.none);
+        }
         let found = t_of.t(columns).0;
         let is_inside = columns.simd_le(self.end);
         let is_nearer = is_inside & found.simd_lt(known * self.below);
@@ -210,14 +214,14 @@ impl<S: Simd> RowOfT<S> for Wide<'_, S> {
 }
 
 /// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
-/// are nearer than what is there. Tells whether any is too close to it to tell; those stay as they
+/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too close to it to tell; those stay as they
 /// are.
 #[inline(always)]
 pub(crate) fn draw_row<S: Simd>(
     simd: S,
     buffers: &mut RowBuffers,
     (from, to): (usize, usize),
-    index: u32,
+    (index, nearest): (u32, f32),
     t_of: &impl RowOfT<S>,
 ) -> bool {
     let n = S::f32s::LEN;
@@ -226,6 +230,7 @@ pub(crate) fn draw_row<S: Simd>(
         below: S::f32s::splat(simd, 1.0 - TIE),
         above: S::f32s::splat(simd, 1.0 + TIE),
         none: S::f32s::splat(simd, f32::INFINITY),
+        nearest: S::f32s::splat(simd, nearest),
         end: S::f32s::splat(simd, buffers.columns[to]),
         own: S::u32s::splat(simd, index),
     };

@@ -8,7 +8,7 @@ use crate::band::Band;
 use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
-use crate::plan::{BAND_ROWS, Plan};
+use crate::plan::Plan;
 use crate::posed::PosedCamera;
 use crate::scene::Scene;
 use crate::seen::{ObjectSeen, plane_normal};
@@ -87,19 +87,21 @@ fn fill<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, done: impl 
     let width = raster.columns().len();
     let plan = Plan::new::<T>(level, scene, camera, raster);
     *counts = plan.counts;
-    let band = BAND_ROWS * width;
-    *steps = t
+    let band = plan.band_rows * width;
+    let of_bands;
+    (*steps, of_bands) = t
         .par_chunks_mut(band)
         .zip(object.par_chunks_mut(band))
         .enumerate()
         .map(|(index, (t, object))| {
-            let first = index * BAND_ROWS;
+            let first = index * plan.band_rows;
             let rows = t.len() / width;
-            let steps = Band::new(&plan, first..first + rows, t, object).traced();
+            let traced = Band::new(&plan, first..first + rows, t, object).traced();
             done(rows);
-            steps
+            traced
         })
-        .reduce(Steps::default, |a, b| a + b);
+        .reduce(Default::default, |a, b| (a.0 + b.0, a.1 + b.1));
+    *counts += of_bands;
     normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
         let pixels = row * width..(row + 1) * width;
         fill_normals(&plan, row, &object[pixels], normals);

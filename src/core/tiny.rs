@@ -1,0 +1,140 @@
+//! Spheres that cover a few pixels in a few rows: all of a vector at once, row by row.
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::crowd_draw::lanes_of;
+use crate::outline::{MOST_LANES, Outlines};
+use crate::span::{Doubt, MARGIN, SpanTarget};
+use crate::span_kernel::TIE;
+
+/// A tiny sphere has at most so many rows.
+pub(crate) const TINY_ROWS: usize = 4;
+
+/// The ends of one row of each sphere of a vector, see [`Outlines`].
+struct Rows {
+    number: [f64; MOST_LANES],
+    start: [f64; MOST_LANES],
+    end: [f64; MOST_LANES],
+    first: [f64; MOST_LANES],
+    last: [f64; MOST_LANES],
+    /// b at column 0.
+    b: [f64; MOST_LANES],
+    is_sure: u64,
+    is_reached: u64,
+}
+
+/// Draws those spheres of a vector whose bits are set.
+#[inline(always)]
+pub(crate) fn draw_tiny<S: Simd>(
+    simd: S,
+    outlines: &Outlines,
+    tiny: u64,
+    ids: &[u32],
+    target: &mut SpanTarget,
+) {
+    for step in 0..TINY_ROWS {
+        let rows = Rows::find(simd, outlines, step as f64);
+        for lane in lanes_of(tiny & rows.is_reached) {
+            let Some(row) = target.axes.row_at(rows.number[lane]) else { continue };
+            if !target.rows.contains(&row) {
+                continue;
+            }
+            let ends = [rows.first[lane], rows.last[lane]];
+            if rows.is_sure >> lane & 1 == 0 {
+                note_doubts(outlines, lane, ids[lane], row, &rows, target);
+            } else if let Some((from, to)) = target.axes.columns_between(ends[0], ends[1]) {
+                draw_pixels(outlines, lane, ids[lane], (row, from, to), &rows, target);
+            }
+        }
+        if tiny & rows.is_reached == 0 && step > 0 {
+            break;
+        }
+    }
+}
+
+impl Rows {
+    /// The ends of the row that is so many below the first.
+    #[inline(always)]
+    fn find<S: Simd>(simd: S, of: &Outlines, step: f64) -> Rows {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+        let number = load(&of.first_row) + splat(step);
+        let j = number - load(&of.row);
+        let middle = load(&of.column) + load(&of.shear) * j;
+        let squared = load(&of.square[0]) + (load(&of.square[1]) + load(&of.square[2]) * j) * j;
+        let half = squared.max(splat(0.0)).sqrt();
+        let (start, end) = (middle - half, middle + half);
+        let margin = splat(MARGIN);
+        let (first, last) = ((start + margin).ceil(), (end - margin).floor());
+        let same_first = first.simd_eq((start - margin).ceil());
+        let same_last = last.simd_eq((end + margin).floor());
+        let is_sure = same_first & same_last & squared.simd_ge(load(&of.thin));
+        let is_reached = number.simd_le(load(&of.last_row))
+            & ((squared.simd_ge(-load(&of.square_doubt)) & !is_sure)
+                | (is_sure & first.simd_le(last)));
+        let b = load(&of.b0) + load(&of.b_row) * j;
+        let store = |x: S::f64s| {
+            let mut all = [0.0; MOST_LANES];
+            x.store_slice(&mut all[..S::f64s::LEN]);
+            all
+        };
+        Rows {
+            number: store(number),
+            start: store(start),
+            end: store(end),
+            first: store(first),
+            last: store(last),
+            b: store(b),
+            is_sure: is_sure.to_bitmask(),
+            is_reached: is_reached.to_bitmask(),
+        }
+    }
+}
+
+/// The pixels of one row of a sphere, in `f64`.
+#[inline(always)]
+fn draw_pixels(
+    of: &Outlines,
+    lane: usize,
+    index: u32,
+    (row, from, to): (usize, usize, usize),
+    rows: &Rows,
+    target: &mut SpanTarget,
+) {
+    let start = (row - target.rows.start) * target.axes.width();
+    for column in from..=to {
+        let c = f64::from(target.axes.columns[column]);
+        let squared = (c - rows.start[lane]) * (rows.end[lane] - c);
+        let b = rows.b[lane] + of.b_column[lane] * c;
+        let t = (of.numerator[lane] / (b + squared.sqrt())) as f32;
+        let (known, object) = (&mut target.t[start + column], &mut target.object[start + column]);
+        if t < *known * (1.0 - TIE) {
+            (*known, *object) = (t, index);
+        } else if t <= *known * (1.0 + TIE) {
+            let (row, column) = (row as u32, column as u32);
+            target.doubts.push(Doubt { index, row, column, t: Some(t) });
+        }
+    }
+    target.decided += (to - from + 1) as u64;
+}
+
+/// Leaves all pixels that a row may cover to the ladder.
+#[cold]
+#[inline(never)]
+fn note_doubts(
+    of: &Outlines,
+    lane: usize,
+    index: u32,
+    row: usize,
+    rows: &Rows,
+    target: &mut SpanTarget,
+) {
+    let more = MARGIN + (2.0 * of.thin[lane]).sqrt();
+    let (first, last) = ((rows.start[lane] - more).ceil(), (rows.end[lane] + more).floor());
+    let Some((from, to)) = target.axes.columns_between(first, last) else { return };
+    for column in from..=to {
+        let (row, column) = (row as u32, column as u32);
+        target.doubts.push(Doubt { index, row, column, t: None });
+    }
+}

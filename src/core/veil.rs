@@ -1,0 +1,84 @@
+//! What hides what: how far away the farthest hit is in each small rectangle of a band.
+
+use std::ops::Range;
+
+/// Columns and rows of a rectangle.
+const COLUMNS: usize = 16;
+const ROWS: usize = 8;
+
+/// More rectangles than this are not looked at: what covers so much is seldom hidden.
+const MOST: usize = 512;
+
+/// For each rectangle of 16 x 8 pixels of a band, at least the largest `t` in it.
+pub(crate) struct Veil {
+    farthest: Vec<f32>,
+    /// Rectangles that were drawn into since `farthest` was found.
+    is_stale: Vec<bool>,
+    across: usize,
+    width: usize,
+    height: usize,
+}
+
+impl Veil {
+    /// Of a band in which nothing is hit yet.
+    pub(crate) fn new(width: usize, height: usize) -> Veil {
+        let across = width.div_ceil(COLUMNS);
+        let count = across * height.div_ceil(ROWS);
+        let (farthest, is_stale) = (vec![f32::INFINITY; count], vec![false; count]);
+        Veil { farthest, is_stale, across, width, height }
+    }
+
+    /// Tells that pixels in these rows and columns of the band may have come nearer.
+    #[inline(always)]
+    pub(crate) fn touch(&mut self, rows: &Range<usize>, columns: &Range<usize>) {
+        for row in rows.start / ROWS..rows.end.div_ceil(ROWS) {
+            let (from, to) = (columns.start / COLUMNS, columns.end.div_ceil(COLUMNS));
+            self.is_stale[row * self.across + from..row * self.across + to].fill(true);
+        }
+    }
+
+    /// Whether every pixel in these rows and columns has a hit nearer than `nearest`.
+    #[inline(always)]
+    pub(crate) fn hides(
+        &mut self,
+        t: &[f32],
+        rows: &Range<usize>,
+        columns: &Range<usize>,
+        nearest: f32,
+    ) -> bool {
+        let down = rows.start / ROWS..rows.end.div_ceil(ROWS);
+        let across = columns.start / COLUMNS..columns.end.div_ceil(COLUMNS);
+        if down.len() * across.len() > MOST {
+            return false;
+        }
+        for row in down {
+            for column in across.clone() {
+                let place = row * self.across + column;
+                if self.is_stale[place] && self.farthest[place] >= nearest {
+                    self.look(t, row, column);
+                }
+                if self.farthest[place] >= nearest {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    /// Finds the farthest `t` of a rectangle.
+    #[inline(always)]
+    fn look(&mut self, t: &[f32], row: usize, column: usize) {
+        let columns = column * COLUMNS..((column + 1) * COLUMNS).min(self.width);
+        let mut farthest = [0.0_f32; COLUMNS];
+        for row in row * ROWS..((row + 1) * ROWS).min(self.height) {
+            let start = row * self.width;
+            let of_row = &t[start + columns.start..start + columns.end];
+            for (farthest, t) in farthest.iter_mut().zip(of_row) {
+                *farthest = if *t > *farthest { *t } else { *farthest };
+            }
+        }
+        let place = row * self.across + column;
+        self.farthest[place] = farthest.into_iter().fold(0.0, f32::max);
+        self.is_stale[place] = false;
+    }
+}
