@@ -64,6 +64,9 @@ fn compare(scene: &Scene, frame: &Frame<f32>, [row, column]: [usize; 2]) -> Resu
 }
 
 fn is_within_one_ulp(found: f32, truth: f64) -> bool {
+    if truth.is_infinite() {
+        return found == f32::INFINITY;
+    }
     let rounded = truth as f32;
     [rounded.next_down(), rounded, rounded.next_up()].contains(&found)
 }

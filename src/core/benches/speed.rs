@@ -60,7 +60,10 @@ fn is_wanted(listed: &Listed, wanted: &[&str]) -> bool {
 
 fn run(chosen: &[Listed], limits: &Limits) {
     let threads = rayon::current_num_threads();
-    println!("{:?}, {threads} threads, t as f32 and object as u32 of every pixel", limits.level);
+    // Only the name of the level, not what is in it.
+    let level = format!("{:?}", limits.level);
+    let level = level.split('(').next().unwrap();
+    println!("{level}, {threads} threads, t as f32 and object as u32 of every pixel");
     println!("ratio: a method's median time over the ladder's\n");
     let mut growth = Vec::new();
     for listed in chosen {
