@@ -177,6 +177,7 @@ mod single_lanes;
 mod sorter;
 mod span;
 mod span_kernel;
+mod span_rows;
 mod sphere;
 mod sphere_index;
 mod sphere_order;

@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
 use crate::frame::Raster;
 
 /// The widest vector of `f32` that any level has: as far as the tables go on.
@@ -94,5 +97,33 @@ impl RasterAxes {
             (from, columns.partition_point(|column| f64::from(*column) <= last))
         };
         (from < end).then(|| (from, end - 1))
+    }
+
+    /// For a vector of rows: the raster's first and last columns with numbers from `first` to `last`,
+    /// all whole, and in which lanes there is one.
+    #[inline(always)]
+    pub(crate) fn clip<S: Simd>(
+        &self,
+        simd: S,
+        first: S::f64s,
+        last: S::f64s,
+    ) -> (S::f64s, S::f64s, u64) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        if self.columns_are_whole {
+            let start = splat(f64::from(self.columns[0]));
+            let from = (first - start).max(splat(0.0));
+            let to = (last - start).min(splat((self.width - 1) as f64));
+            return (from, to, from.simd_le(to).to_bitmask());
+        }
+        let (mut from, mut to, mut is_there) = (splat(0.0), splat(0.0), 0);
+        for lane in 0..S::f64s::LEN {
+            let (first, last) = (first.as_slice()[lane], last.as_slice()[lane]);
+            if let Some(columns) = self.columns_between(first, last) {
+                from.as_mut_slice()[lane] = columns.0 as f64;
+                to.as_mut_slice()[lane] = columns.1 as f64;
+                is_there |= 1 << lane;
+            }
+        }
+        (from, to, is_there)
     }
 }

@@ -6,9 +6,11 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::outline::{MOST_LANES, Outlines};
+use crate::crowd_draw::lanes_of;
+use crate::outline::Outlines;
 use crate::raster_axes::RasterAxes;
 use crate::span_kernel::{Narrow, RowBuffers, SpanLanes, SpanRow, SpanShape, TIE, Wide, draw_row};
+use crate::span_rows::SpanRows;
 
 /// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
 /// by, and so little that hardly a pixel lies within it.
@@ -61,10 +63,10 @@ impl Outlines {
 pub(crate) struct Span {
     pub(crate) index: u32,
     pub(crate) outline: Outline,
-    shape: SpanShape,
+    pub(crate) shape: SpanShape,
     /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
     /// go up the ladder.
-    thin: f64,
+    pub(crate) thin: f64,
 }
 
 /// A pixel that a sphere's row could not decide: whether the sphere covers it at all, or, where its
@@ -145,98 +147,38 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) decided: u64,
 }
 
-/// The ends of a vector of rows.
-struct Ends {
-    first: [f64; MOST_LANES],
-    last: [f64; MOST_LANES],
-    start: [f64; MOST_LANES],
-    end: [f64; MOST_LANES],
-    is_sure: u64,
-    is_reached: u64,
-}
-
 impl Span {
     /// Draws the rows that it has in the target.
     #[inline(always)]
     pub(crate) fn draw<S: Simd>(&self, simd: S, target: &mut SpanTarget) {
         let own = self.rows(target.axes);
         let rows = own.start.max(target.rows.start)..own.end.min(target.rows.end);
-        for base in rows.clone().step_by(S::f64s::LEN) {
-            let ends = self.ends(simd, &target.axes.row_numbers[base..]);
-            for lane in 0..S::f64s::LEN.min(rows.end - base) {
-                if ends.is_reached >> lane & 1 == 0 {
-                    continue;
-                }
-                let row = base + lane;
-                if ends.is_sure >> lane & 1 == 0 {
-                    self.doubtful_row(simd, target, row);
-                    continue;
-                }
-                let (first, last) = (ends.first[lane], ends.last[lane]);
-                let inside = [first - ends.start[lane], ends.end[lane] - last];
-                self.draw_row(simd, target, row, [first, last], inside);
+        let mut base = rows.start;
+        while base < rows.end {
+            let ends = SpanRows::find(simd, self, target.axes, base);
+            let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
+            for lane in lanes_of(ends.is_drawn & there) {
+                let (row, columns) = ends.row(lane);
+                self.draw_row(simd, target, base + lane, &row, columns);
             }
+            for lane in lanes_of(ends.is_doubtful & there) {
+                self.doubtful_row(simd, target, base + lane);
+            }
+            base += S::f64s::LEN;
         }
     }
 
-    /// Where rows begin and end.
-    #[inline(always)]
-    fn ends<S: Simd>(&self, simd: S, row_numbers: &[f64]) -> Ends {
-        let splat = |x: f64| S::f64s::splat(simd, x);
-        let Outline { column, row, shear, square, square_doubt, .. } = self.outline;
-        let j = S::f64s::from_slice(simd, &row_numbers[..S::f64s::LEN]) - splat(row);
-        let middle = splat(column) + splat(shear) * j;
-        let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
-        let half = squared.max(splat(0.0)).sqrt();
-        let (start, end) = (middle - half, middle + half);
-        let margin = splat(MARGIN);
-        let (first, last) = ((start + margin).ceil(), (end - margin).floor());
-        let same_first = first.simd_eq((start - margin).ceil());
-        let same_last = last.simd_eq((end + margin).floor());
-        let is_sure = same_first & same_last & squared.simd_ge(splat(self.thin));
-        // Rows without a column between their ends have nothing to draw.
-        let is_reached =
-            (squared.simd_ge(splat(-square_doubt)) & !is_sure) | (is_sure & first.simd_le(last));
-        let store = |x: S::f64s| {
-            let mut all = [0.0; MOST_LANES];
-            x.store_slice(&mut all[..S::f64s::LEN]);
-            all
-        };
-        Ends {
-            first: store(first),
-            last: store(last),
-            start: store(start),
-            end: store(end),
-            is_sure: is_sure.to_bitmask(),
-            is_reached: is_reached.to_bitmask(),
-        }
-    }
-
-    /// Draws the part of a row that the raster has.
+    /// Draws a row from one column of the raster to another.
     #[inline(always)]
     fn draw_row<S: Simd>(
         &self,
         simd: S,
         target: &mut SpanTarget,
         row: usize,
-        [first, last]: [f64; 2],
-        [left, right]: [f64; 2],
+        span_row: &SpanRow,
+        columns: (usize, usize),
     ) {
-        let Some((from, to)) = target.axes.columns_between(first, last) else { return };
-        let Outline { row: center, b0, b_column, b_row, .. } = self.outline;
-        let pivot = if self.shape.is_wide { first } else { 0.5 * (first + last) };
-        let b = b0 + b_column * pivot + b_row * (target.axes.row_numbers[row] - center);
-        let span_row = SpanRow {
-            first: first as f32,
-            last: last as f32,
-            left: left as f32,
-            right: right as f32,
-            b: two_parts(b),
-            pivot: pivot as f32,
-            slope: (right - left) as f32,
-            offset: (left * (last - first + right)) as f32,
-        };
-        let lanes = SpanLanes::new(simd, &self.shape, &span_row);
+        let lanes = SpanLanes::new(simd, &self.shape, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         let mut buffers = RowBuffers {
             columns: &target.axes.columns,
@@ -245,13 +187,13 @@ impl Span {
         };
         let own = (self.index, self.outline.nearest as f32);
         let in_doubt = if self.shape.is_wide {
-            draw_row(simd, &mut buffers, (from, to), own, &Wide(&lanes))
+            draw_row(simd, &mut buffers, columns, own, &Wide(&lanes))
         } else {
-            draw_row(simd, &mut buffers, (from, to), own, &Narrow(&lanes))
+            draw_row(simd, &mut buffers, columns, own, &Narrow(&lanes))
         };
-        target.decided += (to - from + 1) as u64;
+        target.decided += (columns.1 - columns.0 + 1) as u64;
         if in_doubt {
-            self.find_doubts(simd, target, row, (from, to), &lanes);
+            self.find_doubts(simd, target, row, columns, &lanes);
         }
     }
 
@@ -301,8 +243,23 @@ impl Span {
             true => (outer_last + 1.0, outer_last),
             false => ((start + MARGIN).ceil(), (end - MARGIN).floor()),
         };
-        if first <= last {
-            self.draw_row(simd, target, row, [first, last], [first - start, end - last]);
+        if first <= last
+            && let Some(columns) = target.axes.columns_between(first, last)
+        {
+            let pivot = if self.shape.is_wide { first } else { 0.5 * (first + last) };
+            let b = self.outline.b0 + self.outline.b_row * j + self.outline.b_column * pivot;
+            let (left, right) = (first - start, end - last);
+            let span_row = SpanRow {
+                first: first as f32,
+                last: last as f32,
+                left: left as f32,
+                right: right as f32,
+                b: two_parts(b),
+                pivot: pivot as f32,
+                slope: (right - left) as f32,
+                offset: (left * ((last - first) + right)) as f32,
+            };
+            self.draw_row(simd, target, row, &span_row, columns);
         }
         let in_doubt = [
             (outer_first, first.min(outer_last + 1.0) - 1.0),

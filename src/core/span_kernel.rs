@@ -154,6 +154,8 @@ struct Drawing<S: Simd> {
     above: S::f32s,
     none: S::f32s,
     nearest: S::f32s,
+    /// Whether a row is so long that it pays to look whether whole vectors are hidden.
+    may_be_hidden: bool,
     end: S::f32s,
     own: S::u32s,
 }
@@ -170,7 +172,7 @@ impl<S: Simd> Drawing<S> {
     ) -> <S::f32s as SimdBase<S>>::Mask {
         let columns = S::f32s::from_slice(self.simd, columns);
         let known = S::f32s::from_slice(self.simd, t);
-        if known.simd_lt(self.nearest).all_true() {
+        if self.may_be_hidden && known.simd_lt(self.nearest).all_true() {
             return self.none.simd_lt(self.none);
         }
         let found = t_of.t(columns).0;
@@ -231,6 +233,7 @@ pub(crate) fn draw_row<S: Simd>(
         above: S::f32s::splat(simd, 1.0 + TIE),
         none: S::f32s::splat(simd, f32::INFINITY),
         nearest: S::f32s::splat(simd, nearest),
+        may_be_hidden: to - from >= 8 * n,
         end: S::f32s::splat(simd, buffers.columns[to]),
         own: S::u32s::splat(simd, index),
     };
