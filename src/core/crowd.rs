@@ -2,13 +2,16 @@
 
 use std::ops::Range;
 
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
 
 use crate::boxes::Boxes;
 use crate::camera_space::CameraSpace;
 use crate::counts::Counts;
+use crate::outline::Outlines;
 use crate::raster_axes::RasterAxes;
-use crate::sphere_index::SphereIndex;
+use crate::sphere_index::{BLOCK, SphereIndex};
 
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +38,9 @@ impl BoxSeen {
 pub(crate) struct GroupSeen {
     pub(crate) bounds: BoxSeen,
     pub(crate) blocks: Vec<BoxSeen>,
+    /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
+    /// finds them anew otherwise.
+    pub(crate) outlines: Vec<Outlines>,
 }
 
 /// What can be seen of many spheres, near to far.
@@ -54,6 +60,7 @@ enum Unseen {
 
 impl<'a> Crowd<'a> {
     pub(crate) fn new(
+        level: Level,
         index: &'a SphereIndex,
         space: CameraSpace,
         axes: &RasterAxes,
@@ -61,6 +68,8 @@ impl<'a> Crowd<'a> {
     ) -> Crowd<'a> {
         /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
         const CROWDED: f64 = 2.5;
+        /// So many outlines fit into a processor's second-level cache.
+        const KEPT: u32 = 40_000;
         let mut dropped = Counts { blocks: blocks_in(&index.blocks), ..Counts::default() };
         let mut groups = Vec::new();
         let mut covered = 0.0;
@@ -80,6 +89,8 @@ impl<'a> Crowd<'a> {
         }
         groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
         let is_crowded = covered > CROWDED * axes.pixels() as f64;
+        let in_groups: u32 = groups.iter().map(|of| index.groups.count[of.place as usize]).sum();
+        let keeps_outlines = in_groups <= KEPT;
         let found: Vec<(GroupSeen, Counts)> = groups
             .into_par_iter()
             .with_min_len(16)
@@ -96,7 +107,12 @@ impl<'a> Crowd<'a> {
                 if is_crowded {
                     blocks.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
                 }
-                (GroupSeen { bounds, blocks }, dropped)
+                let outlines = if keeps_outlines {
+                    dispatch!(level, simd => outlines_of(simd, index, &space, &blocks))
+                } else {
+                    Vec::new()
+                };
+                (GroupSeen { bounds, blocks, outlines }, dropped)
             })
             .collect();
         let mut groups = Vec::with_capacity(found.len());
@@ -107,6 +123,25 @@ impl<'a> Crowd<'a> {
         *counts += dropped;
         Crowd { index, space, groups, is_crowded }
     }
+}
+
+/// The outlines of all spheres of some blocks, vector by vector.
+#[inline(always)]
+fn outlines_of<S: Simd>(
+    simd: S,
+    index: &SphereIndex,
+    space: &CameraSpace,
+    blocks: &[BoxSeen],
+) -> Vec<Outlines> {
+    let vectors = BLOCK / S::f64s::LEN;
+    let mut all = vec![Outlines::default(); blocks.len() * vectors];
+    for (block, of_block) in blocks.iter().zip(all.chunks_exact_mut(vectors)) {
+        let slots = SphereIndex::slots_of(block.place as usize);
+        for (from, outlines) in slots.step_by(S::f64s::LEN).zip(of_block) {
+            outlines.find(simd, space, &index.spheres(from..from + S::f64s::LEN));
+        }
+    }
+    all
 }
 
 fn blocks_in(blocks: &Boxes) -> u64 {

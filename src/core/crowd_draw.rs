@@ -7,9 +7,9 @@ use fearless_simd::prelude::*;
 
 use crate::counts::Counts;
 use crate::crowd::{BoxSeen, Crowd};
-use crate::outline::{Outlines, Spheres};
+use crate::outline::Outlines;
 use crate::span::{Span, SpanTarget};
-use crate::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::sphere_index::{BLOCK, NO_SPHERE, SphereIndex};
 use crate::tiny::draw_tiny;
 use crate::veil::Veil;
 
@@ -29,19 +29,17 @@ pub(crate) fn draw_crowd<S: Simd>(
     target: &mut SpanTarget,
     drawn: &mut CrowdDrawn,
 ) {
-    let mut drawing = Drawing {
-        crowd,
-        veil: Veil::new(target.axes.width(), target.rows.len()),
-        outlines: Outlines::default(),
-        drawn,
-    };
+    let mut drawing =
+        Drawing { crowd, veil: Veil::new(target.axes.width(), target.rows.len()), drawn };
     for group in &crowd.groups {
         if !drawing.is_seen(target, &group.bounds) {
             continue;
         }
-        for block in &group.blocks {
+        for (place, block) in group.blocks.iter().enumerate() {
             if drawing.is_seen(target, block) {
-                drawing.block(simd, target, block);
+                let vectors = BLOCK / S::f64s::LEN;
+                let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
+                drawing.block(simd, target, block, kept);
             }
         }
     }
@@ -50,7 +48,6 @@ pub(crate) fn draw_crowd<S: Simd>(
 struct Drawing<'a> {
     crowd: &'a Crowd<'a>,
     veil: Veil,
-    outlines: Outlines,
     drawn: &'a mut CrowdDrawn,
 }
 
@@ -69,22 +66,30 @@ impl Drawing<'_> {
         !rows.is_empty() && !self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
     }
 
+    /// Draws the spheres of a block, whose outlines may be known.
     #[inline(always)]
-    fn block<S: Simd>(&mut self, simd: S, target: &mut SpanTarget, block: &BoxSeen) {
+    fn block<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        block: &BoxSeen,
+        kept: Option<&[Outlines]>,
+    ) {
         let index = self.crowd.index;
         let slots = SphereIndex::slots_of(block.place as usize);
         // What is found of a sphere is counted once: by the first band that the block reaches.
         let counts_here = block.rows().start >= target.rows.start;
-        for from in slots.step_by(S::f64s::LEN) {
+        for (vector, from) in slots.step_by(S::f64s::LEN).enumerate() {
             let lanes = from..from + S::f64s::LEN;
-            let of = Spheres {
-                x: &index.x[lanes.clone()],
-                y: &index.y[lanes.clone()],
-                z: &index.z[lanes.clone()],
-                radius: &index.radius[lanes.clone()],
-            };
-            self.outlines.find(simd, &self.crowd.space, &of);
-            self.vector(simd, target, &index.ids[lanes], counts_here);
+            let ids = &index.ids[lanes.clone()];
+            match kept {
+                Some(kept) => self.vector(simd, target, &kept[vector], ids, counts_here),
+                None => {
+                    let mut outlines = Outlines::default();
+                    outlines.find(simd, &self.crowd.space, &index.spheres(lanes));
+                    self.vector(simd, target, &outlines, ids, counts_here);
+                }
+            }
         }
         if !self.crowd.is_crowded {
             let rows = own_rows(target, &block.rows());
@@ -98,6 +103,7 @@ impl Drawing<'_> {
         &mut self,
         simd: S,
         target: &mut SpanTarget,
+        outlines: &Outlines,
         ids: &[u32],
         counts_here: bool,
     ) {
@@ -105,12 +111,12 @@ impl Drawing<'_> {
         for (lane, id) in ids.iter().enumerate() {
             there |= u64::from(*id != NO_SPHERE) << lane;
         }
-        let outlines = &self.outlines;
         let behind = there & outlines.is_behind;
         let outside = there & outlines.is_outside & !behind;
         let left = there & !behind & !outside;
         let plain = left & outlines.is_plain;
-        let tiny = plain & outlines.is_tiny;
+        let plain_here = plain & rows_meet(simd, outlines, target);
+        let tiny = plain_here & outlines.is_tiny;
         if counts_here {
             let counts = &mut self.drawn.counts;
             counts.behind += u64::from(behind.count_ones());
@@ -121,55 +127,66 @@ impl Drawing<'_> {
             draw_tiny(simd, outlines, tiny, ids, target);
             if self.crowd.is_crowded {
                 for lane in lanes_of(tiny) {
-                    let (rows, columns) = self.extent(target, lane);
+                    let (rows, columns) = extent(target, outlines, lane);
                     self.veil.touch(&rows, &columns);
                 }
             }
         }
-        for lane in lanes_of(plain & !tiny) {
-            self.sphere(simd, target, lane, ids[lane]);
+        for lane in lanes_of(plain_here & !tiny) {
+            self.sphere(simd, target, outlines, lane, ids[lane]);
         }
         for lane in lanes_of(left & !plain) {
             self.drawn.others.push(ids[lane]);
         }
     }
 
-    /// Draws one sphere by rows, if it can be.
+    /// Draws one sphere by rows.
     #[inline(always)]
-    fn sphere<S: Simd>(&mut self, simd: S, target: &mut SpanTarget, lane: usize, id: u32) {
-        let outline = self.outlines.one(lane);
-        let Some(span) = Span::new(id, &outline) else {
-            self.drawn.others.push(id);
-            return;
-        };
+    fn sphere<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        outlines: &Outlines,
+        lane: usize,
+        id: u32,
+    ) {
+        let span = Span::new(id, &outlines.one(lane));
         if !self.crowd.is_crowded {
             span.draw(simd, target);
             return;
         }
-        let (rows, columns) = self.extent(target, lane);
+        let (rows, columns) = extent(target, outlines, lane);
         if rows.is_empty() || columns.is_empty() {
             return;
         }
-        if self.veil.hides(target.t, &rows, &columns, outline.nearest as f32) {
+        if self.veil.hides(target.t, &rows, &columns, span.outline.nearest as f32) {
             self.drawn.counts.hidden += 1;
             return;
         }
         span.draw(simd, target);
         self.veil.touch(&rows, &columns);
     }
+}
 
-    /// Rows of the target and columns that a sphere can cover.
-    #[inline(always)]
-    fn extent(&self, target: &SpanTarget, lane: usize) -> (Range<usize>, Range<usize>) {
-        let of = &self.outlines;
-        let rows = target.axes.rows_between(of.first_row[lane], of.last_row[lane]);
-        // The middle moves by the shear, the half width is at most that of the widest row.
-        let tall =
-            (of.first_row[lane] - of.row[lane]).abs().max((of.last_row[lane] - of.row[lane]).abs());
-        let reach = of.size[lane].sqrt() + of.shear[lane].abs() * (tall + 1.0) + 1.0;
-        let (left, right) = (of.column[lane] - reach, of.column[lane] + reach);
-        (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
-    }
+/// Which spheres of a vector have a row in the target.
+#[inline(always)]
+fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget) -> u64 {
+    let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+    let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
+    let (first, last) = (number(target.rows.start), number(target.rows.end - 1));
+    let meets = load(&of.last_row).simd_ge(first) & load(&of.first_row).simd_le(last);
+    meets.to_bitmask()
+}
+
+/// Rows of the target and columns that a sphere can cover.
+#[inline(always)]
+fn extent(target: &SpanTarget, of: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
+    let rows = target.axes.rows_between(of.first_row[lane], of.last_row[lane]);
+    // The middle moves by the shear, the half width is at most that of the widest row.
+    let (above, below) = (of.row[lane] - of.first_row[lane], of.last_row[lane] - of.row[lane]);
+    let reach = of.size[lane].sqrt() + of.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
+    let (left, right) = (of.column[lane] - reach, of.column[lane] + reach);
+    (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
 }
 
 /// The lanes whose bits are set.

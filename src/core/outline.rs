@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::camera_space::CameraSpace;
-use crate::span::{KEEP, MARGIN};
+use crate::span::MARGIN;
 use crate::tiny::TINY_ROWS;
 
 /// The widest vector of `f64` that any level has.
@@ -17,6 +17,9 @@ pub(crate) struct Spheres<'a> {
     pub(crate) z: &'a [f64],
     pub(crate) radius: &'a [f64],
 }
+
+/// `2^50`, see [`Outlines::find`].
+const KEEP: f64 = 1.126e15;
 
 type Lane8 = [f64; MOST_LANES];
 
@@ -45,7 +48,7 @@ type Lane8 = [f64; MOST_LANES];
 ///
 /// With `h = Z^2 + Y^2 - r^2` and the column slope s, `D = h s^2 S^2`; b is `q.d / (s sqrt h)`, and
 /// the numerator `c / (distance s sqrt h)` with `c = |q|^2 - r^2`.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Outlines {
     pub(crate) column: Lane8,
     pub(crate) row: Lane8,
@@ -62,13 +65,13 @@ pub(crate) struct Outlines {
     pub(crate) last_row: Lane8,
     /// No hit has a smaller t.
     pub(crate) nearest: Lane8,
-    /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`: this.
-    pub(crate) least_b: Lane8,
     /// At least the largest `w^2`.
     pub(crate) size: Lane8,
     /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
     /// go up the ladder.
     pub(crate) thin: Lane8,
+    /// Which spheres are drawn by [`wide`](crate::span_kernel::SpanLanes::wide) rows.
+    pub(crate) is_wide: u64,
     /// Which spheres cover so few rows and columns that they are drawn pixel by pixel.
     pub(crate) is_tiny: u64,
     /// In which lanes all of the above holds.
@@ -97,6 +100,13 @@ impl Outlines {
     /// `(4 + 8 k) eta / r`: `r^2 / h` by `2 + 2 k`, its square by twice that, and
     /// `square2 = -c (Z^2 - r^2) / h^2` by `8 k`. In the rows that the sphere has, the terms of `w^2`
     /// are together at most `4 (square0 + square1^2 / |square2|)`.
+    ///
+    /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`, the least b. A pixel that lies at
+    /// least [`MARGIN`] inside a row's ends, in a row that is not thin, has
+    /// `S^2 >= MARGIN sqrt(thin) = keep square_doubt`. The root is off by `square_doubt / (2 S)` at
+    /// most, which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres,
+    /// whose kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row
+    /// adds less than `0.15 2^-24`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &Spheres) {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -179,14 +189,24 @@ impl Outlines {
         let least_b = c.sqrt() * per_s;
         let numerator = c * per_s * per_distance;
         let nearest = (z - r) * per_distance * splat(1.0 - 1e-6);
-        let keep = (square_doubt * splat(KEEP) / (least_b * least_b)).max(splat(32.0));
+        let per_b = one / least_b;
+        let widest = size.sqrt();
+        let error = (splat(3.5) + splat(4.0) * b_column.abs()) * widest * per_b;
+        let is_wide = error.simd_gt(splat(0.42));
+        let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
+        let keep = (square_doubt * root_error * per_b * per_b).max(splat(32.0));
         let thin = square_doubt * keep * splat(1.0 / MARGIN);
+        let can_be_wide = widest.simd_lt(splat(2040.0))
+            & (two * b_column.abs() * widest).simd_lt(splat(0.99) * least_b)
+            & (two * widest + one).simd_lt(splat(0.01) * least_b * least_b);
         let is_tiny = (last_row - first_row).simd_lt(splat(TINY_ROWS as f64))
             & size.simd_lt(splat(9.0))
             & thin.simd_lt(splat(1.0));
         let in_range = |x: S::f64s| x.simd_gt(splat(1e-20)) & x.simd_lt(splat(1e20));
         let far = splat(131_072.0);
         let is_plain = is_plain
+            & thin.simd_lt(splat(32.0))
+            & (can_be_wide | !is_wide)
             & in_range(least_b)
             & in_range(numerator)
             & in_range(nearest)
@@ -213,9 +233,9 @@ impl Outlines {
         put(&mut self.first_row, first_row.ceil());
         put(&mut self.last_row, last_row.floor());
         put(&mut self.nearest, nearest);
-        put(&mut self.least_b, least_b);
         put(&mut self.size, size);
         put(&mut self.thin, (thin * thin).max(splat(32.0) * square_doubt));
         self.is_tiny = is_tiny.to_bitmask();
+        self.is_wide = is_wide.to_bitmask();
     }
 }

@@ -72,7 +72,7 @@ impl<'a> Plan<'a> {
         let space = (!T::IS_FINE && space.is_plain).then_some(space);
         let mut counts = Counts { spheres: scene.spheres().len() as u64, ..Counts::default() };
         let crowd = match (scene.index(), space) {
-            (Some(index), Some(space)) => Some(Crowd::new(index, space, &axes, &mut counts)),
+            (Some(index), Some(space)) => Some(Crowd::new(level, index, space, &axes, &mut counts)),
             _ => None,
         };
         let (mut spans, mut others) = (Vec::new(), Vec::new());

@@ -71,9 +71,8 @@ impl Sorter<'_> {
             sorted.counts.behind += 1;
         } else if outlines.is_outside >> lane & 1 == 1 {
             sorted.counts.outside += 1;
-        } else if outlines.is_plain >> lane & 1 == 1
-            && let Some(span) = Span::new(index as u32, &outlines.one(lane))
-        {
+        } else if outlines.is_plain >> lane & 1 == 1 {
+            let span = Span::new(index as u32, &outlines.one(lane));
             if span.rows(self.axes).is_empty() {
                 sorted.counts.outside += 1;
             } else {

@@ -16,9 +16,6 @@ use crate::span_rows::SpanRows;
 /// by, and so little that hardly a pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
-/// See [`Span::new`]: `2^50`.
-pub(crate) const KEEP: f64 = 1.126e15;
-
 /// One sphere's outline, see [`Outlines`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outline {
@@ -34,11 +31,13 @@ pub(crate) struct Outline {
     pub(crate) first_row: f64,
     pub(crate) last_row: f64,
     pub(crate) nearest: f64,
-    pub(crate) least_b: f64,
+    pub(crate) thin: f64,
+    pub(crate) is_wide: bool,
 }
 
 impl Outlines {
     /// One lane.
+    #[inline(always)]
     pub(crate) fn one(&self, lane: usize) -> Outline {
         Outline {
             column: self.column[lane],
@@ -53,7 +52,8 @@ impl Outlines {
             first_row: self.first_row[lane],
             last_row: self.last_row[lane],
             nearest: self.nearest[lane],
-            least_b: self.least_b[lane],
+            thin: self.thin[lane],
+            is_wide: self.is_wide >> lane & 1 == 1,
         }
     }
 }
@@ -64,9 +64,6 @@ pub(crate) struct Span {
     pub(crate) index: u32,
     pub(crate) outline: Outline,
     pub(crate) shape: SpanShape,
-    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
-    /// go up the ladder.
-    pub(crate) thin: f64,
 }
 
 /// A pixel that a sphere's row could not decide: whether the sphere covers it at all, or, where its
@@ -80,57 +77,35 @@ pub(crate) struct Doubt {
 }
 
 impl Span {
-    /// `None` for a sphere whose `t` cannot be had to an ulp this way, which depends on the sphere
-    /// and the camera alone.
-    ///
-    /// A pixel that lies at least [`MARGIN`] inside a row's ends, in a row that is not thin, has
-    /// `S^2 >= MARGIN thin = keep square_doubt`. The root is off by `square_doubt / (2 S)` at most,
-    /// which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres, whose
-    /// kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row adds
-    /// less than `0.15 2^-24`.
-    pub(crate) fn new(index: u32, outline: &Outline) -> Option<Span> {
-        let Outline { square, b_column, numerator, square_doubt, least_b, .. } = *outline;
-        let widest = (square[0] - 0.25 * square[1] * square[1] / square[2]).sqrt();
-        // In units of 2^-24, see the kernels.
-        let narrow_error = (3.5 + 4.0 * b_column.abs()) * widest / least_b;
-        let is_wide = narrow_error > 0.42;
-        let root_error = if is_wide { KEEP } else { 16.0 * KEEP };
-        let keep = (square_doubt * root_error / (least_b * least_b)).max(32.0);
-        let thin = square_doubt * keep / MARGIN;
-        let can_be_wide = widest < 2040.0
-            && 2.0 * b_column.abs() * widest < 0.99 * least_b
-            && (2.0 * widest + 1.0).sqrt() < 0.1 * least_b;
-        let is_suited = thin < 32.0 && (!is_wide || can_be_wide);
-        let high = rounded_to_12_bits(b_column as f32);
-        is_suited.then(|| Span {
-            index,
-            outline: *outline,
-            shape: SpanShape {
-                numerator: two_parts(numerator),
-                b_column: if is_wide {
-                    [high, (b_column - f64::from(high)) as f32]
-                } else {
-                    two_parts(b_column)
-                },
-                is_wide,
-            },
-            thin: (thin * thin).max(32.0 * square_doubt),
-        })
+    #[inline(always)]
+    pub(crate) fn new(index: u32, outline: &Outline) -> Span {
+        let Outline { b_column, numerator, is_wide, .. } = *outline;
+        let b_column = if is_wide {
+            let high = rounded_to_12_bits(b_column as f32);
+            [high, (b_column - f64::from(high)) as f32]
+        } else {
+            two_parts(b_column)
+        };
+        let shape = SpanShape { numerator: two_parts(numerator), b_column, is_wide };
+        Span { index, outline: *outline, shape }
     }
 
     /// The part of the raster's rows that it can cover.
+    #[inline(always)]
     pub(crate) fn rows(&self, axes: &RasterAxes) -> Range<usize> {
         axes.rows_between(self.outline.first_row, self.outline.last_row)
     }
 }
 
 /// The nearest number of 12 bits.
+#[inline(always)]
 fn rounded_to_12_bits(x: f32) -> f32 {
     let shifted = x * 4097.0;
     shifted - (shifted - x)
 }
 
 /// A number as a sum of two `f32`.
+#[inline(always)]
 fn two_parts(x: f64) -> [f32; 2] {
     let high = x as f32;
     [high, (x - f64::from(high)) as f32]
@@ -158,8 +133,8 @@ impl Span {
             let ends = SpanRows::find(simd, self, target.axes, base);
             let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
             for lane in lanes_of(ends.is_drawn & there) {
-                let (row, columns) = ends.row(lane);
-                self.draw_row(simd, target, base + lane, &row, columns);
+                let lanes = SpanLanes::new(simd, &self.shape, &ends.row(lane));
+                self.draw_row(simd, target, base + lane, &lanes, ends.columns(lane));
             }
             for lane in lanes_of(ends.is_doubtful & there) {
                 self.doubtful_row(simd, target, base + lane);
@@ -175,10 +150,9 @@ impl Span {
         simd: S,
         target: &mut SpanTarget,
         row: usize,
-        span_row: &SpanRow,
+        lanes: &SpanLanes<S>,
         columns: (usize, usize),
     ) {
-        let lanes = SpanLanes::new(simd, &self.shape, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         let mut buffers = RowBuffers {
             columns: &target.axes.columns,
@@ -187,13 +161,13 @@ impl Span {
         };
         let own = (self.index, self.outline.nearest as f32);
         let in_doubt = if self.shape.is_wide {
-            draw_row(simd, &mut buffers, columns, own, &Wide(&lanes))
+            draw_row(simd, &mut buffers, columns, own, &Wide(lanes))
         } else {
-            draw_row(simd, &mut buffers, columns, own, &Narrow(&lanes))
+            draw_row(simd, &mut buffers, columns, own, &Narrow(lanes))
         };
         target.decided += (columns.1 - columns.0 + 1) as u64;
         if in_doubt {
-            self.find_doubts(simd, target, row, columns, &lanes);
+            self.find_doubts(simd, target, row, columns, lanes);
         }
     }
 
@@ -235,8 +209,8 @@ impl Span {
         let j = target.axes.row_numbers[row] - center;
         let middle = column + shear * j;
         let squared = square[0] + (square[1] + square[2] * j) * j;
-        let is_thin = squared < self.thin;
-        let half = if is_thin { (2.0 * self.thin).sqrt() } else { squared.sqrt() };
+        let is_thin = squared < self.outline.thin;
+        let half = if is_thin { (2.0 * self.outline.thin).sqrt() } else { squared.sqrt() };
         let (start, end) = (middle - half, middle + half);
         let (outer_first, outer_last) = ((start - MARGIN).ceil(), (end + MARGIN).floor());
         let (first, last) = match is_thin {
@@ -259,7 +233,8 @@ impl Span {
                 slope: (right - left) as f32,
                 offset: (left * ((last - first) + right)) as f32,
             };
-            self.draw_row(simd, target, row, &span_row, columns);
+            let lanes = SpanLanes::new(simd, &self.shape, &span_row);
+            self.draw_row(simd, target, row, &lanes, columns);
         }
         let in_doubt = [
             (outer_first, first.min(outer_last + 1.0) - 1.0),

@@ -62,7 +62,7 @@ impl SpanRows {
         let (first, last) = ((start + margin).ceil(), (end - margin).floor());
         let same_first = first.simd_eq((start - margin).ceil());
         let same_last = last.simd_eq((end + margin).floor());
-        let is_sure = same_first & same_last & squared.simd_ge(splat(span.thin));
+        let is_sure = same_first & same_last & squared.simd_ge(splat(span.outline.thin));
         let (from, to, is_there) = axes.clip(simd, first, last);
         let is_wide = span.shape.is_wide;
         let pivot = if is_wide { first } else { splat(0.5) * (first + last) };
@@ -91,10 +91,10 @@ impl SpanRows {
         }
     }
 
-    /// One row, with its first and last column in the raster.
+    /// One row.
     #[inline(always)]
-    pub(crate) fn row(&self, lane: usize) -> (SpanRow, (usize, usize)) {
-        let row = SpanRow {
+    pub(crate) fn row(&self, lane: usize) -> SpanRow {
+        SpanRow {
             first: self.first[lane],
             last: self.last[lane],
             left: self.left[lane],
@@ -103,8 +103,13 @@ impl SpanRows {
             pivot: self.pivot[lane],
             slope: self.slope[lane],
             offset: self.offset[lane],
-        };
+        }
+    }
+
+    /// A row's first and last column in the raster.
+    #[inline(always)]
+    pub(crate) fn columns(&self, lane: usize) -> (usize, usize) {
         // By way of i32, which processors convert to in one instruction.
-        (row, (self.from[lane] as i32 as usize, self.to[lane] as i32 as usize))
+        (self.from[lane] as i32 as usize, self.to[lane] as i32 as usize)
     }
 }

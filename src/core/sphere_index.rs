@@ -6,6 +6,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use crate::boxes::{BOX_LANES, Bound, Boxes};
+use crate::outline::Spheres;
 use crate::sphere::Sphere;
 use crate::sphere_order::ordered;
 
@@ -98,6 +99,16 @@ impl SphereIndex {
     /// The blocks of a group, with those that only fill it up.
     pub(crate) fn blocks_of(&self, group: usize) -> Range<usize> {
         self.first_block[group] as usize..self.first_block[group + 1] as usize
+    }
+
+    /// Some slots' spheres.
+    pub(crate) fn spheres(&self, slots: Range<usize>) -> Spheres<'_> {
+        Spheres {
+            x: &self.x[slots.clone()],
+            y: &self.y[slots.clone()],
+            z: &self.z[slots.clone()],
+            radius: &self.radius[slots],
+        }
     }
 
     /// The slots of a block.
