@@ -1,10 +1,12 @@
 //! Some rows of a frame, and the objects that are added to them one after the other.
 
 use std::cmp::Ordering;
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use fearless_simd::{Simd, dispatch};
 
+use crate::certainty::{Certain, Certainty, Uncertain};
 use crate::conic::{Conic, Patch};
 use crate::counts::Counts;
 use crate::crowd_draw::{CrowdDrawn, draw_crowd};
@@ -108,16 +110,21 @@ impl<'a, T: Depth> Band<'a, T> {
         let (plan, mut doubts) = (self.plan, Vec::new());
         let mut drawn = CrowdDrawn::default();
         let Some(t) = T::singles(self.t) else { return (doubts, drawn.others) };
-        let mut target = SpanTarget {
-            axes: &plan.axes,
-            rows: self.rows.clone(),
-            t,
-            object: self.object,
-            doubts: &mut doubts,
-            decided: 0,
+        let rows = self.rows.clone();
+        let decided = if plan.is_certain {
+            let (axes, object, doubts) = (&plan.axes, &mut *self.object, &mut doubts);
+            let certainty = PhantomData::<Certain>;
+            let mut target = SpanTarget { axes, rows, t, object, doubts, decided: 0, certainty };
+            dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
+            target.decided
+        } else {
+            let (axes, object, doubts) = (&plan.axes, &mut *self.object, &mut doubts);
+            let certainty = PhantomData::<Uncertain>;
+            let mut target = SpanTarget { axes, rows, t, object, doubts, decided: 0, certainty };
+            dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
+            target.decided
         };
-        dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
-        self.steps.f64 += target.decided;
+        self.steps.f64 += decided;
         self.counts += drawn.counts;
         (doubts, drawn.others)
     }
@@ -358,7 +365,12 @@ impl<'a, T: Depth> Band<'a, T> {
 }
 
 #[inline(always)]
-fn draw_spans<S: Simd>(simd: S, plan: &Plan, target: &mut SpanTarget, drawn: &mut CrowdDrawn) {
+fn draw_spans<S: Simd, C: Certainty>(
+    simd: S,
+    plan: &Plan,
+    target: &mut SpanTarget<C>,
+    drawn: &mut CrowdDrawn,
+) {
     match &plan.crowd {
         Some(crowd) => draw_crowd(simd, crowd, target, drawn),
         None => {

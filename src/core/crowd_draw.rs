@@ -5,6 +5,7 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::certainty::Certainty;
 use crate::counts::Counts;
 use crate::crowd::{BoxSeen, Crowd};
 use crate::outline::Outlines;
@@ -23,10 +24,10 @@ pub(crate) struct CrowdDrawn {
 
 /// Draws all that the target's rows see of the crowd, near to far.
 #[inline(always)]
-pub(crate) fn draw_crowd<S: Simd>(
+pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
     simd: S,
     crowd: &Crowd,
-    target: &mut SpanTarget,
+    target: &mut SpanTarget<C>,
     drawn: &mut CrowdDrawn,
 ) {
     let mut drawing =
@@ -53,7 +54,7 @@ struct Drawing<'a> {
 
 /// Rows of the raster that lie in the target, as rows of the target.
 #[inline(always)]
-fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
+fn own_rows<C: Certainty>(target: &SpanTarget<C>, rows: &Range<usize>) -> Range<usize> {
     let (start, end) = (rows.start.max(target.rows.start), rows.end.min(target.rows.end));
     start - target.rows.start..end.max(start) - target.rows.start
 }
@@ -61,17 +62,17 @@ fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
 impl Drawing<'_> {
     /// Whether a group or block has pixels in the target that are not hidden.
     #[inline(always)]
-    fn is_seen(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
+    fn is_seen<C: Certainty>(&mut self, target: &SpanTarget<C>, bounds: &BoxSeen) -> bool {
         let rows = own_rows(target, &bounds.rows());
         !rows.is_empty() && !self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
     }
 
     /// Draws the spheres of a block, whose outlines may be known.
     #[inline(always)]
-    fn block<S: Simd>(
+    fn block<S: Simd, C: Certainty>(
         &mut self,
         simd: S,
-        target: &mut SpanTarget,
+        target: &mut SpanTarget<C>,
         block: &BoxSeen,
         kept: Option<&[Outlines]>,
     ) {
@@ -99,10 +100,10 @@ impl Drawing<'_> {
 
     /// Draws the spheres of one vector.
     #[inline(always)]
-    fn vector<S: Simd>(
+    fn vector<S: Simd, C: Certainty>(
         &mut self,
         simd: S,
-        target: &mut SpanTarget,
+        target: &mut SpanTarget<C>,
         outlines: &Outlines,
         ids: &[u32],
         counts_here: bool,
@@ -142,10 +143,10 @@ impl Drawing<'_> {
 
     /// Draws one sphere by rows.
     #[inline(always)]
-    fn sphere<S: Simd>(
+    fn sphere<S: Simd, C: Certainty>(
         &mut self,
         simd: S,
-        target: &mut SpanTarget,
+        target: &mut SpanTarget<C>,
         outlines: &Outlines,
         lane: usize,
         id: u32,
@@ -170,7 +171,7 @@ impl Drawing<'_> {
 
 /// Which spheres of a vector have a row in the target.
 #[inline(always)]
-fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget) -> u64 {
+fn rows_meet<S: Simd, C: Certainty>(simd: S, of: &Outlines, target: &SpanTarget<C>) -> u64 {
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
     let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
     let (first, last) = (number(target.rows.start), number(target.rows.end - 1));
@@ -180,7 +181,11 @@ fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget) -> u64 {
 
 /// Rows of the target and columns that a sphere can cover.
 #[inline(always)]
-fn extent(target: &SpanTarget, of: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
+fn extent<C: Certainty>(
+    target: &SpanTarget<C>,
+    of: &Outlines,
+    lane: usize,
+) -> (Range<usize>, Range<usize>) {
     let rows = target.axes.rows_between(of.first_row[lane], of.last_row[lane]);
     // The middle moves by the shear, the half width is at most that of the widest row.
     let (above, below) = (of.row[lane] - of.first_row[lane], of.last_row[lane] - of.row[lane]);

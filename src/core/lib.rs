@@ -133,6 +133,7 @@ mod bounds;
 mod boxes;
 mod camera;
 mod camera_space;
+mod certainty;
 mod checks;
 mod conic;
 mod counts;

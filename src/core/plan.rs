@@ -41,6 +41,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) counts: Counts,
     /// How many rows a thread traces at a time.
     pub(crate) band_rows: usize,
+    /// Whether decisions in doubt go up the ladder.
+    pub(crate) is_certain: bool,
     pub(crate) extents: Extents<'a>,
     /// `None` for one that an earlier one hides altogether.
     pub(crate) planes: Vec<Option<ObjectSeen>>,
@@ -95,7 +97,7 @@ impl<'a> Plan<'a> {
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
         let planes = planes.collect();
         let large = HashMap::new();
-        let band_rows = if crowd.is_some() { 2 * SLICE_ROWS } else { SLICE_ROWS };
+        let band_rows = if crowd.is_some() { SLICE_ROWS } else { SLICE_ROWS };
         let mut plan = Plan {
             level,
             scene,
@@ -106,6 +108,7 @@ impl<'a> Plan<'a> {
             crowd,
             counts,
             band_rows,
+            is_certain: true,
             extents,
             planes,
             large,

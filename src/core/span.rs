@@ -6,6 +6,7 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::certainty::{Carries, Certainty};
 use crate::crowd_draw::lanes_of;
 use crate::outline::Outlines;
 use crate::raster_axes::RasterAxes;
@@ -112,7 +113,7 @@ fn two_parts(x: f64) -> [f32; 2] {
 }
 
 /// Where spans are drawn: some rows of the raster.
-pub(crate) struct SpanTarget<'a> {
+pub(crate) struct SpanTarget<'a, C> {
     pub(crate) axes: &'a RasterAxes,
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
@@ -120,17 +121,18 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) doubts: &'a mut Vec<Doubt>,
     /// How many pixels were decided.
     pub(crate) decided: u64,
+    pub(crate) certainty: Carries<C>,
 }
 
 impl Span {
     /// Draws the rows that it has in the target.
     #[inline(always)]
-    pub(crate) fn draw<S: Simd>(&self, simd: S, target: &mut SpanTarget) {
+    pub(crate) fn draw<S: Simd, C: Certainty>(&self, simd: S, target: &mut SpanTarget<C>) {
         let own = self.rows(target.axes);
         let rows = own.start.max(target.rows.start)..own.end.min(target.rows.end);
         let mut base = rows.start;
         while base < rows.end {
-            let ends = SpanRows::find(simd, self, target.axes, base);
+            let ends = SpanRows::find::<S, C>(simd, self, target.axes, base);
             let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
             for lane in lanes_of(ends.is_drawn & there) {
                 let lanes = SpanLanes::new(simd, &self.shape, &ends.row(lane));
@@ -145,10 +147,10 @@ impl Span {
 
     /// Draws a row from one column of the raster to another.
     #[inline(always)]
-    fn draw_row<S: Simd>(
+    fn draw_row<S: Simd, C: Certainty>(
         &self,
         simd: S,
-        target: &mut SpanTarget,
+        target: &mut SpanTarget<C>,
         row: usize,
         lanes: &SpanLanes<S>,
         columns: (usize, usize),
@@ -161,9 +163,9 @@ impl Span {
         };
         let own = (self.index, self.outline.nearest as f32);
         let in_doubt = if self.shape.is_wide {
-            draw_row(simd, &mut buffers, columns, own, &Wide(lanes))
+            draw_row::<S, C>(simd, &mut buffers, columns, own, &Wide(lanes))
         } else {
-            draw_row(simd, &mut buffers, columns, own, &Narrow(lanes))
+            draw_row::<S, C>(simd, &mut buffers, columns, own, &Narrow(lanes))
         };
         target.decided += (columns.1 - columns.0 + 1) as u64;
         if in_doubt {
@@ -174,10 +176,10 @@ impl Span {
     /// Notes which pixels of a row are too close to what is there.
     #[cold]
     #[inline(never)]
-    fn find_doubts<S: Simd>(
+    fn find_doubts<S: Simd, C: Certainty>(
         &self,
         simd: S,
-        target: &mut SpanTarget,
+        target: &mut SpanTarget<C>,
         row: usize,
         (from, to): (usize, usize),
         lanes: &SpanLanes<S>,
@@ -204,7 +206,7 @@ impl Span {
     /// A row of which not all pixels are beyond doubt: those that are get drawn, the others noted.
     #[cold]
     #[inline(never)]
-    fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
+    fn doubtful_row<S: Simd, C: Certainty>(&self, simd: S, target: &mut SpanTarget<C>, row: usize) {
         let Outline { column, row: center, shear, square, .. } = self.outline;
         let j = target.axes.row_numbers[row] - center;
         let middle = column + shear * j;

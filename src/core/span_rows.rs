@@ -4,6 +4,7 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::certainty::Certainty;
 use crate::outline::MOST_LANES;
 use crate::raster_axes::RasterAxes;
 use crate::span::{MARGIN, Outline, Span};
@@ -48,7 +49,12 @@ fn store_narrow<S: Simd>(x: S::f64s) -> Singles {
 impl SpanRows {
     /// The sphere's rows from the raster's row `base` on.
     #[inline(always)]
-    pub(crate) fn find<S: Simd>(simd: S, span: &Span, axes: &RasterAxes, base: usize) -> SpanRows {
+    pub(crate) fn find<S: Simd, C: Certainty>(
+        simd: S,
+        span: &Span,
+        axes: &RasterAxes,
+        base: usize,
+    ) -> SpanRows {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let Outline { column, row, shear, square, square_doubt, .. } = span.outline;
         let Outline { b0, b_column, b_row, .. } = span.outline;
@@ -58,11 +64,15 @@ impl SpanRows {
         let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
         let half = squared.max(splat(0.0)).sqrt();
         let (start, end) = (middle - half, middle + half);
-        let margin = splat(MARGIN);
+        let margin = splat(if C::IS_CERTAIN { MARGIN } else { 0.0 });
         let (first, last) = ((start + margin).ceil(), (end - margin).floor());
         let same_first = first.simd_eq((start - margin).ceil());
         let same_last = last.simd_eq((end + margin).floor());
-        let is_sure = same_first & same_last & squared.simd_ge(splat(span.outline.thin));
+        let is_sure = if C::IS_CERTAIN {
+            same_first & same_last & squared.simd_ge(splat(span.outline.thin))
+        } else {
+            squared.simd_ge(splat(0.0))
+        };
         let (from, to, is_there) = axes.clip(simd, first, last);
         let is_wide = span.shape.is_wide;
         let pivot = if is_wide { first } else { splat(0.5) * (first + last) };
@@ -74,6 +84,11 @@ impl SpanRows {
             (store_narrow::<S>(right - left), store_narrow::<S>(offset))
         } else {
             ([0.0; 2 * MOST_LANES], [0.0; 2 * MOST_LANES])
+        };
+        let is_doubtful = if C::IS_CERTAIN {
+            squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask()
+        } else {
+            0
         };
         SpanRows {
             first: store_narrow::<S>(first),
@@ -87,7 +102,7 @@ impl SpanRows {
             from: store::<S>(from),
             to: store::<S>(to),
             is_drawn: is_sure.to_bitmask() & is_there,
-            is_doubtful: squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask(),
+            is_doubtful,
         }
     }
 

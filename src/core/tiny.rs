@@ -3,6 +3,7 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::certainty::Certainty;
 use crate::crowd_draw::lanes_of;
 use crate::outline::{MOST_LANES, Outlines};
 use crate::span::{Doubt, MARGIN, SpanTarget};
@@ -26,15 +27,15 @@ struct Rows {
 
 /// Draws those spheres of a vector whose bits are set.
 #[inline(always)]
-pub(crate) fn draw_tiny<S: Simd>(
+pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
     simd: S,
     outlines: &Outlines,
     tiny: u64,
     ids: &[u32],
-    target: &mut SpanTarget,
+    target: &mut SpanTarget<C>,
 ) {
     for step in 0..TINY_ROWS {
-        let rows = Rows::find(simd, outlines, step as f64);
+        let rows = Rows::find::<S, C>(simd, outlines, step as f64);
         for lane in lanes_of(tiny & rows.is_reached) {
             let Some(row) = target.axes.row_at(rows.number[lane]) else { continue };
             if !target.rows.contains(&row) {
@@ -56,7 +57,7 @@ pub(crate) fn draw_tiny<S: Simd>(
 impl Rows {
     /// The ends of the row that is so many below the first.
     #[inline(always)]
-    fn find<S: Simd>(simd: S, of: &Outlines, step: f64) -> Rows {
+    fn find<S: Simd, C: Certainty>(simd: S, of: &Outlines, step: f64) -> Rows {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
         let number = load(&of.first_row) + splat(step);
@@ -65,11 +66,15 @@ impl Rows {
         let squared = load(&of.square[0]) + (load(&of.square[1]) + load(&of.square[2]) * j) * j;
         let half = squared.max(splat(0.0)).sqrt();
         let (start, end) = (middle - half, middle + half);
-        let margin = splat(MARGIN);
+        let margin = splat(if C::IS_CERTAIN { MARGIN } else { 0.0 });
         let (first, last) = ((start + margin).ceil(), (end - margin).floor());
         let same_first = first.simd_eq((start - margin).ceil());
         let same_last = last.simd_eq((end + margin).floor());
-        let is_sure = same_first & same_last & squared.simd_ge(load(&of.thin));
+        let is_sure = if C::IS_CERTAIN {
+            same_first & same_last & squared.simd_ge(load(&of.thin))
+        } else {
+            squared.simd_ge(splat(0.0))
+        };
         let is_reached = number.simd_le(load(&of.last_row))
             & ((squared.simd_ge(-load(&of.square_doubt)) & !is_sure)
                 | (is_sure & first.simd_le(last)));
@@ -94,13 +99,13 @@ impl Rows {
 
 /// The pixels of one row of a sphere, in `f64`.
 #[inline(always)]
-fn draw_pixels(
+fn draw_pixels<C: Certainty>(
     of: &Outlines,
     lane: usize,
     index: u32,
     (row, from, to): (usize, usize, usize),
     rows: &Rows,
-    target: &mut SpanTarget,
+    target: &mut SpanTarget<C>,
 ) {
     let start = (row - target.rows.start) * target.axes.width();
     for column in from..=to {
@@ -109,9 +114,9 @@ fn draw_pixels(
         let b = rows.b[lane] + of.b_column[lane] * c;
         let t = (of.numerator[lane] / (b + squared.sqrt())) as f32;
         let (known, object) = (&mut target.t[start + column], &mut target.object[start + column]);
-        if t < *known * (1.0 - TIE) {
+        if t < *known * below::<C>() {
             (*known, *object) = (t, index);
-        } else if t <= *known * (1.0 + TIE) {
+        } else if C::IS_CERTAIN && t <= *known * (1.0 + TIE) {
             let (row, column) = (row as u32, column as u32);
             target.doubts.push(Doubt { index, row, column, t: Some(t) });
         }
@@ -119,16 +124,22 @@ fn draw_pixels(
     target.decided += (to - from + 1) as u64;
 }
 
+/// A `t` below this share of another is nearer.
+#[inline(always)]
+fn below<C: Certainty>() -> f32 {
+    if C::IS_CERTAIN { 1.0 - TIE } else { 1.0 }
+}
+
 /// Leaves all pixels that a row may cover to the ladder.
 #[cold]
 #[inline(never)]
-fn note_doubts(
+fn note_doubts<C: Certainty>(
     of: &Outlines,
     lane: usize,
     index: u32,
     row: usize,
     rows: &Rows,
-    target: &mut SpanTarget,
+    target: &mut SpanTarget<C>,
 ) {
     let more = MARGIN + (2.0 * of.thin[lane]).sqrt();
     let (first, last) = ((rows.start[lane] - more).ceil(), (rows.end[lane] + more).floor());
