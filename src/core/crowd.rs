@@ -50,6 +50,8 @@ pub(crate) struct Crowd<'a> {
     pub(crate) groups: Vec<GroupSeen>,
     /// Whether spheres cover one another so much that each is worth a look whether it is hidden.
     pub(crate) is_crowded: bool,
+    /// Whether outlines are kept.
+    pub(crate) keeps_outlines: bool,
 }
 
 /// Why nothing of a box can be seen.
@@ -121,7 +123,7 @@ impl<'a> Crowd<'a> {
             groups.push(group);
         }
         *counts += dropped;
-        Crowd { index, space, groups, is_crowded }
+        Crowd { index, space, groups, is_crowded, keeps_outlines }
     }
 }
 

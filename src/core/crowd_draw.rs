@@ -11,7 +11,7 @@ use crate::crowd::{BoxSeen, Crowd};
 use crate::outline::Outlines;
 use crate::span::{Span, SpanTarget};
 use crate::sphere_index::{BLOCK, NO_SPHERE, SphereIndex};
-use crate::tiny::draw_tiny;
+use crate::tiny::{TinyPixels, draw_tiny};
 use crate::veil::Veil;
 
 /// What a band did with a crowd.
@@ -30,25 +30,40 @@ pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
     target: &mut SpanTarget<C>,
     drawn: &mut CrowdDrawn,
 ) {
-    let mut drawing =
-        Drawing { crowd, veil: Veil::new(target.axes.width(), target.rows.len()), drawn };
+    let mut drawing = Drawing {
+        crowd,
+        veil: Veil::new(target.axes.width(), target.rows.len()),
+        pixels: TinyPixels::new(),
+        drawn,
+    };
     for group in &crowd.groups {
         if !drawing.is_seen(target, &group.bounds) {
             continue;
         }
         for (place, block) in group.blocks.iter().enumerate() {
-            if drawing.is_seen(target, block) {
+            // Where spheres do not cover one another much, a look at each block costs more than it saves.
+            let is_seen = match crowd.is_crowded {
+                true => drawing.is_seen(target, block),
+                false => !own_rows(target, &block.rows()).is_empty(),
+            };
+            if is_seen {
                 let vectors = BLOCK / S::f64s::LEN;
                 let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
                 drawing.block(simd, target, block, kept);
             }
         }
+        if !crowd.is_crowded {
+            let rows = own_rows(target, &group.bounds.rows());
+            drawing.veil.touch(&rows, &group.bounds.columns());
+        }
     }
+    drawing.pixels.draw(simd, target);
 }
 
 struct Drawing<'a> {
     crowd: &'a Crowd<'a>,
     veil: Veil,
+    pixels: TinyPixels,
     drawn: &'a mut CrowdDrawn,
 }
 
@@ -92,10 +107,6 @@ impl Drawing<'_> {
                 }
             }
         }
-        if !self.crowd.is_crowded {
-            let rows = own_rows(target, &block.rows());
-            self.veil.touch(&rows, &block.columns());
-        }
     }
 
     /// Draws the spheres of one vector.
@@ -125,7 +136,7 @@ impl Drawing<'_> {
             counts.in_view += u64::from(left.count_ones());
         }
         if tiny != 0 {
-            draw_tiny(simd, outlines, tiny, ids, target);
+            draw_tiny(simd, outlines, tiny, ids, &mut self.pixels, target);
             if self.crowd.is_crowded {
                 for lane in lanes_of(tiny) {
                     let (rows, columns) = extent(target, outlines, lane);

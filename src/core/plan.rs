@@ -97,7 +97,8 @@ impl<'a> Plan<'a> {
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
         let planes = planes.collect();
         let large = HashMap::new();
-        let band_rows = if crowd.is_some() { SLICE_ROWS } else { SLICE_ROWS };
+        let keeps = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
+        let band_rows = if keeps { SLICE_ROWS } else { 2 * SLICE_ROWS };
         let mut plan = Plan {
             level,
             scene,

@@ -135,8 +135,10 @@ impl Span {
             let ends = SpanRows::find::<S, C>(simd, self, target.axes, base);
             let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
             for lane in lanes_of(ends.is_drawn & there) {
-                let lanes = SpanLanes::new(simd, &self.shape, &ends.row(lane));
-                self.draw_row(simd, target, base + lane, &lanes, ends.columns(lane));
+                let (row, columns) = (base + lane, ends.columns(lane));
+                if self.draw_row(simd, target, row, &ends.row(lane), columns) {
+                    self.find_doubts(simd, target, row, columns, &ends.row(lane));
+                }
             }
             for lane in lanes_of(ends.is_doubtful & there) {
                 self.doubtful_row(simd, target, base + lane);
@@ -145,16 +147,18 @@ impl Span {
         }
     }
 
-    /// Draws a row from one column of the raster to another.
+    /// Draws a row from one column of the raster to another; tells whether a pixel is too close to
+    /// what is there.
     #[inline(always)]
     fn draw_row<S: Simd, C: Certainty>(
         &self,
         simd: S,
         target: &mut SpanTarget<C>,
         row: usize,
-        lanes: &SpanLanes<S>,
+        span_row: &SpanRow,
         columns: (usize, usize),
-    ) {
+    ) -> bool {
+        let lanes = SpanLanes::new(simd, &self.shape, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         let mut buffers = RowBuffers {
             columns: &target.axes.columns,
@@ -162,14 +166,11 @@ impl Span {
             object: &mut target.object[start..],
         };
         let own = (self.index, self.outline.nearest as f32);
-        let in_doubt = if self.shape.is_wide {
-            draw_row::<S, C>(simd, &mut buffers, columns, own, &Wide(lanes))
-        } else {
-            draw_row::<S, C>(simd, &mut buffers, columns, own, &Narrow(lanes))
-        };
         target.decided += (columns.1 - columns.0 + 1) as u64;
-        if in_doubt {
-            self.find_doubts(simd, target, row, columns, lanes);
+        if self.shape.is_wide {
+            draw_row::<S, C>(simd, &mut buffers, columns, own, &Wide(&lanes))
+        } else {
+            draw_row::<S, C>(simd, &mut buffers, columns, own, &Narrow(&lanes))
         }
     }
 
@@ -182,8 +183,9 @@ impl Span {
         target: &mut SpanTarget<C>,
         row: usize,
         (from, to): (usize, usize),
-        lanes: &SpanLanes<S>,
+        span_row: &SpanRow,
     ) {
+        let lanes = SpanLanes::new(simd, &self.shape, span_row);
         let start = (row - target.rows.start) * target.axes.width();
         for at in (from..=to).step_by(S::f32s::LEN) {
             let columns = S::f32s::from_slice(simd, &target.axes.columns[at..at + S::f32s::LEN]);
@@ -235,8 +237,9 @@ impl Span {
                 slope: (right - left) as f32,
                 offset: (left * ((last - first) + right)) as f32,
             };
-            let lanes = SpanLanes::new(simd, &self.shape, &span_row);
-            self.draw_row(simd, target, row, &lanes, columns);
+            if self.draw_row(simd, target, row, &span_row, columns) {
+                self.find_doubts(simd, target, row, columns, &span_row);
+            }
         }
         let in_doubt = [
             (outer_first, first.min(outer_last + 1.0) - 1.0),

@@ -25,13 +25,14 @@ struct Rows {
     is_reached: u64,
 }
 
-/// Draws those spheres of a vector whose bits are set.
+/// Draws those spheres of a vector whose bits are set: finds their pixels, which then wait.
 #[inline(always)]
 pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
     simd: S,
     outlines: &Outlines,
     tiny: u64,
     ids: &[u32],
+    pixels: &mut TinyPixels,
     target: &mut SpanTarget<C>,
 ) {
     for step in 0..TINY_ROWS {
@@ -45,7 +46,8 @@ pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
             if rows.is_sure >> lane & 1 == 0 {
                 note_doubts(outlines, lane, ids[lane], row, &rows, target);
             } else if let Some((from, to)) = target.axes.columns_between(ends[0], ends[1]) {
-                draw_pixels(outlines, lane, ids[lane], (row, from, to), &rows, target);
+                let of = (outlines, lane, ids[lane]);
+                push_pixels(simd, of, (row, from, to), &rows, pixels, target);
             }
         }
         if tiny & rows.is_reached == 0 && step > 0 {
@@ -97,31 +99,87 @@ impl Rows {
     }
 }
 
-/// The pixels of one row of a sphere, in `f64`.
+/// Pixels of tiny spheres whose `t` is found later, many at once: one by one, each would wait for the
+/// root and the quotient of its own.
+pub(crate) struct TinyPixels {
+    squared: [f64; WAITING],
+    b: [f64; WAITING],
+    numerator: [f64; WAITING],
+    /// In the target's buffers.
+    place: [u32; WAITING],
+    index: [u32; WAITING],
+    count: usize,
+}
+
+/// How many pixels wait at most.
+const WAITING: usize = 128;
+
+impl TinyPixels {
+    pub(crate) fn new() -> TinyPixels {
+        let zero = [0.0; WAITING];
+        let (place, index) = ([0; WAITING], [0; WAITING]);
+        TinyPixels { squared: zero, b: zero, numerator: zero, place, index, count: 0 }
+    }
+
+    /// Finds `t` of all that wait, in `f64`, and takes over those that are nearer than what is there.
+    #[inline(always)]
+    pub(crate) fn draw<S: Simd, C: Certainty>(&mut self, simd: S, target: &mut SpanTarget<C>) {
+        let mut from = 0;
+        while from < self.count {
+            let load =
+                |x: &[f64; WAITING]| S::f64s::from_slice(simd, &x[from..from + S::f64s::LEN]);
+            let t = load(&self.numerator) / (load(&self.b) + load(&self.squared).sqrt());
+            let t = t.narrow(t);
+            let end = self.count.min(from + S::f64s::LEN);
+            for (at, t) in (from..end).zip(t.as_slice()) {
+                take_over(target, self.place[at] as usize, self.index[at], *t);
+            }
+            from += S::f64s::LEN;
+        }
+        target.decided += self.count as u64;
+        self.count = 0;
+    }
+}
+
+/// The pixel's first hit is this one, if it is nearer than what is known.
 #[inline(always)]
-fn draw_pixels<C: Certainty>(
-    of: &Outlines,
-    lane: usize,
-    index: u32,
+fn take_over<C: Certainty>(target: &mut SpanTarget<C>, place: usize, index: u32, t: f32) {
+    let known = target.t[place];
+    if t < known * below::<C>() {
+        target.t[place] = t;
+        target.object[place] = index;
+    } else if C::IS_CERTAIN && t <= known * (1.0 + TIE) {
+        let width = target.axes.width();
+        let (row, column) = (target.rows.start + place / width, place % width);
+        let (row, column) = (row as u32, column as u32);
+        target.doubts.push(Doubt { index, row, column, t: Some(t) });
+    }
+}
+
+/// Lets the pixels of one row of a sphere wait.
+#[inline(always)]
+fn push_pixels<S: Simd, C: Certainty>(
+    simd: S,
+    (of, lane, index): (&Outlines, usize, u32),
     (row, from, to): (usize, usize, usize),
     rows: &Rows,
+    pixels: &mut TinyPixels,
     target: &mut SpanTarget<C>,
 ) {
     let start = (row - target.rows.start) * target.axes.width();
+    if pixels.count + (to - from + 1) > WAITING {
+        pixels.draw(simd, target);
+    }
     for column in from..=to {
         let c = f64::from(target.axes.columns[column]);
-        let squared = (c - rows.start[lane]) * (rows.end[lane] - c);
-        let b = rows.b[lane] + of.b_column[lane] * c;
-        let t = (of.numerator[lane] / (b + squared.sqrt())) as f32;
-        let (known, object) = (&mut target.t[start + column], &mut target.object[start + column]);
-        if t < *known * below::<C>() {
-            (*known, *object) = (t, index);
-        } else if C::IS_CERTAIN && t <= *known * (1.0 + TIE) {
-            let (row, column) = (row as u32, column as u32);
-            target.doubts.push(Doubt { index, row, column, t: Some(t) });
-        }
+        let at = pixels.count;
+        pixels.squared[at] = (c - rows.start[lane]) * (rows.end[lane] - c);
+        pixels.b[at] = rows.b[lane] + of.b_column[lane] * c;
+        pixels.numerator[at] = of.numerator[lane];
+        pixels.place[at] = (start + column) as u32;
+        pixels.index[at] = index;
+        pixels.count += 1;
     }
-    target.decided += (to - from + 1) as u64;
 }
 
 /// A `t` below this share of another is nearer.

@@ -73,12 +73,22 @@ impl Veil {
         for row in row * ROWS..((row + 1) * ROWS).min(self.height) {
             let start = row * self.width;
             let of_row = &t[start + columns.start..start + columns.end];
-            for (farthest, t) in farthest.iter_mut().zip(of_row) {
-                *farthest = if *t > *farthest { *t } else { *farthest };
+            if let Some(of_row) = of_row.first_chunk::<COLUMNS>() {
+                for (farthest, t) in farthest.iter_mut().zip(of_row) {
+                    *farthest = farther(*t, *farthest);
+                }
+            } else {
+                farthest[0] = of_row.iter().copied().fold(farthest[0], farther);
             }
         }
         let place = row * self.across + column;
-        self.farthest[place] = farthest.into_iter().fold(0.0, f32::max);
+        self.farthest[place] = farthest.into_iter().fold(0.0, farther);
         self.is_stale[place] = false;
     }
+}
+
+/// The larger of two numbers, neither of which is NaN.
+#[inline(always)]
+fn farther(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
 }
