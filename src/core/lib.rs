@@ -72,6 +72,7 @@
 //! | what a pixel's ray hits first, nothing rounded | [`PosedCamera::exact_ray`], [`Scene::first_hit_of`] |
 //! | what the ray through (u, v) hits first | [`PosedCamera::exact_ray_at`], [`Scene::first_hit_of`] |
 //! | a whole frame, t in `f64` or `f32` | [`trace`], [`trace_as`] |
+//! | a whole picture in colour | [`trace_painted`] |
 //!
 //! ```
 //! use pinhole_core::*;
@@ -203,5 +204,8 @@ pub use scene::{Object, ObjectError, Root, Scene, SceneError};
 pub use shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixel};
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
-pub use trace::{retrace, trace, trace_as, trace_at_level, trace_reporting};
+pub use trace::{
+    Stage, retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
+    trace_reporting,
+};
 pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};

@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use crate::exact_ray::ExactRay;
-use crate::precise::T_DOUBT;
 use crate::ray::Ray;
 use crate::scale::{is_plain_direction, unit};
 use crate::scene::Scene;
@@ -44,7 +43,7 @@ impl<'a> Normals<'a> {
 }
 
 impl Surface<'_> {
-    /// The outward unit normal where the ray meets the object at the root `t`.
+    /// The outward unit normal where the ray first hits the object, at `t`.
     pub(crate) fn normal(&self, ray: &Ray, t: f64) -> DVec3 {
         let sphere = match self {
             Surface::Plane(normal) => return *normal,
@@ -58,12 +57,12 @@ impl Surface<'_> {
             Some(Ball { q, radius, is_near: false }) => {
                 far_normal(q.into(), radius, d.into()).into()
             }
-            _ => normal_of_nearest_root(sphere, ray, t),
+            _ => normal_of_first_hit(sphere, ray),
         }
     }
 
     /// `|n.d| / |d|` of that normal n.
-    pub(crate) fn cosine(&self, ray: &Ray, t: f64) -> f64 {
+    pub(crate) fn cosine(&self, ray: &Ray) -> f64 {
         let d = ray.direction;
         match self {
             Surface::Plane(normal) if is_plain_direction(d) => {
@@ -75,22 +74,20 @@ impl Surface<'_> {
                     Some(Ball { q, radius, .. }) => {
                         sphere_cosine(q.to_array(), radius * radius, d.to_array(), 1.0)
                     }
-                    None => normal_of_nearest_root(sphere, ray, t).dot(unit(d)).abs(),
+                    None => normal_of_first_hit(sphere, ray).dot(unit(d)).abs(),
                 }
             }
         }
     }
 }
 
-/// The normal at whichever of the ray's roots is nearest to `t`; against the ray where rounding the
-/// ray's direction has moved it past the sphere.
+/// The normal at the ray's first hit, from exact decisions; against the ray where rounding the ray's
+/// direction has moved it past the sphere.
 #[cold]
-fn normal_of_nearest_root(sphere: &Sphere, ray: &Ray, t: f64) -> DVec3 {
+fn normal_of_first_hit(sphere: &Sphere, ray: &Ray) -> DVec3 {
     let Ok(exact) = ExactRay::of(ray) else { return DVec3::ZERO };
     let seen = SphereSeen::new(sphere, ray.origin);
-    let ends = ObjectSeen::Sphere(seen.clone()).ends(&exact, &mut Steps::default());
-    let apart = |end| (seen.t(&exact, end, T_DOUBT).to_f64() - t).abs();
-    match ends.iter().copied().min_by(|a, b| apart(*a).total_cmp(&apart(*b))) {
+    match ObjectSeen::Sphere(seen.clone()).first_end(&exact, &mut Steps::default()) {
         Some(end) => seen.normal(&exact, end),
         None => -unit(ray.direction),
     }

@@ -74,7 +74,7 @@ impl<'a> Toner<'a> {
         }
     }
 
-    /// The tones of one ray's hit.
+    /// The tones of one ray's first hit. Lambert and object need no `t`.
     pub(crate) fn tones(&self, ray: &Ray, object: u32, t: f64, color: Rgb) -> Tones {
         let Some(surface) = self.normals.surface(object) else { return [0; 3] };
         match self.shade {
@@ -85,7 +85,7 @@ impl<'a> Toner<'a> {
                 normal.map(|x| byte(127.5 * (x as f32 + 1.0)))
             }
             Shade::Lambert => {
-                let light = (AMBIENT + FROM_EYE * surface.cosine(ray, t)) as f32;
+                let light = (AMBIENT + FROM_EYE * surface.cosine(ray)) as f32;
                 color.map(|byte| (light * self.srgb.parts_of(byte) + 0.5) as u32)
             }
         }
@@ -121,7 +121,7 @@ impl<'a> Toner<'a> {
             };
             if !is_done {
                 for column in run.start..run.end {
-                    let t = t.get(column).copied().unwrap_or(f64::NAN);
+                    let t = t.get(column).copied().unwrap_or(f64::INFINITY);
                     let pixel = self.tones(&rays.ray(column), run.object, t, run.color);
                     for (channel, tone) in tones.iter_mut().zip(pixel) {
                         channel[column] = tone;

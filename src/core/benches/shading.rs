@@ -76,12 +76,26 @@ fn of_scene(name: &str, scene: &Scene) {
     let frame = trace_as::<f32>(scene, &camera, &raster, Outputs::default());
     let hits = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
     println!("{name}: {:.0} % hit", 100.0 * hits as f64 / raster.len() as f64);
+    let traced = ms(|| {
+        black_box(trace_as::<f32>(scene, &camera, &raster, Outputs::default()));
+    });
+    println!("  traced   {traced:6.2}");
     let colors: Vec<Rgb> = (0..scene.spheres().len() + scene.planes().len()).map(|i| [i as u8, 200, 90]).collect();
     for how in Shade::ALL {
         let alone = ms(|| {
             let color_of = |i: u32| colors[i as usize];
             black_box(shade(&frame, scene, how, color_of, |[r, g, b]| [r, g, b, 255_u8]));
         });
-        println!("  {:8} {alone:6.2}", how.name());
+        let paint = Paint {
+            shade: how,
+            color_of: |i: u32| colors[i as usize],
+            to_pixel: |[r, g, b]: Rgb| [r, g, b, 255_u8],
+        };
+        let mut pixels = vec![[0; 4]; raster.len()];
+        let to_pixels = ms(|| {
+            let (none, to) = (Outputs::NONE, &mut pixels[..]);
+            let _: Frame<f32> = trace_painted(scene, &camera, &raster, none, &paint, to, |_| ());
+        });
+        println!("  {:8} {alone:6.2}, traced and painted {to_pixels:6.2}", how.name());
     }
 }
