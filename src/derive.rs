@@ -3,25 +3,29 @@
 
 mod memo;
 mod picture;
+mod watch;
+mod world;
 
-use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
 use pinhole_core::methods::Method;
 use pinhole_core::{
-    Camera, CameraError, DVec3, Frame, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, SceneError,
-    Shade, Sphere, Steps, UpAngle, shade, trace_as,
+    Camera, CameraError, Counts, Frame, Plane, PosedCamera, Rgb, Scene, SceneError, Sphere, Steps,
+    UpAngle,
 };
 
 use self::memo::Memo;
 pub use self::picture::Compared;
 use self::picture::{GoodPicture, Pictures};
+use self::watch::watched;
+pub use self::watch::{Watch, Work};
+use self::world::WorldPictures;
 use crate::accuracy;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::inspection::Inspection;
-use crate::observer::{Observer, enclosing, seen_scene};
+use crate::observer::Observer;
 use crate::overlay::{self, CameraView, Label, OverlayItems, Picture, Style, WorldView};
 use crate::session::{Selection, Session};
 
@@ -78,6 +82,8 @@ pub struct Derived {
     pub world_view: Option<Shown>,
     /// How far up the ladder the camera's picture had to go.
     pub steps: Option<Steps>,
+    /// What the camera's picture left out, and what was left to do.
+    pub counts: Option<Counts>,
     /// The ladder's answer for the pixels that are shown, where another method stands beside it.
     pub truth: Option<Arc<Frame>>,
     /// What drew the camera's picture, where the ladder did not.
@@ -106,13 +112,9 @@ pub struct Deriver {
     pictures: Pictures,
     camera_view: Memo<CameraViewKey, Shown>,
     error_map: Memo<(Method, CameraViewKey), Shown>,
-    enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
-    seen_scene: Memo<(u64, Enclosing), Arc<Scene>>,
-    world_picture: Memo<(PosedCamera, u64, Enclosing), Arc<WorldPicture>>,
+    world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
     last_good: LastGood,
-    /// How many pictures of the observer were traced.
-    world_pictures: u64,
 }
 
 /// The scene of the document's objects, remade when one of them changes.
@@ -157,17 +159,6 @@ struct CameraViewKey {
     style: Style,
 }
 
-/// Indices of the spheres that would hide the camera from the observer.
-type Enclosing = Arc<Vec<u32>>;
-
-/// The scene as the observer sees it, before anything is drawn over it.
-#[derive(Debug)]
-struct WorldPicture {
-    frame: Arc<Frame<f32>>,
-    pixels: Vec<Color32>,
-    enclosing: Enclosing,
-}
-
 #[derive(Debug, PartialEq)]
 struct WorldViewKey {
     camera: Camera,
@@ -199,11 +190,22 @@ struct GoodWorld {
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.made() + self.world_pictures
+        self.pictures.made() + self.world_pictures.made()
     }
 
     /// Everything to show of this document.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
+        self.derive_watched(document, session, sizes, &|_| ())
+    }
+
+    /// The same, telling what its time is spent on.
+    pub fn derive_watched(
+        &mut self,
+        document: &Document,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) -> Derived {
         let world = self.world_of(document);
         let posed = document.camera.posed();
         let fault = match (&posed, &world) {
@@ -219,15 +221,15 @@ impl Deriver {
             ..Derived::default()
         };
         if let (Some(posed), Ok(world)) = (derived.posed, &world) {
-            let good = self.pictures.of(posed, world, session, sizes);
+            let good = self.pictures.of(posed, world, session, sizes, watch);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good.picture = Some(good);
         }
         if let Ok(world) = world {
             self.last_good.world = Some(world);
         }
-        self.camera_views(&mut derived, session, sizes);
-        self.world_view(&mut derived, document, session, sizes);
+        self.camera_views(&mut derived, session, sizes, watch);
+        self.world_view(&mut derived, document, session, sizes, watch);
         derived
     }
 
@@ -243,7 +245,13 @@ impl Deriver {
     }
 
     /// The camera's picture and, next to it, the error map.
-    fn camera_views(&mut self, derived: &mut Derived, session: &Session, sizes: &ViewSizes) {
+    fn camera_views(
+        &mut self,
+        derived: &mut Derived,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) {
         let Some(good) = self.last_good.picture.clone() else { return };
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
@@ -268,9 +276,11 @@ impl Deriver {
         };
         derived.camera_view = sizes.camera.map(|size| {
             self.camera_view.get(key(size), |key| {
-                let mut pixels = blank(size);
-                let labels = view(&good.picture, key, &mut pixels);
-                shown(size, pixels, labels)
+                watched(watch, Work::Overlay, || {
+                    let mut pixels = blank(size);
+                    let labels = view(&good.picture, key, &mut pixels);
+                    shown(size, pixels, labels)
+                })
             })
         });
         if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
@@ -285,7 +295,7 @@ impl Deriver {
             derived.compared = Some(Arc::clone(compared));
         }
         derived.drawn_by.clone_from(&good.drawn_by);
-        derived.steps = Some(good.steps);
+        (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
     }
 
@@ -295,6 +305,7 @@ impl Deriver {
         document: &Document,
         session: &Session,
         sizes: &ViewSizes,
+        watch: Watch<'_>,
     ) {
         let (Some(size), Some(good), Some(observer)) =
             (sizes.world, self.last_good.world.clone(), session.observer)
@@ -305,7 +316,7 @@ impl Deriver {
         let Ok(observer_camera) = observer.camera(size[0], size[1]).posed() else { return };
         let color_of = |i: u32| colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
-        let world = self.world_picture(&good, eye, observer_camera, color_of);
+        let world = self.world_pictures.of(&good, eye, observer_camera, color_of, watch);
         let seen = self.last_good.picture.as_ref().filter(|_| derived.fault.is_none());
         let key = WorldViewKey {
             camera: document.camera,
@@ -335,39 +346,12 @@ impl Deriver {
                 scale: key.scale,
                 style: key.style,
             };
-            let labels = overlay::world(&view, &mut pixels);
+            let labels =
+                watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
             shown(size, pixels, labels)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);
-    }
-
-    fn world_picture(
-        &mut self,
-        good: &GoodWorld,
-        eye: DVec3,
-        observer: PosedCamera,
-        color_of: impl Fn(u32) -> Rgb + Sync,
-    ) -> Arc<WorldPicture> {
-        let GoodWorld { scene, generation, .. } = good;
-        let enclosing = self.enclosing.get((*generation, eye, observer.eye()), |_| {
-            Arc::new(enclosing(scene, eye, observer.eye()))
-        });
-        let seen =
-            self.seen_scene.get((*generation, Arc::clone(&enclosing)), |_| {
-                match seen_scene(scene, &enclosing) {
-                    Cow::Borrowed(_) => Arc::clone(scene),
-                    Cow::Owned(seen) => Arc::new(seen),
-                }
-            });
-        let world_pictures = &mut self.world_pictures;
-        self.world_picture.get((observer, *generation, enclosing), |(.., enclosing)| {
-            *world_pictures += 1;
-            let raster = Raster::full(observer.image());
-            let frame = Arc::new(trace_as::<f32>(&seen, &observer, &raster, Outputs::default()));
-            let pixels = shade(&frame, &seen, Shade::Lambert, color_of, opaque);
-            Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(enclosing) })
-        })
     }
 }
 

@@ -3,12 +3,12 @@
 
 use std::sync::Arc;
 
+use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{
-    Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps, shade, trace, trace_as,
-};
+use pinhole_core::{Counts, Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps, shade};
 
 use super::memo::Memo;
+use super::watch::{self, Watch};
 use super::{GoodWorld, ViewSizes, opaque};
 use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
@@ -35,6 +35,8 @@ pub(super) struct GoodPicture {
     pub(super) inspection: Arc<Inspection>,
     /// How far up the ladder it had to go.
     pub(super) steps: Steps,
+    /// What it left out.
+    pub(super) counts: Counts,
     /// By the ladder, where another method stands beside it.
     pub(super) truth: Option<Arc<Frame>>,
     /// What drew the picture, where the ladder did not.
@@ -52,7 +54,7 @@ pub(super) struct Pictures {
     truth: Memo<Seen, Arc<Frame>>,
     /// By the picture's method, and by the map's where that is another one.
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
-    picture: Memo<(Method, Seen, Shade), (Arc<Picture>, Steps)>,
+    picture: Memo<(Method, Seen, Shade), (Arc<Picture>, Steps, Counts)>,
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     /// How many pictures were made, which tells one from the next.
@@ -72,6 +74,7 @@ impl Pictures {
         world: &GoodWorld,
         session: &Session,
         sizes: &ViewSizes,
+        watch: Watch<'_>,
     ) -> GoodPicture {
         let GoodWorld { scene, generation, .. } = world;
         let selection = session.selection.inside(posed.image());
@@ -88,9 +91,7 @@ impl Pictures {
         let (method, other) = (settings.method.0, settings.compared.0);
         // Only a comparison needs all digits of t.
         let truth = (method != Method::Ladder || sizes.map.is_some()).then(|| {
-            self.truth.get(seen.clone(), |(.., raster)| {
-                Arc::new(trace(scene, &posed, raster, Outputs::default()))
-            })
+            self.truth.get(seen.clone(), |(.., raster)| watch::truth(scene, &posed, raster, watch))
         });
         let mut compare = |slot: usize, method| {
             let truth = truth.as_deref()?;
@@ -99,13 +100,20 @@ impl Pictures {
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = sizes.map.and_then(|_| compare(usize::from(other != method), other));
         let (mode, made) = (Shade::from(settings.shade), &mut self.made);
-        let (picture, steps) = self.picture.get((method, seen.clone(), mode), |(_, seen, _)| {
+        let key = (method, seen.clone(), mode);
+        let (picture, steps, counts) = self.picture.get(key, |(_, seen, _)| {
             *made += 1;
             match (&drawn_by, &truth) {
-                (Some(by), Some(truth)) => (painted(&by.frame, world, mode), truth.steps),
+                (Some(by), Some(truth)) => {
+                    let picture = painted(&by.frame, world, mode);
+                    (picture, truth.steps, truth.counts)
+                }
                 _ => {
-                    let frame = trace_as::<f32>(scene, &posed, &seen.2, Outputs::default());
-                    (painted(&frame, world, mode), frame.steps)
+                    let (raster, colors) = (&seen.2, (mode, |i: u32| world.colors[i as usize]));
+                    // Nobody reads more of the frame than its colours.
+                    let (frame, pixels) =
+                        watch::picture(scene, &posed, raster, Outputs::NONE, colors, watch);
+                    (picture_of(&frame, pixels), frame.steps, frame.counts)
                 }
             }
         });
@@ -116,14 +124,27 @@ impl Pictures {
             });
             (compared, map)
         });
-        GoodPicture { posed, picture, selection, inspection, steps, truth, drawn_by, compared }
+        GoodPicture {
+            posed,
+            picture,
+            selection,
+            inspection,
+            steps,
+            counts,
+            truth,
+            drawn_by,
+            compared,
+        }
     }
 }
 
 /// The colours of what was traced.
 fn painted<T: Depth>(frame: &Frame<T>, world: &GoodWorld, mode: Shade) -> Arc<Picture> {
     let GoodWorld { scene, colors, .. } = world;
-    let pixels = shade(frame, scene, mode, |i| colors[i as usize], opaque);
+    picture_of(frame, shade(frame, scene, mode, |i| colors[i as usize], opaque))
+}
+
+fn picture_of<T: Depth>(frame: &Frame<T>, pixels: Vec<Color32>) -> Arc<Picture> {
     let (raster, image) = (frame.raster().clone(), frame.camera().image());
     Arc::new(Picture { raster, image, pixels })
 }
