@@ -346,8 +346,7 @@ impl Deriver {
                 scale: key.scale,
                 style: key.style,
             };
-            let labels =
-                watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
+            let labels = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
             shown(size, pixels, labels)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));

@@ -69,7 +69,8 @@ pub fn render_view(
         done(options.size.height() as usize);
         return Ok(Rendering { pixels, frame: None });
     }
-    let (raster, outputs) = (Raster::full(camera.image()), Outputs { normal: true, ..Outputs::default() });
+    let (raster, outputs) =
+        (Raster::full(camera.image()), Outputs { normal: true, ..Outputs::default() });
     let frame = Some(trace_reporting(&scene, &camera, &raster, outputs, done));
     Ok(Rendering { pixels, frame })
 }

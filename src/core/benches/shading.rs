@@ -32,8 +32,7 @@ fn grid(across: u32, down: u32, away: f64) -> Scene {
 
 fn scenes() -> Vec<(&'static str, Scene)> {
     let ball = |center: [f64; 3], radius| Sphere { center: center.into(), radius };
-    let floor =
-        Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::new(0.0, 1.0, 0.0) };
+    let floor = Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::new(0.0, 1.0, 0.0) };
     let three = vec![
         ball([-1.0, 0.0, -5.0], 1.0),
         ball([0.6, 0.2, -4.0], 0.7),
@@ -80,7 +79,8 @@ fn of_scene(name: &str, scene: &Scene) {
         black_box(trace_as::<f32>(scene, &camera, &raster, Outputs::default()));
     });
     println!("  traced   {traced:6.2}");
-    let colors: Vec<Rgb> = (0..scene.spheres().len() + scene.planes().len()).map(|i| [i as u8, 200, 90]).collect();
+    let colors: Vec<Rgb> =
+        (0..scene.spheres().len() + scene.planes().len()).map(|i| [i as u8, 200, 90]).collect();
     for how in Shade::ALL {
         let alone = ms(|| {
             let color_of = |i: u32| colors[i as usize];

@@ -201,12 +201,12 @@ fn stages_are_told_in_order_and_make_up_the_frame() {
     let (_, scene, camera) = scenes().swap_remove(0);
     let raster = Raster::full(camera.image());
     for how in Shade::ALL {
-        let (told, paint) = (Mutex::new(Vec::new()), Paint { shade: how, color_of, to_pixel: of_four });
+        let (told, paint) =
+            (Mutex::new(Vec::new()), Paint { shade: how, color_of, to_pixel: of_four });
         let observe = |stage| told.lock().unwrap().push(stage);
         let mut pixels = vec![[0; 4]; raster.len()];
         let none = Outputs::NONE;
-        let _: Frame =
-            trace_painted(&scene, &camera, &raster, none, &paint, &mut pixels, observe);
+        let _: Frame = trace_painted(&scene, &camera, &raster, none, &paint, &mut pixels, observe);
         let told = told.into_inner().unwrap();
         assert_eq!(told[0], Stage::Planned);
         let rows = told[1..].iter().map(|stage| match stage {
@@ -224,6 +224,5 @@ fn a_picture_of_another_size_is_refused() {
     let raster = Raster::full(camera.image());
     let paint = Paint { shade: Shade::Lambert, color_of, to_pixel: of_four };
     let none = Outputs::NONE;
-    let _: Frame =
-        trace_painted(&scene, &camera, &raster, none, &paint, &mut [[0; 4]; 7], |_| ());
+    let _: Frame = trace_painted(&scene, &camera, &raster, none, &paint, &mut [[0; 4]; 7], |_| ());
 }

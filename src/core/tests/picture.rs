@@ -229,7 +229,8 @@ fn the_same_bits_on_any_number_of_threads() {
     let raster = Raster::full(camera.image());
     let with_threads = |threads| {
         rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
-            let frame = trace(&scene, &camera, &raster, Outputs { normal: true, ..Outputs::default() });
+            let frame =
+                trace(&scene, &camera, &raster, Outputs { normal: true, ..Outputs::default() });
             let colors = shade(&frame, &scene, Shade::Lambert, |_| [200, 100, 50], |rgb| rgb);
             (frame, colors)
         })
