@@ -48,13 +48,16 @@ pub(super) struct GoodPicture {
 /// What is seen from where: a camera, the generation of the objects, and the pixels.
 type Seen = (PosedCamera, u64, Raster);
 
+/// A picture, how far up the ladder it had to go, and what it left out.
+type Made = (Arc<Picture>, Steps, Counts);
+
 /// Remembers what the camera saw.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<Seen, Arc<Frame>>,
     /// By the picture's method, and by the map's where that is another one.
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
-    picture: Memo<(Method, Seen, Shade), (Arc<Picture>, Steps, Counts)>,
+    picture: Memo<(Method, Seen, Shade), Made>,
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     /// How many pictures were made, which tells one from the next.

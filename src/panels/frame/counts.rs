@@ -69,7 +69,7 @@ pub(super) fn ui(ui: &mut Ui, derived: &Derived) {
     let world = derived.world_frame.as_ref().map(|frame| (frame.counts, frame.steps));
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().interact_size.y = 19.0;
-        Grid::new("counts").striped(true).num_columns(3).spacing([18.0, 3.0]).show(ui, |ui| {
+        Grid::new("counts").striped(true).num_columns(3).spacing([12.0, 3.0]).show(ui, |ui| {
             ui.strong("Left out, and left to do");
             for name in [CAMERA, WORLD] {
                 ui.strong(name);

@@ -1,7 +1,7 @@
 //! What the last frames took, a bar a frame, the parts on top of each other.
 
-use egui::{Align2, RichText, Ui};
-use egui_plot::{Bar, BarChart, HLine, LineStyle, Plot, PlotBounds, Text};
+use egui::{Stroke, Ui};
+use egui_plot::{Bar, BarChart, HLine, LineStyle, Plot, PlotBounds};
 
 use super::ms;
 use crate::frame_times::{FrameHistory, FrameRecord, KEPT, Part};
@@ -19,7 +19,7 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
     let right = KEPT as f64;
     let line = ui.visuals().text_color();
     Plot::new("frame times")
-        .x_axis_label("frames with a new picture, the last one on the right")
+        .x_axis_label("the last 200 new pictures; dashed: 16.7 ms")
         .y_axis_label("ms")
         .show_axes([true, true])
         .x_axis_formatter(|_, _| String::new())
@@ -42,9 +42,6 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
             charts.into_iter().for_each(|chart| plot.bar_chart(chart));
             let smooth = HLine::new("60 frames a second", SMOOTH).allow_hover(false);
             plot.hline(smooth.color(line).width(2.0).style(LineStyle::dashed_loose()));
-            let name = RichText::new("16.7 ms: 60 frames a second").size(13.0);
-            let name = Text::new("name of the line", [1.0, SMOOTH].into(), name);
-            plot.text(name.color(line).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
         });
 }
 
@@ -53,7 +50,10 @@ fn chart(part: Part, records: &[&FrameRecord]) -> BarChart {
     let first = KEPT - records.len();
     let bars = records.iter().enumerate().map(|(index, record)| {
         let time = 1e3 * record.time(part).unwrap_or_default().as_secs_f64();
-        Bar::new((first + index) as f64 + 0.5, time).width(1.0)
+        Bar::new((first + index) as f64 + 0.5, time)
+            .width(1.0)
+            .fill(part.color())
+            .stroke(Stroke::NONE)
     });
     let description =
         move |bar: &Bar, _: &BarChart| format!("{} {} ms", part.name(), ms(1e-3 * bar.value));
