@@ -1,6 +1,7 @@
 //! What colours cost: milliseconds a frame of 1920 x 1080 pixels, one thread, medians.
 //!
-//! `cargo bench -p pinhole-core --bench shading`
+//! `cargo bench -p pinhole-core --bench shading`; the level of instructions is the processor's best,
+//! or AVX2 with `-- avx2`.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "a benchmark prints and may fail")]
 
 use std::hint::black_box;
@@ -60,41 +61,52 @@ fn ms(mut work: impl FnMut()) -> f64 {
     median((0..ROUNDS).map(time).collect())
 }
 
+fn level() -> Level {
+    let best = Level::new();
+    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+    if std::env::args().any(|argument| argument == "avx2") {
+        return best.as_avx2().map_or(best, Level::Avx2);
+    }
+    best
+}
+
 fn main() {
-    println!("1920 x 1080, one thread, {ROUNDS} rounds, {:?}; ms a frame\n", Level::new());
+    let level = level();
+    println!("1920 x 1080, one thread, {ROUNDS} rounds, {level:?}; ms a frame\n");
     rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap().install(|| {
         for (name, scene) in scenes() {
-            of_scene(name, &scene);
+            of_scene(level, name, &scene);
         }
     });
 }
 
-fn of_scene(name: &str, scene: &Scene) {
+fn of_scene(level: Level, name: &str, scene: &Scene) {
     let camera = camera();
     let raster = Raster::full(camera.image());
     let frame = trace_as::<f32>(scene, &camera, &raster, Outputs::default());
     let hits = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
     println!("{name}: {:.0} % hit", 100.0 * hits as f64 / raster.len() as f64);
     let traced = ms(|| {
-        black_box(trace_as::<f32>(scene, &camera, &raster, Outputs::default()));
+        let outputs = Outputs::default();
+        black_box(trace_at_level::<f32>(level, scene, &camera, &raster, outputs, |_| ()));
     });
     println!("  traced   {traced:6.2}");
     let colors: Vec<Rgb> =
         (0..scene.spheres().len() + scene.planes().len()).map(|i| [i as u8, 200, 90]).collect();
     for how in Shade::ALL {
-        let alone = ms(|| {
-            let color_of = |i: u32| colors[i as usize];
-            black_box(shade(&frame, scene, how, color_of, |[r, g, b]| [r, g, b, 255_u8]));
-        });
         let paint = Paint {
             shade: how,
             color_of: |i: u32| colors[i as usize],
             to_pixel: |[r, g, b]: Rgb| [r, g, b, 255_u8],
         };
+        let alone = ms(|| {
+            black_box(shade_at_level(level, &frame, scene, &paint));
+        });
         let mut pixels = vec![[0; 4]; raster.len()];
         let to_pixels = ms(|| {
             let (none, to) = (Outputs::NONE, &mut pixels[..]);
-            let _: Frame<f32> = trace_painted(scene, &camera, &raster, none, &paint, to, |_| ());
+            let _: Frame<f32> =
+                trace_painted_at_level(level, scene, &camera, &raster, none, &paint, to, |_| ());
         });
         println!("  {:8} {alone:6.2}, traced and painted {to_pixels:6.2}", how.name());
     }
