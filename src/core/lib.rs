@@ -152,6 +152,7 @@ mod image;
 mod kernel;
 mod lane;
 mod lanes;
+mod line;
 mod method_kernel;
 mod method_real;
 mod method_sphere;
