@@ -73,6 +73,24 @@ fn both_pictures_counts_are_those_of_what_was_traced() {
 }
 
 #[test]
+fn the_lectures_balls_are_counted_where_they_are() {
+    let mut window = window("canonical");
+    let of = |c: &Counts| (c.spheres, c.behind, c.outside, c.in_view, c.hidden, c.blocks);
+    let counted = |window: &Harness<'_, App>| {
+        let derived = window.state().derived();
+        (of(&derived.counts.unwrap()), of(&derived.world_frame.as_ref().unwrap().counts))
+    };
+    let both_in_view = (2, 0, 0, 2, 0, 0);
+    assert_eq!(counted(&window), (both_in_view, both_in_view));
+    type_into(&mut window, "at z", "1");
+    assert_eq!(counted(&window), ((2, 2, 0, 0, 0, 0), both_in_view), "the observer stays");
+    type_into(&mut window, "at z", "-1");
+    type_into(&mut window, "eye y", "50");
+    type_into(&mut window, "at y", "50");
+    assert_eq!(counted(&window).0, (2, 0, 2, 0, 0, 0));
+}
+
+#[test]
 fn an_edit_is_timed_and_rest_stays_rest() {
     let mut window = window("canonical");
     open(&mut window);

@@ -4,8 +4,8 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 use pinhole_core::{Counts, Steps};
 
 use crate::derive::Derived;
-use crate::panels::views::{CAMERA, WORLD};
 use crate::number::grouped;
+use crate::panels::views::{CAMERA, WORLD};
 
 /// A line: what is counted, what that means, and how to say it of a picture.
 type Line = (&'static str, &'static str, fn(&Counts, &Steps) -> String);
