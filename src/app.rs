@@ -17,12 +17,13 @@ use crate::derive::{Derived, Deriver, Fault};
 use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
+use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::{self, Dialog};
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, camera, objects, readouts, selection, top_bar, views};
-use crate::present::{WindowGeometry, fonts};
+use crate::panels::{accuracy, camera, frame, objects, readouts, selection, top_bar, views};
+use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::view_texture::ViewTexture;
@@ -42,6 +43,7 @@ pub struct App {
     camera_texture: ViewTexture,
     map_texture: ViewTexture,
     measuring: Measuring,
+    frames: FrameHistory,
     store: Option<Store>,
     geometry: WindowGeometry,
     title: String,
@@ -74,6 +76,7 @@ impl App {
             camera_texture: ViewTexture::default(),
             map_texture: ViewTexture::default(),
             measuring: Measuring::default(),
+            frames: FrameHistory::default(),
             store,
             geometry: remembered.window,
             title: String::new(),
@@ -138,9 +141,20 @@ impl App {
         self.deriver.traced()
     }
 
+    /// Whether the user looks at what frames take.
+    pub fn shows_frame_times(&self) -> bool {
+        self.session.settings.layout == ViewLayout::Frame
+    }
+
+    /// The last frame was handed to the display.
+    pub fn presented(&mut self, times: &FrameTimes) {
+        self.frames.presented(times);
+    }
+
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        let mut stopwatch = None;
         let mut actions = Vec::new();
         self.window_inputs(&ctx, &mut actions);
         self.panels(ui, &mut actions);
@@ -159,7 +173,10 @@ impl App {
             let sizes = views::sizes(ui, &places);
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
-            self.derived = self.deriver.derive(&self.open.document, &self.session, &sizes);
+            stopwatch = self.shows_frame_times().then(Stopwatch::start);
+            let tell = |work| stopwatch.iter().for_each(|stopwatch| stopwatch.tell(work));
+            let (document, session) = (&self.open.document, &self.session);
+            self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(&self.open.source);
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
@@ -168,6 +185,7 @@ impl App {
         });
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
+        self.frames.end(&ctx, stopwatch);
     }
 
     /// Panels are drawn from the top while they are edited. Where an edit changed what had already
@@ -328,10 +346,12 @@ impl App {
         ui.scope_builder(UiBuilder::new().max_rect(places.below), |ui| {
             ui.set_clip_rect(places.below);
             let document = &self.open.document;
-            if self.session.settings.layout == ViewLayout::Accuracy {
-                accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
-            } else {
-                readouts::ui(ui, &self.derived, document, style);
+            match self.session.settings.layout {
+                ViewLayout::Accuracy => {
+                    accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
+                }
+                ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
+                _ => readouts::ui(ui, &self.derived, document, style),
             }
         });
     }

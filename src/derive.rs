@@ -4,6 +4,8 @@
 mod memo;
 mod objects;
 mod picture;
+mod watch;
+mod world;
 
 use std::fmt;
 use std::sync::Arc;
@@ -11,18 +13,20 @@ use std::sync::Arc;
 use egui::{Color32, ColorImage};
 use pinhole_core::methods::Method;
 use pinhole_core::{
-    Camera, CameraError, DVec3, Frame, Outputs, PosedCamera, Raster, Rgb, Scene, SceneError, Shade,
-    Steps, UpAngle, shade, trace_as,
+    Camera, CameraError, Counts, Frame, PosedCamera, Rgb, Scene, SceneError, Steps, UpAngle,
 };
 
 use self::memo::Memo;
-use self::objects::{Enclosing, GoodWorld, Objects};
+use self::objects::Objects;
 pub use self::picture::Compared;
 use self::picture::{GoodPicture, Pictures};
+use self::watch::watched;
+pub use self::watch::{Watch, Work};
+use self::world::WorldPictures;
 use crate::accuracy;
 use crate::document::Document;
 use crate::inspection::Inspection;
-use crate::observer::{Observer, enclosing};
+use crate::observer::Observer;
 use crate::overlay::{self, CameraView, Label, OverlayItems, Picture, Style, WorldView};
 use crate::session::{Selection, Session};
 
@@ -79,6 +83,8 @@ pub struct Derived {
     pub world_view: Option<Shown>,
     /// How far up the ladder the camera's picture had to go.
     pub steps: Option<Steps>,
+    /// What the camera's picture left out, and what was left to do.
+    pub counts: Option<Counts>,
     /// The ladder's answer for the pixels that are shown, where another method stands beside it.
     pub truth: Option<Arc<Frame>>,
     /// What drew the camera's picture, where the ladder did not.
@@ -107,14 +113,10 @@ pub struct Deriver {
     pictures: Pictures,
     camera_view: Memo<CameraViewKey, Shown>,
     error_map: Memo<(Method, CameraViewKey), Shown>,
-    enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
-    world_frame: Memo<(PosedCamera, u64, Enclosing), Arc<Frame<f32>>>,
-    world_picture: Memo<(PosedCamera, u64, Enclosing, u64), Arc<WorldPicture>>,
+    world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
-    /// How many pictures of the observer were traced.
-    world_pictures: u64,
 }
 
 #[derive(Debug, PartialEq)]
@@ -126,14 +128,6 @@ struct CameraViewKey {
     items: OverlayItems,
     scale: f32,
     style: Style,
-}
-
-/// The scene as the observer sees it, before anything is drawn over it.
-#[derive(Debug)]
-struct WorldPicture {
-    frame: Arc<Frame<f32>>,
-    pixels: Vec<Color32>,
-    enclosing: Enclosing,
 }
 
 #[derive(Debug, PartialEq)]
@@ -153,7 +147,7 @@ struct WorldViewKey {
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.traced() + self.world_pictures
+        self.pictures.traced() + self.world_pictures.traced()
     }
 
     /// Everything to show of this document.
@@ -161,6 +155,17 @@ impl Deriver {
     /// Who keeps the last one's [`Derived::scene`] has it as it was, at the price of a copy where an
     /// object changed.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
+        self.derive_watched(document, session, sizes, &|_| ())
+    }
+
+    /// The same, telling what its time is spent on.
+    pub fn derive_watched(
+        &mut self,
+        document: &Document,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) -> Derived {
         let world = self.objects.update(document).map(|()| self.objects.good().cloned());
         let posed = document.camera.posed();
         let fault = match (&posed, &world) {
@@ -176,17 +181,23 @@ impl Deriver {
             ..Derived::default()
         };
         if let (Some(posed), Ok(Some(world))) = (derived.posed, &world) {
-            let good = self.pictures.of(posed, world, session, sizes);
+            let good = self.pictures.of(posed, world, session, sizes, watch);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
-        self.camera_views(&mut derived, session, sizes);
-        self.world_view(&mut derived, document, session, sizes);
+        self.camera_views(&mut derived, session, sizes, watch);
+        self.world_view(&mut derived, document, session, sizes, watch);
         derived
     }
 
     /// The camera's picture and, next to it, the error map.
-    fn camera_views(&mut self, derived: &mut Derived, session: &Session, sizes: &ViewSizes) {
+    fn camera_views(
+        &mut self,
+        derived: &mut Derived,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) {
         let Some(good) = self.last_good.clone() else { return };
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
@@ -211,9 +222,11 @@ impl Deriver {
         };
         derived.camera_view = sizes.camera.map(|size| {
             self.camera_view.get(key(size), |key| {
-                let mut pixels = blank(size);
-                let labels = view(&good.picture, key, &mut pixels);
-                shown(size, pixels, labels)
+                watched(watch, Work::Overlay, || {
+                    let mut pixels = blank(size);
+                    let labels = view(&good.picture, key, &mut pixels);
+                    shown(size, pixels, labels)
+                })
             })
         });
         if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
@@ -228,7 +241,7 @@ impl Deriver {
             derived.compared = Some(Arc::clone(compared));
         }
         derived.drawn_by.clone_from(&good.drawn_by);
-        derived.steps = Some(good.steps);
+        (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
     }
 
@@ -238,6 +251,7 @@ impl Deriver {
         document: &Document,
         session: &Session,
         sizes: &ViewSizes,
+        watch: Watch<'_>,
     ) {
         let (Some(size), Some(good), Some(observer)) =
             (sizes.world, self.objects.good().cloned(), session.observer)
@@ -247,7 +261,10 @@ impl Deriver {
         let Ok(observer_camera) = observer.camera(size[0], size[1]).posed() else { return };
         let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
-        let Some(world) = self.world_picture(&good, eye, observer_camera, color_of) else { return };
+        let pictures = &mut self.world_pictures;
+        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, watch) else {
+            return;
+        };
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
         let key = WorldViewKey {
             camera: document.camera,
@@ -278,39 +295,11 @@ impl Deriver {
                 scale: key.scale,
                 style: key.style,
             };
-            let labels = overlay::world(&view, &mut pixels);
+            let labels = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
             shown(size, pixels, labels)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);
-    }
-
-    fn world_picture(
-        &mut self,
-        good: &GoodWorld,
-        eye: DVec3,
-        observer: PosedCamera,
-        color_of: impl Fn(u32) -> Rgb + Sync,
-    ) -> Option<Arc<WorldPicture>> {
-        let GoodWorld { scene, generation, palette, .. } = good;
-        let enclosing = self.enclosing.get((*generation, eye, observer.eye()), |_| {
-            Arc::new(enclosing(scene, eye, observer.eye()))
-        });
-        let seen = self.objects.seen(&enclosing)?;
-        let world_pictures = &mut self.world_pictures;
-        let key = (observer, *generation, enclosing);
-        let frame = self.world_frame.get(key.clone(), |_| {
-            *world_pictures += 1;
-            let raster = Raster::full(observer.image());
-            Arc::new(trace_as::<f32>(&seen, &observer, &raster, Outputs::default()))
-        });
-        let (_, generation, enclosing) = key;
-        let key = (observer, generation, enclosing, *palette);
-        Some(self.world_picture.get(key, |(.., enclosing, _)| {
-            let pixels = shade(&frame, &seen, Shade::Lambert, color_of, opaque);
-            let (frame, enclosing) = (Arc::clone(&frame), Arc::clone(enclosing));
-            Arc::new(WorldPicture { frame, pixels, enclosing })
-        }))
     }
 }
 

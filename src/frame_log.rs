@@ -24,10 +24,10 @@ impl FrameLog {
     /// Writes the file. `since_input` is empty for a frame that answers no input.
     pub(crate) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
-        let mut text = "since_input,frame,ui,paint,wait\n".to_owned();
-        for FrameTimes { since_input, frame, ui, paint, wait } in &self.frames {
+        let mut text = "since_input,frame,ui,upload,paint,wait\n".to_owned();
+        for FrameTimes { since_input, frame, ui, upload, paint, wait } in &self.frames {
             let since = since_input.map(ms).unwrap_or_default();
-            let times = [*frame, *ui, *paint, *wait].map(ms).join(",");
+            let times = [*frame, *ui, *upload, *paint, *wait].map(ms).join(",");
             // Writing to a String cannot fail.
             let _ = writeln!(text, "{since},{times}");
         }

@@ -19,6 +19,7 @@ pub mod expression;
 pub mod files;
 pub mod formats;
 mod frame_log;
+mod frame_times;
 pub mod inspection;
 mod label_text;
 mod machine;

@@ -53,6 +53,8 @@ pub struct Settings {
     pub readouts_height: f32,
     /// The height of plot and table in the accuracy view, in points.
     pub accuracy_height: f32,
+    /// The height of times and counts in the frame view, in points.
+    pub frame_height: f32,
     /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
     pub method: MethodName,
     /// The method of the error map.
@@ -75,6 +77,8 @@ pub enum ViewLayout {
     Camera,
     /// The camera view, where another method errs in it, and error against run time.
     Accuracy,
+    /// Both views, and what a frame takes and leaves out.
+    Frame,
 }
 
 /// [`Method`], in a form that is written to disk: its name. One that no method has any more is the
@@ -130,6 +134,7 @@ impl Default for Settings {
             views_split: 0.54,
             readouts_height: 200.0,
             accuracy_height: 370.0,
+            frame_height: 350.0,
             method: MethodName(Method::Ladder),
             compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
             theme: ThemeName::System,
@@ -151,6 +156,7 @@ impl Settings {
             finite(self.readouts_height, default.readouts_height).clamp(0.0, 10_000.0);
         self.accuracy_height =
             finite(self.accuracy_height, default.accuracy_height).clamp(0.0, 10_000.0);
+        self.frame_height = finite(self.frame_height, default.frame_height).clamp(0.0, 10_000.0);
         self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
         self
     }

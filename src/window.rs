@@ -84,7 +84,12 @@ impl Program for InWindow {
         self.app.ui(ui);
     }
 
+    fn wants_upload_time(&self) -> bool {
+        self.frame_log.is_some() || self.app.shows_frame_times()
+    }
+
     fn presented(&mut self, times: &FrameTimes) {
+        self.app.presented(times);
         if let Some(log) = &mut self.frame_log {
             log.frames.push(*times);
         }

@@ -57,7 +57,7 @@ pub fn render_view(
     let camera = document.camera.posed().map_err(|error| input(&error))?;
     let scene = document.scene().map_err(|error| input(&error))?;
     if options.view == View::Camera && !options.overlay {
-        let outputs = Outputs { normal: options.normals };
+        let outputs = Outputs { normal: options.normals, ..Outputs::default() };
         let raster = Raster::full(camera.image());
         let frame = trace_reporting(&scene, &camera, &raster, outputs, done);
         let color_of = |object| document.color_of(object);
@@ -69,7 +69,8 @@ pub fn render_view(
         done(options.size.height() as usize);
         return Ok(Rendering { pixels, frame: None });
     }
-    let (raster, outputs) = (Raster::full(camera.image()), Outputs { normal: true });
+    let (raster, outputs) =
+        (Raster::full(camera.image()), Outputs { normal: true, ..Outputs::default() });
     let frame = Some(trace_reporting(&scene, &camera, &raster, outputs, done));
     Ok(Rendering { pixels, frame })
 }

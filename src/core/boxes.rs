@@ -28,11 +28,11 @@ pub(crate) struct Boxes {
 /// One box with what is known of the spheres inside.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bound {
-    middle: [f64; 3],
-    half: [f64; 3],
-    area: f64,
-    radius: f64,
-    count: u32,
+    pub(crate) middle: [f64; 3],
+    pub(crate) half: [f64; 3],
+    pub(crate) area: f64,
+    pub(crate) radius: f64,
+    pub(crate) count: u32,
 }
 
 impl Bound {
@@ -123,14 +123,5 @@ impl Boxes {
         self.area[index] = bound.area;
         self.radius[index] = bound.radius;
         self.count[index] = bound.count;
-    }
-
-    /// Whether a point lies in the box or on its surface; in one with nothing inside, none does.
-    pub(crate) fn contains(&self, index: usize, [x, y, z]: [f64; 3]) -> bool {
-        // Rounding keeps order: a rounded difference above `half` is of a true one above it.
-        self.count[index] > 0
-            && (x - self.x[index]).abs() <= self.half_x[index]
-            && (y - self.y[index]).abs() <= self.half_y[index]
-            && (z - self.z[index]).abs() <= self.half_z[index]
     }
 }

@@ -19,11 +19,27 @@ pub struct Raster {
     columns: Vec<u32>,
 }
 
-/// What to compute besides `t` and object.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// What to keep of every pixel. What is not asked for is not written: its buffer stays empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outputs {
-    /// The outward unit normal of every hit.
+    /// `t` of the first hit.
+    pub t: bool,
+    /// Which object it is.
+    pub object: bool,
+    /// The outward unit normal there.
     pub normal: bool,
+}
+
+impl Outputs {
+    /// Nothing but steps and counts: for a picture of which only the colours are wanted.
+    pub const NONE: Outputs = Outputs { t: false, object: false, normal: false };
+}
+
+impl Default for Outputs {
+    /// `t` and object.
+    fn default() -> Outputs {
+        Outputs { t: true, object: true, normal: false }
+    }
 }
 
 /// The traced pixels, row by row, with the camera and raster that they belong to.
@@ -35,9 +51,9 @@ pub struct Frame<T = f64> {
     pub(crate) camera: PosedCamera,
     pub(crate) raster: Raster,
     /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is
-    /// beyond the range of T).
+    /// beyond the range of T); empty unless asked for.
     pub t: Vec<T>,
-    /// Index of the object hit, or [`NO_OBJECT`].
+    /// Index of the object hit, or [`NO_OBJECT`]; empty unless asked for.
     pub object: Vec<u32>,
     /// Outward unit normals, zero where nothing is hit; empty unless asked for.
     pub normal: Vec<DVec3>,
@@ -123,7 +139,7 @@ impl<T: Depth> Frame<T> {
     /// The traced pixel in the raster's `row`th row and `column`th column.
     ///
     /// # Panics
-    /// Outside the raster.
+    /// Outside the raster, or where `t` or object was not asked for.
     pub fn at(&self, row: usize, column: usize) -> FramePixel<T> {
         let index = row * self.raster.columns.len() + column;
         let object = self.object[index];

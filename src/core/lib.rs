@@ -72,6 +72,7 @@
 //! | what a pixel's ray hits first, nothing rounded | [`PosedCamera::exact_ray`], [`Scene::first_hit_of`] |
 //! | what the ray through (u, v) hits first | [`PosedCamera::exact_ray_at`], [`Scene::first_hit_of`] |
 //! | a whole frame, t in `f64` or `f32` | [`trace`], [`trace_as`] |
+//! | a whole picture in colour | [`trace_painted`] |
 //!
 //! ```
 //! use pinhole_core::*;
@@ -152,6 +153,7 @@ mod image;
 mod kernel;
 mod lane;
 mod lanes;
+mod line;
 mod method_kernel;
 mod method_real;
 mod method_sphere;
@@ -161,6 +163,7 @@ mod normals;
 mod number;
 mod object_kernel;
 mod outline;
+mod painter;
 mod plan;
 mod plane;
 mod plane_seen;
@@ -184,10 +187,13 @@ mod sphere_index;
 mod sphere_order;
 mod sphere_seen;
 mod spheres;
+mod srgb;
 mod steps;
 mod surd;
+mod surface;
 mod terms;
 mod tiny;
+mod tones;
 mod trace;
 mod veil;
 mod viewport;
@@ -220,8 +226,11 @@ pub use posed::{PixelOfUv, PosedCamera, Projection};
 pub use ray::{Ray, RayError};
 pub use roots::Roots;
 pub use scene::{Object, Root, Scene};
-pub use shade::{BACKGROUND, Rgb, Shade, shade, shade_pixel};
+pub use shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixel};
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
-pub use trace::{retrace, trace, trace_as, trace_at_level, trace_reporting};
+pub use trace::{
+    Stage, retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
+    trace_reporting,
+};
 pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::checks::{ObjectError, SceneError};
 use crate::exact_ray::ExactRay;
+use crate::line::Line;
 use crate::plane::Plane;
 use crate::ray::Ray;
 use crate::roots::Roots;
@@ -129,13 +130,12 @@ impl Scene {
     /// The spheres that a point lies strictly inside of, ascending; decided exactly. Of many spheres,
     /// only those near the point are looked at.
     pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
-        let spheres = self.spheres();
-        let is_around = |index: &u32| spheres[*index as usize].implicit(point) < 0.0;
-        let Some(index) = self.index() else {
-            return (0..spheres.len() as u32).filter(is_around).collect();
-        };
-        let mut around: Vec<u32> = index.boxed_around(point.to_array()).filter(is_around).collect();
-        around.sort_unstable();
+        let place = point.to_array();
+        // Rounding keeps order: a rounded difference above `half` is of a true one above it.
+        let mut around = self.spheres_where(|middle, half| {
+            (0..3).all(|axis| (place[axis] - middle[axis]).abs() <= half[axis])
+        });
+        around.retain(|index| self.spheres()[*index as usize].implicit(point) < 0.0);
         around
     }
 
@@ -178,10 +178,18 @@ impl Scene {
 
     /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
     pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
-        let seen: Vec<ObjectSeen> = self.seen_by(ray).collect();
+        let line = Line::of(ray);
+        let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
+        let planes = self.spheres().len() as u32..self.len() as u32;
+        let seen: Vec<(u32, ObjectSeen)> = spheres
+            .into_iter()
+            .chain(planes)
+            .filter_map(|index| Some((index, ObjectSeen::by(&self.object(index)?, ray))))
+            .collect();
         let steps = &mut Steps::default();
         let mut hits = Vec::new();
-        for (index, seen) in (0..).zip(&seen) {
+        for (index, seen) in &seen {
+            let index = *index;
             hits.extend(seen.ends(ray, steps).iter().map(|&end| Hit { index, seen, end }));
         }
         // Stable, so that equal roots stay in the order of objects.
@@ -229,8 +237,14 @@ impl Scene {
         first.map(|(index, seen, end)| seen.root(index, ray, end))
     }
 
-    fn seen_by(&self, ray: &ExactRay) -> impl Iterator<Item = ObjectSeen> {
-        self.objects().map(|object| ObjectSeen::by(&object, ray))
+    /// The spheres of which `may` says so, each given by the middle and the half extents of its box;
+    /// ascending. What it says of a sphere it has to say of any box around it.
+    fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
+        if let Some(index) = self.index() {
+            return index.spheres_where(may);
+        }
+        let may = |sphere: &Sphere| may(sphere.center.to_array(), [sphere.radius; 3]);
+        (0..).zip(self.spheres()).filter_map(|(i, sphere)| may(sphere).then_some(i)).collect()
     }
 }
 

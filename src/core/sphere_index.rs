@@ -116,23 +116,27 @@ impl SphereIndex {
         block * BLOCK..(block + 1) * BLOCK
     }
 
-    /// The spheres whose boxes a point lies in, by slot: all that it can be inside of.
-    pub(crate) fn boxed_around(&self, point: [f64; 3]) -> impl Iterator<Item = u32> + '_ {
-        let groups =
-            (0..self.groups.len()).filter(move |group| self.groups.contains(*group, point));
-        let blocks = groups.flat_map(|group| self.blocks_of(group));
-        let blocks = blocks.filter(move |block| self.blocks.contains(*block, point));
-        let slots = blocks.flat_map(SphereIndex::slots_of);
-        let [x, y, z] = point;
-        // Rounding keeps order: a rounded difference above r is of a true one above it.
-        let is_near = move |slot: &usize| {
-            let (slot, radius) = (*slot, self.radius[*slot]);
-            self.ids[slot] != NO_SPHERE
-                && (x - self.x[slot]).abs() <= radius
-                && (y - self.y[slot]).abs() <= radius
-                && (z - self.z[slot]).abs() <= radius
+    /// The spheres of which `may` says so of group, block and themselves, each given by the middle and
+    /// the half extents of its box; ascending.
+    pub(crate) fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
+        let may_be_in = |boxes: &Boxes, place: usize| {
+            let Bound { middle, half, count, .. } = boxes.get(place);
+            count > 0 && may(middle, half)
         };
-        slots.filter(is_near).map(|slot| self.ids[slot])
+        let groups = (0..self.groups.len()).filter(|group| may_be_in(&self.groups, *group));
+        let blocks = groups.flat_map(|group| self.blocks_of(group));
+        let slots = blocks
+            .filter(|block| may_be_in(&self.blocks, *block))
+            .flat_map(SphereIndex::slots_of)
+            .filter(|slot| self.ids[*slot] != NO_SPHERE)
+            .filter(|slot| may(self.center(*slot), [self.radius[*slot]; 3]));
+        let mut found: Vec<u32> = slots.map(|slot| self.ids[slot]).collect();
+        found.sort_unstable();
+        found
+    }
+
+    fn center(&self, slot: usize) -> [f64; 3] {
+        [self.x[slot], self.y[slot], self.z[slot]]
     }
 
     fn push(&mut self, [x, y, z]: [f64; 3], radius: f64, id: u32) {
@@ -152,8 +156,7 @@ impl SphereIndex {
     fn fill_up(&mut self) {
         let first = (self.ids.len() - 1) / BLOCK * BLOCK;
         while !self.ids.len().is_multiple_of(BLOCK) {
-            let center = [self.x[first], self.y[first], self.z[first]];
-            self.push(center, self.radius[first], NO_SPHERE);
+            self.push(self.center(first), self.radius[first], NO_SPHERE);
         }
     }
 
@@ -167,10 +170,7 @@ impl SphereIndex {
 
     fn bound_of_block(&self, block: usize) -> Bound {
         let own = SphereIndex::slots_of(block).filter(|slot| self.ids[*slot] != NO_SPHERE);
-        Bound::around(own.map(|slot| {
-            let center = [self.x[slot], self.y[slot], self.z[slot]];
-            Bound::of_sphere(center, self.radius[slot])
-        }))
+        Bound::around(own.map(|slot| Bound::of_sphere(self.center(slot), self.radius[slot])))
     }
 
     fn bound_of_group(&self, group: usize) -> Bound {

@@ -1,5 +1,7 @@
 //! Tracing a picture: bands of rows in parallel, each object asked of the pixels that it can cover.
 
+use std::ops::Range;
+
 use fearless_simd::Level;
 use glam::DVec3;
 use rayon::prelude::*;
@@ -8,11 +10,22 @@ use crate::band::Band;
 use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
+use crate::painter::Painter;
 use crate::plan::Plan;
 use crate::posed::PosedCamera;
 use crate::scene::Scene;
 use crate::seen::{ObjectSeen, plane_normal};
+use crate::shade::{Paint, Rgb, Shade, paint_frame};
 use crate::steps::Steps;
+
+/// What of a frame was just done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// The plan: what the rows can see, and what their pixels share.
+    Planned,
+    /// So many rows: traced, and coloured where the shading allows.
+    Rows(usize),
+}
 
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
@@ -57,17 +70,67 @@ pub fn trace_at_level<T: Depth>(
     outputs: Outputs,
     done: impl Fn(usize) + Sync,
 ) -> Frame<T> {
-    let mut frame = Frame {
-        camera: *camera,
-        raster: raster.clone(),
-        // Zeroed memory costs nothing until a band, in its own thread, fills it.
-        t: vec![T::ZERO; raster.len()],
-        object: vec![0; raster.len()],
-        normal: if outputs.normal { vec![DVec3::ZERO; raster.len()] } else { Vec::new() },
-        steps: Steps::default(),
-        counts: Counts::default(),
+    let mut frame = empty_frame(camera, raster, outputs);
+    let observe = |stage| {
+        if let Stage::Rows(rows) = stage {
+            done(rows);
+        }
     };
-    fill(&mut frame, level, scene, done);
+    fill(&mut frame, level, scene, &mut [], &no_pixels, &observe);
+    frame
+}
+
+/// Traces and colours: writes the picture's pixels, those that [`shade`](crate::shade) makes of the
+/// frame, and keeps of the frame only the `outputs`. Each band of rows is coloured as soon as it is
+/// traced, while it is still in the cache; [`Shade::T`] alone waits for the nearest `t` of all.
+///
+/// `observe` is told, from any thread, when a stage is done.
+///
+/// # Panics
+/// Where there is not one pixel for each of the raster's.
+pub fn trace_painted<T: Depth, P: Send>(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+    observe: impl Fn(Stage) + Sync,
+) -> Frame<T> {
+    trace_painted_at_level(Level::new(), scene, camera, raster, outputs, paint, pixels, observe)
+}
+
+/// [`trace_painted`] with the instructions of a given SIMD level, all of which give the same bits.
+#[expect(clippy::too_many_arguments, reason = "those of trace_painted, and the level")]
+pub fn trace_painted_at_level<T: Depth, P: Send>(
+    level: Level,
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+    observe: impl Fn(Stage) + Sync,
+) -> Frame<T> {
+    assert_eq!(pixels.len(), raster.len(), "a pixel for each of the raster's");
+    if paint.shade != Shade::T {
+        let mut frame = empty_frame(camera, raster, outputs);
+        let painter = Painter::new(level, paint, scene, camera, raster, f64::INFINITY);
+        let finish = |rows, t: &[T], object: &[u32], pixels: &mut [P]| {
+            painter.rows(rows, t, object, pixels);
+        };
+        fill(&mut frame, level, scene, pixels, &finish, &observe);
+        return frame;
+    }
+    let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
+    fill(&mut frame, level, scene, &mut [], &no_pixels, &observe);
+    paint_frame(level, &frame, scene, paint, pixels);
+    if !outputs.t {
+        frame.t = Vec::new();
+    }
+    if !outputs.object {
+        frame.object = Vec::new();
+    }
     frame
 }
 
@@ -75,37 +138,97 @@ pub fn trace_at_level<T: Depth>(
 /// new memory.
 pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, camera: &PosedCamera) {
     frame.camera = *camera;
-    fill(frame, level, scene, |_| ());
+    fill(frame, level, scene, &mut [], &no_pixels, &|_| ());
 }
 
-/// Traces the frame's camera and raster into its buffers.
-fn fill<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, done: impl Fn(usize) + Sync) {
+/// A frame with room for what is asked for.
+fn empty_frame<T: Depth>(camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame<T> {
+    // Zeroed memory costs nothing until a band, in its own thread, fills it.
+    let pixels = |asked: bool| if asked { raster.len() } else { 0 };
+    Frame {
+        camera: *camera,
+        raster: raster.clone(),
+        t: vec![T::ZERO; pixels(outputs.t)],
+        object: vec![0; pixels(outputs.object)],
+        normal: vec![DVec3::ZERO; pixels(outputs.normal)],
+        steps: Steps::default(),
+        counts: Counts::default(),
+    }
+}
+
+/// What is done with the pixels of a band that is traced: rows, `t`, objects, pixels.
+type Finish<'a, T, P> = &'a (dyn Fn(Range<usize>, &[T], &[u32], &mut [P]) + Sync);
+
+fn no_pixels<T>(_: Range<usize>, _: &[T], _: &[u32], _: &mut [()]) {}
+
+/// A band's part of each buffer; empty where that was not asked for.
+struct Part<'a, T, P> {
+    t: &'a mut [T],
+    object: &'a mut [u32],
+    normal: &'a mut [DVec3],
+    pixels: &'a mut [P],
+}
+
+/// The parts of a buffer, and empty ones where there is none.
+fn parts<T>(buffer: &mut [T], size: usize) -> impl Iterator<Item = &mut [T]> {
+    buffer.chunks_mut(size).chain(std::iter::repeat_with(|| -> &mut [T] { &mut [] }))
+}
+
+/// A buffer's part; where that was not asked for, as much of the thread's own.
+fn or_own<'a, T: Copy>(part: &'a mut [T], own: &'a mut Vec<T>, len: usize, zero: T) -> &'a mut [T] {
+    if part.len() == len {
+        return part;
+    }
+    own.resize(len.max(own.len()), zero);
+    &mut own[..len]
+}
+
+/// Traces the frame's camera and raster into those of its buffers that have room, band by band, each
+/// of which is finished while it is in the cache.
+fn fill<T: Depth, P: Send>(
+    frame: &mut Frame<T>,
+    level: Level,
+    scene: &Scene,
+    pixels: &mut [P],
+    finish: Finish<'_, T, P>,
+    observe: &(dyn Fn(Stage) + Sync),
+) {
     let Frame { camera, raster, t, object, normal, steps, counts } = frame;
     if raster.is_empty() {
         return;
     }
-    let width = raster.columns().len();
+    let (width, rows) = (raster.columns().len(), raster.rows().len());
     let plan = Plan::new::<T>(level, scene, camera, raster);
+    observe(Stage::Planned);
     *counts = plan.counts;
     let band = plan.band_rows * width;
+    let of_outputs = parts(t, band).zip(parts(object, band)).zip(parts(normal, band));
+    let parts: Vec<Part<T, P>> = of_outputs
+        .zip(parts(pixels, band))
+        .map(|(((t, object), normal), pixels)| Part { t, object, normal, pixels })
+        .take(rows.div_ceil(plan.band_rows))
+        .collect();
+    let own = || (Vec::new(), Vec::new());
     let of_bands;
-    (*steps, of_bands) = t
-        .par_chunks_mut(band)
-        .zip(object.par_chunks_mut(band))
+    (*steps, of_bands) = parts
+        .into_par_iter()
         .enumerate()
-        .map(|(index, (t, object))| {
+        .map_init(own, |(own_t, own_object), (index, part)| {
             let first = index * plan.band_rows;
-            let rows = t.len() / width;
-            let traced = Band::new(&plan, first..first + rows, t, object).traced();
-            done(rows);
+            let rows = first..rows.min(first + plan.band_rows);
+            let t = or_own(part.t, own_t, rows.len() * width, T::ZERO);
+            let object = or_own(part.object, own_object, rows.len() * width, 0);
+            let traced = Band::new(&plan, rows.clone(), t, object).traced();
+            let of_rows = part.normal.chunks_mut(width).zip(object.chunks(width));
+            for (row, (normals, object)) in rows.clone().zip(of_rows) {
+                fill_normals(&plan, row, object, normals);
+            }
+            finish(rows.clone(), t, object, part.pixels);
+            observe(Stage::Rows(rows.len()));
             traced
         })
         .reduce(Default::default, |a, b| (a.0 + b.0, a.1 + b.1));
     *counts += of_bands;
-    normal.par_chunks_mut(width).enumerate().for_each(|(row, normals)| {
-        let pixels = row * width..(row + 1) * width;
-        fill_normals(&plan, row, &object[pixels], normals);
-    });
 }
 
 /// Normals of one row, each from its own exact ray.

@@ -3,13 +3,14 @@
 
 use std::sync::Arc;
 
+use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{
-    Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps, shade, trace, trace_as,
-};
+use pinhole_core::{Counts, Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps};
 
+use super::ViewSizes;
 use super::memo::Memo;
-use super::{GoodWorld, ViewSizes, opaque};
+use super::objects::GoodWorld;
+use super::watch::{self, Watch};
 use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
 use crate::overlay::Picture;
@@ -35,6 +36,8 @@ pub(super) struct GoodPicture {
     pub(super) inspection: Arc<Inspection>,
     /// How far up the ladder it had to go.
     pub(super) steps: Steps,
+    /// What it left out.
+    pub(super) counts: Counts,
     /// By the ladder, where another method stands beside it.
     pub(super) truth: Option<Arc<Frame>>,
     /// What drew the picture, where the ladder did not.
@@ -49,15 +52,18 @@ type Seen = (PosedCamera, u64, Raster);
 /// What colours a picture has: by which method, of what, in which mode, and the palette's number.
 type PictureKey = (Method, Seen, Shade, u64);
 
+/// A picture, how far up the ladder it had to go, and what it left out.
+type Made = (Arc<Picture>, Steps, Counts);
+
 /// Remembers what the camera saw.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<Seen, Arc<Frame>>,
-    /// For the colours alone, which need fewer digits of t.
-    rough: Memo<Seen, Arc<Frame<f32>>>,
+    /// What other colours can be made from without a trace: objects, and `t` if the shading reads it.
+    rough: Memo<(Seen, bool), Arc<Frame<f32>>>,
     /// By the picture's method, and by the map's where that is another one.
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
-    picture: Memo<PictureKey, (Arc<Picture>, Steps)>,
+    picture: Memo<PictureKey, Made>,
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     /// How many pictures were made, which tells one from the next.
@@ -84,6 +90,7 @@ impl Pictures {
         world: &GoodWorld,
         session: &Session,
         sizes: &ViewSizes,
+        watch: Watch<'_>,
     ) -> GoodPicture {
         let GoodWorld { scene, generation, .. } = world;
         let selection = session.selection.inside(posed.image());
@@ -103,7 +110,7 @@ impl Pictures {
             let traced = &mut self.traced;
             self.truth.get(seen.clone(), |(.., raster)| {
                 *traced += 1;
-                Arc::new(trace(scene, &posed, raster, Outputs::default()))
+                watch::truth(scene, &posed, raster, watch)
             })
         });
         let mut compare = |slot: usize, method| {
@@ -113,18 +120,25 @@ impl Pictures {
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = sizes.map.and_then(|_| compare(usize::from(other != method), other));
         let mode = Shade::from(settings.shade);
+        let colors = (mode, |i: u32| world.colors[i as usize]);
         let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
         let key = (method, seen.clone(), mode, world.palette);
-        let (picture, steps) = self.picture.get(key, |(_, seen, ..)| {
+        let (picture, steps, counts) = self.picture.get(key, |(_, seen, ..)| {
             *made += 1;
             if let (Some(by), Some(truth)) = (&drawn_by, &truth) {
-                return (painted(&by.frame, world, mode), truth.steps);
+                let pixels = watch::repainted(&by.frame, scene, colors, watch);
+                return (picture_of(&by.frame, pixels), truth.steps, truth.counts);
             }
-            let frame = rough.get(seen.clone(), |(.., raster)| {
+            let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
+            let mut fresh = None;
+            let frame = rough.get((seen.clone(), outputs.t), |((.., raster), _)| {
                 *traced += 1;
-                Arc::new(trace_as::<f32>(scene, &posed, raster, Outputs::default()))
+                let traced = watch::picture(scene, &posed, raster, outputs, colors, watch);
+                fresh = Some(traced.1);
+                Arc::new(traced.0)
             });
-            (painted(&frame, world, mode), frame.steps)
+            let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
+            (picture_of(&frame, pixels), frame.steps, frame.counts)
         });
         let compared = compared.map(|compared| {
             let map = self.map.get((other, seen), |(_, (.., raster))| {
@@ -133,14 +147,21 @@ impl Pictures {
             });
             (compared, map)
         });
-        GoodPicture { posed, picture, selection, inspection, steps, truth, drawn_by, compared }
+        GoodPicture {
+            posed,
+            picture,
+            selection,
+            inspection,
+            steps,
+            counts,
+            truth,
+            drawn_by,
+            compared,
+        }
     }
 }
 
-/// The colours of what was traced.
-fn painted<T: Depth>(frame: &Frame<T>, world: &GoodWorld, mode: Shade) -> Arc<Picture> {
-    let GoodWorld { scene, colors, .. } = world;
-    let pixels = shade(frame, scene, mode, |i| colors[i as usize], opaque);
+fn picture_of<T: Depth>(frame: &Frame<T>, pixels: Vec<Color32>) -> Arc<Picture> {
     let (raster, image) = (frame.raster().clone(), frame.camera().image());
     Arc::new(Picture { raster, image, pixels })
 }

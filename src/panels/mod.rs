@@ -4,6 +4,7 @@
 pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
+pub(crate) mod frame;
 mod number;
 pub(crate) mod objects;
 pub(crate) mod readouts;

@@ -119,6 +119,7 @@ fn layout(ui: &mut Ui, settings: &mut Settings) {
         (ViewLayout::World, "World", "The world view alone"),
         (ViewLayout::Camera, "Camera", "The camera view alone"),
         (ViewLayout::Accuracy, "Accuracy", "How right each method is here, and how fast"),
+        (ViewLayout::Frame, "Frame", "What a frame takes, and what it leaves out"),
     ] {
         ui.selectable_value(&mut settings.layout, layout, text).on_hover_text(hint);
     }

@@ -41,7 +41,7 @@ pub(crate) struct Places {
     pub map_area: Option<Rect>,
     /// The error map's picture, as large as the camera view's.
     pub map: Option<Rect>,
-    /// The readouts, or plot and table of the accuracy view.
+    /// The readouts, or what the accuracy view or the frame view has below the pictures.
     pub below: Rect,
 }
 
@@ -51,6 +51,7 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
     let most = (area.height() - SMALLEST - STRIP).max(80.0);
     let height = match settings.layout {
         ViewLayout::Accuracy => &mut settings.accuracy_height,
+        ViewLayout::Frame => &mut settings.frame_height,
         _ => &mut settings.readouts_height,
     };
     *height = height.clamp(80.0, most);
@@ -74,7 +75,7 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
             ));
             (None, Some(Rect::from_min_max(views.min, pos2(x - HANDLE / 2.0, bottom))))
         }
-        ViewLayout::Both => {
+        ViewLayout::Both | ViewLayout::Frame => {
             // Where there is no room for two, both get half of what there is.
             let share = SMALLEST / views.width().max(2.0 * SMALLEST);
             settings.views_split = settings.views_split.clamp(share, 1.0 - share);

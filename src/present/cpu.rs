@@ -1,7 +1,7 @@
 //! The window drawn by our own painter: pixels in memory, handed to the display as they are.
 
 use super::painter::{Canvas, Painter, PixelRect};
-use super::window::{Frame, Surface};
+use super::window::{Frame, PaintTimes, Surface, timed};
 use super::{Renderer, RendererInfo};
 use egui::{Color32, ColorImage};
 use std::num::NonZeroU32;
@@ -110,8 +110,9 @@ impl Surface for Cpu {
         Some(MAX_TEXTURE_SIDE)
     }
 
-    fn paint(&mut self, frame: Frame<'_>) -> Result<Duration, String> {
-        let changed = self.painter.set_textures(frame.delta);
+    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+        let mut changed = Default::default();
+        let upload = timed(frame.is_timed, || changed = self.painter.set_textures(frame.delta));
         let size = frame.size.map(|n| n as usize);
         let rects = self.canvas.show(
             &self.painter,
@@ -142,7 +143,7 @@ impl Surface for Cpu {
                 frame.window.request_redraw();
             }
         }
-        Ok(Duration::ZERO)
+        Ok(PaintTimes { upload, wait: Duration::ZERO })
     }
 }
 

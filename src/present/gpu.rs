@@ -1,9 +1,10 @@
 //! The window drawn by a graphics adapter. The only file that knows wgpu.
 
 use super::display::without_panic;
-use super::window::{Frame, Surface};
+use super::window::{Frame, PaintTimes, Surface, timed};
 use super::{Renderer, RendererInfo};
 use egui::ViewportId;
+use egui::epaint::textures::TexturesDelta;
 use egui_wgpu::{
     RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuError, WgpuSetup, WgpuSetupCreateNew,
     winit::Painter,
@@ -78,6 +79,19 @@ impl Gpu {
     }
 }
 
+impl Gpu {
+    /// Takes over changes of textures, before painting would.
+    fn set_textures(&self, delta: &mut TexturesDelta) {
+        let Some(state) = self.painter.render_state() else { return };
+        let mut renderer = state.renderer.write();
+        for (id, changes) in delta.set.drain() {
+            for change in changes {
+                renderer.update_texture(&state.device, &state.queue, id, &change);
+            }
+        }
+    }
+}
+
 impl Surface for Gpu {
     fn info(&self) -> &RendererInfo {
         &self.info
@@ -87,7 +101,7 @@ impl Surface for Gpu {
         self.painter.max_texture_side()
     }
 
-    fn paint(&mut self, frame: Frame<'_>) -> Result<Duration, String> {
+    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
         if self.size != frame.size {
             let [width, height] = frame.size.map(NonZeroU32::new);
             if let (Some(width), Some(height)) = (width, height) {
@@ -95,6 +109,7 @@ impl Surface for Gpu {
                 self.size = frame.size;
             }
         }
+        let upload = timed(frame.is_timed, || self.set_textures(frame.delta));
         let waited = self.painter.paint_and_update_textures(
             ViewportId::ROOT,
             frame.pixels_per_point,
@@ -106,7 +121,10 @@ impl Surface for Gpu {
         );
         match self.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
             Some(failure) => Err(failure),
-            None => Ok(Duration::try_from_secs_f32(waited).unwrap_or_default()),
+            None => {
+                let wait = Duration::try_from_secs_f32(waited).unwrap_or_default();
+                Ok(PaintTimes { upload, wait })
+            }
         }
     }
 }

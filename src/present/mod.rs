@@ -32,6 +32,11 @@ pub trait Program {
     /// `ViewportCommand::Close` closes it later.
     fn ui(&mut self, ui: &mut egui::Ui);
 
+    /// Whether what textures take is to be told apart from what drawing takes.
+    fn wants_upload_time(&self) -> bool {
+        false
+    }
+
     /// Called after a frame has been handed to the display.
     fn presented(&mut self, _times: &FrameTimes) {}
 
@@ -82,6 +87,9 @@ pub struct FrameTimes {
     pub frame: Duration,
     /// Of this, [`Program::ui`] with what egui does around it.
     pub ui: Duration,
+    /// Of this, taking over new pictures and glyphs; counted as `paint` unless
+    /// [asked for](Program::wants_upload_time).
+    pub upload: Duration,
     /// Of this, tessellating and drawing; for wgpu, giving the orders to draw.
     pub paint: Duration,
     /// Of this, waiting until the display takes another frame.

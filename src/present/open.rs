@@ -1,7 +1,7 @@
 //! The window while it is open: its events, its frames, what the program asks of it.
 
 use super::start;
-use super::window::{Frame, Surface, UserEvent};
+use super::window::{Frame, PaintTimes, Surface, UserEvent};
 use super::{FrameTimes, PresentError, Program, RendererInfo};
 use egui::epaint::textures::TexturesDelta;
 use egui::{
@@ -254,8 +254,9 @@ impl Open {
             delta: &mut self.delta,
             screenshots: take_screenshots(&mut self.actions),
             exposed,
+            is_timed: self.program.wants_upload_time(),
         };
-        let wait = self.surface.paint(frame).map_err(PresentError::Lost)?;
+        let PaintTimes { upload, wait } = self.surface.paint(frame).map_err(PresentError::Lost)?;
         if self.shown.is_none() {
             self.shown = Some(Instant::now());
             self.window.set_visible(true);
@@ -270,7 +271,8 @@ impl Open {
             since_input: self.input_since.take().map(|since| now - since),
             frame,
             ui,
-            paint: frame.saturating_sub(ui).saturating_sub(wait),
+            upload,
+            paint: frame.saturating_sub(ui).saturating_sub(upload + wait),
             wait,
         });
         Ok(())

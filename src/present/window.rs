@@ -23,8 +23,24 @@ pub(super) trait Surface {
     /// The longest side that a texture may have.
     fn max_texture_side(&self) -> Option<usize>;
 
-    /// Draws a frame and hands it to the display. Tells how long it waited for the display.
-    fn paint(&mut self, frame: Frame<'_>) -> Result<Duration, String>;
+    /// Draws a frame and hands it to the display.
+    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String>;
+}
+
+/// What of the painting was not drawing.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct PaintTimes {
+    /// Taking over changes of textures; zero unless the frame is to be timed.
+    pub(super) upload: Duration,
+    /// Waiting for the display.
+    pub(super) wait: Duration,
+}
+
+/// How long something takes, where that is asked for.
+pub(super) fn timed(is_asked: bool, run: impl FnOnce()) -> Duration {
+    let start = is_asked.then(Instant::now);
+    run();
+    start.map_or(Duration::ZERO, |start| start.elapsed())
 }
 
 /// What is to be drawn.
@@ -42,6 +58,8 @@ pub(super) struct Frame<'a> {
     pub(super) screenshots: Vec<ScreenshotCallback>,
     /// The display may have lost what it showed.
     pub(super) exposed: bool,
+    /// Whether the upload's time is asked for.
+    pub(super) is_timed: bool,
 }
 
 /// What wakes the event loop, apart from the window's own events.

@@ -6,6 +6,7 @@
 mod accuracy;
 mod edits;
 mod faults;
+mod frame;
 mod harness;
 mod objects;
 mod scene_files;

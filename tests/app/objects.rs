@@ -62,8 +62,11 @@ fn assert_same(found: &Derived, expected: &Derived, what: &str) {
     assert_eq!(found.inspection, expected.inspection, "{what}");
 }
 
+/// What an edit is called, and what it does.
+type Edit = (&'static str, fn(&mut Document));
+
 /// Derives each edited document from the one before, and anew, and compares.
-fn follow(document: &mut Document, edits: &[(&str, fn(&mut Document))]) {
+fn follow(document: &Document, edits: &[Edit]) {
     for shade in [ShadeName::Lambert, ShadeName::Object] {
         let (mut document, mut deriver, session) =
             (document.clone(), Deriver::default(), session(shade));
@@ -79,7 +82,7 @@ fn follow(document: &mut Document, edits: &[(&str, fn(&mut Document))]) {
 #[test]
 fn a_scene_that_follows_edits_looks_as_if_made_anew() {
     follow(
-        &mut document(),
+        &document(),
         &[
             ("moved", |d| d.spheres[1].shape.center.x = -1.0),
             ("again", |d| d.spheres[1].shape.center.y = 0.7),
@@ -103,7 +106,7 @@ fn a_scene_that_follows_edits_looks_as_if_made_anew() {
 #[test]
 fn spheres_around_the_camera_are_edited_unseen_by_the_observer() {
     follow(
-        &mut document(),
+        &document(),
         &[
             ("around", |d| d.spheres[0].shape = ball(0.1, 0.0, 0.0, 1.0)),
             ("larger", |d| d.spheres[0].shape.radius = 1.5),

@@ -35,7 +35,7 @@ fn document(name: &str, width: u32, height: u32) -> Document {
 
 fn traced(document: &Document) -> Frame<f32> {
     let camera = document.camera.posed().unwrap();
-    let outputs = Outputs { normal: true };
+    let outputs = Outputs { normal: true, ..Outputs::default() };
     trace_as(&document.scene().unwrap(), &camera, &Raster::full(camera.image()), outputs)
 }
 

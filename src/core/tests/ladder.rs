@@ -156,7 +156,7 @@ fn check_frame(case: &FrameCase) -> Steps {
     let scene = given::scene(&case.objects);
     let camera = given::camera(&case.camera).posed().unwrap();
     let raster = Raster::full(camera.image());
-    let frame = trace(&scene, &camera, &raster, Outputs { normal: true });
+    let frame = trace(&scene, &camera, &raster, Outputs { normal: true, ..Outputs::default() });
     let single = trace_as::<f32>(&scene, &camera, &raster, Outputs::default());
     assert_eq!(frame.object, single.object, "{case:?}");
     let view = case.camera.prepare(&case.objects).unwrap();

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 /// Traces the picture and asks every pixel's ray by itself.
 #[track_caller]
 fn assert_as_pixel_by_pixel(scene: &Scene, camera: &PosedCamera, raster: &Raster) {
-    let frame = trace(scene, camera, raster, Outputs { normal: true });
+    let frame = trace(scene, camera, raster, Outputs { normal: true, ..Outputs::default() });
     for row in 0..raster.rows().len() {
         for column in 0..raster.columns().len() {
             let traced = frame.at(row, column);
@@ -229,7 +229,8 @@ fn the_same_bits_on_any_number_of_threads() {
     let raster = Raster::full(camera.image());
     let with_threads = |threads| {
         rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
-            let frame = trace(&scene, &camera, &raster, Outputs { normal: true });
+            let frame =
+                trace(&scene, &camera, &raster, Outputs { normal: true, ..Outputs::default() });
             let colors = shade(&frame, &scene, Shade::Lambert, |_| [200, 100, 50], |rgb| rgb);
             (frame, colors)
         })

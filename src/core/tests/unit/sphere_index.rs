@@ -8,6 +8,8 @@ use proptest::prelude::*;
 use crate::boxes::{BOX_LANES, Boxes};
 use crate::checks::SceneError;
 use crate::exact::{Dyadic, big_of};
+use crate::ray::Ray;
+use crate::roots::Roots;
 use crate::scale::exponent;
 use crate::scene::Scene;
 use crate::sphere::Sphere;
@@ -258,5 +260,50 @@ proptest! {
         for index in around {
             prop_assert!(scene.spheres()[index as usize].implicit(point) < 0.0);
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn roots_are_those_of_each_sphere_by_itself(
+        spheres in prop::collection::vec(sphere(), INDEX_FROM..400),
+        touched in prop::collection::vec((prop::array::uniform3(coordinate()), -9.0..3.0f64), 8),
+        origin in prop::array::uniform3(coordinate()),
+        direction in prop::array::uniform3(-1.0..1.0f64),
+        slopes in prop::array::uniform3(any::<bool>()),
+    ) {
+        // Along axes and across: directions with zeros in them too.
+        let direction = DVec3::from_array(std::array::from_fn(|i| {
+            if slopes[i] { direction[i] } else { 0.0 }
+        }));
+        let Ok(ray) = Ray::new(origin, direction) else { return Ok(()) };
+        let mut scene = Scene::new(spheres, vec![]).unwrap();
+        for (place, (point, size)) in (0..).zip(touched) {
+            // About as far from the line as its radius.
+            let point = DVec3::from(point).clamp(DVec3::splat(-1e3), DVec3::splat(1e3));
+            let (t, radius) = (point.x, 10_f64.powf(size));
+            let beside = radius * direction.any_orthogonal_vector().normalize_or_zero();
+            let center = ray.origin + t * direction + beside;
+            if let Ok(sphere) = Sphere::new(center, radius) {
+                scene.replace_sphere(place, sphere).unwrap();
+            }
+        }
+        let mut found: Vec<(u32, u64)> =
+            scene.roots(&ray).iter().map(|root| (root.object, root.t.to_bits())).collect();
+        found.sort_unstable();
+        let mut expected = Vec::new();
+        for (index, sphere) in (0..).zip(scene.spheres()) {
+            match sphere.roots(&ray) {
+                Roots::None => (),
+                Roots::One(t) => expected.push((index, t.to_bits())),
+                Roots::Two(near, far) => {
+                    expected.extend([(index, near.to_bits()), (index, far.to_bits())]);
+                }
+            }
+        }
+        expected.sort_unstable();
+        prop_assert_eq!(found, expected);
     }
 }

@@ -1,0 +1,72 @@
+//! What the last frames took, a bar a frame, the parts on top of each other.
+
+use egui::{Stroke, Ui};
+use egui_plot::{Bar, BarChart, HLine, LineStyle, Plot, PlotBounds};
+
+use super::ms;
+use crate::frame_times::{FrameHistory, FrameRecord, KEPT, Part};
+
+/// What a frame may take at 60 frames a second, in milliseconds.
+const SMOOTH: f64 = 1000.0 / 60.0;
+
+/// The plot shows at least this much, in milliseconds: a frame that is fast enough looks small.
+const LEAST: f64 = 20.0;
+
+/// Shows the plot.
+pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
+    let records: Vec<&FrameRecord> = frames.records().collect();
+    let top = top(&records);
+    let right = KEPT as f64;
+    let line = ui.visuals().text_color();
+    Plot::new("frame times")
+        .x_axis_label("the last 200 new pictures; dashed: 16.7 ms")
+        .y_axis_label("ms")
+        .show_axes([true, true])
+        .x_axis_formatter(|_, _| String::new())
+        .grid_color(line.gamma_multiply(0.2))
+        .show_grid([false, true])
+        .show_crosshair(false)
+        .allow_drag(false)
+        .allow_zoom(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .show(ui, |plot| {
+            plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.0], [right, top]));
+            let mut charts: Vec<BarChart> = Vec::new();
+            for part in Part::ALL {
+                let below: Vec<&BarChart> = charts.iter().collect();
+                let chart = chart(part, &records).stack_on(&below);
+                charts.push(chart);
+            }
+            charts.into_iter().for_each(|chart| plot.bar_chart(chart));
+            let smooth = HLine::new("60 frames a second", SMOOTH).allow_hover(false);
+            plot.hline(smooth.color(line).width(2.0).style(LineStyle::dashed_loose()));
+        });
+}
+
+/// The bars of one part, the last frame's at the right end.
+fn chart(part: Part, records: &[&FrameRecord]) -> BarChart {
+    let first = KEPT - records.len();
+    let bars = records.iter().enumerate().map(|(index, record)| {
+        let time = 1e3 * record.time(part).unwrap_or_default().as_secs_f64();
+        Bar::new((first + index) as f64 + 0.5, time)
+            .width(1.0)
+            .fill(part.color())
+            .stroke(Stroke::NONE)
+    });
+    let description =
+        move |bar: &Bar, _: &BarChart| format!("{} {} ms", part.name(), ms(1e-3 * bar.value));
+    BarChart::new(part.name(), bars.collect())
+        .color(part.color())
+        .element_formatter(Box::new(description))
+}
+
+/// The upper end in milliseconds: above all but a few, which may have been slow for once.
+fn top(records: &[&FrameRecord]) -> f64 {
+    const FEW: usize = 3;
+    let mut totals: Vec<f64> = records.iter().map(|r| 1e3 * r.total().as_secs_f64()).collect();
+    totals.sort_by(f64::total_cmp);
+    let slow = totals.len().saturating_sub(FEW + 1);
+    totals.get(slow).map_or(LEAST, |total| (1.25 * total).max(LEAST))
+}

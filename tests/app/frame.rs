@@ -1,0 +1,142 @@
+//! The frame view: what a frame takes, and what its pictures leave out.
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::session::{Settings, ViewLayout};
+use pinhole::store::Remembered;
+use pinhole_core::{Counts, Steps};
+
+use super::harness::{assert_says, texts_with, type_into, window, window_with};
+
+const PARTS: [&str; 6] = ["plan", "trace", "overlay", "interface", "upload", "paint"];
+
+fn open(window: &mut Harness<'_, App>) {
+    window.get_by_role_and_label(Role::Button, "Frame").click();
+    window.run();
+}
+
+/// What is said of a picture, of numbers below a thousand.
+#[track_caller]
+fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: &Steps) {
+    let of = |part: u64, all: u64| format!("{part} of {all}");
+    for (name, text) in [
+        ("spheres", counts.spheres.to_string()),
+        ("behind the eye", counts.behind.to_string()),
+        ("beside or between pixels", counts.outside.to_string()),
+        ("in view", counts.in_view.to_string()),
+        ("planes asked", of(counts.planes_asked, counts.planes)),
+        ("bands without a hit", of(counts.bands_untouched, counts.bands)),
+        ("rows without a hit", of(counts.rows_untouched, counts.rows)),
+        ("index blocks left out", "no index".to_owned()),
+        ("in double-double", steps.double_double.to_string()),
+        ("exactly", steps.exact.to_string()),
+    ] {
+        assert_says(window, &format!("{view}, {name}: {text}"));
+    }
+}
+
+#[test]
+fn a_closed_view_keeps_nothing_and_takes_no_room() {
+    let mut window = window("canonical");
+    assert!(!window.state().shows_frame_times());
+    assert_eq!(texts_with(&window, "new picture"), Vec::<String>::new());
+    type_into(&mut window, "eye x", "0.5");
+    open(&mut window);
+    assert!(window.state().shows_frame_times());
+    assert!(!texts_with(&window, "Last new picture took ").is_empty());
+    window.get_by_role_and_label(Role::Button, "World").click();
+    window.run();
+    assert!(!window.state().shows_frame_times());
+    assert_eq!(texts_with(&window, "new picture"), Vec::<String>::new());
+}
+
+#[test]
+fn both_pictures_counts_are_those_of_what_was_traced() {
+    let mut window = window("canonical");
+    type_into(&mut window, "W", "30");
+    type_into(&mut window, "H", "20");
+    open(&mut window);
+    let derived = window.state().derived().clone();
+    let (counts, steps) = (derived.counts.unwrap(), derived.steps.unwrap());
+    assert!(steps.total() > 0, "the lecture's ball is in view");
+    assert_counts(&window, "Camera view", &counts, &steps);
+    let world = derived.world_frame.unwrap();
+    assert_counts(&window, "World view", &world.counts, &world.steps);
+    assert_says(&window, &format!("Camera view, all decisions: {}", steps.total()));
+    // Turned away from both balls, the camera has less to decide.
+    type_into(&mut window, "at z", "1");
+    let turned = window.state().derived().clone();
+    assert!(turned.steps.unwrap().total() < steps.total());
+    assert_counts(&window, "Camera view", &turned.counts.unwrap(), &turned.steps.unwrap());
+}
+
+#[test]
+fn the_lectures_balls_are_counted_where_they_are() {
+    let mut window = window("canonical");
+    let of = |c: &Counts| (c.spheres, c.behind, c.outside, c.in_view, c.hidden, c.blocks);
+    let counted = |window: &Harness<'_, App>| {
+        let derived = window.state().derived();
+        (of(&derived.counts.unwrap()), of(&derived.world_frame.as_ref().unwrap().counts))
+    };
+    let both_in_view = (2, 0, 0, 2, 0, 0);
+    assert_eq!(counted(&window), (both_in_view, both_in_view));
+    type_into(&mut window, "at z", "1");
+    assert_eq!(counted(&window), ((2, 2, 0, 0, 0, 0), both_in_view), "the observer stays");
+    type_into(&mut window, "at z", "-1");
+    type_into(&mut window, "eye y", "50");
+    type_into(&mut window, "at y", "50");
+    assert_eq!(counted(&window).0, (2, 0, 2, 0, 0, 0));
+}
+
+#[test]
+fn an_edit_is_timed_and_rest_stays_rest() {
+    let mut window = window("canonical");
+    open(&mut window);
+    let times = |window: &Harness<'_, App>| -> Vec<String> {
+        PARTS.iter().flat_map(|part| texts_with(window, &format!("{part} "))).collect()
+    };
+    let first = times(&window);
+    for part in ["plan", "trace", "overlay", "interface"] {
+        let timed = |text: &String| {
+            let time = text.strip_prefix(part).and_then(|t| t.trim().parse::<f64>().ok());
+            time.is_some_and(|time| time > 0.0)
+        };
+        assert!(first.iter().any(timed), "{part} in {first:?}");
+    }
+    // Nothing presents this window, so nobody knows what that takes.
+    assert_says(&window, "upload -");
+    assert_says(&window, "paint -");
+    // A frame without a new picture leaves the last one's times, and asks for no other.
+    let traced = window.state().pictures_traced();
+    window.hover_at(egui::pos2(30.0, 400.0));
+    window.run();
+    assert_eq!((window.state().pictures_traced(), times(&window)), (traced, first.clone()));
+    type_into(&mut window, "eye x", "0.25");
+    assert!(window.state().pictures_traced() > traced);
+    assert_ne!(times(&window), first);
+}
+
+#[test]
+fn a_fault_leaves_the_last_counts() {
+    let mut window = window("canonical");
+    open(&mut window);
+    let before = texts_with(&window, "Camera view, all decisions: ");
+    type_into(&mut window, "up y", "0");
+    assert!(window.state().derived().fault.is_some());
+    assert_eq!(texts_with(&window, "Camera view, all decisions: "), before);
+}
+
+#[test]
+fn the_view_is_remembered() {
+    let settings =
+        Settings { layout: ViewLayout::Frame, frame_height: 321.0, ..Settings::default() };
+    let text = serde_json::to_string(&settings).unwrap();
+    assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);
+    let wild = Settings { frame_height: f32::NAN, ..settings.clone() };
+    assert_eq!(wild.in_range().frame_height, Settings::default().frame_height);
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let window = window_with("canonical", remembered, None);
+    assert!(!texts_with(&window, "Last new picture took ").is_empty());
+}
