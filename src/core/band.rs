@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::marker::PhantomData;
 use std::ops::Range;
 
+use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
 use crate::certainty::{Certain, Certainty, Uncertain};
@@ -18,9 +19,7 @@ use crate::kernel::DOUBT;
 use crate::lanes::Lanes;
 use crate::object_kernel::{FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor};
 use crate::plan::{Plan, SLICE_ROWS};
-use crate::precise::Precise;
-use crate::scene::Object;
-use crate::seen::{Hit, ObjectSeen};
+use crate::seen::ObjectSeen;
 use crate::span::{Doubt, SpanTarget};
 use crate::sphere_seen::SphereSeen;
 use crate::steps::Steps;
@@ -32,12 +31,14 @@ const LANES: usize = 8;
 /// Rows of a frame with their part of the buffers. Objects are added in the order of their indices,
 /// so "nearer than what is there" keeps the first of equals.
 pub(crate) struct Band<'a, T> {
-    plan: &'a Plan<'a>,
-    rows: Range<usize>,
-    t: &'a mut [T],
-    object: &'a mut [u32],
-    steps: Steps,
+    pub(crate) plan: &'a Plan<'a>,
+    pub(crate) rows: Range<usize>,
+    pub(crate) t: &'a mut [T],
+    pub(crate) object: &'a mut [u32],
+    pub(crate) steps: Steps,
     counts: Counts,
+    /// By row, whether an object's outline reaches it.
+    is_reached: Vec<bool>,
     /// Columns from the middle of the patch at hand.
     m: Vec<f64>,
     /// The kernels' answers for one row.
@@ -57,10 +58,22 @@ impl<'a, T: Depth> Band<'a, T> {
         t: &'a mut [T],
         object: &'a mut [u32],
     ) -> Self {
-        t.fill(T::NONE);
+        match T::singles(t) {
+            Some(t) => dispatch!(plan.level, simd => clear(simd, t)),
+            None => t.fill(T::NONE),
+        }
         object.fill(NO_OBJECT);
-        let (m, found) = (Vec::new(), Vec::new());
-        Band { plan, rows, t, object, steps: Steps::default(), counts: Counts::default(), m, found }
+        Band {
+            plan,
+            is_reached: vec![false; rows.len()],
+            rows,
+            t,
+            object,
+            steps: Steps::default(),
+            counts: Counts::default(),
+            m: Vec::new(),
+            found: Vec::new(),
+        }
     }
 
     /// Adds all objects, and tells how their decisions were made.
@@ -86,6 +99,11 @@ impl<'a, T: Depth> Band<'a, T> {
         for doubt in doubts {
             self.settle_doubt(&doubt);
         }
+        let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
+        self.counts.bands = 1;
+        self.counts.bands_untouched = u64::from(untouched == self.rows.len());
+        self.counts.rows = self.rows.len() as u64;
+        self.counts.rows_untouched = untouched as u64;
         (self.steps, self.counts)
     }
 
@@ -93,6 +111,12 @@ impl<'a, T: Depth> Band<'a, T> {
     fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<T> {
         let Range { start, end } = self.rows;
         (start..end).step_by(SLICE_ROWS).map(move |from| from..end.min(from + SLICE_ROWS))
+    }
+
+    /// Tells that an object's outline reaches rows of the raster.
+    fn reach(&mut self, rows: &Range<usize>) {
+        let start = self.rows.start;
+        self.is_reached[rows.start - start..rows.end - start].fill(true);
     }
 
     fn add_in_slices(&mut self, index: u32, extent: &Extent) {
@@ -113,14 +137,18 @@ impl<'a, T: Depth> Band<'a, T> {
         let rows = self.rows.clone();
         let decided = if plan.is_certain {
             let (axes, object, doubts) = (&plan.axes, &mut *self.object, &mut doubts);
+            let is_reached = &mut self.is_reached;
             let certainty = PhantomData::<Certain>;
-            let mut target = SpanTarget { axes, rows, t, object, doubts, decided: 0, certainty };
+            let mut target =
+                SpanTarget { axes, rows, t, object, doubts, is_reached, decided: 0, certainty };
             dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
             target.decided
         } else {
             let (axes, object, doubts) = (&plan.axes, &mut *self.object, &mut doubts);
+            let is_reached = &mut self.is_reached;
             let certainty = PhantomData::<Uncertain>;
-            let mut target = SpanTarget { axes, rows, t, object, doubts, decided: 0, certainty };
+            let mut target =
+                SpanTarget { axes, rows, t, object, doubts, is_reached, decided: 0, certainty };
             dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
             target.decided
         };
@@ -131,6 +159,7 @@ impl<'a, T: Depth> Band<'a, T> {
 
     /// Adds a sphere, which can cover these rows and columns of the raster at most.
     fn add_sphere(&mut self, index: u32, rows: Range<usize>, columns: Range<usize>) {
+        self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
         let eye = self.plan.rays.camera().eye();
         if let Some(kernel) = self.plan.large.get(&index) {
@@ -221,6 +250,7 @@ impl<'a, T: Depth> Band<'a, T> {
         if seen.side == Ordering::Equal {
             return;
         }
+        self.reach(&rows);
         let index = (self.plan.scene.spheres().len() + plane) as u32;
         let columns = 0..self.plan.rays.n.len();
         let patch = self.plan.rays.patch(&rows, &columns);
@@ -287,81 +317,17 @@ impl<'a, T: Depth> Band<'a, T> {
             self.found = found;
         }
     }
+}
 
-    fn seen(&self, index: u32) -> ObjectSeen {
-        let sphere = Object::Sphere(self.plan.scene.spheres()[index as usize]);
-        ObjectSeen::new(&sphere, self.plan.rays.camera().eye())
+/// No hit anywhere.
+#[inline(always)]
+fn clear<S: Simd>(simd: S, t: &mut [f32]) {
+    let none = S::f32s::splat(simd, f32::NONE);
+    let mut vectors = t.chunks_exact_mut(S::f32s::LEN);
+    for vector in &mut vectors {
+        none.store_slice(vector);
     }
-
-    /// A pixel that a sphere's row could not decide.
-    fn settle_doubt(&mut self, doubt: &Doubt) {
-        let Doubt { index, row, column, t } = *doubt;
-        let (row, column) = (row as usize, column as usize);
-        self.steps.f64 += 1;
-        let sphere = self.plan.scene.spheres()[index as usize];
-        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
-        let known = self.object[place];
-        let known_sphere = self.plan.scene.spheres().get(known as usize);
-        if known_sphere == Some(&sphere) {
-            // The same sphere given twice.
-            self.object[place] = known.min(index);
-            return;
-        }
-        let seen = self.seen(index);
-        self.settle_with(index, &seen, row, column, t);
-    }
-
-    /// One pixel by itself, up the ladder.
-    #[cold]
-    fn settle(&mut self, index: u32, seen: &ObjectSeen, row: usize, column: usize) {
-        self.settle_with(index, seen, row, column, None);
-    }
-
-    /// The same, where `t` may be known.
-    #[cold]
-    fn settle_with(
-        &mut self,
-        index: u32,
-        seen: &ObjectSeen,
-        row: usize,
-        column: usize,
-        t: Option<f32>,
-    ) {
-        let camera = self.plan.rays.camera();
-        let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
-        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
-        // The ladder counts this decision at its own step.
-        self.steps.f64 -= 1;
-        let Some(end) = seen.first_end(&ray, &mut self.steps) else { return };
-        let hit = Hit { index, seen, end };
-        let known = self.object[place];
-        if known != NO_OBJECT
-            && let Some(object) = self.plan.scene.object(known)
-        {
-            let known_seen = ObjectSeen::new(&object, camera.eye());
-            let known_end = known_seen.first_end(&ray, &mut Steps::default());
-            let order = known_end.map_or(Ordering::Less, |end| {
-                let known = Hit { index: known, seen: &known_seen, end };
-                hit.compare(&known, &ray, &mut self.steps)
-            });
-            if order.then(index.cmp(&known)) == Ordering::Greater {
-                return;
-            }
-        }
-        self.object[place] = index;
-        if let Some(t) = t {
-            self.t[place] = T::of(f64::from(t));
-            return;
-        }
-        // A large sphere's polynomials may know t at a fraction of the ladder's cost.
-        let polynomials = self.plan.large.get(&index).and_then(|kernel| {
-            let (m, k) = (self.plan.rays.n[column], self.plan.rays.l[row]);
-            let near_root = kernel.near_root.as_ref()?.t(m - kernel.patch.n, k - kernel.patch.l)?;
-            Some(Precise::new(near_root.value.times(self.plan.rays.stretch), near_root.scale))
-        });
-        let t = polynomials.unwrap_or_else(|| seen.t_within(&ray, end, T::DOUBT));
-        self.t[place] = T::of(t.to_f64());
-    }
+    vectors.into_remainder().fill(f32::NONE);
 }
 
 #[inline(always)]

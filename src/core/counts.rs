@@ -29,7 +29,7 @@ pub struct Counts {
     pub bands_untouched: u64,
     /// Rows of the picture.
     pub rows: u64,
-    /// Rows in which no pixel hits anything.
+    /// Rows that no object's outline reaches: background only.
     pub rows_untouched: u64,
 }
 

@@ -176,6 +176,7 @@ mod roots;
 mod scale;
 mod scene;
 mod seen;
+mod settle;
 mod shade;
 mod single_lanes;
 mod sorter;
@@ -221,6 +222,8 @@ pub use image::{ImageError, ImageSize, Pixel};
 #[doc(hidden)]
 pub use lane::Lane;
 pub use number::shortest;
+#[doc(hidden)]
+pub use plan::Tuning;
 pub use plane::{Plane, PlaneTerms};
 pub use posed::{PixelOfUv, PosedCamera, Projection};
 pub use ray::{Ray, RayError};
@@ -230,7 +233,7 @@ pub use shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixe
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
 pub use trace::{
-    Stage, retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
-    trace_reporting,
+    Stage, retrace, retrace_tuned, trace, trace_as, trace_at_level, trace_painted,
+    trace_painted_at_level, trace_reporting,
 };
 pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};

@@ -26,6 +26,24 @@ use crate::sphere_seen::SphereSeen;
 /// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
+/// What of a frame's tracing changes its speed and, but for the last, not one bit of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Tuning {
+    /// The instructions.
+    pub level: Level,
+    /// How many rows a thread traces at a time; a whole number of [`SLICE_ROWS`] is made of it.
+    pub band_rows: Option<usize>,
+    /// Whether decisions in doubt go up the ladder. Without it, what certainty costs can be measured.
+    pub is_certain: bool,
+}
+
+impl Tuning {
+    /// As frames are usually traced.
+    pub fn new(level: Level) -> Tuning {
+        Tuning { level, band_rows: None, is_certain: true }
+    }
+}
+
 /// What all bands of a frame share.
 pub(crate) struct Plan<'a> {
     pub(crate) level: Level,
@@ -62,17 +80,22 @@ const SPHERES_PER_RUN: usize = 8192;
 
 impl<'a> Plan<'a> {
     pub(crate) fn new<T: Depth>(
-        level: Level,
+        tuning: &Tuning,
         scene: &'a Scene,
         camera: &'a PosedCamera,
         raster: &'a Raster,
     ) -> Self {
+        let level = tuning.level;
         let rays = FrameRays::new(camera, raster, T::IS_FINE);
         let axes = RasterAxes::new(raster);
         let space = CameraSpace::new(camera);
         let extents = Extents::new(camera, raster);
         let space = (!T::IS_FINE && space.is_plain).then_some(space);
-        let mut counts = Counts { spheres: scene.spheres().len() as u64, ..Counts::default() };
+        let mut counts = Counts {
+            spheres: scene.spheres().len() as u64,
+            planes: scene.planes().len() as u64,
+            ..Counts::default()
+        };
         let crowd = match (scene.index(), space) {
             (Some(index), Some(space)) => Some(Crowd::new(level, index, space, &axes, &mut counts)),
             _ => None,
@@ -95,10 +118,15 @@ impl<'a> Plan<'a> {
         }
         let seen = |plane| ObjectSeen::new(&Object::Plane(plane), camera.eye());
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
-        let planes = planes.collect();
+        let planes: Vec<Option<ObjectSeen>> = planes.collect();
+        counts.planes_asked = planes.iter().flatten().count() as u64;
         let large = HashMap::new();
-        let keeps = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
-        let band_rows = if keeps { SLICE_ROWS } else { 2 * SLICE_ROWS };
+        let keeps_outlines = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
+        let band_rows = if keeps_outlines { SLICE_ROWS } else { 2 * SLICE_ROWS };
+        let band_rows = match tuning.band_rows {
+            Some(rows) if !T::IS_FINE => rows.max(1).next_multiple_of(SLICE_ROWS),
+            _ => band_rows,
+        };
         let mut plan = Plan {
             level,
             scene,
@@ -109,7 +137,7 @@ impl<'a> Plan<'a> {
             crowd,
             counts,
             band_rows,
-            is_certain: true,
+            is_certain: tuning.is_certain,
             extents,
             planes,
             large,

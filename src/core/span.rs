@@ -119,6 +119,8 @@ pub(crate) struct SpanTarget<'a, C> {
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) doubts: &'a mut Vec<Doubt>,
+    /// By row of the target, whether an outline reaches it.
+    pub(crate) is_reached: &'a mut [bool],
     /// How many pixels were decided.
     pub(crate) decided: u64,
     pub(crate) certainty: Carries<C>,
@@ -167,6 +169,7 @@ impl Span {
         };
         let own = (self.index, self.outline.nearest as f32);
         target.decided += (columns.1 - columns.0 + 1) as u64;
+        target.is_reached[row - target.rows.start] = true;
         if self.shape.is_wide {
             draw_row::<S, C>(simd, &mut buffers, columns, own, &Wide(&lanes))
         } else {

@@ -166,6 +166,7 @@ fn push_pixels<S: Simd, C: Certainty>(
     pixels: &mut TinyPixels,
     target: &mut SpanTarget<C>,
 ) {
+    target.is_reached[row - target.rows.start] = true;
     let start = (row - target.rows.start) * target.axes.width();
     if pixels.count + (to - from + 1) > WAITING {
         pixels.draw(simd, target);

@@ -11,7 +11,7 @@ use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::painter::Painter;
-use crate::plan::Plan;
+use crate::plan::{Plan, Tuning};
 use crate::posed::PosedCamera;
 use crate::scene::Scene;
 use crate::seen::{ObjectSeen, plane_normal};
@@ -76,7 +76,7 @@ pub fn trace_at_level<T: Depth>(
             done(rows);
         }
     };
-    fill(&mut frame, level, scene, &mut [], &no_pixels, &observe);
+    fill(&mut frame, &Tuning::new(level), scene, &mut [], &no_pixels, &observe);
     frame
 }
 
@@ -119,11 +119,11 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
         let finish = |rows, t: &[T], object: &[u32], pixels: &mut [P]| {
             painter.rows(rows, t, object, pixels);
         };
-        fill(&mut frame, level, scene, pixels, &finish, &observe);
+        fill(&mut frame, &Tuning::new(level), scene, pixels, &finish, &observe);
         return frame;
     }
     let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
-    fill(&mut frame, level, scene, &mut [], &no_pixels, &observe);
+    fill(&mut frame, &Tuning::new(level), scene, &mut [], &no_pixels, &observe);
     paint_frame(level, &frame, scene, paint, pixels);
     if !outputs.t {
         frame.t = Vec::new();
@@ -137,8 +137,19 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
 /// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
 /// new memory.
 pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, camera: &PosedCamera) {
+    retrace_tuned(frame, &Tuning::new(level), scene, camera);
+}
+
+/// [`retrace`] with all that can be tuned.
+#[doc(hidden)]
+pub fn retrace_tuned<T: Depth>(
+    frame: &mut Frame<T>,
+    tuning: &Tuning,
+    scene: &Scene,
+    camera: &PosedCamera,
+) {
     frame.camera = *camera;
-    fill(frame, level, scene, &mut [], &no_pixels, &|_| ());
+    fill(frame, tuning, scene, &mut [], &no_pixels, &|_| ());
 }
 
 /// A frame with room for what is asked for.
@@ -187,7 +198,7 @@ fn or_own<'a, T: Copy>(part: &'a mut [T], own: &'a mut Vec<T>, len: usize, zero:
 /// of which is finished while it is in the cache.
 fn fill<T: Depth, P: Send>(
     frame: &mut Frame<T>,
-    level: Level,
+    tuning: &Tuning,
     scene: &Scene,
     pixels: &mut [P],
     finish: Finish<'_, T, P>,
@@ -198,7 +209,7 @@ fn fill<T: Depth, P: Send>(
         return;
     }
     let (width, rows) = (raster.columns().len(), raster.rows().len());
-    let plan = Plan::new::<T>(level, scene, camera, raster);
+    let plan = Plan::new::<T>(tuning, scene, camera, raster);
     observe(Stage::Planned);
     *counts = plan.counts;
     let band = plan.band_rows * width;

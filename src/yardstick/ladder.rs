@@ -1,7 +1,10 @@
 //! The contestant that all this is about: the one place that knows how `pinhole-core` is asked for a
 //! frame.
 
-use pinhole_core::{Frame, Level, Outputs, PosedCamera, Raster, Scene, retrace, trace_at_level};
+use pinhole_core::{
+    Frame, Level, Outputs, PosedCamera, Raster, Scene, Tuning, retrace, retrace_tuned,
+    trace_at_level,
+};
 
 /// A frame to trace into, traced once.
 pub(crate) fn first_frame(level: Level, scene: &Scene, camera: &PosedCamera) -> Frame<f32> {
@@ -17,7 +20,10 @@ pub(crate) fn trace(frame: &mut Frame<f32>, level: Level, scene: &Scene, camera:
 /// How the same frame is traced with every decision taken in the first arithmetic, right or not.
 pub(crate) type Uncertified = fn(&mut Frame<f32>, Level, &Scene, &PosedCamera);
 
-/// HOOK: core has no such function yet. Where there is none, the method `uncertified` is left out.
+/// The method `uncertified`.
 pub(crate) fn uncertified() -> Option<Uncertified> {
-    None
+    Some(|frame, level, scene, camera| {
+        let tuning = Tuning { is_certain: false, ..Tuning::new(level) };
+        retrace_tuned(frame, &tuning, scene, camera);
+    })
 }
