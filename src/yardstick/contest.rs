@@ -6,7 +6,7 @@ use pinhole_core::{Frame, Level};
 
 use crate::bvh::Bvh;
 use crate::frames::Buffers;
-use crate::ladder::{self, Uncertified};
+use crate::ladder;
 use crate::rounds::{self, Times};
 use crate::scenes::Setting;
 use crate::stores::Stores;
@@ -130,7 +130,6 @@ fn why_not(setting: &Setting, method: Method, limits: &Limits) -> Option<&'stati
             _ => 0.0,
         };
     match method {
-        Method::Uncertified if ladder::uncertified().is_none() => Some("there is none yet"),
         Method::Textbook if objects > TREE_FROM => Some("asks all spheres: too many of them"),
         Method::TextbookBvh if objects < TREE_FROM => Some("too few spheres for a tree"),
         _ if seconds > limits.patience.as_secs_f64() => Some("a frame takes too long"),
@@ -143,7 +142,7 @@ struct Field<'a> {
     setting: &'a Setting,
     level: Level,
     frame: Frame<f32>,
-    unsure: Option<(Uncertified, Frame<f32>)>,
+    unsure: Option<Frame<f32>>,
     textbook: Option<TextbookScene>,
     tree: Option<Bvh>,
     buffers: Option<Buffers>,
@@ -157,11 +156,10 @@ impl<'a> Field<'a> {
         let (scene, image) = (&setting.scene, setting.image());
         let (plain, tree) = (takes_part(Method::Textbook), takes_part(Method::TextbookBvh));
         let frame = ladder::first_frame(level, scene, &setting.camera(0));
-        let unsure = ladder::uncertified().filter(|_| takes_part(Method::Uncertified));
         Field {
             setting,
             level,
-            unsure: unsure.map(|trace| (trace, frame.clone())),
+            unsure: takes_part(Method::Uncertified).then(|| frame.clone()),
             frame,
             textbook: plain.then(|| TextbookScene::new(scene)),
             tree: tree.then(|| Bvh::new(scene)),
@@ -178,8 +176,8 @@ impl<'a> Field<'a> {
         match (method, &mut self.buffers) {
             (Method::Ladder, _) => ladder::trace(&mut self.frame, self.level, scene, &camera),
             (Method::Uncertified, _) => {
-                if let Some((trace, frame)) = &mut self.unsure {
-                    trace(frame, self.level, scene, &camera);
+                if let Some(frame) = &mut self.unsure {
+                    ladder::uncertified(frame, self.level, scene, &camera);
                 }
             }
             (Method::Textbook, Some(buffers)) => {

@@ -17,13 +17,13 @@ pub(crate) fn trace(frame: &mut Frame<f32>, level: Level, scene: &Scene, camera:
     retrace(frame, level, scene, camera);
 }
 
-/// How the same frame is traced with every decision taken in the first arithmetic, right or not.
-pub(crate) type Uncertified = fn(&mut Frame<f32>, Level, &Scene, &PosedCamera);
-
-/// The method `uncertified`.
-pub(crate) fn uncertified() -> Option<Uncertified> {
-    Some(|frame, level, scene, camera| {
-        let tuning = Tuning { is_certain: false, ..Tuning::new(level) };
-        retrace_tuned(frame, &tuning, scene, camera);
-    })
+/// The same with every decision taken in the first arithmetic, right or not.
+pub(crate) fn uncertified(
+    frame: &mut Frame<f32>,
+    level: Level,
+    scene: &Scene,
+    camera: &PosedCamera,
+) {
+    let tuning = Tuning { is_certain: false, ..Tuning::new(level) };
+    retrace_tuned(frame, &tuning, scene, camera);
 }
