@@ -5,8 +5,8 @@ use fearless_simd::prelude::*;
 
 use crate::kernel::MISS;
 
-/// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within half an
-/// ulp and 2^-15 of one at less than half the time.
+/// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within an ulp, at
+/// a fraction of the time.
 pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sealed {
     /// 0
     #[doc(hidden)]

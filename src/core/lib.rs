@@ -37,7 +37,8 @@
 //!   between is rounded, neither the basis nor (u, v) nor the direction: [`PosedCamera::exact_ray`]
 //!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
 //!
-//! `t` is within half an ulp and 2^-40 of one, a normal within 3e-16 rad. NaN, infinities, zero
+//! `t` is within half an ulp and 2^-40 of one (in frames of `f32`, within an ulp of those), a normal
+//! within 3e-16 rad. NaN, infinities, zero
 //! directions and radii are refused at the door, by [`Ray::check`], [`Scene::new`] and
 //! [`Camera::posed`], with typed errors.
 //!

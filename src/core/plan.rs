@@ -61,6 +61,8 @@ pub(crate) struct Plan<'a> {
     pub(crate) band_rows: usize,
     /// Whether decisions in doubt go up the ladder.
     pub(crate) is_certain: bool,
+    /// Whether the frame is done before another thread would have begun.
+    pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
     /// `None` for one that an earlier one hides altogether.
     pub(crate) planes: Vec<Option<ObjectSeen>>,
@@ -103,12 +105,13 @@ impl<'a> Plan<'a> {
         let (mut spans, mut others) = (Vec::new(), Vec::new());
         if crowd.is_none() {
             let sorter = Sorter { level, space, extents: &extents, axes: &axes };
-            let sorted: Vec<Sorted> = scene
-                .spheres()
-                .par_chunks(SPHERES_PER_RUN)
-                .enumerate()
-                .map(|(run, spheres)| sorter.sort(spheres, run * SPHERES_PER_RUN))
-                .collect();
+            let runs = scene.spheres().chunks(SPHERES_PER_RUN).enumerate();
+            let sort = |(run, spheres)| sorter.sort(spheres, run * SPHERES_PER_RUN);
+            let sorted: Vec<Sorted> = if runs.len() > 1 {
+                runs.collect::<Vec<_>>().into_par_iter().map(sort).collect()
+            } else {
+                runs.map(sort).collect()
+            };
             for run in sorted {
                 counts += run.counts;
                 spans.extend(run.spans);
@@ -138,6 +141,7 @@ impl<'a> Plan<'a> {
             counts,
             band_rows,
             is_certain: tuning.is_certain,
+            is_quick: false,
             extents,
             planes,
             large,
@@ -145,7 +149,18 @@ impl<'a> Plan<'a> {
         if T::IS_FINE {
             plan.prepare_large::<T>();
         }
+        plan.is_quick = !T::IS_FINE && plan.is_quick();
         plan
+    }
+
+    /// Whether a thread draws the frame, a few operations a pixel, in the time that others take to
+    /// wake up.
+    fn is_quick(&self) -> bool {
+        const PIXELS: usize = 1 << 18;
+        const SPANS: usize = 8;
+        let has_others = self.others.iter().flatten().any(|slice| !slice.is_empty());
+        let is_simple = self.crowd.is_none() && self.planes.is_empty() && !has_others;
+        is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
     }
 
     fn prepare_large<T: Depth>(&mut self) {

@@ -212,6 +212,7 @@ fn fill<T: Depth, P: Send>(
     let plan = Plan::new::<T>(tuning, scene, camera, raster);
     observe(Stage::Planned);
     *counts = plan.counts;
+    let is_quick = plan.is_quick && pixels.is_empty() && normal.is_empty();
     let band = plan.band_rows * width;
     let of_outputs = parts(t, band).zip(parts(object, band)).zip(parts(normal, band));
     let parts: Vec<Part<T, P>> = of_outputs
@@ -219,27 +220,35 @@ fn fill<T: Depth, P: Send>(
         .map(|(((t, object), normal), pixels)| Part { t, object, normal, pixels })
         .take(rows.div_ceil(plan.band_rows))
         .collect();
+    let trace_band = |own: &mut (Vec<T>, Vec<u32>), (index, part): (usize, Part<T, P>)| {
+        let first = index * plan.band_rows;
+        let rows = first..rows.min(first + plan.band_rows);
+        let t = or_own(part.t, &mut own.0, rows.len() * width, T::ZERO);
+        let object = or_own(part.object, &mut own.1, rows.len() * width, 0);
+        let traced = Band::new(&plan, rows.clone(), t, object).traced();
+        let of_rows = part.normal.chunks_mut(width).zip(object.chunks(width));
+        for (row, (normals, object)) in rows.clone().zip(of_rows) {
+            fill_normals(&plan, row, object, normals);
+        }
+        finish(rows.clone(), t, object, part.pixels);
+        observe(Stage::Rows(rows.len()));
+        traced
+    };
     let own = || (Vec::new(), Vec::new());
     let of_bands;
-    (*steps, of_bands) = parts
-        .into_par_iter()
-        .enumerate()
-        .map_init(own, |(own_t, own_object), (index, part)| {
-            let first = index * plan.band_rows;
-            let rows = first..rows.min(first + plan.band_rows);
-            let t = or_own(part.t, own_t, rows.len() * width, T::ZERO);
-            let object = or_own(part.object, own_object, rows.len() * width, 0);
-            let traced = Band::new(&plan, rows.clone(), t, object).traced();
-            let of_rows = part.normal.chunks_mut(width).zip(object.chunks(width));
-            for (row, (normals, object)) in rows.clone().zip(of_rows) {
-                fill_normals(&plan, row, object, normals);
-            }
-            finish(rows.clone(), t, object, part.pixels);
-            observe(Stage::Rows(rows.len()));
-            traced
-        })
-        .reduce(Default::default, |a, b| (a.0 + b.0, a.1 + b.1));
+    (*steps, of_bands) = if is_quick {
+        let mut own = own();
+        let bands = parts.into_iter().enumerate().map(|band| trace_band(&mut own, band));
+        bands.fold(Default::default(), sums)
+    } else {
+        let bands = parts.into_par_iter().enumerate().map_init(own, trace_band);
+        bands.reduce(Default::default, sums)
+    };
     *counts += of_bands;
+}
+
+fn sums(a: (Steps, Counts), b: (Steps, Counts)) -> (Steps, Counts) {
+    (a.0 + b.0, a.1 + b.1)
 }
 
 /// Normals of one row, each from its own exact ray.
