@@ -17,7 +17,9 @@ use crate::extent::Extent;
 use crate::frame::NO_OBJECT;
 use crate::kernel::DOUBT;
 use crate::lanes::Lanes;
-use crate::object_kernel::{FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor};
+use crate::object_kernel::{
+    EVERYWHERE, FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor,
+};
 use crate::plan::{Plan, SLICE_ROWS};
 use crate::seen::ObjectSeen;
 use crate::span::{Doubt, SpanTarget};
@@ -51,6 +53,9 @@ const SMALL: usize = 64;
 /// What a kernel does with one row: columns from the middle, row's l, answers.
 type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
 
+/// From which to which m, columns from the middle, a row can have a hit.
+type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
+
 impl<'a, T: Depth> Band<'a, T> {
     pub(crate) fn new(
         plan: &'a Plan<'a>,
@@ -79,6 +84,10 @@ impl<'a, T: Depth> Band<'a, T> {
     /// Adds all objects, and tells how their decisions were made.
     pub(crate) fn traced(mut self) -> (Steps, Counts) {
         let plan = self.plan;
+        // First what no outline can be drawn of: it is near or large, and hides much of the rest.
+        for (index, extent) in plan.crowd.iter().flat_map(|crowd| &crowd.others) {
+            self.add_in_slices(*index, extent);
+        }
         let (doubts, others) = self.add_spans();
         for index in others {
             if let Some(extent) = plan.extents.of(&plan.scene.spheres()[index as usize]) {
@@ -167,7 +176,8 @@ impl<'a, T: Depth> Band<'a, T> {
             let row = |m: &[f64], k: f64, found: &mut [f64]| {
                 dispatch!(level, simd => kernel.answer(simd, m, k, found));
             };
-            return self.add(index, rows, columns, &kernel.patch, &row, None);
+            let reach = |k| kernel.reach(k);
+            return self.add(index, rows, columns, &kernel.patch, (&row, &reach), None);
         }
         let parts = SphereSeen::rough_parts(&sphere, eye);
         let is_small = rows.len() * columns.len() <= SMALL;
@@ -201,7 +211,12 @@ impl<'a, T: Depth> Band<'a, T> {
             },
             None => &|_, _, found| found.fill(DOUBT),
         };
-        self.add(index, rows, columns, &patch, row, None);
+        let reach: ReachOf = match &kernel {
+            Some(SphereKernel::Rough(kernel)) => &|k| kernel.reach(k),
+            Some(SphereKernel::Fine(kernel)) => &|k| kernel.reach(k),
+            None => &|_| Some(EVERYWHERE),
+        };
+        self.add(index, rows, columns, &patch, (row, reach), None);
     }
 
     fn rough_kernel(
@@ -270,20 +285,20 @@ impl<'a, T: Depth> Band<'a, T> {
                 &|m, k, found| dispatch!(level, simd => fine.answer::<_, DoubleDouble<Lanes<_>>>(simd, m, k, found))
             }
         };
-        self.add(index, rows, columns, &patch, row, Some(seen_by_eye));
+        let reach: ReachOf = &|_| Some(EVERYWHERE);
+        self.add(index, rows, columns, &patch, (row, reach), Some(seen_by_eye));
     }
 
-    /// Asks every pixel of the patch.
+    /// Asks the pixels of the patch that the object can reach.
     fn add(
         &mut self,
         index: u32,
         rows: Range<usize>,
         columns: Range<usize>,
         patch: &Patch,
-        answer: RowOf,
+        (answer, reach): (RowOf, ReachOf),
         seen: Option<&ObjectSeen>,
     ) {
-        let width = self.plan.rays.n.len();
         let padded = columns.len().next_multiple_of(LANES);
         self.m.clear();
         self.m.extend(self.plan.rays.n[columns.clone()].iter().map(|n| n - patch.n));
@@ -291,26 +306,30 @@ impl<'a, T: Depth> Band<'a, T> {
         self.found.resize(padded, 0.0);
         let mut own = None;
         for row in rows {
+            let k = self.plan.rays.l[row] - patch.l;
+            let Some([low, high]) = reach(k) else { continue };
+            let m = &self.m[..columns.len()];
+            let from = m.partition_point(|m| *m < low) / LANES * LANES;
+            let to = m.partition_point(|m| *m <= high);
+            if from >= to {
+                continue;
+            }
             let mut found = std::mem::take(&mut self.found);
-            answer(&self.m, self.plan.rays.l[row] - patch.l, &mut found[..padded]);
-            let start = (row - self.rows.start) * width;
-            let place = start + columns.start..start + columns.end;
+            let lanes = from..to.next_multiple_of(LANES);
+            answer(&self.m[lanes.clone()], k, &mut found[lanes]);
+            let start = (row - self.rows.start) * self.plan.rays.n.len() + columns.start;
+            let place = start + from..start + to;
             let (t, object) = (&mut self.t[place.clone()], &mut self.object[place.clone()]);
-            let level = self.plan.level;
-            let found_here = &found[..columns.len()];
+            let (level, found_here) = (self.plan.level, &found[from..to]);
             let in_doubt = dispatch!(level, simd => T::blend(simd, found_here, t, object, index));
-            self.steps.f64 += columns.len() as u64;
+            self.steps.f64 += found_here.len() as u64;
             if in_doubt {
-                for (step, found) in found_here.iter().enumerate() {
-                    if T::is_in_doubt(
-                        *found,
-                        self.t[place.start + step],
-                        self.object[place.start + step],
-                        index,
-                    ) {
+                for (place, (column, found)) in place.zip((columns.start + from..).zip(found_here))
+                {
+                    if T::is_in_doubt(*found, self.t[place], self.object[place], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
-                        self.settle(index, seen, row, columns.start + step);
+                        self.settle(index, seen, row, column);
                     }
                 }
             }

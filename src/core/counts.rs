@@ -13,7 +13,9 @@ pub struct Counts {
     pub outside: u64,
     /// The other spheres, whether or not anything hides them.
     pub in_view: u64,
-    /// Times that a band of rows passed over a sphere because nearer ones hide all of it there.
+    /// Times that a band of rows passed over a sphere because nearer ones hide all of it there. Which
+    /// are hidden when their turn comes depends on the order of drawing, and that on the width of the
+    /// processor's vectors; the picture does not.
     pub hidden: u64,
     /// Planes of the scene.
     pub planes: u64,

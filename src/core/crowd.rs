@@ -9,9 +9,10 @@ use rayon::prelude::*;
 use crate::boxes::Boxes;
 use crate::camera_space::CameraSpace;
 use crate::counts::Counts;
+use crate::extent::{Extent, Extents};
 use crate::outline::Outlines;
 use crate::raster_axes::RasterAxes;
-use crate::sphere_index::{BLOCK, SphereIndex};
+use crate::sphere_index::{BLOCK, NO_SPHERE, SphereIndex};
 
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +42,8 @@ pub(crate) struct GroupSeen {
     /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
     /// finds them anew otherwise.
     pub(crate) outlines: Vec<Outlines>,
+    /// Whether those of its spheres that are not drawn by rows are among the crowd's.
+    pub(crate) has_others: bool,
 }
 
 /// What can be seen of many spheres, near to far.
@@ -50,6 +53,8 @@ pub(crate) struct Crowd<'a> {
     pub(crate) groups: Vec<GroupSeen>,
     /// Whether spheres cover one another so much that each is worth a look whether it is hidden.
     pub(crate) is_crowded: bool,
+    /// Spheres that are not drawn by rows, of groups in which there can be such.
+    pub(crate) others: Vec<(u32, Extent)>,
     /// Whether outlines are kept.
     pub(crate) keeps_outlines: bool,
 }
@@ -65,7 +70,7 @@ impl<'a> Crowd<'a> {
         level: Level,
         index: &'a SphereIndex,
         space: CameraSpace,
-        axes: &RasterAxes,
+        (axes, extents): (&RasterAxes, &Extents),
         counts: &mut Counts,
     ) -> Crowd<'a> {
         /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
@@ -114,7 +119,8 @@ impl<'a> Crowd<'a> {
                 } else {
                     Vec::new()
                 };
-                (GroupSeen { bounds, blocks, outlines }, dropped)
+                let has_others = may_have_others(&index.groups, &bounds, &space);
+                (GroupSeen { bounds, blocks, outlines, has_others }, dropped)
             })
             .collect();
         let mut groups = Vec::with_capacity(found.len());
@@ -123,8 +129,48 @@ impl<'a> Crowd<'a> {
             groups.push(group);
         }
         *counts += dropped;
-        Crowd { index, space, groups, is_crowded, keeps_outlines }
+        let mut crowd =
+            Crowd { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
+        crowd.others = dispatch!(level, simd => crowd.find_others(simd, extents));
+        crowd
     }
+
+    /// The spheres that are not drawn by rows, of groups that may have such.
+    #[inline(always)]
+    fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
+        let mut others = Vec::new();
+        let mut outlines = Outlines::default();
+        for group in self.groups.iter().filter(|group| group.has_others) {
+            for block in &group.blocks {
+                let slots = SphereIndex::slots_of(block.place as usize);
+                for from in slots.step_by(S::f64s::LEN) {
+                    let slots = from..from + S::f64s::LEN;
+                    outlines.find(simd, &self.space, &self.index.spheres(slots.clone()));
+                    let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
+                    for (lane, slot) in slots.enumerate() {
+                        let id = self.index.ids[slot];
+                        if id != NO_SPHERE && drawn >> lane & 1 == 0 {
+                            let extent = extents.of(&self.index.sphere(slot));
+                            others.extend(extent.map(|extent| (id, extent)));
+                        }
+                    }
+                }
+            }
+        }
+        others
+    }
+}
+
+/// Whether a sphere of a group may be so near or so large that it is not drawn by rows.
+fn may_have_others(groups: &Boxes, bounds: &BoxSeen, space: &CameraSpace) -> bool {
+    /// Of the eye's distance.
+    const NEAR: f64 = 0.1;
+    /// In columns or rows.
+    const LARGE: f64 = 400.0;
+    let (near, radius) =
+        (f64::from(bounds.nearest) * space.distance, groups.radius[bounds.place as usize]);
+    let slope = space.row_slope.min(space.column_slope);
+    near <= NEAR * radius || radius > LARGE * slope * near
 }
 
 /// The outlines of all spheres of some blocks, vector by vector.

@@ -32,7 +32,7 @@ pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
 ) {
     let mut drawing = Drawing {
         crowd,
-        veil: Veil::new(target.axes.width(), target.rows.len()),
+        veil: Veil::new(target.axes.width(), target.rows.len(), !crowd.others.is_empty()),
         pixels: TinyPixels::new(),
         drawn,
     };
@@ -49,7 +49,7 @@ pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
             if is_seen {
                 let vectors = BLOCK / S::f64s::LEN;
                 let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
-                drawing.block(simd, target, block, kept);
+                drawing.block(simd, target, (block, group.has_others), kept);
             }
         }
         if !crowd.is_crowded {
@@ -88,7 +88,7 @@ impl Drawing<'_> {
         &mut self,
         simd: S,
         target: &mut SpanTarget<C>,
-        block: &BoxSeen,
+        (block, has_others): (&BoxSeen, bool),
         kept: Option<&[Outlines]>,
     ) {
         let index = self.crowd.index;
@@ -99,11 +99,13 @@ impl Drawing<'_> {
             let lanes = from..from + S::f64s::LEN;
             let ids = &index.ids[lanes.clone()];
             match kept {
-                Some(kept) => self.vector(simd, target, &kept[vector], ids, counts_here),
+                Some(kept) => {
+                    self.vector(simd, target, &kept[vector], ids, (counts_here, has_others))
+                }
                 None => {
                     let mut outlines = Outlines::default();
                     outlines.find(simd, &self.crowd.space, &index.spheres(lanes));
-                    self.vector(simd, target, &outlines, ids, counts_here);
+                    self.vector(simd, target, &outlines, ids, (counts_here, has_others));
                 }
             }
         }
@@ -117,7 +119,7 @@ impl Drawing<'_> {
         target: &mut SpanTarget<C>,
         outlines: &Outlines,
         ids: &[u32],
-        counts_here: bool,
+        (counts_here, has_others): (bool, bool),
     ) {
         let mut there = 0;
         for (lane, id) in ids.iter().enumerate() {
@@ -147,8 +149,10 @@ impl Drawing<'_> {
         for lane in lanes_of(plain_here & !tiny) {
             self.sphere(simd, target, outlines, lane, ids[lane]);
         }
-        for lane in lanes_of(left & !plain) {
-            self.drawn.others.push(ids[lane]);
+        if !has_others {
+            for lane in lanes_of(left & !plain) {
+                self.drawn.others.push(ids[lane]);
+            }
         }
     }
 

@@ -129,8 +129,8 @@ macro_rules! depth {
     };
 }
 
-// 2^-39 of f32 makes 2^-15 of an ulp.
-depth!(f32, 1.0 / (1_u64 << 39) as f64, false, SINGLE_RANGE, blend_single, Some);
+// 2^-27 of f32 makes at most a quarter of an ulp, and its rounding half of one.
+depth!(f32, 1.0 / (1_u64 << 27) as f64, false, SINGLE_RANGE, blend_single, Some);
 depth!(f64, crate::precise::T_DOUBT, true, DOUBLE_RANGE, blend_double, |_| None);
 
 /// Well within the range, so that what is computed of it is too.

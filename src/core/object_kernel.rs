@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use fearless_simd::Simd;
 
 use crate::big_conic::BigNearRoot;
-use crate::conic::{Conic, Patch, Thresholds};
+use crate::conic::{Conic, ConicRow, Patch, Thresholds};
 use crate::depth::Depth;
 use crate::double_double::DoubleDouble;
 use crate::frame_rays::{FrameRays, Steppers};
@@ -58,6 +58,48 @@ impl RoughKernel {
         (rough, SphereRow { conic, c, factor, side, thresholds })
     }
 
+    /// From which to which m a row can have a hit, generously; `None` where it has none.
+    pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
+        if self.side != Ordering::Greater {
+            return Some(EVERYWHERE);
+        }
+        let ConicRow { b: [b0, b1], discriminant: [c0, c1, c2], .. } = self.conic.row(k);
+        // b >= -b_doubt
+        let [mut low, mut high] = EVERYWHERE;
+        let crossing = -(b0 + self.thresholds.ahead) / b1;
+        if b1 > 0.0 {
+            low = crossing;
+        } else if b1 < 0.0 {
+            high = crossing;
+        }
+        // D >= -doubt
+        let c0 = c0 - self.thresholds.miss;
+        let (square, product) = (0.25 * c1 * c1, c2 * c0);
+        let quarter = square - product;
+        let rounding = 1e-12 * (square + product.abs());
+        let (middle, half) = (-0.5 * c1 / c2, (quarter + rounding).max(0.0).sqrt() / c2.abs());
+        if c2 < 0.0 {
+            if quarter < -rounding {
+                return None;
+            }
+            (low, high) = (low.max(middle - half), high.min(middle + half));
+        } else if c2 > 0.0 && quarter > rounding {
+            let half = (quarter - rounding).sqrt() / c2;
+            let (left, right) = (middle - half, middle + half);
+            if low > generous(left, 1.0) {
+                low = low.max(right);
+            }
+            if high < generous(right, -1.0) {
+                high = high.min(left);
+            }
+        }
+        let (low, high) = (generous(low, -1.0), generous(high, 1.0));
+        if low.is_nan() || high.is_nan() {
+            return Some(EVERYWHERE);
+        }
+        (low <= high).then_some([low, high])
+    }
+
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, found: &mut [f64]) {
         let (rough, row) = self.rough(k);
@@ -95,6 +137,11 @@ impl FineKernel {
         Some(FineKernel { patch: *patch, near_root, rough, conic, c, factor, thresholds })
     }
 
+    /// See [`RoughKernel::reach`].
+    pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
+        self.rough.reach(k)
+    }
+
     #[inline(always)]
     pub(crate) fn answer<S: Simd>(&self, simd: S, m: &[f64], k: f64, found: &mut [f64]) {
         let (rough, _) = self.rough.rough(k);
@@ -103,6 +150,14 @@ impl FineKernel {
         let row = SphereRow { conic: self.conic.row(k), c, factor, side, thresholds };
         sphere_row::<S, DoubleDouble<Lanes<S>>>(simd, m, &rough, &row, found);
     }
+}
+
+/// All columns.
+pub(crate) const EVERYWHERE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+/// Two columns farther to one side, and more where the number is so large that it may be off by more.
+fn generous(m: f64, side: f64) -> f64 {
+    m + side * (4.0 + 1e-6 * m.abs())
 }
 
 /// A plane's `normal . direction` as a polynomial in columns m and rows k from the middle.

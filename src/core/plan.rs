@@ -99,7 +99,9 @@ impl<'a> Plan<'a> {
             ..Counts::default()
         };
         let crowd = match (scene.index(), space) {
-            (Some(index), Some(space)) => Some(Crowd::new(level, index, space, &axes, &mut counts)),
+            (Some(index), Some(space)) => {
+                Some(Crowd::new(level, index, space, (&axes, &extents), &mut counts))
+            }
             _ => None,
         };
         let (mut spans, mut others) = (Vec::new(), Vec::new());

@@ -111,6 +111,11 @@ impl SphereIndex {
         }
     }
 
+    /// One slot's sphere.
+    pub(crate) fn sphere(&self, slot: usize) -> Sphere {
+        Sphere { center: self.center(slot).into(), radius: self.radius[slot] }
+    }
+
     /// The slots of a block.
     pub(crate) fn slots_of(block: usize) -> Range<usize> {
         block * BLOCK..(block + 1) * BLOCK

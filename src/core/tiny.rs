@@ -23,6 +23,8 @@ struct Rows {
     b: [f64; MOST_LANES],
     is_sure: u64,
     is_reached: u64,
+    /// Spheres that have this row or a later one.
+    is_left: u64,
 }
 
 /// Draws those spheres of a vector whose bits are set: finds their pixels, which then wait.
@@ -37,6 +39,10 @@ pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
 ) {
     for step in 0..TINY_ROWS {
         let rows = Rows::find::<S, C>(simd, outlines, step as f64);
+        // A row between two others may pass no pixel's centre, where the outline leans.
+        if tiny & rows.is_left == 0 {
+            break;
+        }
         for lane in lanes_of(tiny & rows.is_reached) {
             let Some(row) = target.axes.row_at(rows.number[lane]) else { continue };
             if !target.rows.contains(&row) {
@@ -49,9 +55,6 @@ pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
                 let of = (outlines, lane, ids[lane]);
                 push_pixels(simd, of, (row, from, to), &rows, pixels, target);
             }
-        }
-        if tiny & rows.is_reached == 0 && step > 0 {
-            break;
         }
     }
 }
@@ -77,7 +80,8 @@ impl Rows {
         } else {
             squared.simd_ge(splat(0.0))
         };
-        let is_reached = number.simd_le(load(&of.last_row))
+        let is_left = number.simd_le(load(&of.last_row));
+        let is_reached = is_left
             & ((squared.simd_ge(-load(&of.square_doubt)) & !is_sure)
                 | (is_sure & first.simd_le(last)));
         let b = load(&of.b0) + load(&of.b_row) * j;
@@ -95,6 +99,7 @@ impl Rows {
             b: store(b),
             is_sure: is_sure.to_bitmask(),
             is_reached: is_reached.to_bitmask(),
+            is_left: is_left.to_bitmask(),
         }
     }
 }

@@ -20,11 +20,11 @@ pub(crate) struct Veil {
 }
 
 impl Veil {
-    /// Of a band in which nothing is hit yet.
-    pub(crate) fn new(width: usize, height: usize) -> Veil {
+    /// Of a band in which nothing is hit, or something may be.
+    pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Veil {
         let across = width.div_ceil(COLUMNS);
         let count = across * height.div_ceil(ROWS);
-        let (farthest, is_stale) = (vec![f32::INFINITY; count], vec![false; count]);
+        let (farthest, is_stale) = (vec![f32::INFINITY; count], vec![is_drawn; count]);
         Veil { farthest, is_stale, across, width, height }
     }
 
