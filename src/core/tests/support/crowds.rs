@@ -295,7 +295,7 @@ pub(crate) fn all() -> Vec<Crowd> {
         of("39,900 spheres", of_pixels(39_900, [0.5, 3.0], 19)).showing(1000),
         of("45,000 spheres", of_pixels(45_000, [0.5, 3.0], 19)).showing(1000),
         of("narrow and wide", many([20.0, 90.0], 20)),
-        line("one column", [1, 16_384]).showing(100),
+        line("one column", [1, 16_384]).showing(50),
         line("one row", [16_384, 1]).showing(100),
         Crowd::new("touching", lattice(), sixteenths()).showing(50),
         on_a_plane().showing(100),
