@@ -97,7 +97,8 @@ fn one_pixel() -> Vec<Sphere> {
     let mut numbers = Numbers(6);
     let one = |_| {
         let depth = numbers.between(4.0, 12.0);
-        let off = pixel_at(depth) * vec3(numbers.between(-0.3, 0.3), numbers.between(-0.3, 0.3), 0.0);
+        let off =
+            pixel_at(depth) * vec3(numbers.between(-0.3, 0.3), numbers.between(-0.3, 0.3), 0.0);
         let radius = numbers.between(0.6, 1.2) * pixel_at(depth);
         Sphere { center: depth * direction + off, radius }
     };
@@ -109,18 +110,15 @@ fn planet() -> Vec<Sphere> {
     const RADIUS: f64 = 6.4e6;
     const EYE: f64 = 1.7;
     let mut numbers = Numbers(7);
-    let mut spheres = vec![sphere([0.0, -RADIUS - EYE, 0.0], RADIUS)];
+    let middle = vec3(0.0, -RADIUS - EYE, 0.0);
+    let mut spheres = vec![Sphere { center: middle, radius: RADIUS }];
     spheres.extend((0..1000).map(|_| {
         let (x, z) = (numbers.between(-30.0, 30.0), numbers.between(-60.0, -2.0));
         let radius = numbers.between(0.01, 0.2);
         let up = vec3(x, (RADIUS * RADIUS - x * x - z * z).sqrt(), z) / RADIUS;
-        Sphere { center: spheres_center(RADIUS, EYE) + (RADIUS + radius) * up, radius }
+        Sphere { center: middle + (RADIUS + radius) * up, radius }
     }));
     spheres
-}
-
-fn spheres_center(radius: f64, eye: f64) -> DVec3 {
-    vec3(0.0, -radius - eye, 0.0)
 }
 
 /// Spheres beside the eye that the plane through it cuts, and that reach into the view.
@@ -193,10 +191,10 @@ fn one_outline(count: usize) -> Crowd {
     Crowd::new(name, spheres, camera).showing(1)
 }
 
-/// Spheres one behind the other, each with its top and sides exactly on pixels' centres.
+/// Spheres whose tops and bottoms lie exactly on rows of pixels' centres.
 fn tangent_to_rows() -> Vec<Sphere> {
-    // Along the axis of a plane's (x, -z): the line through the eye with slope 3/4 touches
-    // (0, -5 k) with radius 3 k; 12 sixteenths up. Shifted along rows by whole numbers.
+    // Seen from the side, the line through the eye with slope 3/4, 12 sixteenths, touches the circle
+    // around (0, -5 k) with radius 3 k, wherever along the rows it is.
     (0..300)
         .map(|k| {
             let (x, k) = (f64::from(k % 25 - 12), 1.0 + f64::from(k % 7));
@@ -220,6 +218,15 @@ fn leaning(name: &'static str, viewport: [f64; 2], image: [u32; 2], count: usize
     Crowd::new(name, (0..count).map(one).collect(), camera)
 }
 
+/// One sphere whose outline leans so much that it passes between pixels' centres in three rows and
+/// meets one in the fourth; alone in its vector, for the others are larger, and behind the eye.
+fn between_rows() -> Crowd {
+    let own = sphere([-20.0, -6.0, -8.0], 0.375);
+    let behind = (0..255).map(|k| sphere([0.0, 0.0, 10.0 + f64::from(k)], 1.0));
+    let spheres = std::iter::once(own).chain(behind).collect();
+    Crowd::new("between rows", spheres, ahead([16.0, 2.0], [64, 64])).showing(1)
+}
+
 /// A wide angle, and spheres on all sides.
 fn wide_angle(name: &'static str, width: f64, count: usize) -> Crowd {
     let camera = ahead([width, 0.6 * width], [161, 97]);
@@ -235,20 +242,11 @@ fn wide_angle(name: &'static str, width: f64, count: usize) -> Crowd {
 fn by_hand(name: &'static str, basis: Basis, offset: DVec3) -> Crowd {
     let mut spheres = of_pixels(700, [0.3, 9.0], 13);
     for sphere in &mut spheres {
-        sphere.center = basis.world_of(sphere.center) + offset;
+        let q = sphere.center;
+        sphere.center = q.x * basis.u + q.y * basis.v + q.z * basis.w + offset;
     }
     let camera = Camera { eye: offset, orientation: Orientation::Basis(basis), ..ordinary() };
     Crowd::new(name, spheres, camera).showing(100)
-}
-
-trait WorldOf {
-    fn world_of(&self, q: DVec3) -> DVec3;
-}
-
-impl WorldOf for Basis {
-    fn world_of(&self, q: DVec3) -> DVec3 {
-        q.x * self.u + q.y * self.v + q.z * self.w
-    }
 }
 
 /// Bases given by hand: exact ones, rounded ones, and ones that are off as far as they may be.
@@ -273,7 +271,9 @@ pub(crate) fn all() -> Vec<Crowd> {
     behind_one.push(sphere([0.0, 0.0, -2.0], 1.5));
     let many = |radii, seed| of_pixels(5000, radii, seed);
     let of = |name, spheres| Crowd::new(name, spheres, ordinary());
-    let line = |name, image| Crowd::new(name, of_pixels(20_000, [0.05, 2.0], 14), ahead([16.0 / 9.0, 1.0], image));
+    let line = |name, image| {
+        Crowd::new(name, of_pixels(20_000, [0.05, 2.0], 14), ahead([16.0 / 9.0, 1.0], image))
+    };
     let mut all = vec![
         of("overdraw", many([6.0, 12.0], 1)).showing(100),
         of("behind one", behind_one).showing(1),
@@ -305,6 +305,7 @@ pub(crate) fn all() -> Vec<Crowd> {
         leaning("leaning", [20.0, 4.0], [83, 181], 3000).showing(100),
         leaning("leaning, few in a block", [20.0, 4.0], [83, 181], 256),
         leaning("leaning the other way", [4.0, 20.0], [323, 61], 3000).showing(100),
+        between_rows(),
         wide_angle("20 wide at distance 1", 20.0, 3000).showing(100),
         wide_angle("20 wide, few", 20.0, 200),
         wide_angle("1000 wide", 1000.0, 3000),

@@ -66,11 +66,7 @@ pub(crate) fn every_pixel_is_right(
 }
 
 /// What is wrong with a frame, by pixel.
-pub(crate) fn check(
-    scene: &Scene,
-    camera: &Camera,
-    frame: &Frame<f32>,
-) -> Result<Checked, Faults> {
+pub(crate) fn check(scene: &Scene, camera: &Camera, frame: &Frame<f32>) -> Result<Checked, Faults> {
     let mut faults = Faults::new();
     let mut checker = Checker::new(scene, camera, frame);
     let mut candidates = checker.find_own(&mut faults);
@@ -165,8 +161,7 @@ impl<'a> Checker<'a> {
                 }
             }
         };
-        let found: Vec<Own> =
-            (0..self.frame.object.len()).into_par_iter().map(of_pixel).collect();
+        let found: Vec<Own> = (0..self.frame.object.len()).into_par_iter().map(of_pixel).collect();
         let mut in_doubt = Vec::new();
         for (pixel, own) in found.into_iter().enumerate() {
             let t = f64::from(self.frame.t[pixel]);
@@ -247,14 +242,16 @@ impl<'a> Checker<'a> {
     fn extent(&self, seen: &Seen) -> (Range<usize>, Range<usize>) {
         let whole = (0..self.down.len(), 0..self.across.len());
         let Seen::Sphere(sphere) = seen else { return whole };
-        let Some([x, y]) = sphere.slopes(self.posed.basis()) else { return whole };
+        let [x, y] = sphere.slopes(self.posed.basis());
         let Viewport { width, height, distance } = self.camera.viewport;
         let (columns, rows) =
             (f64::from(self.camera.image.width()), f64::from(self.camera.image.height()));
         let between = |cells: &[u32], low: f64, high: f64| {
             // A share more, for what is far outside of the image.
-            let from = cells.partition_point(|cell| f64::from(*cell) < low - 1.0 - 1e-9 * low.abs());
-            let to = cells.partition_point(|cell| f64::from(*cell) <= high + 1.0 + 1e-9 * high.abs());
+            let from =
+                cells.partition_point(|cell| f64::from(*cell) < low - 1.0 - 1e-9 * low.abs());
+            let to =
+                cells.partition_point(|cell| f64::from(*cell) <= high + 1.0 + 1e-9 * high.abs());
             from..to.max(from)
         };
         let column = |x: f64| (x * distance / width + 0.5) * columns - 0.5;

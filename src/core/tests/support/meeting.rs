@@ -124,21 +124,26 @@ impl SphereSeen {
         }
     }
 
-    /// Slopes `(x / z, y / z)` from left to right and from bottom to top between which all its points
-    /// lie, as the camera sees them; `None` where a part of it is not in front of the eye.
-    pub(crate) fn slopes(&self, basis: &Basis) -> Option<[[f64; 2]; 2]> {
+    /// Slopes `x / z` from left to right and `y / z` from bottom to top between which all of it lies
+    /// that is in front of the eye, as the camera sees it; infinite where there is no end.
+    pub(crate) fn slopes(&self, basis: &Basis) -> [[f64; 2]; 2] {
         // A basis by hand is orthonormal to 1e-9 only.
         let safe = 1.0001 * self.radius + 1e-8 * self.distance;
         let z = -self.to_center.dot(basis.w);
-        if z <= 1.0001 * safe {
-            return None;
-        }
         let side = |axis: DVec3| {
             let x = self.to_center.dot(axis);
-            let ends = [x - safe, x + safe].map(|x| [x / (z - safe), x / (z + safe)]);
-            [ends[0][0].min(ends[0][1]), ends[1][0].max(ends[1][1])]
+            let distance = x.hypot(z);
+            if distance <= safe {
+                return [f64::NEG_INFINITY, f64::INFINITY];
+            }
+            // Seen along the other axis it is a circle; angles from straight ahead.
+            let (middle, half) = (x.atan2(z), (safe / distance).asin() + 1e-6);
+            let (low, high) = (middle - half, middle + half);
+            let quarter = std::f64::consts::FRAC_PI_2;
+            let low = if low > -quarter { low.min(quarter).tan() } else { f64::NEG_INFINITY };
+            [low, if high < quarter { high.max(-quarter).tan() } else { f64::INFINITY }]
         };
-        Some([side(basis.u), side(basis.v)])
+        [side(basis.u), side(basis.v)]
     }
 
     /// At most its depth in front of the eye.
