@@ -91,6 +91,7 @@ fn the_checker_decides_ties_and_touches() {
 struct Seeds {
     spheres: u64,
     count: usize,
+    planes: usize,
     image: [u32; 2],
     powers: Powers,
     view: [f64; 3],
@@ -130,10 +131,11 @@ fn any_seeds() -> impl Strategy<Value = Seeds> {
         Just([0.0, 0.0, -1.0]),
         [-1.0..1.0, -1.0..1.0, 0.1..1.0].prop_map(|view: [f64; 3]| view)
     ];
-    (any::<u64>(), counts, images, camera, radii, view).prop_map(
-        |(spheres, count, image, (width, aspect, distance, world, away), radii, view)| {
+    let planes = prop_oneof![Just(0_usize), 1..4_usize];
+    (any::<u64>(), counts, planes, images, camera, radii, view).prop_map(
+        |(spheres, count, planes, image, (width, aspect, distance, world, away), radii, view)| {
             let powers = Powers { width, aspect, distance, world, away, radii };
-            Seeds { spheres, count, image, powers, view }
+            Seeds { spheres, count, planes, image, powers, view }
         },
     )
 }
@@ -166,8 +168,17 @@ fn crowd_of(seeds: &Seeds) -> Crowd {
         let z = if k % 16 == 15 { numbers.between(-1.0, 1.0) * depth } else { -depth };
         Sphere { center: eye + x * basis.u + y * basis.v + z * basis.w, radius }
     };
-    let spheres = (0..seeds.count).map(one).collect();
-    Crowd::new("random", spheres, camera).showing(0)
+    let mut spheres: Vec<Sphere> = (0..seeds.count).map(one).collect();
+    if seeds.spheres.is_multiple_of(4) {
+        // Some of them twice, not side by side.
+        spheres.extend_from_within(..seeds.count / 3);
+    }
+    let plane = |_| Plane {
+        point: spheres[0].center + world * numbers.point(1.0),
+        normal: numbers.point(1.0),
+    };
+    let planes = (0..seeds.planes).map(plane).collect();
+    Crowd::new("random", spheres, camera).with_planes(planes).showing(0)
 }
 
 /// Checks so many crowds of a fixed seed, and of a fresh one, which is printed.
@@ -192,7 +203,7 @@ fn check_random(cases: u32) {
 
 #[test]
 fn crowds_of_random_cameras_are_right() {
-    check_random(60);
+    check_random(200);
 }
 
 /// The same with many more cases.
