@@ -218,13 +218,14 @@ fn leaning(name: &'static str, viewport: [f64; 2], image: [u32; 2], count: usize
     Crowd::new(name, (0..count).map(one).collect(), camera)
 }
 
-/// One sphere whose outline leans so much that it passes between pixels' centres in three rows and
-/// meets one in the fourth; alone in its vector, for the others are larger, and behind the eye.
+/// One sphere whose outline leans so much that it meets pixel (42, 3), then passes between two
+/// pixels' centres in two rows, and meets pixel (45, 4); alone in its vector, for the others are
+/// larger, and behind the eye.
 fn between_rows() -> Crowd {
-    let own = sphere([-20.0, -6.0, -8.0], 0.375);
+    let own = sphere([-28.0, 21.0, -8.0], 0.171875);
     let behind = (0..255).map(|k| sphere([0.0, 0.0, 10.0 + f64::from(k)], 1.0));
     let spheres = std::iter::once(own).chain(behind).collect();
-    Crowd::new("between rows", spheres, ahead([16.0, 2.0], [64, 64])).showing(1)
+    Crowd::new("between rows", spheres, ahead([8.0, 8.0], [64, 256])).showing(1)
 }
 
 /// A wide angle, and spheres on all sides.
