@@ -1,0 +1,250 @@
+//! Every pixel of crowds of spheres is right: the object that its ray hits first, and its `t`.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test fails by panicking and tells what it has looked at"
+)]
+
+mod common;
+mod support;
+
+use common::{Numbers, vec3};
+use pinhole_core::*;
+use proptest::prelude::*;
+use proptest::test_runner::{RngSeed, TestRunner};
+use support::crowds::{self, Crowd, ahead};
+use support::every_pixel::{check, every_pixel_is_right};
+
+/// What is wrong with a crowd's frame.
+fn faults_of(crowd: &Crowd) -> Option<String> {
+    let frame = crowd.trace();
+    match check(&crowd.scene, &crowd.camera, &frame) {
+        Ok(checked) if checked.objects >= crowd.objects => None,
+        Ok(checked) => Some(format!("{} shows too little: {checked:?}", crowd.name)),
+        Err(faults) => {
+            let shown: Vec<&str> = faults.values().take(5).map(String::as_str).collect();
+            Some(format!("{}, {} pixels:\n{}", crowd.name, faults.len(), shown.join("\n")))
+        }
+    }
+}
+
+#[test]
+fn crowds_are_right() {
+    let failed: Vec<String> = crowds::all().iter().filter_map(faults_of).collect();
+    assert!(failed.is_empty(), "{}", failed.join("\n"));
+}
+
+#[test]
+fn the_checker_finds_what_is_wrong() {
+    let few = |name| crowds::all().into_iter().find(|crowd| crowd.name == name).unwrap();
+    for name in ["256 spheres", "each twice", "ties with a plane", "outlines through pixels, few"] {
+        let crowd = few(name);
+        let right = crowd.trace();
+        let is_wrong = |change: &dyn Fn(&mut Frame<f32>) -> Option<usize>| {
+            let mut frame = right.clone();
+            let Some(pixel) = change(&mut frame) else { return };
+            let found = check(&crowd.scene, &crowd.camera, &frame).unwrap_err();
+            assert_eq!(found.keys().copied().collect::<Vec<_>>(), [pixel], "{name}: {found:?}");
+        };
+        let hit = right.object.iter().position(|object| *object != NO_OBJECT).unwrap();
+        for by in [-3, 3] {
+            is_wrong(&|frame| {
+                frame.t[hit] = f32::from_bits(frame.t[hit].to_bits().wrapping_add_signed(by));
+                Some(hit)
+            });
+        }
+        is_wrong(&|frame| {
+            (frame.t[hit], frame.object[hit]) = (f32::INFINITY, NO_OBJECT);
+            Some(hit)
+        });
+        is_wrong(&|frame| {
+            let none = frame.object.iter().position(|object| *object == NO_OBJECT)?;
+            (frame.t[none], frame.object[none]) = (frame.t[hit], frame.object[hit]);
+            Some(none)
+        });
+        is_wrong(&|frame| {
+            // The neighbour's object, which is not first here.
+            let differ = |k: &usize| {
+                frame.object[*k] != frame.object[k + 1] && frame.object[k + 1] != NO_OBJECT
+            };
+            let edge = (0..frame.object.len() - 1).find(differ)?;
+            frame.object[edge] = frame.object[edge + 1];
+            Some(edge)
+        });
+    }
+}
+
+#[test]
+fn the_checker_decides_ties_and_touches() {
+    let crowd = crowds::all().into_iter().find(|c| c.name == "ties with a plane").unwrap();
+    let mut frame = crowd.trace();
+    let tie = (0..frame.object.len()).find(|k| frame.t[*k] == 16.0 && frame.object[*k] < 320);
+    let tie = tie.unwrap();
+    // The plane is there too, at the same t, but is listed later.
+    frame.object[tie] = 321;
+    let found = check(&crowd.scene, &crowd.camera, &frame).unwrap_err();
+    assert_eq!(found.keys().copied().collect::<Vec<_>>(), [tie]);
+}
+
+/// A camera and a crowd around it, by what they differ in.
+#[derive(Clone, Debug)]
+struct Seeds {
+    spheres: u64,
+    count: usize,
+    planes: usize,
+    image: [u32; 2],
+    powers: Powers,
+    view: [f64; 3],
+}
+
+/// Powers of 10.
+#[derive(Clone, Debug)]
+struct Powers {
+    /// The viewport's width over its distance, and its height over its width.
+    width: f64,
+    aspect: f64,
+    /// The viewport's distance over the world's size.
+    distance: f64,
+    world: f64,
+    /// How many worlds away from the world's origin the eye is.
+    away: f64,
+    /// What radii are spread over, in pixels.
+    radii: [f64; 2],
+}
+
+fn any_seeds() -> impl Strategy<Value = Seeds> {
+    let counts = prop_oneof![1..=20_usize, 250..=260_usize, 300..=900_usize];
+    let images = prop_oneof![
+        4 => [1..60_u32, 1..60_u32],
+        1 => [1000..=16_384_u32, 1..=3_u32],
+        1 => [1..=3_u32, 1000..=16_384_u32],
+    ];
+    let radii = (-1.5..1.5, 0.0..2.0).prop_map(|(low, more): (f64, f64)| [low, low + more]);
+    let camera = (
+        prop_oneof![3 => -1.0..3.0, 1 => 3.0..8.0],
+        -1.5..1.5,
+        prop_oneof![Just(0.0), -4.0..4.0],
+        prop_oneof![3 => -3.0..3.0, 1 => -14.0..14.0],
+        prop_oneof![Just(-9.0), -2.0..6.0],
+    );
+    let view = prop_oneof![
+        Just([0.0, 0.0, -1.0]),
+        [-1.0..1.0, -1.0..1.0, 0.1..1.0].prop_map(|view: [f64; 3]| view)
+    ];
+    let planes = prop_oneof![Just(0_usize), 1..4_usize];
+    (any::<u64>(), counts, planes, images, camera, radii, view).prop_map(
+        |(spheres, count, planes, image, (width, aspect, distance, world, away), radii, view)| {
+            let powers = Powers { width, aspect, distance, world, away, radii };
+            Seeds { spheres, count, planes, image, powers, view }
+        },
+    )
+}
+
+fn crowd_of(seeds: &Seeds) -> Crowd {
+    let power = |x: f64| 10_f64.powf(x);
+    let Powers { width, aspect, distance, world, away, radii } = seeds.powers;
+    let (world, width) = (power(world), power(width));
+    let height = width * power(aspect);
+    let mut numbers = Numbers(seeds.spheres);
+    let eye = world * power(away) * numbers.point(1.0);
+    let distance = world * power(distance);
+    let camera = Camera {
+        eye,
+        orientation: Orientation::View { view: seeds.view.into(), up: vec3(0.1, 1.0, 0.05) },
+        viewport: Viewport { width: width * distance, height: height * distance, distance },
+        ..ahead([1.0, 1.0], seeds.image)
+    };
+    let basis = camera.basis().unwrap();
+    let [columns, rows] = seeds.image.map(f64::from);
+    let pixel = (width / columns).min(height / rows);
+    let one = |k: usize| {
+        let depth = world * power(numbers.between(0.0, 1.0));
+        let side = |numbers: &mut Numbers| depth * numbers.between(-0.55, 0.55);
+        let (x, y) = (width * side(&mut numbers), height * side(&mut numbers));
+        let pixels = power(numbers.between(radii[0], radii[1]));
+        // In a wide angle, a pixel may be wider than it is far away.
+        let radius = depth * (pixel * pixels).min(numbers.between(0.1, 1.1));
+        // A few behind and beside the eye.
+        let z = if k % 16 == 15 { numbers.between(-1.0, 1.0) * depth } else { -depth };
+        Sphere { center: eye + x * basis.u + y * basis.v + z * basis.w, radius }
+    };
+    let mut spheres: Vec<Sphere> = (0..seeds.count).map(one).collect();
+    if seeds.spheres.is_multiple_of(4) {
+        // Some of them twice, not side by side.
+        spheres.extend_from_within(..seeds.count / 3);
+    }
+    let plane = |_| Plane {
+        point: spheres[0].center + world * numbers.point(1.0),
+        normal: numbers.point(1.0),
+    };
+    let planes = (0..seeds.planes).map(plane).collect();
+    Crowd::new("random", spheres, camera).with_planes(planes).showing(0)
+}
+
+/// Checks so many crowds of a fixed seed, and of a fresh one, which is printed.
+fn check_random(cases: u32) {
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
+    for seed in [1, now.as_nanos() as u64] {
+        println!("seed {seed}");
+        let config = ProptestConfig {
+            cases,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(seed),
+            ..ProptestConfig::default()
+        };
+        let found = TestRunner::new(config).run(&any_seeds(), |seeds| {
+            let faults = faults_of(&crowd_of(&seeds));
+            prop_assert!(faults.is_none(), "{}", faults.unwrap_or_default());
+            Ok(())
+        });
+        assert!(found.is_ok(), "{}", found.unwrap_err());
+    }
+}
+
+#[test]
+fn crowds_of_random_cameras_are_right() {
+    check_random(200);
+}
+
+/// The same with many more cases.
+///
+/// ```text
+/// cargo test --release -p pinhole-core --test crowds many_random -- --ignored --nocapture
+/// ```
+#[test]
+#[ignore = "takes minutes; see the command above"]
+fn crowds_of_many_random_cameras_are_right() {
+    check_random(10_000);
+}
+
+/// The scenes of the benchmark at full size, 2 million pixels each.
+///
+/// ```text
+/// cargo test --release -p pinhole-core --test crowds hard_scenes -- --ignored --nocapture
+/// ```
+#[test]
+#[ignore = "takes minutes; see the command above"]
+fn every_pixel_of_the_benchmarks_hard_scenes_is_right() {
+    for listed in pinhole_yardstick::adversarial::all() {
+        let start = std::time::Instant::now();
+        let setting = listed.make();
+        for number in [0, 3] {
+            let posed = setting.camera(number);
+            let raster = Raster::full(posed.image());
+            let frame = trace_as::<f32>(&setting.scene, &posed, &raster, Outputs::default());
+            let checked =
+                every_pixel_is_right(&setting.name, &setting.scene, &as_given(&posed), &frame);
+            let seconds = start.elapsed().as_secs_f64();
+            println!("{} frame {number}: {seconds:.1} s, {checked:?}", setting.name);
+        }
+    }
+}
+
+/// The camera of a benchmark's scene as it is given: y is up in all of them.
+fn as_given(posed: &PosedCamera) -> Camera {
+    let (up, ahead) = (DVec3::Y, DVec3::NEG_Z);
+    let (viewport, image, eye) = (*posed.viewport(), posed.image(), posed.eye());
+    let cameras = [Orientation::View { view: ahead, up }, Orientation::At { at: ahead, up }]
+        .map(|orientation| Camera { eye, orientation, viewport, image });
+    cameras.into_iter().find(|camera| camera.posed() == Ok(*posed)).unwrap()
+}

@@ -1,0 +1,6 @@
+//! Whether every pixel of a frame is right, and scenes of crowds to ask it of.
+#![allow(dead_code, reason = "each test file uses its own part")]
+
+pub(crate) mod crowds;
+pub(crate) mod every_pixel;
+pub(crate) mod meeting;
