@@ -7,7 +7,7 @@ use std::ops::Range;
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
-use crate::certainty::{Certain, Certainty, Uncertain};
+use crate::certainty::{Carries, Certain, Certainty, Uncertain};
 use crate::conic::{Conic, Patch};
 use crate::counts::Counts;
 use crate::crowd_draw::{CrowdDrawn, draw_crowd};
@@ -25,13 +25,13 @@ use crate::seen::ObjectSeen;
 use crate::span::{Doubt, SpanTarget};
 use crate::sphere_seen::SphereSeen;
 use crate::steps::Steps;
-use crate::terms::{Quadratic, SphereParts};
+use crate::terms::SphereParts;
 
 /// The widest vector there is: rows are padded to whole ones.
 const LANES: usize = 8;
 
-/// Rows of a frame with their part of the buffers. Objects are added in the order of their indices,
-/// so "nearer than what is there" keeps the first of equals.
+/// Rows of a frame with their part of the buffers. Objects are added in any order: of two that are
+/// too close to tell, or equal, the ladder finds the first, and of equals the one that is listed first.
 pub(crate) struct Band<'a, T> {
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) rows: Range<usize>,
@@ -88,8 +88,7 @@ impl<'a, T: Depth> Band<'a, T> {
         for (index, extent) in plan.crowd.iter().flat_map(|crowd| &crowd.others) {
             self.add_in_slices(*index, extent);
         }
-        let (doubts, others) = self.add_spans();
-        for index in others {
+        for index in self.add_spans() {
             if let Some(extent) = plan.extents.of(&plan.scene.spheres()[index as usize]) {
                 self.add_in_slices(index, &extent);
             }
@@ -104,9 +103,6 @@ impl<'a, T: Depth> Band<'a, T> {
                     self.add_plane(plane, seen, slice.clone());
                 }
             }
-        }
-        for doubt in doubts {
-            self.settle_doubt(&doubt);
         }
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
         self.counts.bands = 1;
@@ -137,33 +133,48 @@ impl<'a, T: Depth> Band<'a, T> {
         }
     }
 
-    /// Adds the spheres that are drawn by rows; gives the pixels that they could not decide, and the
-    /// spheres of a crowd that are not.
-    fn add_spans(&mut self) -> (Vec<Doubt>, Vec<u32>) {
-        let (plan, mut doubts) = (self.plan, Vec::new());
+    /// Adds the spheres that are drawn by rows, and settles the pixels that they leave in doubt; gives
+    /// the spheres of a crowd that are not.
+    fn add_spans(&mut self) -> Vec<u32> {
         let mut drawn = CrowdDrawn::default();
-        let Some(t) = T::singles(self.t) else { return (doubts, drawn.others) };
-        let rows = self.rows.clone();
-        let decided = if plan.is_certain {
-            let (axes, object, doubts) = (&plan.axes, &mut *self.object, &mut doubts);
-            let is_reached = &mut self.is_reached;
-            let certainty = PhantomData::<Certain>;
-            let mut target =
-                SpanTarget { axes, rows, t, object, doubts, is_reached, decided: 0, certainty };
-            dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
-            target.decided
-        } else {
-            let (axes, object, doubts) = (&plan.axes, &mut *self.object, &mut doubts);
-            let is_reached = &mut self.is_reached;
-            let certainty = PhantomData::<Uncertain>;
-            let mut target =
-                SpanTarget { axes, rows, t, object, doubts, is_reached, decided: 0, certainty };
-            dispatch!(plan.level, simd => draw_spans(simd, plan, &mut target, &mut drawn));
-            target.decided
-        };
-        self.steps.f64 += decided;
+        let (mut doubts, mut next) = (Vec::new(), Some((0, 0)));
+        while let Some(from) = next {
+            next = if self.plan.is_certain {
+                self.draw_spans(from, &mut doubts, &mut drawn, PhantomData::<Certain>)
+            } else {
+                self.draw_spans(from, &mut doubts, &mut drawn, PhantomData::<Uncertain>)
+            };
+            for doubt in doubts.drain(..) {
+                self.settle_doubt(&doubt);
+            }
+        }
         self.counts += drawn.counts;
-        (doubts, drawn.others)
+        drawn.others
+    }
+
+    /// Draws spheres until all are, or too many pixels are in doubt: then, from where to go on.
+    fn draw_spans<C: Certainty>(
+        &mut self,
+        from: (usize, usize),
+        doubts: &mut Vec<Doubt>,
+        drawn: &mut CrowdDrawn,
+        certainty: Carries<C>,
+    ) -> Option<(usize, usize)> {
+        let plan = self.plan;
+        let mut target = SpanTarget {
+            axes: &plan.axes,
+            rows: self.rows.clone(),
+            t: T::singles(self.t)?,
+            object: self.object,
+            doubts,
+            spheres: plan.scene.spheres(),
+            is_reached: &mut self.is_reached,
+            decided: 0,
+            certainty,
+        };
+        let next = dispatch!(plan.level, simd => draw(simd, plan, from, &mut target, drawn));
+        self.steps.f64 += target.decided;
+        next
     }
 
     /// Adds a sphere, which can cover these rows and columns of the raster at most.
@@ -228,35 +239,6 @@ impl<'a, T: Depth> Band<'a, T> {
     ) -> Option<SphereKernel> {
         let kernel = RoughKernel::new::<T>(&self.plan.rays, parts, side, scale, patch);
         kernel.map(SphereKernel::Rough)
-    }
-
-    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is asked by
-    /// itself, in `f64`.
-    fn add_small_sphere(
-        &mut self,
-        index: u32,
-        rows: Range<usize>,
-        columns: Range<usize>,
-        parts: &SphereParts<f64>,
-        factor: f64,
-    ) {
-        let rays = &self.plan.rays;
-        let width = rays.n.len();
-        let mut own = None;
-        for row in rows {
-            self.steps.f64 += columns.len() as u64;
-            for column in columns.clone() {
-                let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
-                let place = (row - self.rows.start) * width + column;
-                let found = small_hit::<T>(&quadratic, parts, factor, self.t[place]);
-                if found.is_nan() {
-                    let seen = own.get_or_insert_with(|| self.seen(index));
-                    self.settle(index, seen, row, column);
-                } else if found < f64::INFINITY {
-                    (self.t[place], self.object[place]) = (T::of(found), index);
-                }
-            }
-        }
     }
 
     /// Adds a plane; none that the eye lies in, which no ray hits.
@@ -350,50 +332,26 @@ fn clear<S: Simd>(simd: S, t: &mut [f32]) {
 }
 
 #[inline(always)]
-fn draw_spans<S: Simd, C: Certainty>(
+fn draw<S: Simd, C: Certainty>(
     simd: S,
     plan: &Plan,
+    from: (usize, usize),
     target: &mut SpanTarget<C>,
     drawn: &mut CrowdDrawn,
-) {
-    match &plan.crowd {
-        Some(crowd) => draw_crowd(simd, crowd, target, drawn),
-        None => {
-            for span in &plan.spans {
-                span.draw(simd, target);
-            }
+) -> Option<(usize, usize)> {
+    if let Some(crowd) = &plan.crowd {
+        return draw_crowd(simd, crowd, from, target, drawn);
+    }
+    for (place, span) in plan.spans.iter().enumerate().skip(from.0) {
+        span.draw(simd, target);
+        if target.is_full() {
+            return Some((place + 1, 0));
         }
     }
+    None
 }
 
 /// The part of some rows that lies in a slice.
 fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
     rows.start.max(slice.start)..rows.end.min(slice.end)
-}
-
-/// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
-/// surely does not; NaN in doubt.
-#[inline(always)]
-fn small_hit<T: Depth>(
-    quadratic: &Quadratic<f64>,
-    parts: &SphereParts<f64>,
-    factor: f64,
-    known: T,
-) -> f64 {
-    /// Far more than `t` in `f64` is off by where its doubt is this small.
-    const APART: f64 = 1e-6;
-    let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = *quadratic;
-    if discriminant < -discriminant_doubt || b < -b_doubt {
-        return f64::INFINITY;
-    }
-    let Some((t, doubt)) = quadratic.root(parts, false) else { return DOUBT };
-    let (t, known) = (t * factor, known.widened());
-    if b <= b_doubt || doubt > APART {
-        return DOUBT;
-    }
-    if t > known * (1.0 + 4.0 * APART) {
-        return f64::INFINITY;
-    }
-    let is_sure = doubt <= T::DOUBT && t < known * (1.0 - 4.0 * APART) && T::is_in_range(t);
-    if is_sure { t } else { DOUBT }
 }

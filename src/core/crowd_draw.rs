@@ -22,42 +22,59 @@ pub(crate) struct CrowdDrawn {
     pub(crate) others: Vec<u32>,
 }
 
-/// Draws all that the target's rows see of the crowd, near to far.
+/// Draws what the target's rows see of the crowd, near to far, from a block of a group on. Stops before
+/// the end, and tells before which block, where too many pixels are in doubt.
 #[inline(always)]
 pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
     simd: S,
     crowd: &Crowd,
+    (first_group, mut first_block): (usize, usize),
     target: &mut SpanTarget<C>,
     drawn: &mut CrowdDrawn,
-) {
+) -> Option<(usize, usize)> {
+    let is_drawn = !crowd.others.is_empty() || first_group + first_block > 0;
     let mut drawing = Drawing {
         crowd,
-        veil: Veil::new(target.axes.width(), target.rows.len(), !crowd.others.is_empty()),
+        veil: Veil::new(target.axes.width(), target.rows.len(), is_drawn),
         pixels: TinyPixels::new(),
         drawn,
     };
-    for group in &crowd.groups {
-        if !drawing.is_seen(target, &group.bounds) {
+    for (number, group) in crowd.groups.iter().enumerate().skip(first_group) {
+        let start = std::mem::take(&mut first_block);
+        let rows = own_rows(target, &group.bounds.rows());
+        if rows.is_empty() {
             continue;
         }
-        for (place, block) in group.blocks.iter().enumerate() {
-            // Where spheres do not cover one another much, a look at each block costs more than it saves.
-            let is_seen = match crowd.is_crowded {
-                true => drawing.is_seen(target, block),
-                false => !own_rows(target, &block.rows()).is_empty(),
-            };
-            if is_seen {
-                let vectors = BLOCK / S::f64s::LEN;
-                let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
-                drawing.block(simd, target, (block, group.has_others), kept);
+        if drawing.is_hidden(target, &group.bounds) {
+            for block in &group.blocks[start..] {
+                drawing.count_hidden(target, block);
+            }
+            continue;
+        }
+        for (place, block) in group.blocks.iter().enumerate().skip(start) {
+            if own_rows(target, &block.rows()).is_empty() {
+                continue;
+            }
+            // Where spheres do not cover one another much, a look at each block costs more than it
+            // saves.
+            if crowd.is_crowded && drawing.is_hidden(target, block) {
+                drawing.count_hidden(target, block);
+                continue;
+            }
+            let vectors = BLOCK / S::f64s::LEN;
+            let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
+            drawing.block(simd, target, (block, group.has_others), kept);
+            if target.is_full() {
+                drawing.pixels.draw(simd, target);
+                return Some((number, place + 1));
             }
         }
         if !crowd.is_crowded {
-            let rows = own_rows(target, &group.bounds.rows());
             drawing.veil.touch(&rows, &group.bounds.columns());
         }
     }
     drawing.pixels.draw(simd, target);
+    None
 }
 
 struct Drawing<'a> {
@@ -65,6 +82,12 @@ struct Drawing<'a> {
     veil: Veil,
     pixels: TinyPixels,
     drawn: &'a mut CrowdDrawn,
+}
+
+/// What is found of a block's spheres is counted once: by the first band that the block reaches.
+#[inline(always)]
+fn is_first_band<C: Certainty>(target: &SpanTarget<C>, block: &BoxSeen) -> bool {
+    block.rows().start >= target.rows.start
 }
 
 /// Rows of the raster that lie in the target, as rows of the target.
@@ -75,11 +98,23 @@ fn own_rows<C: Certainty>(target: &SpanTarget<C>, rows: &Range<usize>) -> Range<
 }
 
 impl Drawing<'_> {
-    /// Whether a group or block has pixels in the target that are not hidden.
+    /// Whether all pixels that a group or block has in the target are covered by what is nearer.
     #[inline(always)]
-    fn is_seen<C: Certainty>(&mut self, target: &SpanTarget<C>, bounds: &BoxSeen) -> bool {
+    fn is_hidden<C: Certainty>(&mut self, target: &SpanTarget<C>, bounds: &BoxSeen) -> bool {
         let rows = own_rows(target, &bounds.rows());
-        !rows.is_empty() && !self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
+        self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
+    }
+
+    /// Counts the spheres of a block that is passed over.
+    fn count_hidden<C: Certainty>(&mut self, target: &SpanTarget<C>, block: &BoxSeen) {
+        if own_rows(target, &block.rows()).is_empty() {
+            return;
+        }
+        let spheres = u64::from(self.crowd.index.blocks.count[block.place as usize]);
+        self.drawn.counts.hidden += spheres;
+        if is_first_band(target, block) {
+            self.drawn.counts.in_view += spheres;
+        }
     }
 
     /// Draws the spheres of a block, whose outlines may be known.
@@ -93,8 +128,7 @@ impl Drawing<'_> {
     ) {
         let index = self.crowd.index;
         let slots = SphereIndex::slots_of(block.place as usize);
-        // What is found of a sphere is counted once: by the first band that the block reaches.
-        let counts_here = block.rows().start >= target.rows.start;
+        let counts_here = is_first_band(target, block);
         for (vector, from) in slots.step_by(S::f64s::LEN).enumerate() {
             let lanes = from..from + S::f64s::LEN;
             let ids = &index.ids[lanes.clone()];
@@ -126,10 +160,12 @@ impl Drawing<'_> {
             there |= u64::from(*id != NO_SPHERE) << lane;
         }
         let behind = there & outlines.is_behind;
-        let outside = there & outlines.is_outside & !behind;
+        let between =
+            outlines.is_plain & !rows_meet(simd, outlines, target, 0..target.axes.height());
+        let outside = there & (outlines.is_outside | between) & !behind;
         let left = there & !behind & !outside;
         let plain = left & outlines.is_plain;
-        let plain_here = plain & rows_meet(simd, outlines, target);
+        let plain_here = plain & rows_meet(simd, outlines, target, target.rows.clone());
         let tiny = plain_here & outlines.is_tiny;
         if counts_here {
             let counts = &mut self.drawn.counts;
@@ -167,30 +203,37 @@ impl Drawing<'_> {
         id: u32,
     ) {
         let span = Span::new(id, &outlines.one(lane));
-        if !self.crowd.is_crowded {
-            span.draw(simd, target);
-            return;
-        }
-        let (rows, columns) = extent(target, outlines, lane);
-        if rows.is_empty() || columns.is_empty() {
-            return;
-        }
-        if self.veil.hides(target.t, &rows, &columns, span.outline.nearest as f32) {
-            self.drawn.counts.hidden += 1;
-            return;
+        // Where spheres do not cover one another much, a look costs more than it saves.
+        let reached = self.crowd.is_crowded.then(|| extent(target, outlines, lane));
+        if let Some((rows, columns)) = &reached {
+            if rows.is_empty() || columns.is_empty() {
+                return;
+            }
+            if self.veil.hides(target.t, rows, columns, span.outline.nearest as f32) {
+                self.drawn.counts.hidden += 1;
+                return;
+            }
         }
         span.draw(simd, target);
-        self.veil.touch(&rows, &columns);
+        if let Some((rows, columns)) = &reached {
+            self.veil.touch(rows, columns);
+        }
     }
 }
 
-/// Which spheres of a vector have a row in the target.
+/// Which spheres of a vector reach rows of the raster.
 #[inline(always)]
-fn rows_meet<S: Simd, C: Certainty>(simd: S, of: &Outlines, target: &SpanTarget<C>) -> u64 {
+fn rows_meet<S: Simd, C: Certainty>(
+    simd: S,
+    of: &Outlines,
+    target: &SpanTarget<C>,
+    rows: Range<usize>,
+) -> u64 {
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
     let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
-    let (first, last) = (number(target.rows.start), number(target.rows.end - 1));
-    let meets = load(&of.last_row).simd_ge(first) & load(&of.first_row).simd_le(last);
+    let (first, last) = (number(rows.start), number(rows.end - 1));
+    let (first_row, last_row) = (load(&of.first_row), load(&of.last_row));
+    let meets = last_row.simd_ge(first) & first_row.simd_le(last) & first_row.simd_le(last_row);
     meets.to_bitmask()
 }
 

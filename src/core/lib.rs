@@ -1,4 +1,4 @@
-//! What a pinhole camera sees, in `f64`: camera bases, view rays, ray-object
+//! What a pinhole camera sees: camera bases, view rays, ray-object
 //! intersection, and whole pictures.
 //!
 //! # Conventions
@@ -180,6 +180,7 @@ mod seen;
 mod settle;
 mod shade;
 mod single_lanes;
+mod small;
 mod sorter;
 mod span;
 mod span_kernel;

@@ -188,7 +188,7 @@ impl Outlines {
 
         let least_b = c.sqrt() * per_s;
         let numerator = c * per_s * per_distance;
-        let nearest = (z - r) * per_distance * splat(1.0 - 1e-6);
+        let nearest = (z - r - eta) * per_distance * splat(1.0 - 1e-6);
         let per_b = one / least_b;
         let widest = size.sqrt();
         let error = (splat(3.5) + splat(4.0) * b_column.abs()) * widest * per_b;

@@ -33,7 +33,8 @@ pub struct Tuning {
     pub level: Level,
     /// How many rows a thread traces at a time; a whole number of [`SLICE_ROWS`] is made of it.
     pub band_rows: Option<usize>,
-    /// Whether decisions in doubt go up the ladder. Without it, what certainty costs can be measured.
+    /// Whether decisions in doubt go up the ladder, of spheres that are drawn by rows. Without it, what
+    /// certainty costs can be measured.
     pub is_certain: bool,
 }
 

@@ -12,6 +12,7 @@ use crate::outline::Outlines;
 use crate::raster_axes::RasterAxes;
 use crate::span_kernel::{Narrow, RowBuffers, SpanLanes, SpanRow, SpanShape, TIE, Wide, draw_row};
 use crate::span_rows::SpanRows;
+use crate::sphere::Sphere;
 
 /// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
 /// by, and so little that hardly a pixel lies within it.
@@ -119,11 +120,32 @@ pub(crate) struct SpanTarget<'a, C> {
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) doubts: &'a mut Vec<Doubt>,
+    /// The scene's spheres.
+    pub(crate) spheres: &'a [Sphere],
     /// By row of the target, whether an outline reaches it.
     pub(crate) is_reached: &'a mut [bool],
     /// How many pixels were decided.
     pub(crate) decided: u64,
     pub(crate) certainty: Carries<C>,
+}
+
+impl<C> SpanTarget<'_, C> {
+    /// Whether the sphere is the one that the pixel shows, given twice: then the one that is listed
+    /// first is shown, and nothing is in doubt.
+    pub(crate) fn is_same_as_known(&mut self, place: usize, index: u32) -> bool {
+        let known = self.object[place];
+        let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
+        if is_same {
+            self.object[place] = known.min(index);
+        }
+        is_same
+    }
+
+    /// Whether so many pixels are in doubt that they should be settled before more are drawn.
+    pub(crate) fn is_full(&self) -> bool {
+        const FULL: usize = 1 << 16;
+        self.doubts.len() >= FULL
+    }
 }
 
 impl Span {
@@ -199,7 +221,8 @@ impl Span {
                 let place = start + column;
                 let (known, object) = (target.t[place], target.object[place]);
                 let is_apart = t < known * (1.0 - TIE) || t > known * (1.0 + TIE);
-                if object != self.index && !is_apart {
+                if object != self.index && !is_apart && !target.is_same_as_known(place, self.index)
+                {
                     let (row, column) = (row as u32, column as u32);
                     target.doubts.push(Doubt { index: self.index, row, column, t: Some(t) });
                     target.decided -= 1;
@@ -250,6 +273,7 @@ impl Span {
         ];
         for (from, to) in in_doubt {
             let Some((from, to)) = target.axes.columns_between(from, to) else { continue };
+            target.is_reached[row - target.rows.start] = true;
             for column in from..=to {
                 let (row, column) = (row as u32, column as u32);
                 target.doubts.push(Doubt { index: self.index, row, column, t: None });

@@ -28,8 +28,15 @@ impl Spheres {
 
     /// The index; `None` of fewer than [`INDEX_FROM`].
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
-        let is_many = self.list.len() >= INDEX_FROM;
-        is_many.then(|| self.index.get_or_init(|| SphereIndex::new(&self.list)))
+        if self.list.len() < INDEX_FROM {
+            return None;
+        }
+        // Made before the cell is entered: who waited for a cell while its index is made by the same
+        // threads that wait could wait for ever. At worst two are made, and one is used.
+        if self.index.get().is_none() {
+            let _ = self.index.set(SphereIndex::new(&self.list));
+        }
+        self.index.get()
     }
 
     /// Puts a checked sphere in the place of another one.

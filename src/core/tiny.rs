@@ -129,6 +129,7 @@ impl TinyPixels {
     /// Finds `t` of all that wait, in `f64`, and takes over those that are nearer than what is there.
     #[inline(always)]
     pub(crate) fn draw<S: Simd, C: Certainty>(&mut self, simd: S, target: &mut SpanTarget<C>) {
+        target.decided += self.count as u64;
         let mut from = 0;
         while from < self.count {
             let load =
@@ -141,7 +142,6 @@ impl TinyPixels {
             }
             from += S::f64s::LEN;
         }
-        target.decided += self.count as u64;
         self.count = 0;
     }
 }
@@ -154,6 +154,11 @@ fn take_over<C: Certainty>(target: &mut SpanTarget<C>, place: usize, index: u32,
         target.t[place] = t;
         target.object[place] = index;
     } else if C::IS_CERTAIN && t <= known * (1.0 + TIE) {
+        if target.is_same_as_known(place, index) {
+            return;
+        }
+        // The ladder counts it.
+        target.decided -= 1;
         let width = target.axes.width();
         let (row, column) = (target.rows.start + place / width, place % width);
         let (row, column) = (row as u32, column as u32);
@@ -208,6 +213,7 @@ fn note_doubts<C: Certainty>(
     let more = MARGIN + (2.0 * of.thin[lane]).sqrt();
     let (first, last) = ((rows.start[lane] - more).ceil(), (rows.end[lane] + more).floor());
     let Some((from, to)) = target.axes.columns_between(first, last) else { return };
+    target.is_reached[row - target.rows.start] = true;
     for column in from..=to {
         let (row, column) = (row as u32, column as u32);
         target.doubts.push(Doubt { index, row, column, t: None });

@@ -32,14 +32,14 @@ pub enum Stage {
 /// Each pixel's object is what [`Scene::first_hit_of`] says of its
 /// [exact ray](PosedCamera::exact_ray), and its `t` is within the same bounds (the two may differ in
 /// the last bit, where the exact `t` lies within 2^-40 of an ulp of the middle between two `f64`).
-/// The same bits come from any number of threads and any processor. Per object, only the pixels
-/// inside its bounds are asked, what the rays share is computed once, and a pixel in doubt goes up the
-/// ladder by itself. A scene without planes runs no plane code.
+/// The same bits come from any number of threads and any processor. What the rays share is computed
+/// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
+/// without planes runs no plane code.
 pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_reporting(scene, camera, raster, outputs, |_| ())
 }
 
-/// [`trace`] with `t` in `f32` or `f64`.
+/// [`trace`] with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the time.
 pub fn trace_as<T: Depth>(
     scene: &Scene,
     camera: &PosedCamera,
