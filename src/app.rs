@@ -327,12 +327,13 @@ impl App {
                 views::show(ui, rect, shown, &mut self.map_texture, dimmed);
                 views::speak(ui, views::MAP, &accuracy::summary(compared));
                 accuracy::legend(ui, area, compared);
+            } else if let Some(why) = self.derived.too_many {
+                accuracy::no_map(ui, rect, why);
             }
         }
-        if let (Some(rect), Some(compared)) =
-            (places.camera.or(places.world), &self.derived.drawn_by)
-        {
-            views::drawn_by(ui, rect, &accuracy::drawn_by(compared));
+        let mark = accuracy::drawn_by(&self.derived, self.session.settings.method.0);
+        if let (Some(rect), Some(text)) = (places.camera.or(places.world), mark) {
+            views::drawn_by(ui, rect, &text);
         }
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &fault.to_string());

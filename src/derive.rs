@@ -18,7 +18,7 @@ use pinhole_core::{
 
 use self::memo::Memo;
 use self::objects::Objects;
-pub use self::picture::Compared;
+pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
@@ -85,6 +85,8 @@ pub struct Derived {
     pub steps: Option<Steps>,
     /// What the camera's picture left out, and what was left to do.
     pub counts: Option<Counts>,
+    /// Why no other method than the ladder was let at the scene, where one should have been.
+    pub too_many: Option<TooMany>,
     /// The ladder's answer for the pixels that are shown, where another method stands beside it.
     pub truth: Option<Arc<Frame>>,
     /// What drew the camera's picture, where the ladder did not.
@@ -241,6 +243,7 @@ impl Deriver {
             derived.compared = Some(Arc::clone(compared));
         }
         derived.drawn_by.clone_from(&good.drawn_by);
+        derived.too_many = good.too_many;
         (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
     }

@@ -38,7 +38,9 @@ pub(crate) struct Measuring {
 impl Measuring {
     /// Measures on, if something is left to measure, and asks for the next frame.
     pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
-        let (Some(scene), None) = (&derived.scene, derived.fault) else { return };
+        // The report's methods too ask every object at every pixel.
+        let why_not = (derived.fault, derived.too_many);
+        let (Some(scene), (None, None)) = (&derived.scene, why_not) else { return };
         let now = ctx.input(|input| input.time);
         let subject = self.subject.as_ref();
         let place = Arc::as_ptr(scene);

@@ -39,9 +39,7 @@ impl Bench {
                 image: Some(setting.image()),
             });
         }
-        // What this version does not have at all is no news.
-        let left_out = outcome.left_out.iter().filter(|(method, _)| *method != Method::Uncertified);
-        for (method, why) in left_out {
+        for (method, why) in &outcome.left_out {
             self.leave_out(method.name(), why, &setting.name);
         }
     }

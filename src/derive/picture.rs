@@ -1,6 +1,7 @@
 //! What the camera sees: by the ladder, by the method that the user wants to see fail, and the
 //! difference.
 
+use std::fmt;
 use std::sync::Arc;
 
 use egui::Color32;
@@ -13,8 +14,42 @@ use super::objects::GoodWorld;
 use super::watch::{self, Watch};
 use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
+use crate::number::grouped;
 use crate::overlay::Picture;
 use crate::session::{Selection, Session};
+
+/// How many times a method may ask whether a ray meets an object for one picture: about a second's
+/// work, in which the window stands still.
+pub const MOST_QUESTIONS: u64 = 400_000_000;
+
+/// Why no method but the ladder draws a picture: all others ask every object at every pixel, more
+/// than [`MOST_QUESTIONS`] times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooMany {
+    /// How many objects the scene has.
+    pub objects: u64,
+    /// How many pixels the screen shows.
+    pub pixels: u64,
+}
+
+impl TooMany {
+    fn of(objects: usize, pixels: usize) -> Option<TooMany> {
+        let (objects, pixels) = (objects as u64, pixels as u64);
+        let too_many = objects.saturating_mul(pixels) > MOST_QUESTIONS;
+        too_many.then_some(TooMany { objects, pixels })
+    }
+}
+
+impl fmt::Display for TooMany {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (objects, pixels) = (grouped(self.objects), grouped(self.pixels));
+        write!(
+            f,
+            "{objects} objects at {pixels} pixels are too many for a method that asks every object \
+             at every pixel"
+        )
+    }
+}
 
 /// A method's picture next to the truth.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +73,8 @@ pub(super) struct GoodPicture {
     pub(super) steps: Steps,
     /// What it left out.
     pub(super) counts: Counts,
+    /// Why no other method stands beside it, where one should.
+    pub(super) too_many: Option<TooMany>,
     /// By the ladder, where another method stands beside it.
     pub(super) truth: Option<Arc<Frame>>,
     /// What drew the picture, where the ladder did not.
@@ -104,9 +141,12 @@ impl Pictures {
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let seen = (posed, *generation, Raster::shown_on(posed.image(), size[0], size[1]));
         let settings = &session.settings;
-        let (method, other) = (settings.method.0, settings.compared.0);
+        let other = settings.compared.0;
+        let is_compared = settings.method.0 != Method::Ladder || sizes.map.is_some();
+        let too_many = TooMany::of(scene.len(), seen.2.len()).filter(|_| is_compared);
+        let method = too_many.map_or(settings.method.0, |_| Method::Ladder);
         // Only a comparison needs all digits of t.
-        let truth = (method != Method::Ladder || sizes.map.is_some()).then(|| {
+        let truth = (is_compared && too_many.is_none()).then(|| {
             let traced = &mut self.traced;
             self.truth.get(seen.clone(), |(.., raster)| {
                 *traced += 1;
@@ -154,6 +194,7 @@ impl Pictures {
             inspection,
             steps,
             counts,
+            too_many,
             truth,
             drawn_by,
             compared,

@@ -11,7 +11,7 @@ use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, tra
 use super::readouts;
 use super::views::{MAP, STRIP};
 use crate::accuracy::{self, Comparison, PixelError};
-use crate::derive::{Compared, Derived};
+use crate::derive::{Compared, Derived, TooMany};
 use crate::document::Document;
 use crate::measuring::Measuring;
 use crate::number::short;
@@ -92,13 +92,24 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} pixels shown wrong{errors}")
 }
 
-/// What is written on a picture that the ladder did not draw.
-pub(crate) fn drawn_by(compared: &Compared) -> String {
-    let Compared { method, comparison, .. } = compared;
-    match comparison.wrong {
+/// What is written on a picture that the ladder did not draw, or drew in place of the chosen method.
+pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
+    if let Some(why) = derived.too_many {
+        return (chosen != Method::Ladder)
+            .then(|| format!("drawn by the ladder, not by {chosen}: {why}"));
+    }
+    let Compared { method, comparison, .. } = derived.drawn_by.as_deref()?;
+    Some(match comparison.wrong {
         1 => format!("drawn by {method}: 1 wrong pixel shown"),
         wrong => format!("drawn by {method}: {wrong} wrong pixels shown"),
-    }
+    })
+}
+
+/// Why there is no map, in its place.
+pub(crate) fn no_map(ui: &mut Ui, rect: Rect, why: TooMany) {
+    ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(8.0)), |ui| {
+        ui.label(format!("No error map: {why}"));
+    });
 }
 
 /// Plot and table, and above them how far measuring is and what the selected pixel says.
@@ -119,6 +130,10 @@ pub(crate) fn ui(
         }
         progress(ui, measuring, derived);
     });
+    if derived.too_many.is_some() {
+        // Numbers of another scene would pass for this one's.
+        return;
+    }
     let Some(report) = measuring.report().cloned() else { return };
     let Some(case) = report.cases.first() else { return };
     let area = ui.available_rect_before_wrap();
@@ -138,6 +153,8 @@ pub(crate) fn ui(
 fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     if derived.fault.is_some() {
         ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
+    } else if let Some(why) = derived.too_many {
+        ui.label(format!("Nothing is measured: {why}"));
     } else if let Some(share) = measuring.share() {
         ui.label("Measuring: so far");
         let response = ui.add(ProgressBar::new(share).desired_width(180.0).show_percentage());
@@ -155,6 +172,9 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
 /// What the ladder and the map's method say of the selected pixel, be it among those that the map
 /// shows or not.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
+    if derived.too_many.is_some() {
+        return None;
+    }
     let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
     let pixel = pixel_of(session.selection, posed)?;
     let method = session.settings.compared.0;

@@ -4,6 +4,7 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
+use pinhole::derive::MOST_QUESTIONS;
 use pinhole::session::{MethodName, Selection, Settings, ViewLayout};
 use pinhole::store::Remembered;
 use pinhole_core::Pixel;
@@ -147,6 +148,45 @@ fn a_picture_by_another_method_is_marked() {
     assert!(derived.drawn_by.is_none());
     assert_eq!(derived.camera_view.unwrap().image.pixels, ladders.pixels);
     assert_eq!(texts_with(&window, "drawn by "), Vec::<String>::new());
+}
+
+/// A window on so many spheres that no method may ask all of them at all pixels.
+fn crowded_window(settings: Settings) -> Harness<'static, App> {
+    let folder = tempfile::tempdir().unwrap();
+    let sphere = |i: i32| format!("{},{},-200,0.4\n", i % 200 - 100, i / 200 - 50);
+    let rows: String = (0..20_000).map(sphere).collect();
+    std::fs::write(folder.path().join("crowd.csv"), format!("x,y,z,r\n{rows}")).unwrap();
+    let path = folder.path().join("crowd.toml");
+    let text = "pinhole = 1\nspheres = \"crowd.csv\"\n\
+                [camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n";
+    std::fs::write(&path, text).unwrap();
+    with(path.to_str().unwrap(), settings)
+}
+
+#[test]
+fn a_scene_too_large_for_the_other_methods_is_not_compared_and_says_why() {
+    let settings = Settings { method: named("textbook-f64"), ..Settings::default() };
+    let mut window = crowded_window(settings);
+    let derived = window.state().derived().clone();
+    let too_many = derived.too_many.unwrap();
+    assert_eq!(too_many.objects, 20_000);
+    assert!(too_many.objects * too_many.pixels > MOST_QUESTIONS);
+    assert!(derived.drawn_by.is_none() && derived.truth.is_none() && derived.fault.is_none());
+    let why = too_many.to_string();
+    assert!(why.starts_with("20,000 objects at "), "{why}");
+    assert_says(&window, &format!("drawn by the ladder, not by textbook-f64: {why}"));
+    let ladders = crowded_window(Settings::default());
+    let (of_ladder, shown) = (ladders.state().derived(), derived.camera_view.unwrap());
+    assert_eq!(of_ladder.too_many, None, "the ladder takes any number of objects");
+    assert_eq!(shown.image.pixels, of_ladder.camera_view.clone().unwrap().image.pixels);
+    window.get_by_role_and_label(Role::Button, "Accuracy").click();
+    // Nothing is measured, so this comes to rest.
+    window.run();
+    let derived = window.state().derived().clone();
+    assert!(derived.compared.is_none() && derived.error_map.is_none());
+    let why = derived.too_many.unwrap().to_string();
+    assert_says(&window, &format!("No error map: {why}"));
+    assert_says(&window, &format!("Nothing is measured: {why}"));
 }
 
 #[test]

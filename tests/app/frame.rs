@@ -24,11 +24,11 @@ fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: 
     for (name, text) in [
         ("spheres", counts.spheres.to_string()),
         ("behind the eye", counts.behind.to_string()),
-        ("beside or between pixels", counts.outside.to_string()),
+        ("beside the picture, or between two rows", counts.outside.to_string()),
         ("in view", counts.in_view.to_string()),
         ("planes asked", of(counts.planes_asked, counts.planes)),
         ("bands without a hit", of(counts.bands_untouched, counts.bands)),
-        ("rows without a hit", of(counts.rows_untouched, counts.rows)),
+        ("rows that nothing reaches", of(counts.rows_untouched, counts.rows)),
         ("index blocks left out", "no index".to_owned()),
         ("in double-double", steps.double_double.to_string()),
         ("exactly", steps.exact.to_string()),

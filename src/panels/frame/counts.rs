@@ -11,18 +11,26 @@ use crate::panels::views::{CAMERA, WORLD};
 type Line = (&'static str, &'static str, fn(&Counts, &Steps) -> String);
 
 const LINES: [Line; 13] = [
-    ("spheres", "All spheres of the scene", |c, _| grouped(c.spheres)),
+    (
+        "spheres",
+        "All spheres of the scene; the world view draws those around the observer or the camera as \
+         circles and does not trace them",
+        |c, _| grouped(c.spheres),
+    ),
     ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| grouped(c.behind)),
     (
-        "beside or between pixels",
+        "beside the picture, or between two rows",
         "Left out: they lie beside the picture, or are so small that they fall between the centres \
-         of its pixels",
+         of two rows of its pixels",
         |c, _| grouped(c.outside),
     ),
-    ("in view", "They cover the centre of a pixel, hidden or not", |c, _| grouped(c.in_view)),
+    ("in view", "Their outlines reach rows of the picture, hidden or not", |c, _| {
+        grouped(c.in_view)
+    }),
     (
         "passed over as hidden",
-        "Times that a band of rows passed over a sphere, because nearer ones hide all of it there",
+        "Nearer spheres hide all of it in a band of rows. Counted once for each such band, so it can \
+         be more than there are spheres; scenes of fewer than 256 spheres are not tested for it",
         |c, _| grouped(c.hidden),
     ),
     (
@@ -42,7 +50,7 @@ const LINES: [Line; 13] = [
         "Threads trace bands of rows; in one that nothing reaches there is background alone",
         |c, _| of(c.bands_untouched, c.bands),
     ),
-    ("rows without a hit", "Rows of pixels that show background alone", |c, _| {
+    ("rows that nothing reaches", "No object's outline reaches them: background alone", |c, _| {
         of(c.rows_untouched, c.rows)
     }),
     (
@@ -119,13 +127,13 @@ mod tests {
         let expected = [
             "spheres: 1,000,000",
             "behind the eye: 250,000",
-            "beside or between pixels: 738,000",
+            "beside the picture, or between two rows: 738,000",
             "in view: 12,000",
             "passed over as hidden: 4,321",
             "index blocks left out: 40,000 of 62,500",
             "planes asked: 1 of 2",
             "bands without a hit: 5 of 34",
-            "rows without a hit: 163 of 1,080",
+            "rows that nothing reaches: 163 of 1,080",
             "decided in f64: 2,100,000",
             "in double-double: 12",
             "exactly: 3",
