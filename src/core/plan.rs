@@ -31,7 +31,7 @@ pub(crate) const SLICE_ROWS: usize = 32;
 pub struct Tuning {
     /// The instructions.
     pub level: Level,
-    /// How many rows a thread traces at a time; a whole number of [`SLICE_ROWS`] is made of it.
+    /// How many rows a thread traces at a time; a whole number of slices of 32 is made of it.
     pub band_rows: Option<usize>,
     /// Whether decisions in doubt go up the ladder, of spheres that are drawn by rows. Without it, what
     /// certainty costs can be measured.
