@@ -144,6 +144,14 @@ impl fmt::Display for BasisError {
 impl std::error::Error for BasisError {}
 
 impl Basis {
+    /// How far the three are from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
+    pub(crate) fn defect(&self) -> f64 {
+        let Basis { u, v, w } = *self;
+        let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
+        let right_angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
+        unit.iter().chain(&right_angles).sum()
+    }
+
     /// The canonical camera's: x right, y up, z backwards.
     pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
 

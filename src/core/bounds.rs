@@ -35,14 +35,10 @@ impl<'a> Bounds<'a> {
     pub(crate) fn new(camera: &'a PosedCamera) -> Self {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let basis = camera.basis();
-        let (u, v, w) = (basis.u, basis.v, basis.w);
-        let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
-        let right_angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
-        let defect: f64 = unit.iter().chain(&right_angles).sum();
         let (viewport, image) = (camera.viewport(), camera.image());
         Bounds {
             camera,
-            doubt: ROUNDING + 4.0 * defect,
+            doubt: ROUNDING + 4.0 * basis.defect(),
             columns_per_slope: viewport.distance / viewport.width * f64::from(image.width()),
             rows_per_slope: viewport.distance / viewport.height * f64::from(image.height()),
         }

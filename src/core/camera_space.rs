@@ -39,14 +39,11 @@ impl CameraSpace {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let basis = camera.basis();
         let (u, v, w) = (basis.u, basis.v, basis.w);
-        let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
-        let right_angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
-        let defect: f64 = unit.iter().chain(&right_angles).sum();
         let (viewport, image) = (camera.viewport(), camera.image());
         let (columns, rows) = (f64::from(image.width()), f64::from(image.height()));
         let column_slope = viewport.width / (viewport.distance * columns);
         let row_slope = viewport.height / (viewport.distance * rows);
-        let doubt = ROUNDING + 4.0 * defect;
+        let doubt = ROUNDING + 4.0 * basis.defect();
         let plain = 1e-12..1e12;
         let is_plain = plain.contains(&column_slope)
             && plain.contains(&row_slope)

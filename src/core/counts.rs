@@ -23,7 +23,7 @@ pub struct Counts {
     pub planes_asked: u64,
     /// Blocks of spheres in the scene's index; 0 where the scene is so small that none is built.
     pub blocks: u64,
-    /// Blocks of which no sphere was looked at: behind the eye, beside the picture, or hidden.
+    /// Blocks of which no sphere was looked at: behind the eye or beside the picture.
     pub blocks_left_out: u64,
     /// Bands of rows that threads trace on their own.
     pub bands: u64,

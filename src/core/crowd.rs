@@ -139,20 +139,22 @@ impl<'a> Crowd<'a> {
     #[inline(always)]
     fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
         let mut others = Vec::new();
-        let mut outlines = Outlines::default();
         for group in self.groups.iter().filter(|group| group.has_others) {
-            for block in &group.blocks {
-                let slots = SphereIndex::slots_of(block.place as usize);
-                for from in slots.step_by(S::f64s::LEN) {
-                    let slots = from..from + S::f64s::LEN;
-                    outlines.find(simd, &self.space, &self.index.spheres(slots.clone()));
-                    let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
-                    for (lane, slot) in slots.enumerate() {
-                        let id = self.index.ids[slot];
-                        if id != NO_SPHERE && drawn >> lane & 1 == 0 {
-                            let extent = extents.of(&self.index.sphere(slot));
-                            others.extend(extent.map(|extent| (id, extent)));
-                        }
+            let found = match self.keeps_outlines {
+                true => Vec::new(),
+                false => outlines_of(simd, self.index, &self.space, &group.blocks),
+            };
+            let outlines = if self.keeps_outlines { &group.outlines } else { &found };
+            let blocks =
+                group.blocks.iter().map(|block| SphereIndex::slots_of(block.place as usize));
+            let vectors = blocks.flat_map(|slots| slots.step_by(S::f64s::LEN));
+            for (from, outlines) in vectors.zip(outlines) {
+                let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
+                for slot in from..from + S::f64s::LEN {
+                    let id = self.index.ids[slot];
+                    if id != NO_SPHERE && drawn >> (slot - from) & 1 == 0 {
+                        let extent = extents.of(&self.index.sphere(slot));
+                        others.extend(extent.map(|extent| (id, extent)));
                     }
                 }
             }

@@ -174,6 +174,7 @@ mod precise;
 mod raster_axes;
 mod ray;
 mod roots;
+mod row_ends;
 mod scale;
 mod scene;
 mod seen;

@@ -60,7 +60,7 @@ pub(crate) struct Outlines {
     pub(crate) numerator: Lane8,
     /// How far `w^2` may be off.
     pub(crate) square_doubt: Lane8,
-    /// First and last row with `w^2 >= -square_doubt`, not clipped, as numbers that may be fractions.
+    /// First and last row with `w^2 >= -square_doubt`, not clipped: whole numbers.
     pub(crate) first_row: Lane8,
     pub(crate) last_row: Lane8,
     /// No hit has a smaller t.

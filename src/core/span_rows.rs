@@ -7,7 +7,8 @@ use fearless_simd::prelude::*;
 use crate::certainty::Certainty;
 use crate::outline::MOST_LANES;
 use crate::raster_axes::RasterAxes;
-use crate::span::{MARGIN, Outline, Span};
+use crate::row_ends::RowEnds;
+use crate::span::{Outline, Span};
 use crate::span_kernel::SpanRow;
 
 /// As many `f32` as two vectors of `f64` narrow to.
@@ -62,17 +63,8 @@ impl SpanRows {
         let j = S::f64s::from_slice(simd, numbers) - splat(row);
         let middle = splat(column) + splat(shear) * j;
         let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
-        let half = squared.max(splat(0.0)).sqrt();
-        let (start, end) = (middle - half, middle + half);
-        let margin = splat(if C::IS_CERTAIN { MARGIN } else { 0.0 });
-        let (first, last) = ((start + margin).ceil(), (end - margin).floor());
-        let same_first = first.simd_eq((start - margin).ceil());
-        let same_last = last.simd_eq((end + margin).floor());
-        let is_sure = if C::IS_CERTAIN {
-            same_first & same_last & squared.simd_ge(splat(span.outline.thin))
-        } else {
-            squared.simd_ge(splat(0.0))
-        };
+        let ends = RowEnds::<S>::new::<C>(simd, middle, squared, splat(span.outline.thin));
+        let RowEnds { start, end, first, last, is_sure } = ends;
         let (from, to, is_there) = axes.clip(simd, first, last);
         let is_wide = span.shape.is_wide;
         let pivot = if is_wide { first } else { splat(0.5) * (first + last) };

@@ -6,6 +6,7 @@ use fearless_simd::prelude::*;
 use crate::certainty::Certainty;
 use crate::crowd_draw::lanes_of;
 use crate::outline::{MOST_LANES, Outlines};
+use crate::row_ends::RowEnds;
 use crate::span::{Doubt, MARGIN, SpanTarget};
 use crate::span_kernel::TIE;
 
@@ -69,17 +70,8 @@ impl Rows {
         let j = number - load(&of.row);
         let middle = load(&of.column) + load(&of.shear) * j;
         let squared = load(&of.square[0]) + (load(&of.square[1]) + load(&of.square[2]) * j) * j;
-        let half = squared.max(splat(0.0)).sqrt();
-        let (start, end) = (middle - half, middle + half);
-        let margin = splat(if C::IS_CERTAIN { MARGIN } else { 0.0 });
-        let (first, last) = ((start + margin).ceil(), (end - margin).floor());
-        let same_first = first.simd_eq((start - margin).ceil());
-        let same_last = last.simd_eq((end + margin).floor());
-        let is_sure = if C::IS_CERTAIN {
-            same_first & same_last & squared.simd_ge(load(&of.thin))
-        } else {
-            squared.simd_ge(splat(0.0))
-        };
+        let RowEnds { start, end, first, last, is_sure } =
+            RowEnds::<S>::new::<C>(simd, middle, squared, load(&of.thin));
         let is_left = number.simd_le(load(&of.last_row));
         let is_reached = is_left
             & ((squared.simd_ge(-load(&of.square_doubt)) & !is_sure)
