@@ -5,24 +5,24 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod outputs;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use egui::{CentralPanel, Context, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
-use egui::{ThemePreference, UiBuilder, ViewportCommand};
+use egui::{ThemePreference, ViewportCommand};
 
 use crate::action::Action;
-use crate::derive::{Derived, Deriver, Fault};
+use crate::derive::{Derived, Deriver};
 use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
-use crate::panels::dialogs::{self, Dialog};
-use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, camera, frame, objects, readouts, selection, top_bar, views};
+use crate::panels::dialogs::Dialog;
+use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
@@ -160,7 +160,7 @@ impl App {
         self.panels(ui, &mut actions);
         CentralPanel::default().show(ui, |ui| {
             let image = self.open.document.camera.image;
-            let places = views::places(ui, &mut self.session.settings, image);
+            let places = places::places(ui, &mut self.session.settings, image);
             if let (None, Some(rect)) = (self.session.observer, places.world) {
                 self.session.observer = Some(self.framed(rect.aspect_ratio()));
             }
@@ -305,56 +305,6 @@ impl App {
         // An object at fault is not there yet; the camera is.
         let scene = document.scene().unwrap_or_default();
         Observer::frame_all(&document.camera, &scene, f64::from(aspect))
-    }
-
-    fn outputs(&mut self, ui: &mut Ui, places: &views::Places) {
-        let image = self.open.document.camera.image;
-        views::strips(ui, places, &mut self.session.settings, image);
-        let dimmed = self.derived.fault.is_some();
-        if let (Some(rect), Some(shown)) = (places.world, &self.derived.world_view) {
-            let stale = matches!(self.derived.fault, Some(Fault::Scene(_)));
-            views::show(ui, rect, shown, &mut self.world_texture, stale);
-            views::speak(ui, views::WORLD, &views::spoken(&self.derived));
-        }
-        if let (Some(rect), Some(shown)) = (places.camera, &self.derived.camera_view) {
-            views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
-            views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
-        }
-        if let (Some(area), Some(rect)) = (places.map_area, places.map) {
-            accuracy::strip(ui, area, &mut self.session.settings);
-            if let (Some(shown), Some(compared)) = (&self.derived.error_map, &self.derived.compared)
-            {
-                views::show(ui, rect, shown, &mut self.map_texture, dimmed);
-                views::speak(ui, views::MAP, &accuracy::summary(compared));
-                accuracy::legend(ui, area, compared);
-            } else if let Some(why) = self.derived.too_many {
-                accuracy::no_map(ui, rect, why);
-            }
-        }
-        let mark = accuracy::drawn_by(&self.derived, self.session.settings.method.0);
-        if let (Some(rect), Some(text)) = (places.camera.or(places.world), mark) {
-            views::drawn_by(ui, rect, &text);
-        }
-        if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
-            views::reason(ui, rect, &fault.to_string());
-        }
-        let settings = &self.session.settings;
-        let style = NumberStyle {
-            digits: settings.digits,
-            count_from_one: settings.count_from_one,
-            exact: false,
-        };
-        ui.scope_builder(UiBuilder::new().max_rect(places.below), |ui| {
-            ui.set_clip_rect(places.below);
-            let document = &self.open.document;
-            match self.session.settings.layout {
-                ViewLayout::Accuracy => {
-                    accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
-                }
-                ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
-                _ => readouts::ui(ui, &self.derived, document, style),
-            }
-        });
     }
 
     fn window_outputs(&mut self, ctx: &Context) {

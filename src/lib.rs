@@ -32,5 +32,6 @@ pub mod present;
 pub mod report;
 pub mod session;
 pub mod store;
+pub mod thing;
 mod view_texture;
 pub mod window;

@@ -55,6 +55,14 @@ pub struct Settings {
     pub accuracy_height: f32,
     /// The height of times and counts in the frame view, in points.
     pub frame_height: f32,
+    /// The height of the plot of f(p + t d), in points.
+    pub plot_height: f32,
+    /// The height of what is said of a wrong camera, in points.
+    pub mistakes_height: f32,
+    /// The ledger's share of the width.
+    pub ledger_split: f32,
+    /// The world view's share of the height, where the camera view is below it.
+    pub stack_split: f32,
     /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
     pub method: MethodName,
     /// The method of the error map.
@@ -79,6 +87,16 @@ pub enum ViewLayout {
     Accuracy,
     /// Both views, and what a frame takes and leaves out.
     Frame,
+    /// Both views, one above the other, and the derivation of every number beside them.
+    Ledger,
+    /// Both views, and every object's f(p + t d) against t below them.
+    Plot,
+    /// Lines in two dimensions, implicit and parametric.
+    Lines,
+    /// The right picture beside that of a classic wrong camera.
+    Mistakes,
+    /// Questions with fields for the answers.
+    Exercises,
 }
 
 /// [`Method`], in a form that is written to disk: its name. One that no method has any more is the
@@ -135,6 +153,10 @@ impl Default for Settings {
             readouts_height: 200.0,
             accuracy_height: 370.0,
             frame_height: 350.0,
+            plot_height: 300.0,
+            mistakes_height: 260.0,
+            ledger_split: 0.5,
+            stack_split: 0.55,
             method: MethodName(Method::Ladder),
             compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
             theme: ThemeName::System,
@@ -157,6 +179,11 @@ impl Settings {
         self.accuracy_height =
             finite(self.accuracy_height, default.accuracy_height).clamp(0.0, 10_000.0);
         self.frame_height = finite(self.frame_height, default.frame_height).clamp(0.0, 10_000.0);
+        self.plot_height = finite(self.plot_height, default.plot_height).clamp(0.0, 10_000.0);
+        self.mistakes_height =
+            finite(self.mistakes_height, default.mistakes_height).clamp(0.0, 10_000.0);
+        self.ledger_split = finite(self.ledger_split, default.ledger_split).clamp(0.0, 1.0);
+        self.stack_split = finite(self.stack_split, default.stack_split).clamp(0.0, 1.0);
         self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
         self
     }

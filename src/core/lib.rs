@@ -154,6 +154,7 @@ mod image;
 mod kernel;
 mod lane;
 mod lanes;
+pub mod lecture;
 mod line;
 mod method_kernel;
 mod method_real;

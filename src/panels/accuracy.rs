@@ -8,8 +8,9 @@ use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBui
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, trace};
 
+use super::places::STRIP;
 use super::readouts;
-use super::views::{MAP, STRIP};
+use super::views::MAP;
 use crate::accuracy::{self, Comparison, PixelError};
 use crate::derive::{Compared, Derived, TooMany};
 use crate::document::Document;

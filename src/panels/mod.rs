@@ -7,6 +7,7 @@ pub mod dialogs;
 pub(crate) mod frame;
 mod number;
 pub(crate) mod objects;
+pub(crate) mod places;
 pub(crate) mod readouts;
 pub(crate) mod selection;
 pub(crate) mod top_bar;

@@ -37,7 +37,6 @@ pub(crate) fn ui(
         ui.separator();
         layout(ui, settings);
         ui.separator();
-        ui.label("Shade");
         shade(ui, &mut settings.shade);
         ui.separator();
         let changed = if open.has_changes() { " (changed)" } else { "" };
@@ -118,6 +117,11 @@ fn layout(ui: &mut Ui, settings: &mut Settings) {
         (ViewLayout::Both, "Both views", "World view and camera view side by side"),
         (ViewLayout::World, "World", "The world view alone"),
         (ViewLayout::Camera, "Camera", "The camera view alone"),
+        (ViewLayout::Ledger, "Ledger", "Every number's derivation, line by line"),
+        (ViewLayout::Plot, "Plot", "Every object's f(p + t d) against t"),
+        (ViewLayout::Lines, "Lines", "Implicit and parametric lines in two dimensions"),
+        (ViewLayout::Mistakes, "Mistakes", "The classic wrong cameras beside the right one"),
+        (ViewLayout::Exercises, "Exercises", "Questions, and what is wrong with an answer"),
         (ViewLayout::Accuracy, "Accuracy", "How right each method is here, and how fast"),
         (ViewLayout::Frame, "Frame", "What a frame takes, and what it leaves out"),
     ] {
@@ -126,12 +130,16 @@ fn layout(ui: &mut Ui, settings: &mut Settings) {
 }
 
 fn shade(ui: &mut Ui, chosen: &mut ShadeName) {
-    for (name, hint) in [
+    let names = [
         (ShadeName::Lambert, "Lit from the eye"),
         (ShadeName::Normal, "The normal's x, y, z as red, green, blue"),
         (ShadeName::T, "Nearest t white, farther darker"),
         (ShadeName::Object, "Each object's own colour, flat"),
-    ] {
-        ui.selectable_value(chosen, name, Shade::from(name).name()).on_hover_text(hint);
-    }
+    ];
+    let text = format!("Shade: {}", Shade::from(*chosen).name());
+    ui.menu_button(text, |ui| {
+        for (name, hint) in names {
+            ui.radio_value(chosen, name, Shade::from(name).name()).on_hover_text(hint);
+        }
+    });
 }

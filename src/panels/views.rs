@@ -1,5 +1,4 @@
-//! The two views: where they lie, what the mouse and keys do in them, and putting the finished
-//! pictures there.
+//! The two views: what the mouse and keys do in them, and putting the finished pictures there.
 
 use egui::{
     Color32, EventFilter, Key, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
@@ -10,7 +9,7 @@ use crate::action::Action;
 use crate::derive::{Derived, Shown, ViewSizes};
 use crate::label_text;
 use crate::overlay;
-use crate::panels::accuracy;
+use crate::panels::places::{Places, STRIP};
 use crate::session::{Selection, Session, Settings, ViewLayout};
 use crate::view_texture::ViewTexture;
 
@@ -20,131 +19,6 @@ pub(crate) const WORLD: &str = "World view";
 pub(crate) const CAMERA: &str = "Camera view";
 /// The error map's.
 pub(crate) const MAP: &str = "Error map";
-
-/// Height of the strip above each view, in points.
-pub(crate) const STRIP: f32 = 26.0;
-/// Width of the handle between two areas.
-const HANDLE: f32 = 8.0;
-/// No view gets smaller than this.
-const SMALLEST: f32 = 120.0;
-
-/// Where everything in the middle of the window lies, in points, on whole physical pixels.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Places {
-    /// The world view's picture.
-    pub world: Option<Rect>,
-    /// The part that the camera view may fill.
-    pub camera_area: Option<Rect>,
-    /// The camera view's picture, in the image's proportions.
-    pub camera: Option<Rect>,
-    /// The part that the error map may fill.
-    pub map_area: Option<Rect>,
-    /// The error map's picture, as large as the camera view's.
-    pub map: Option<Rect>,
-    /// The readouts, or what the accuracy view or the frame view has below the pictures.
-    pub below: Rect,
-}
-
-/// Lays out views and readouts, with handles between them that change `settings`.
-pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> Places {
-    let area = ui.available_rect_before_wrap();
-    let most = (area.height() - SMALLEST - STRIP).max(80.0);
-    let height = match settings.layout {
-        ViewLayout::Accuracy => &mut settings.accuracy_height,
-        ViewLayout::Frame => &mut settings.frame_height,
-        _ => &mut settings.readouts_height,
-    };
-    *height = height.clamp(80.0, most);
-    let boundary = area.bottom() - *height;
-    let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
-    *height -= drag(ui, handle, "readouts handle").y;
-    let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
-    let below = Rect::from_min_max(pos2(area.left(), boundary), area.max);
-
-    let mut map = None;
-    let (world, camera) = match settings.layout {
-        ViewLayout::World => (Some(views), None),
-        ViewLayout::Camera => (None, Some(views)),
-        ViewLayout::Accuracy => {
-            // Below both, so that they are alike, room for the map's legend.
-            let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
-            let x = views.center().x;
-            map = Some(Rect::from_min_max(
-                pos2(x + HANDLE / 2.0, views.top()),
-                pos2(views.right(), bottom),
-            ));
-            (None, Some(Rect::from_min_max(views.min, pos2(x - HANDLE / 2.0, bottom))))
-        }
-        ViewLayout::Both | ViewLayout::Frame => {
-            // Where there is no room for two, both get half of what there is.
-            let share = SMALLEST / views.width().max(2.0 * SMALLEST);
-            settings.views_split = settings.views_split.clamp(share, 1.0 - share);
-            let x = views.left() + settings.views_split * views.width();
-            let handle =
-                Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, views.y_range());
-            settings.views_split += drag(ui, handle, "views handle").x / views.width().max(1.0);
-            let left = Rect::from_min_max(views.min, pos2(handle.left(), views.bottom()));
-            let right = Rect::from_min_max(pos2(handle.right(), views.top()), views.max);
-            (Some(left), Some(right))
-        }
-    };
-    let per_point = ui.ctx().pixels_per_point();
-    let below_strip = |rect: Rect| {
-        snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + STRIP), rect.max), per_point)
-    };
-    let (camera_area, map_area) = (camera.map(below_strip), map.map(below_strip));
-    let fitted = |area| fitted(area, image, per_point);
-    Places {
-        world: world.map(below_strip),
-        camera_area,
-        camera: camera_area.map(fitted),
-        map_area,
-        map: map_area.map(fitted),
-        below,
-    }
-}
-
-/// A handle that is dragged; how far it was just now.
-fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
-    let vertical = rect.height() > rect.width();
-    let cursor = if vertical {
-        egui::CursorIcon::ResizeHorizontal
-    } else {
-        egui::CursorIcon::ResizeVertical
-    };
-    let response =
-        ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
-    let visuals = ui.style().interact(&response);
-    let line = if vertical {
-        Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
-    } else {
-        Rect::from_center_size(rect.center(), vec2(36.0, 2.0))
-    };
-    ui.painter().rect_filled(line, 1.0, visuals.fg_stroke.color.gamma_multiply(0.5));
-    response.drag_delta()
-}
-
-/// The rectangle with its corners on physical pixels, so that pictures stay sharp.
-fn snapped(rect: Rect, per_point: f32) -> Rect {
-    let snap = |x: f32| (x * per_point).round() / per_point;
-    Rect::from_min_max(
-        pos2(snap(rect.left()), snap(rect.top())),
-        pos2(snap(rect.right()), snap(rect.bottom())),
-    )
-}
-
-/// The largest rectangle in the image's proportions, centred; large pixels get a whole number of
-/// physical ones each, so that all are alike.
-fn fitted(area: Rect, image: ImageSize, per_point: f32) -> Rect {
-    let available = area.size() * per_point;
-    let pixels = vec2(image.width() as f32, image.height() as f32);
-    let scale = (available.x / pixels.x).min(available.y / pixels.y);
-    let scale = if scale >= 3.0 { scale.floor() } else { scale };
-    let size = vec2((pixels.x * scale).round().max(1.0), (pixels.y * scale).round().max(1.0));
-    let min = area.center() - 0.5 * size / per_point;
-    let min = pos2((min.x * per_point).round(), (min.y * per_point).round()) / per_point;
-    Rect::from_min_size(min, size / per_point)
-}
 
 /// How large the views are, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {

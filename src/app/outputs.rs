@@ -1,0 +1,62 @@
+//! Putting what was derived on the screen: the views, and what the layout has beside them.
+
+use egui::{Ui, UiBuilder};
+
+use super::App;
+use crate::derive::Fault;
+use crate::panels::places::Places;
+use crate::panels::readouts::NumberStyle;
+use crate::panels::{accuracy, frame, readouts, views};
+use crate::session::ViewLayout;
+
+impl App {
+    pub(super) fn outputs(&mut self, ui: &mut Ui, places: &Places) {
+        let image = self.open.document.camera.image;
+        views::strips(ui, places, &mut self.session.settings, image);
+        let dimmed = self.derived.fault.is_some();
+        if let (Some(rect), Some(shown)) = (places.world, &self.derived.world_view) {
+            let stale = matches!(self.derived.fault, Some(Fault::Scene(_)));
+            views::show(ui, rect, shown, &mut self.world_texture, stale);
+            views::speak(ui, views::WORLD, &views::spoken(&self.derived));
+        }
+        if let (Some(rect), Some(shown)) = (places.camera, &self.derived.camera_view) {
+            views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
+            views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
+        }
+        if let (Some(area), Some(rect)) = (places.map_area, places.map) {
+            accuracy::strip(ui, area, &mut self.session.settings);
+            if let (Some(shown), Some(compared)) = (&self.derived.error_map, &self.derived.compared)
+            {
+                views::show(ui, rect, shown, &mut self.map_texture, dimmed);
+                views::speak(ui, views::MAP, &accuracy::summary(compared));
+                accuracy::legend(ui, area, compared);
+            } else if let Some(why) = self.derived.too_many {
+                accuracy::no_map(ui, rect, why);
+            }
+        }
+        let mark = accuracy::drawn_by(&self.derived, self.session.settings.method.0);
+        if let (Some(rect), Some(text)) = (places.camera.or(places.world), mark) {
+            views::drawn_by(ui, rect, &text);
+        }
+        if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
+            views::reason(ui, rect, &fault.to_string());
+        }
+        let settings = &self.session.settings;
+        let style = NumberStyle {
+            digits: settings.digits,
+            count_from_one: settings.count_from_one,
+            exact: false,
+        };
+        ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
+            ui.set_clip_rect(places.rest);
+            let document = &self.open.document;
+            match self.session.settings.layout {
+                ViewLayout::Accuracy => {
+                    accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
+                }
+                ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
+                _ => readouts::ui(ui, &self.derived, document, style),
+            }
+        });
+    }
+}
