@@ -256,10 +256,11 @@ fn a_basis_by_hand_is_checked_number_by_number() {
     assert!((right.handedness.unwrap().along_w - 1.0).abs() < 4e-16);
 
     // As typed from the blackboard: 0.7071 is no 1/sqrt 2.
-    let typed = by_hand(vec3(0.7071, 0.0, -0.7071), DVec3::Y, vec3(0.7071, 0.0, 0.7071));
+    let x = 7071.0 / 10_000.0;
+    let typed = by_hand(vec3(x, 0.0, -x), DVec3::Y, vec3(x, 0.0, x));
     let [u, v, w] = typed.lengths.map(Option::unwrap);
     assert_eq!((u.passes, v.passes, w.passes), (false, true, false));
-    assert_ulps(u.length, 2_f64.sqrt() * 0.7071, 1);
+    assert_ulps(u.length, 2_f64.sqrt() * x, 1);
     assert!(typed.dots.iter().all(|check| check.unwrap().passes));
     assert!(matches!(typed.basis, Err(BasisError::NotUnit { vector: BasisVector::U, .. })));
 
