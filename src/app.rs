@@ -63,8 +63,8 @@ impl App {
             open,
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
-                observer: None,
                 settings: remembered.settings.in_range(),
+                ..Session::default()
             },
             recent: remembered.recent,
             chosen_object: 0,
@@ -205,6 +205,8 @@ impl App {
                     as_drawn.camera.orientation = camera.orientation;
                 }
                 looked_at.observer = session.observer;
+                // Nor does pointing, which is known before anything is drawn.
+                looked_at.pointed = session.pointed;
                 (document, session, *had_changes) != (&as_drawn, &looked_at, now.2)
             }
         };

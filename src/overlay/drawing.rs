@@ -5,6 +5,7 @@ use egui::Color32;
 use pinhole_core::DVec2;
 
 use crate::overlay::items::Item;
+use crate::thing::Thing;
 
 /// A shape in dots from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,8 @@ pub enum Shape {
 pub struct Mark {
     /// What it belongs to.
     pub item: Item,
+    /// What is pointed at where it is pointed at.
+    pub thing: Option<Thing>,
     /// Where it is.
     pub shape: Shape,
     /// Its colour.
