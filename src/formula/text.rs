@@ -50,7 +50,7 @@ fn row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if k > 0 && gap(&parts[k - 1], part) != Gap::None {
             f.write_char(' ')?;
         }
-        part.fmt(f)?;
+        write!(f, "{part}")?;
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera};
 
 use crate::inspection::Inspection;
 use crate::overlay::camera_in_space::MARK_TEXT;
-use crate::overlay::drawing::{Drawing, Label, Mark, Shape, dot};
+use crate::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels::{self, Request};
 use crate::overlay::layers::{contrast, mix};
@@ -41,11 +41,12 @@ pub struct CameraView<'a> {
 /// Pixels smaller than this many dots have no grid.
 const GRID_FROM: f64 = 8.0;
 
-/// Fills the buffer with the picture, paints over it, and says which text belongs where.
-pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Vec<Label> {
+/// Fills the buffer with the picture and paints over it; what was painted, and which text belongs
+/// where.
+pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     let [width, height] = view.size;
     if width == 0 || dots.len() != width * height {
-        return Vec::new();
+        return Drawing::default();
     }
     view.picture.show_on(width, dots);
     if view.items.shows(Item::PixelGrid) {
@@ -53,7 +54,7 @@ pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Vec<Label> {
     }
     let drawing = view.drawing();
     drawing.paint(width, dots);
-    drawing.labels
+    drawing
 }
 
 /// The (u, v) at a place of the camera view, in dots; also beside the picture.

@@ -30,7 +30,7 @@ mod style;
 mod world_view;
 
 pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
-pub use drawing::{Drawing, Label, Mark, Shape};
+pub use drawing::{Drawing, Label, Mark, Shape, Target, thing_at};
 pub use items::{Item, OverlayItems};
 pub use lit::Lit;
 pub use picture::Picture;

@@ -5,7 +5,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Rgb, Scene};
 
 use crate::inspection::Inspection;
 use crate::observer::Observer;
-use crate::overlay::drawing::{Drawing, Label};
+use crate::overlay::drawing::Drawing;
 use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels;
@@ -49,14 +49,14 @@ pub struct WorldView<'a> {
     pub lit: Option<Lit<'a>>,
 }
 
-/// Paints the world view over the observer's traced and shaded picture, and says which text
-/// belongs where.
-pub fn world(view: &WorldView, dots: &mut [Color32]) -> Vec<Label> {
+/// Paints the world view over the observer's traced and shaded picture; what was painted, and which
+/// text belongs where.
+pub fn world(view: &WorldView, dots: &mut [Color32]) -> Drawing {
     let layers = view.layers();
     layers.paint(dots);
     let drawing = view.sketch(&layers);
     drawing.paint(view.frame.camera().image().width() as usize, dots);
-    drawing.labels
+    drawing
 }
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
