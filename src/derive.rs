@@ -28,8 +28,8 @@ use self::world::WorldPictures;
 use crate::accuracy;
 use crate::document::Document;
 use crate::inspection::Inspection;
-use crate::observer::Observer;
 use crate::ledger::Ledger;
+use crate::observer::Observer;
 use crate::overlay::{
     self, CameraView, Drawing, Label, Lit, OverlayItems, Picture, Style, Target, WorldView,
 };
@@ -342,7 +342,11 @@ fn lit_key(session: &Session) -> Option<(Thing, usize)> {
     Some((session.lit()?, session.settings.digits))
 }
 
-fn lit_of<'a>((thing, digits): (Thing, usize), document: &'a Document, scene: &'a Scene) -> Lit<'a> {
+fn lit_of<'a>(
+    (thing, digits): (Thing, usize),
+    document: &'a Document,
+    scene: &'a Scene,
+) -> Lit<'a> {
     Lit { thing, camera: &document.camera, scene, digits }
 }
 

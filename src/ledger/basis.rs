@@ -4,9 +4,7 @@ use pinhole_core::lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross};
 use pinhole_core::{BasisError, BasisVector, Camera, DVec3};
 
 use super::Line;
-use super::names::{
-    AT, EYE, U, UP, V, VIEW, W, dot, equation, joined, minus, normalize, times,
-};
+use super::names::{AT, EYE, U, UP, V, VIEW, W, dot, equation, joined, minus, normalize, times};
 use super::numbers::Numbers;
 use crate::formula::{Formula, Operator, fraction, negative, norm, parentheses, row, word};
 use crate::thing::Thing;
@@ -19,9 +17,8 @@ pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
 }
 
 fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
-    let given = |name, value: DVec3, thing| {
-        Line::of(thing, equation(name, numbers.decimals(value)))
-    };
+    let given =
+        |name, value: DVec3, thing| Line::of(thing, equation(name, numbers.decimals(value)));
     let mut lines = vec![given(EYE, of.eye, Thing::Eye)];
     lines.extend(of.at.map(|at| given(AT, at, Thing::At)));
     lines.extend(of.up.map(|up| given(UP, up.vector, Thing::Up)));
@@ -59,10 +56,7 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
         _ => {}
     }
     if let Some(cross) = &of.w_cross_u {
-        let put_in = times(
-            numbers.vector(cross.first.vector),
-            numbers.vector(cross.second.vector),
-        );
+        let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
         let formula = equation(V, equation(times(W, U), put_in));
         let formula = row([formula, numbers.equals_vector(cross.product)]);
         lines.push(Line::of(Thing::WCrossU, formula).also(&[Thing::V]));
@@ -129,13 +123,10 @@ fn name_of(vector: BasisVector) -> (Formula, Thing) {
 
 fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     let mut lines = vec![Line::of(Thing::Eye, equation(EYE, numbers.decimals(of.eye)))];
-    for (vector, value) in
-        [(BasisVector::U, of.u), (BasisVector::V, of.v), (BasisVector::W, of.w)]
+    for (vector, value) in [(BasisVector::U, of.u), (BasisVector::V, of.v), (BasisVector::W, of.w)]
     {
         let (name, thing) = name_of(vector);
-        lines.push(
-            Line::of(thing, row([name, numbers.equals_vector(value)])).noted("set by hand"),
-        );
+        lines.push(Line::of(thing, row([name, numbers.equals_vector(value)])).noted("set by hand"));
     }
     let verdict = |line: Line, passes: bool, right: &str, wrong: &str| Line {
         is_fault: !passes,
@@ -154,7 +145,12 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     if let Some(check) = of.handedness {
         let formula = dot(parentheses(times(U, V)), W);
         let line = Line::of(Thing::W, row([formula, numbers.equals(check.along_w)]));
-        lines.push(verdict(line, check.passes, "right-handed", "left-handed: must be greater than 0"));
+        lines.push(verdict(
+            line,
+            check.passes,
+            "right-handed",
+            "left-handed: must be greater than 0",
+        ));
     }
     if let Err(error) = of.basis {
         let line = Line { thing: None, ..Line::of(Thing::W, word("there is no basis")) };

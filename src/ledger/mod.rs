@@ -154,7 +154,8 @@ pub fn ledger(of: &Sources) -> Ledger {
         add(LedgerSection::Basis, basis::lines(&of.document.camera, numbers));
     }
     let exact = of.posed.and_then(|posed| exact_ray(posed, of.selection));
-    let derived = exact.as_ref().and_then(|(_, derived)| Some((of.posed?, derived, of.inspection?)));
+    let derived =
+        exact.as_ref().and_then(|(_, derived)| Some((of.posed?, derived, of.inspection?)));
     if of.sections.shows(LedgerSection::PixelToRay) {
         let lines = match (derived, of.fault) {
             (Some((posed, derived, inspection)), _) => {
@@ -182,12 +183,8 @@ pub fn ledger(of: &Sources) -> Ledger {
 /// The selected ray, and how it comes about.
 fn exact_ray(posed: &PosedCamera, selection: Selection) -> Option<(ExactRay<'_>, RayDerivation)> {
     Some(match selection.inside(posed.image()) {
-        Selection::Pixel(pixel) => {
-            (posed.exact_ray(pixel), RayDerivation::of_pixel(posed, pixel))
-        }
-        Selection::Uv(uv) => {
-            (posed.exact_ray_at(uv).ok()?, RayDerivation::of_uv(posed, uv).ok()?)
-        }
+        Selection::Pixel(pixel) => (posed.exact_ray(pixel), RayDerivation::of_pixel(posed, pixel)),
+        Selection::Uv(uv) => (posed.exact_ray_at(uv).ok()?, RayDerivation::of_uv(posed, uv).ok()?),
     })
 }
 

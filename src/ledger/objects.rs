@@ -200,9 +200,10 @@ impl Sheet<'_> {
     }
 
     fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, put_in: Option<Formula>) {
-        let is_first = self.inspection.first_hit().is_some_and(|first| {
-            first.object == hit.object && first.t == hit.t
-        });
+        let is_first = self
+            .inspection
+            .first_hit()
+            .is_some_and(|first| first.object == hit.object && first.t == hit.t);
         let thing = if is_first { Thing::Normal } else { self.root_thing(k) };
         let normal = Formula::Vector("normal", crate::formula::Ink::Text);
         let result = self.numbers.equals_vector(hit.normal);

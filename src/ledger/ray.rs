@@ -40,12 +40,10 @@ pub(super) fn lines(
         });
     }
     let sum = |[a, b, c]: [Formula; 3], sign| joined(joined(a, Operator::Plus, b), sign, c);
-    let symbols = [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
+    let symbols =
+        [(row([Formula::Scalar("u"), U])), row([Formula::Scalar("v"), V]), row([DISTANCE, W])];
     let put_in = [ray.along_u, ray.along_v, ray.along_w].map(|part| numbers.vector(part));
-    let formula = equation(
-        equation(D, sum(symbols, Operator::Minus)),
-        sum(put_in, Operator::Plus),
-    );
+    let formula = equation(equation(D, sum(symbols, Operator::Minus)), sum(put_in, Operator::Plus));
     let direction = row([formula, numbers.equals_vector(ray.direction)]);
     lines.push(Line::of(Thing::Direction, direction));
     let length = row([norm(D), numbers.equals(ray.length)]);

@@ -118,9 +118,7 @@ impl Shape {
             sides.map(|(a, b)| distance_to_side(at, a, b)).fold(f64::INFINITY, f64::min)
         };
         match self {
-            Shape::Line { points, width } => {
-                (to_chain(points) - 0.5 * f64::from(*width)).max(0.0)
-            }
+            Shape::Line { points, width } => (to_chain(points) - 0.5 * f64::from(*width)).max(0.0),
             Shape::Polygon { points } => {
                 let closed: Vec<_> = points.iter().chain(points.first()).copied().collect();
                 let crossings = closed.windows(2).filter(|pair| {
