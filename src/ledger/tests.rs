@@ -12,12 +12,11 @@ fn document(scene: &str) -> Document {
 fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Ledger {
     let posed = document.camera.posed();
     let scene = document.scene();
-    let inspection = posed.as_ref().ok().zip(scene.as_ref().ok()).map(|(posed, scene)| {
-        match selection {
+    let inspection =
+        posed.as_ref().ok().zip(scene.as_ref().ok()).map(|(posed, scene)| match selection {
             Selection::Pixel(pixel) => Inspection::of_pixel(posed, scene, pixel),
             Selection::Uv(uv) => Inspection::of_uv(posed, scene, uv),
-        }
-    });
+        });
     let fault = match (&posed, &scene) {
         (Err(e), _) => Some(Fault::Camera(*e)),
         (_, Err(e)) => Some(Fault::Scene(*e)),
@@ -84,7 +83,7 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
 
 #[test]
 fn nothing_is_no_number() {
-    for scene in crate::formats::builtin::ALL {
+    for scene in crate::formats::builtin::all() {
         let document = document(scene.name);
         for selection in [WARM_UP, Selection::Pixel(Pixel { row: 0, column: 0 })] {
             let text = of(&document, selection, 17, false).to_string();
@@ -100,5 +99,6 @@ fn digits_follow_the_setting() {
         Orientation::View { view: DVec3::new(0.3, -0.77, -1.9), up: DVec3::new(0.1, 1.0, 0.2) };
     let text = |digits| of(&document, WARM_UP, digits, false).to_string();
     assert!(text(3).contains("≈") && text(3).len() < text(9).len());
-    expect![""].assert_eq(&text(3).lines().take(9).map(|line| format!("{line}\n")).collect::<String>());
+    expect![""]
+        .assert_eq(&text(3).lines().take(9).map(|line| format!("{line}\n")).collect::<String>());
 }
