@@ -63,7 +63,7 @@ fn every_line_can_be_read() {
         "𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)",
         "up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)",
         "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
-        "(u, v) = (0.2, −0.1)   (a corner of pixels, no pixel's centre)",
+        "(u, v) = (0.2, −0.1)   (the corner of four pixels, no pixel's centre)",
         "𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (0.2, 0, 0) + (0, −0.1, 0) + (0, 0, −1) = (0.2, −0.1, −1)",
     ] {
         assert_says(&window, line);
