@@ -60,6 +60,12 @@ pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, thing: Thi
     }
 }
 
+/// The thing's own labels first: they get the best places, and nothing is named twice.
+pub(super) fn first(own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+    others.retain(|other| own.iter().all(|request| request.text != other.text));
+    own.into_iter().chain(others).collect()
+}
+
 /// The circle on a sphere that bounds what is seen of it from a point; `None` from inside.
 pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     const SIDES: usize = 96;

@@ -8,7 +8,7 @@ use crate::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
 use crate::overlay::camera_view::{Sheet, place_of};
 use crate::overlay::drawing::{Shape, dot};
 use crate::overlay::items::{Item, OverlayItems};
-use crate::overlay::lit::{ALONG, BESIDE, Lit, STRONG, dim, silhouette};
+use crate::overlay::lit::{ALONG, BESIDE, Lit, STRONG, dim, first, silhouette};
 use crate::overlay::screen::{Screen, unit};
 use crate::overlay::sketch::Pen;
 use crate::thing::Thing;
@@ -30,14 +30,12 @@ impl Sheet<'_> {
         }
         self.items = shown;
         let mut own = std::mem::replace(&mut self.drawing.marks, others);
-        let mut labels = self.requests.split_off(before);
+        let labels = self.requests.split_off(before);
         if !own.is_empty() {
             dim(&mut self.drawing, &mut self.requests, lit.thing);
         }
         self.drawing.marks.append(&mut own);
-        // The first labels get the best places.
-        labels.append(&mut self.requests);
-        self.requests = labels;
+        self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
     fn middle(&self) -> DVec2 {

@@ -245,7 +245,8 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     }
     ui.ctx().accesskit_node_builder(place.id, |node| {
         node.set_role(Role::Label);
-        node.set_label(place.text.as_str());
+        // The text of what is only text is its value.
+        node.set_value(place.text.as_str());
         if is_lit {
             node.set_description("lit");
         }

@@ -236,8 +236,7 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
     let words = thing.words(|object| document.title_of(object as usize));
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
-        // What can be selected would take the mouse from the view below it.
-        .show(|ui| ui.add(egui::Label::new(RichText::new(words).size(15.0)).selectable(false)));
+        .show(|ui| ui.label(RichText::new(words).size(15.0)));
 }
 
 /// Titles above the views, with a button that gives one all the room.

@@ -2,6 +2,7 @@
 
 mod camera_view;
 mod dots;
+mod lit;
 mod marks;
 mod wild;
 
