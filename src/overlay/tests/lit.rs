@@ -122,7 +122,10 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
 
 #[test]
 fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
-    let stage = canonical();
+    let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
+    let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
+    let uv = DVec2::new(0.45, 0.4);
+    stage.inspection = Some(Inspection::of_uv(stage.posed(), &stage.scene, uv));
     let drawing = world_drawing(&stage, Thing::AlongU);
     for thing in [Thing::AlongU, Thing::AlongV, Thing::AlongW] {
         assert!(drawing.targets().iter().any(|target| target.thing == thing), "{thing:?}");
