@@ -4,7 +4,9 @@
 pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
+pub(crate) mod formula;
 pub(crate) mod frame;
+pub(crate) mod ledger;
 mod number;
 pub(crate) mod objects;
 pub(crate) mod places;
