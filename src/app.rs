@@ -63,8 +63,8 @@ impl App {
             open,
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
-                observer: None,
                 settings: remembered.settings.in_range(),
+                ..Session::default()
             },
             recent: remembered.recent,
             chosen_object: 0,

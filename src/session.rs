@@ -4,6 +4,7 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
+use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 
@@ -15,6 +16,10 @@ pub struct Session {
     pub selection: Selection,
     /// Who looks at the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
+    /// The t of the point p + t d that walks along the selected ray; `None` where none does.
+    pub walked: Option<f64>,
+    /// The lab of lines in two dimensions.
+    pub lines: LinesLab,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -216,6 +221,8 @@ impl Default for Session {
         Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
+            walked: None,
+            lines: LinesLab::default(),
             settings: Settings::default(),
         }
     }

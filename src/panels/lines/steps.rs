@@ -4,14 +4,14 @@ use std::cmp::Ordering;
 
 use pinhole_core::lecture::lines::{Crossing, Meeting, Substitution};
 
-use crate::panels::significant;
+use crate::panels::number::significant;
 
 /// One line of the substitution.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LabStep {
     /// What is done.
     pub(crate) what: &'static str,
-    /// The formula, in the form that [`super::formula`] takes.
+    /// The formula, in the form that [`formula`](crate::panels::notation::formula) takes.
     pub(crate) text: String,
 }
 
@@ -34,8 +34,7 @@ fn added(x: f64, digits: usize) -> String {
 
 /// All lines, with the numbers as they are.
 pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
-    let (n, m, plus) =
-        (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
+    let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
     let (line, p, d) = (s.line, s.ray.p, s.ray.d);
     let coordinate = |p: f64, d: f64| format!("{} {} t", n(p), added(d, digits));
     let (x, y) = (coordinate(p.x, d.x), coordinate(p.y, d.y));
@@ -43,10 +42,7 @@ pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
     let sign = if b < 0.0 { '−' } else { '+' };
     let b_size = n(b.abs());
     vec![
-        LabStep {
-            what: "implicit",
-            text: format!("f(x, y) = {a} x {sign} {b_size} y {c}"),
-        },
+        LabStep { what: "implicit", text: format!("f(x, y) = {a} x {sign} {b_size} y {c}") },
         LabStep { what: "parametric", text: format!("x = {x},   y = {y}") },
         LabStep {
             what: "put in",
@@ -84,10 +80,9 @@ fn zero(s: &Substitution, digits: usize) -> String {
 pub(crate) fn verdict(s: &Substitution, digits: usize) -> String {
     let n = |x| number(x, digits);
     match s.meeting {
-        Meeting::Parallel => format!(
-            "Parallel: f(p + t d) is {} at every t, never 0. They never meet.",
-            n(s.offset)
-        ),
+        Meeting::Parallel => {
+            format!("Parallel: f(p + t d) is {} at every t, never 0. They never meet.", n(s.offset))
+        }
         Meeting::Coincident => {
             "Coincident: f(p + t d) is 0 at every t. Both are the same line.".to_owned()
         }

@@ -1,12 +1,6 @@
 //! The lab of lines in two dimensions: what it holds, and what dragging in it does. The arithmetic of
 //! the lines is [`pinhole_core::lecture::lines`].
 
-mod notation;
-mod steps;
-
-pub(crate) use notation::{formula, plain};
-pub(crate) use steps::{LabStep, number, steps, verdict};
-
 use pinhole_core::DVec2;
 use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
 
