@@ -5,8 +5,10 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
 use crate::lines::LinesLab;
+use crate::ledger::LedgerSections;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
+use crate::thing::{Pointed, Thing};
 
 /// Everything about the window that is not the document. Changing it never marks the document as
 /// edited.
@@ -20,6 +22,12 @@ pub struct Session {
     pub walked: Option<f64>,
     /// The lab of lines in two dimensions.
     pub lines: LinesLab,
+    /// What the mouse or the keyboard points at just now.
+    pub pointed: Option<Pointed>,
+    /// What is lit while nothing is pointed at.
+    pub lit: Option<Thing>,
+    /// Which sections of the ledger are shown.
+    pub sections: LedgerSections,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -223,8 +231,18 @@ impl Default for Session {
             observer: None,
             walked: None,
             lines: LinesLab::default(),
+            pointed: None,
+            lit: None,
+            sections: LedgerSections::default(),
             settings: Settings::default(),
         }
+    }
+}
+
+impl Session {
+    /// What both views and the ledger show lit.
+    pub fn lit(&self) -> Option<Thing> {
+        self.pointed.map(|pointed| pointed.thing).or(self.lit)
     }
 }
 

@@ -4,9 +4,11 @@
 pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
+pub(crate) mod formula;
 pub(crate) mod frame;
 pub(crate) mod lines;
 mod notation;
+pub(crate) mod ledger;
 mod number;
 pub(crate) mod objects;
 pub(crate) mod places;
