@@ -4,8 +4,8 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
-use crate::lines::LinesLab;
 use crate::ledger::LedgerSections;
+use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 use crate::thing::{Pointed, Thing};

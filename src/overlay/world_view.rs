@@ -45,6 +45,8 @@ pub struct WorldView<'a> {
     pub scale: f32,
     /// The colours.
     pub style: Style,
+    /// The t of the point that walks along the selected ray.
+    pub walked: Option<f64>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
 }

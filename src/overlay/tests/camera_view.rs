@@ -52,6 +52,8 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
             items: OverlayItems::NONE.with(Item::Ray, true),
             scale: 1.0,
             style: Style::Dark,
+            lit: None,
+            loupe: None,
         };
         let lengths: Vec<usize> = view.drawing().marks.iter().map(|m| points(m).len()).collect();
         [5, 2].map(|corners| lengths.iter().filter(|n| **n == corners).count())

@@ -82,6 +82,8 @@ impl Stage {
             items: self.items,
             scale: 1.0,
             style: Style::Light,
+            lit: None,
+            walked: None,
         }
     }
 
