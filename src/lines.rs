@@ -131,6 +131,8 @@ impl LinesLab {
             reach: 1.0,
         };
         lab.set_line(line);
+        // The middle, where the lines are likely to meet, is left to that.
+        lab.grip -= 0.5 * lab.reach * line.direction();
         lab
     }
 
@@ -147,7 +149,7 @@ impl LinesLab {
         }
         self.grip = line.nearest_to(self.grip);
         // A power of two, so that turning divides without rounding.
-        let wanted = 0.5 * self.window.half_height / line.direction().length();
+        let wanted = 0.7 * self.window.half_height / line.direction().length();
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
 

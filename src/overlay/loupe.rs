@@ -16,9 +16,10 @@ use crate::thing::Thing;
 /// So many pixels are shown across and down.
 const PIXELS: u32 = 9;
 /// The side of a magnified pixel, in points, where there is room.
-const CELL: f64 = 19.0;
-/// The loupe takes at most this share of the view.
-const SHARE: f64 = 0.62;
+const CELL: f64 = 24.0;
+/// The loupe takes at most this share of the view; less than half of the height, so that the place
+/// itself is not under it.
+const SHARE: DVec2 = DVec2::new(0.62, 0.45);
 /// Height of its text, in points.
 const TEXT: f32 = 15.0;
 /// Room for the rows' names, and for a line of text, in points.
@@ -142,6 +143,8 @@ impl Sheet<'_> {
                 let (from, to) = (corner(0), corner(1));
                 self.filled(from, to, Pen::new(Item::Loupe, *color, 1.0));
                 self.frame(from, to, edge);
+                // As plain as pixels are.
+                self.drawing.marks.iter_mut().rev().take(2).for_each(|mark| mark.halo = None);
             }
         }
     }
@@ -164,8 +167,8 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
         apart.abs().cmpgt(0.5 * (high - low) + DVec2::new(w.into(), h.into())).any()
     });
     let colors = view.style.colors();
-    let mut write = |text: String, right_end: Option<f64>, center: DVec2| {
-        let mut label = Label {
+    let mut write = |text: String, center: DVec2| {
+        drawing.labels.push(Label {
             item: Item::Loupe,
             position: dot(center),
             text,
@@ -173,33 +176,32 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
             halo: colors.background,
             size: TEXT,
             bold: false,
-        };
-        if let Some(end) = right_end {
-            label.position[0] = end as f32 - label.half_extent(view.scale)[0];
-        }
-        drawing.labels.push(label);
+        });
     };
     let touched = place.touching(view.posed.image());
     let from_one = u32::from(loupe.count_from_one);
     let scale = f64::from(view.scale);
+    let left = inset.from.x + 0.5 * scale * RIM.x;
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
     rows.dedup();
-    let left = inset.place(inset.middle.x - 0.5 * f64::from(PIXELS), 0.0).x - 3.0 * scale;
-    for (k, row) in rows.iter().enumerate() {
-        let y = inset.place(0.0, f64::from(*row) + 0.5).y;
-        let name = if k == 0 { "row " } else { "" };
-        write(format!("{name}{}", row + from_one), Some(left), DVec2::new(left, y));
+    for row in rows.iter().copied() {
+        // Two names need more room than two small pixels have.
+        let least = 0.55 * f64::from(TEXT) * scale;
+        let own = inset.place(0.0, f64::from(row) + 0.5).y - inset.center.y;
+        let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
+        write(format!("row {}", row + from_one), DVec2::new(left, inset.center.y + y));
     }
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
     columns.sort_unstable();
     columns.dedup();
     let above = inset.from.y + 0.5 * scale * RIM.y;
-    let names: Vec<String> = columns.iter().map(|c| (c + from_one).to_string()).collect();
-    let text = match names.as_slice() {
-        [one] => format!("column {one}"),
-        several => format!("columns {}", several.join(" | ")),
-    };
-    write(text, None, DVec2::new(inset.center.x, above));
+    for (k, column) in columns.iter().enumerate() {
+        let name = (column + from_one).to_string();
+        let half = scale * f64::from(TEXT) * (0.3 * name.len() as f64 + 0.25);
+        let beside = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
+        write(name, DVec2::new(inset.center.x + beside, above));
+    }
+    write("column".to_owned(), DVec2::new(left, above));
     let posed = view.posed;
     let kind = match touched.len() {
         4 => "the corner of four pixels",
@@ -208,7 +210,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
         _ => "inside of a pixel",
     };
     let below = high.y - 0.5 * scale * RIM.y;
-    write(kind.to_owned(), None, DVec2::new(0.5 * (low.x + high.x), below));
+    write(kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below));
 }
 
 /// The point of a rectangle that is nearest to a place.

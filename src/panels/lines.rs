@@ -2,6 +2,7 @@
 //! the substitution.
 
 mod drawing;
+mod handles;
 mod sheet;
 mod steps;
 
@@ -16,7 +17,7 @@ use super::number::{NumberField, error_color};
 use crate::lines::{LARGEST, LinesLab};
 
 /// Size of the text, in points: for the back row.
-const TEXT: f32 = 16.0;
+const TEXT: f32 = 16.5;
 /// The numbers beside the drawing are at least so wide, in points, and at most so much of the whole.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 /// The slider of t goes from here to there.

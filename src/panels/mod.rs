@@ -17,3 +17,4 @@ pub(crate) mod readouts;
 pub(crate) mod selection;
 pub(crate) mod top_bar;
 pub(crate) mod views;
+mod words;

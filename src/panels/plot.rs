@@ -123,6 +123,7 @@ fn said(ui: &mut Ui, curve: &Curve, first: Option<(u32, f64)>, walked: Option<f6
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
         drawing::sample(ui, sample, curve);
         ui.label(RichText::new(&curve.title).strong());
+        text(ui, &curve.unit_words(digits));
         if first.is_some_and(|(object, _)| object == curve.object) {
             ui.label(RichText::new("the first hit").strong());
         }

@@ -21,6 +21,8 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
         items: OverlayItems::NONE,
         scale: 1.0,
         style: Style::Light,
+        lit: None,
+        loupe: None,
     };
     let mut plain = vec![Color32::BLACK; 63 * 40];
     camera(&view, &mut plain);

@@ -2,6 +2,7 @@
 
 mod camera_view;
 mod dots;
+mod loupe;
 mod marks;
 mod wild;
 

@@ -1,11 +1,10 @@
 //! The plane on the screen: where a point of it is, and strokes and words at places of it.
 
-use egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use pinhole_core::DVec2;
 use pinhole_core::lecture::lines::ImplicitLine;
 
 use crate::lines::Window;
-use crate::present::fonts;
 
 /// A part of the plane shown in a rectangle, y upwards, both axes alike.
 pub(super) struct Sheet {
@@ -14,7 +13,7 @@ pub(super) struct Sheet {
     window: Window,
     /// Points of the screen in a unit of the plane.
     pub(super) scale: f64,
-    /// Around words and strokes.
+    /// Around strokes.
     pub(super) halo: Color32,
 }
 
@@ -81,31 +80,6 @@ impl Sheet {
         }
     }
 
-    /// Words at a place of the screen, with a casing; never cut off by the edge. Their rectangle.
-    pub(super) fn words(
-        &self,
-        at: Pos2,
-        align: Align2,
-        text: &str,
-        (size, color): (f32, Color32),
-        bold: bool,
-    ) -> Rect {
-        let family = if bold { fonts::bold() } else { FontFamily::Proportional };
-        let font = FontId::new(size, family);
-        let galley = self.painter.layout_no_wrap(text.to_owned(), font, color);
-        let mut rect = align.anchor_size(at, galley.size());
-        let (min, max) = (self.rect.min - rect.min, self.rect.max - rect.max);
-        rect = rect
-            .translate(Vec2::new(min.x.max(0.0) + max.x.min(0.0), min.y.max(0.0) + max.y.min(0.0)));
-        for k in 0..8 {
-            let away = 1.3 * Vec2::angled(k as f32 * std::f32::consts::FRAC_PI_4);
-            let at = rect.min + away;
-            self.painter.galley_with_override_text_color(at, galley.clone(), self.halo);
-        }
-        self.painter.galley(rect.min, galley, color);
-        rect
-    }
-
     /// An arrow from one point of the plane to another, its head in points of the screen.
     pub(super) fn arrow(&self, from: DVec2, to: DVec2, stroke: Stroke) {
         let [from, to] = [self.place(from), self.place(to)];
@@ -124,21 +98,6 @@ impl Sheet {
 pub(crate) fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|s| *s >= least).unwrap_or(power)
-}
-
-/// Of the screen, from the left end of a line of words to the places above, right, below...
-pub(super) fn beside(at: Pos2, away: Vec2, gap: f32) -> (Pos2, Align2) {
-    let away = away.normalized();
-    let align = |x: f32| {
-        if x > 0.38 {
-            egui::Align::Min
-        } else if x < -0.38 {
-            egui::Align::Max
-        } else {
-            egui::Align::Center
-        }
-    };
-    (pos2(at.x + gap * away.x, at.y + gap * away.y), Align2([align(away.x), align(away.y)]))
 }
 
 #[cfg(test)]

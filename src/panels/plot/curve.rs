@@ -103,7 +103,7 @@ pub(super) fn range(curves: &[Curve], walked: Option<f64>) -> RangeInclusive<f64
     let limit = FAR * if first.is_finite() { first.max(1.0) } else { 4.0 };
     let right = ts.iter().copied().filter(|t| *t <= limit).fold(1.3, f64::max) * 1.2;
     let left = ts.iter().copied().filter(|t| *t >= -right).fold(0.0, f64::min);
-    let left = (1.15 * left).min(-0.16 * right);
+    let left = (1.15 * left).min(-0.2 * right);
     let walked = walked.unwrap_or(0.0);
     left.min(walked)..=right.max(walked)
 }
@@ -116,6 +116,15 @@ impl Curve<'_> {
             self.along.vertex().map(|v| v.t).into_iter().collect()
         } else {
             zeros
+        }
+    }
+
+    /// What f is drawn in multiples of, in words.
+    pub(super) fn unit_words(&self, digits: usize) -> String {
+        let unit = number(self.unit, digits);
+        match self.derivation {
+            ObjectDerivation::Sphere(_) => format!("unit r² = {unit}"),
+            ObjectDerivation::Plane(_) => format!("unit |f(p)| = {unit}"),
         }
     }
 
@@ -169,7 +178,7 @@ impl Curve<'_> {
                 }
             },
             ObjectDerivation::Plane(plane) => match plane.meeting {
-                PlaneMeeting::Ahead => format!("a straight line, 0 at t = {}", zero(0)),
+                PlaneMeeting::Ahead => format!("straight line, 0 at t = {}", zero(0)),
                 PlaneMeeting::Behind => {
                     format!("0 only at t = {}, behind the eye: no hit", zero(0))
                 }

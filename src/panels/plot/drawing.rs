@@ -11,14 +11,14 @@ use super::curve::{Curve, compressed};
 use crate::overlay::Style;
 use crate::panels::lines::{number, round_step};
 use crate::panels::notation::formula;
-use crate::present::fonts;
+use crate::panels::words::{Font, Words};
 
 /// Size of text, in points.
 const TEXT: f32 = 15.0;
 
 /// f, in units, at the upper edge, and at the lower one with and without planes.
-const TOP: f64 = 60.0;
-const BOTTOM: (f64, f64) = (-3.5, -1.6);
+const TOP: f64 = 45.0;
+const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
 /// Dash and gap in points, by a curve's place; 0 is an unbroken line.
 const DASHES: [(f32, f32); 4] = [(0.0, 0.0), (11.0, 6.0), (3.0, 5.0), (20.0, 5.0)];
@@ -50,47 +50,6 @@ impl Axes {
     }
 }
 
-/// What words are already there.
-struct Words<'a> {
-    painter: &'a Painter,
-    halo: Color32,
-    taken: Vec<Rect>,
-    within: Rect,
-}
-
-impl Words<'_> {
-    /// Writes at the first of the places that is free; whether one was.
-    fn write(
-        &mut self,
-        text: &str,
-        (size, color, bold): (f32, Color32, bool),
-        places: impl IntoIterator<Item = (Pos2, Align2)>,
-    ) -> bool {
-        let galley = if bold {
-            let font = FontId::new(size, fonts::bold());
-            self.painter.layout_no_wrap(text.to_owned(), font, color)
-        } else {
-            self.painter.layout_job(formula(text, size, color))
-        };
-        for (at, align) in places {
-            let rect = align.anchor_size(at, galley.size());
-            let free = self.taken.iter().all(|taken| !taken.intersects(rect.expand(1.0)));
-            if !free || !self.within.contains_rect(rect) {
-                continue;
-            }
-            for k in 0..8 {
-                let away = 1.3 * Vec2::angled(k as f32 * std::f32::consts::FRAC_PI_4);
-                let at = rect.min + away;
-                self.painter.galley_with_override_text_color(at, galley.clone(), self.halo);
-            }
-            self.painter.galley(rect.min, galley, color);
-            self.taken.push(rect);
-            return true;
-        }
-        false
-    }
-}
-
 /// Shows the plot and takes the t that is dragged in it.
 pub(super) fn ui(
     ui: &Ui,
@@ -104,17 +63,20 @@ pub(super) fn ui(
     let colors = style.colors();
     let planes = curves.iter().any(|curve| curve.along.vertex().is_none());
     let bottom = if planes { BOTTOM.0 } else { BOTTOM.1 };
-    // Room for the numbers at the left, and for those of t below.
-    let inner = Rect::from_min_max(rect.min + vec2(44.0, 6.0), rect.max - vec2(8.0, 26.0));
+    // Room for the numbers at the left, for those of t below, and for what is plotted above.
+    let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let height = (compressed(bottom), compressed(TOP));
     let axes = Axes { rect: inner, t: range.clone(), height };
     input(ui, &axes, walked);
     let painter = ui.painter_at(rect);
     painter.rect_filled(inner, 0.0, colors.background);
+    let title = "f(p + t d) / unit;  beyond ±1 compressed";
+    let title = painter.layout_job(formula(title, TEXT + 0.5, colors.ink));
+    painter.galley(rect.min + vec2(6.0, 2.0), title, colors.ink);
     scales(&painter, &axes, colors.ink, planes);
     let inside = ui.painter_at(inner);
     let within = inner.shrink(2.0);
-    let mut words = Words { painter: &inside, halo: colors.halo, taken: Vec::new(), within };
+    let mut words = Words::new(inside.clone(), colors.halo, within);
     verticals(&inside, &axes, &mut words, colors.ink);
     for curve in curves {
         let strokes = strokes(&axes, curve);
@@ -134,7 +96,11 @@ pub(super) fn ui(
     }
     for curve in curves {
         let strokes = strokes(&axes, curve);
-        words.write(&curve.name, (TEXT, colors.ink, true), places_at(&strokes, within));
+        words.write(
+            &curve.name,
+            Font { size: TEXT, color: colors.ink, bold: true },
+            places_at(&strokes, within),
+        );
     }
 }
 
@@ -178,7 +144,7 @@ fn scales(painter: &Painter, axes: &Axes, ink: Color32, planes: bool) {
     let faint = Stroke::new(1.0, ink.gamma_multiply(0.2));
     let font = FontId::proportional(TEXT);
     let marks: &[f64] = if planes {
-        &[-3.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0]
+        &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0]
     } else {
         &[-1.0, 0.0, 1.0, 3.0, 10.0, 30.0]
     };
@@ -206,11 +172,11 @@ fn scales(painter: &Painter, axes: &Axes, ink: Color32, planes: bool) {
     painter.galley(pos2(rect.right() - 14.0, rect.bottom() + 2.0), name, ink);
 }
 
-/// The eye and the viewport, and what the axes mean.
+/// The eye and the viewport.
 fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) {
-    let rect = axes.rect;
-    for (t, text, dash) in [(0.0, "eye: t = 0", 0.0), (1.0, "viewport: t = 1", 6.0)] {
-        let x = axes.x(t);
+    let (rect, font) = (axes.rect, Font { size: TEXT, color: ink, bold: false });
+    let [eye, viewport] = [0.0, 1.0].map(|t| axes.x(t));
+    for (x, dash) in [(eye, 0.0), (viewport, 6.0)] {
         let ends = [pos2(x, rect.top()), pos2(x, rect.bottom())];
         let stroke = Stroke::new(2.0, ink);
         if dash > 0.0 {
@@ -218,20 +184,16 @@ fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) {
         } else {
             painter.line_segment(ends, stroke);
         }
-        let rows = (0..4)
-            .map(|k| (pos2(x + 5.0, rect.bottom() - 4.0 - 19.0 * k as f32), Align2::LEFT_BOTTOM));
-        words.write(text, (TEXT, ink, false), rows);
+        words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, rect.y_range()));
     }
-    let behind = pos2(axes.x(0.0) - 5.0, rect.bottom() - 4.0);
-    let short = [("behind the eye", behind), ("behind", behind)];
-    let _ = short.iter().any(|(text, at)| {
-        words.write(text, (TEXT, ink.gamma_multiply(0.8), false), [(*at, Align2::RIGHT_BOTTOM)])
-    });
-    let at = pos2(rect.right() - 4.0, rect.top() + 3.0);
-    let meaning = "f(p + t d), compressed beyond ±1";
-    words.write(meaning, (TEXT, ink, false), [(at, Align2::RIGHT_TOP)]);
-    let units = "sphere: unit r²;  plane: unit |f| at the eye";
-    words.write(units, (TEXT, ink, false), [(at + vec2(0.0, 20.0), Align2::RIGHT_TOP)]);
+    let rows = |x: f32, align: Align2| {
+        (0..5).map(move |k| (pos2(x, rect.bottom() - 4.0 - 20.0 * k as f32), align))
+    };
+    let left = || rows(eye - 5.0, Align2::RIGHT_BOTTOM);
+    let _ =
+        ["behind the eye", "behind\nthe eye"].iter().any(|text| words.write(text, font, left()));
+    words.write("viewport: t = 1", font, rows(viewport + 5.0, Align2::LEFT_BOTTOM));
+    words.write("eye: t = 0", font, rows(eye + 5.0, Align2::LEFT_BOTTOM).chain(left()));
 }
 
 /// A curve on the screen.
@@ -326,7 +288,7 @@ fn zeros(
         let color = curves.iter().find(|c| c.object == object).map_or(colors.ink, |c| c.color);
         let at = pos2(axes.x(t), y);
         painter.circle(at, 9.0, color, Stroke::new(3.0, colors.ink));
-        words.taken.push(Rect::from_center_size(at, Vec2::splat(20.0)));
+        words.keep_free(Rect::from_center_size(at, Vec2::splat(20.0)));
         let text = format!("first hit: t = {}", number(t, 5));
         let places = [
             (at + vec2(-4.0, 12.0), Align2::LEFT_TOP),
@@ -334,7 +296,7 @@ fn zeros(
             (at + vec2(-4.0, -12.0), Align2::LEFT_BOTTOM),
             (at + vec2(4.0, -12.0), Align2::RIGHT_BOTTOM),
         ];
-        words.write(&text, (TEXT + 1.0, colors.ink, true), places);
+        words.write(&text, Font { size: TEXT + 1.0, color: colors.ink, bold: true }, places);
     }
     for curve in curves {
         for root in curve.derivation.roots().filter(|root| shown(root.t)) {
@@ -349,7 +311,11 @@ fn zeros(
                 (at + vec2(0.0, 27.0), Align2::CENTER_TOP),
                 (at + vec2(0.0, -27.0), Align2::CENTER_BOTTOM),
             ];
-            words.write(&number(root.t, 4), (TEXT, colors.ink, false), places);
+            words.write(
+                &number(root.t, 4),
+                Font { size: TEXT, color: colors.ink, bold: false },
+                places,
+            );
         }
     }
 }
@@ -366,6 +332,7 @@ fn point_that_walks(
     let (x, rect) = (axes.x(t), axes.rect);
     painter.vline(x, rect.y_range(), Stroke::new(6.0, colors.halo));
     painter.vline(x, rect.y_range(), Stroke::new(3.0, colors.ray));
+    words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, rect.y_range()));
     for curve in curves {
         let at = pos2(x, axes.y(curve.height(t)));
         if rect.contains(at) {
@@ -378,7 +345,7 @@ fn point_that_walks(
         let y = top + 20.0 * k as f32;
         [(pos2(x + 7.0, y), Align2::LEFT_TOP), (pos2(x - 7.0, y), Align2::RIGHT_TOP)]
     });
-    words.write(&text, (TEXT + 2.0, colors.ray, false), rows);
+    words.write(&text, Font { size: TEXT + 2.0, color: colors.ray, bold: false }, rows);
 }
 
 /// Where a curve's name may stand: beside places along it, within the plot.
