@@ -204,9 +204,9 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     write("column".to_owned(), DVec2::new(left, above));
     let posed = view.posed;
     let kind = match touched.len() {
-        4 => "the corner of four pixels",
-        2 => "between two pixels",
-        1 if posed.uv_of_pixel(place.pixel) == inspection.uv => "a pixel's centre",
+        4 => "corner of 4 pixels",
+        2 => "between 2 pixels",
+        1 if posed.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
         _ => "inside of a pixel",
     };
     let below = high.y - 0.5 * scale * RIM.y;

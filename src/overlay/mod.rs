@@ -37,7 +37,7 @@ pub use lit::Lit;
 pub use loupe::{Loupe, loupe_window};
 pub use picture::Picture;
 pub use style::{Colors, Style};
-pub use world_view::{WorldView, pick, world, world_position_of};
+pub use world_view::{WorldView, pick, t_towards, world, world_position_of};
 
 #[cfg(test)]
 mod tests;

@@ -17,4 +17,5 @@ pub(crate) mod readouts;
 pub(crate) mod selection;
 pub(crate) mod top_bar;
 pub(crate) mod views;
+mod walking;
 mod words;

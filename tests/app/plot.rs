@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
-use pinhole::overlay::Item;
+use pinhole::overlay::{Item, world_position_of};
 
 use super::harness::{assert_says, texts_with, type_into, window};
 
@@ -120,4 +120,31 @@ fn of_many_objects_the_first_met_are_shown_and_the_rest_counted() {
     select(&mut window, "0", "0");
     assert_says(&window, "12 more objects are left out");
     assert_reads(&window, "D > 0: in at t = 1.7, out at t = 2.3");
+}
+
+#[test]
+fn the_point_that_walks_is_dragged_in_the_world_view() {
+    let mut window = open("canonical");
+    window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
+    window.run();
+    let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
+    let place = |window: &Harness<'_, App>, t: f64| {
+        let derived = window.state().derived();
+        let ray = derived.inspection.clone().unwrap().ray;
+        let frame = derived.world_frame.clone().unwrap();
+        rect.min + world_position_of(&frame, ray.at(t)).unwrap().into()
+    };
+    let observer = window.state().session().observer;
+    let (from, to) = (place(&window, 3.0), place(&window, 4.5));
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.run();
+    window.hover_at(to);
+    window.run();
+    window.drop_at(to);
+    window.run();
+    let walked = window.state().session().walked.unwrap();
+    assert!((walked - 4.5).abs() < 0.05, "{walked}");
+    assert_eq!(window.state().session().observer, observer, "the observer stays");
 }

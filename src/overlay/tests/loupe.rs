@@ -43,7 +43,7 @@ fn corners(drawing: &Drawing) -> Vec<DVec2> {
 #[test]
 fn the_warm_up_s_place_is_the_corner_of_four_named_pixels() {
     let (drawing, _) = drawing(DVec2::new(0.2, -0.1), 400, 600, false);
-    let said = ["row 239", "row 240", "279", "280", "column", "the corner of four pixels"];
+    let said = ["row 239", "row 240", "279", "280", "column", "corner of 4 pixels"];
     assert_eq!(texts(&drawing), said);
     let (from_one, _) = self::drawing(DVec2::new(0.2, -0.1), 400, 600, true);
     assert_eq!(texts(&from_one)[..4], ["row 240", "row 241", "280", "281"]);
@@ -67,8 +67,8 @@ fn the_warm_up_s_place_is_the_corner_of_four_named_pixels() {
 #[test]
 fn the_loupe_says_what_kind_of_place_it_is() {
     for (uv, said) in [
-        (DVec2::new(0.2, -0.12), "between two pixels"),
-        (DVec2::new(0.25, -0.15), "a pixel's centre"),
+        (DVec2::new(0.2, -0.12), "between 2 pixels"),
+        (DVec2::new(0.25, -0.15), "centre of a pixel"),
         (DVec2::new(0.23, -0.16), "inside of a pixel"),
     ] {
         let (drawing, _) = drawing(uv, 10, 300, false);

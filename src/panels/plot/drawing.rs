@@ -77,6 +77,10 @@ pub(super) fn ui(
     let inside = ui.painter_at(inner);
     let within = inner.shrink(2.0);
     let mut words = Words::new(inside.clone(), colors.halo, within);
+    if let Some(t) = *walked {
+        let x = axes.x(t);
+        words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, inner.y_range()));
+    }
     verticals(&inside, &axes, &mut words, colors.ink);
     for curve in curves {
         let strokes = strokes(&axes, curve);
@@ -332,7 +336,6 @@ fn point_that_walks(
     let (x, rect) = (axes.x(t), axes.rect);
     painter.vline(x, rect.y_range(), Stroke::new(6.0, colors.halo));
     painter.vline(x, rect.y_range(), Stroke::new(3.0, colors.ray));
-    words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, rect.y_range()));
     for curve in curves {
         let at = pos2(x, axes.y(curve.height(t)));
         if rect.contains(at) {
