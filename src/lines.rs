@@ -44,8 +44,8 @@ pub struct Trail {
 pub struct Window {
     /// In the middle of the drawing.
     pub center: DVec2,
-    /// From the middle to the upper edge.
-    pub half_height: f64,
+    /// From the middle to the nearer two edges.
+    pub half_extent: f64,
 }
 
 /// What can be dragged in the lab.
@@ -126,7 +126,7 @@ impl LinesLab {
             t,
             trail: Trail { step: 0.5, first: t, last: t },
             snap: false,
-            window: Window { center: DVec2::ZERO, half_height: 4.0 },
+            window: Window { center: DVec2::ZERO, half_extent: 4.0 },
             grip: DVec2::ZERO,
             reach: 1.0,
         };
@@ -149,7 +149,7 @@ impl LinesLab {
         }
         self.grip = line.nearest_to(self.grip);
         // A power of two, so that turning divides without rounding.
-        let wanted = 0.7 * self.window.half_height / line.direction().length();
+        let wanted = 0.7 * self.window.half_extent / line.direction().length();
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
 

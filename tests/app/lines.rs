@@ -46,7 +46,7 @@ fn drag(window: &mut Harness<'_, App>, handle: &str, by: egui::Vec2) {
 /// Points of the screen in a unit of the plane.
 fn scale(window: &Harness<'_, App>) -> f32 {
     let plane = window.get_by_label("Plane with both lines").rect();
-    0.5 * plane.height() / lab(window).window.half_height as f32
+    0.5 * plane.size().min_elem() / lab(window).window.half_extent as f32
 }
 
 #[test]

@@ -91,7 +91,7 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
         node.set_role(egui::accesskit::Role::Image);
         node.set_label("Plane with both lines");
     });
-    let per_point = 2.0 * lab.window.half_height / f64::from(rect.height());
+    let per_point = 2.0 * lab.window.half_extent / f64::from(rect.size().min_elem());
     let delta = response.drag_delta();
     lab.window.center -= per_point * DVec2::new(delta.x.into(), (-delta.y).into());
     if response.contains_pointer()
@@ -99,12 +99,12 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     {
         let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
         let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
-        let half = (lab.window.half_height / factor).clamp(0.05, 1e4);
+        let half = (lab.window.half_extent / factor).clamp(0.05, 1e4);
         let away = pointer - rect.center();
         let away = DVec2::new(away.x.into(), (-away.y).into());
-        let kept = lab.window.half_height - half;
-        lab.window.center += 2.0 * kept / f64::from(rect.height()) * away;
-        lab.window.half_height = half;
+        let kept = lab.window.half_extent - half;
+        lab.window.center += 2.0 * kept / f64::from(rect.size().min_elem()) * away;
+        lab.window.half_extent = half;
     }
 }
 

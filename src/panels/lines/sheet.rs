@@ -19,7 +19,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     pub(super) fn new(painter: Painter, rect: Rect, window: Window, halo: Color32) -> Sheet {
-        let scale = 0.5 * f64::from(rect.height()) / window.half_height;
+        let scale = 0.5 * f64::from(rect.size().min_elem()) / window.half_extent;
         Sheet { painter, rect, window, scale, halo }
     }
 

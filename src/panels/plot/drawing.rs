@@ -82,8 +82,8 @@ pub(super) fn ui(
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, inner.y_range()));
     }
     verticals(&inside, &axes, &mut words, colors.ink);
-    for curve in curves {
-        let strokes = strokes(&axes, curve);
+    let drawn: Vec<Strokes> = curves.iter().map(|curve| strokes(&axes, curve)).collect();
+    for (curve, strokes) in curves.iter().zip(&drawn) {
         for points in &strokes.points {
             inside.add(Shape::line(points.clone(), Stroke::new(5.0, colors.halo)));
         }
@@ -98,12 +98,11 @@ pub(super) fn ui(
     if let Some(t) = *walked {
         point_that_walks(&inside, &axes, curves, t, &mut words, colors);
     }
-    for curve in curves {
-        let strokes = strokes(&axes, curve);
+    for (curve, strokes) in curves.iter().zip(&drawn) {
         words.write(
             &curve.name,
             Font { size: TEXT, color: colors.ink, bold: true },
-            places_at(&strokes, within),
+            places_at(strokes, within),
         );
     }
 }
