@@ -24,6 +24,7 @@ mod frame_times;
 pub mod inspection;
 mod label_text;
 pub mod ledger;
+pub mod lines;
 mod machine;
 mod measuring;
 mod number;
