@@ -5,6 +5,8 @@ pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
 pub(crate) mod frame;
+pub(crate) mod lesson_strip;
+mod marked_text;
 mod number;
 pub(crate) mod objects;
 pub(crate) mod places;
