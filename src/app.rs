@@ -299,7 +299,7 @@ impl App {
         let document = &mut self.open.document;
         let settings = &mut self.session.settings;
         let image = document.camera.image;
-        camera::ui(ui, &mut document.camera, &mut settings.keep_pixel_shape);
+        camera::ui(ui, &mut document.camera, settings);
         let selection = &mut self.session.selection;
         *selection = selection.in_another_image(image, document.camera.image);
         ui.separator();

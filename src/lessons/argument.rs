@@ -45,7 +45,8 @@ impl LessonArgument {
         let found =
             lesson.checked_sub(1).and_then(|index| Some((index, builtin::all().get(index)?)));
         let Some((index, found)) = found else {
-            return Err(format!("there is no lesson {lesson}: there are lessons 1 to {count}"));
+            let typed = text.split('.').next().unwrap_or(text);
+            return Err(format!("there is no lesson {typed}: there are lessons 1 to {count}"));
         };
         match step.checked_sub(1).filter(|step| *step < found.steps.len()) {
             Some(step) => {

@@ -12,5 +12,6 @@ pub(crate) mod objects;
 pub(crate) mod places;
 pub(crate) mod readouts;
 pub(crate) mod selection;
+mod teaching;
 pub(crate) mod top_bar;
 pub(crate) mod views;

@@ -8,9 +8,11 @@ mod edits;
 mod faults;
 mod frame;
 mod harness;
+mod lessons;
 mod objects;
 mod scene_files;
 mod selection;
 mod snapshots;
 #[path = "../support/mod.rs"]
 mod support;
+mod teaching;
