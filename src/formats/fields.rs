@@ -53,7 +53,8 @@ impl<'a> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
-    fn path_of(&self, key: &str) -> String {
+    /// What messages call a field of this table.
+    pub(crate) fn path_of(&self, key: &str) -> String {
         if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
     }
 

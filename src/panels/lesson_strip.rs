@@ -1,7 +1,9 @@
 //! The strip of the lesson that is open: what to look at, and the way through the lessons.
 
+use std::sync::Arc;
+
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, Vec2, vec2};
+use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use super::marked_text;
 use crate::action::Action;
@@ -76,28 +78,51 @@ fn buttons(
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file, actions));
 }
 
-/// All lessons with their steps.
+/// The contents' columns: all lessons fit into a window of 720 points.
+const COLUMNS: usize = 3;
+/// A column's width.
+const COLUMN: f32 = 330.0;
+
+/// All lessons with their steps, a teacher's own above the program's.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
-    let most = Vec2::new(460.0, (ui.ctx().content_rect().height() - 160.0).max(120.0));
-    ScrollArea::vertical().max_height(most.y).show(ui, |ui| {
-        ui.set_width(most.x);
-        let file = file.map(|lesson| (Which::File, lesson));
-        let builtin = builtin::all().iter().enumerate();
-        let builtin = builtin.map(|(index, lesson)| (Which::Builtin(index), &**lesson));
-        for (which, lesson) in file.into_iter().chain(builtin) {
-            ui.label(RichText::new(title_of(which, lesson)).size(BUTTON).strong());
-            ui.indent(("lesson", &lesson.title), |ui| {
-                for (index, step) in lesson.steps.iter().enumerate() {
-                    let place = Place { lesson: which, step: index };
-                    let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
-                    let entry = ui.selectable_label(place == open.place(), text);
-                    let name = format!("{}, step {}", title_of(which, lesson), index + 1);
-                    ui.ctx().accesskit_node_builder(entry.id, |node| node.set_description(name));
-                    if entry.clicked() {
-                        actions.push(Action::GoTo(place));
-                    }
-                }
-            });
+    let most = ui.ctx().content_rect().size() - vec2(40.0, 120.0);
+    ScrollArea::both().max_height(most.y.max(120.0)).max_width(most.x).show(ui, |ui| {
+        ui.set_width(COLUMNS as f32 * COLUMN);
+        if let Some(lesson) = file {
+            entries(ui, Which::File, lesson, open, actions);
+            ui.separator();
         }
+        let rows = |lessons: &[Arc<Lesson>]| -> usize {
+            lessons.iter().map(|lesson| lesson.steps.len() + 1).sum()
+        };
+        let all = builtin::all();
+        ui.columns(COLUMNS, |columns| {
+            for (index, lesson) in all.iter().enumerate() {
+                // Where its middle would be in one long column.
+                let middle = rows(&all[..index]) + lesson.steps.len() / 2;
+                let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);
+                entries(&mut columns[column], Which::Builtin(index), lesson, open, actions);
+            }
+        });
     });
+}
+
+/// One lesson and its steps.
+fn entries(
+    ui: &mut Ui,
+    which: Which,
+    lesson: &Lesson,
+    open: &OpenLesson,
+    actions: &mut Vec<Action>,
+) {
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ui.add_space(4.0);
+    ui.label(RichText::new(title_of(which, lesson)).size(BUTTON).strong());
+    for (index, step) in lesson.steps.iter().enumerate() {
+        let place = Place { lesson: which, step: index };
+        let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
+        if ui.selectable_label(place == open.place(), text).clicked() {
+            actions.push(Action::GoTo(place));
+        }
+    }
 }

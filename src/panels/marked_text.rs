@@ -2,7 +2,7 @@
 //! `*u*` a scalar, in italics.
 
 use egui::text::LayoutJob;
-use egui::{Color32, FontFamily, FontId, Label, TextFormat, Ui};
+use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 
 use super::number::vector_color;
 use crate::present::fonts;
@@ -22,7 +22,14 @@ pub(super) fn label(ui: &mut Ui, text: &str, size: f32) {
     for run in &runs {
         let family = if run.is_vector { fonts::bold() } else { FontFamily::Proportional };
         let own = run.is_vector.then(|| vector_color(ui, &run.text)).flatten();
-        job.append(&run.text, 0.0, format(FontId::new(size, family), own.unwrap_or(color)));
+        let format = TextFormat {
+            font_id: FontId::new(size, family),
+            color: own.unwrap_or(color),
+            // The fonts that the letters come from have lines of different heights.
+            line_height: Some(row_height(ui, size)),
+            ..TextFormat::default()
+        };
+        job.append(&run.text, 0.0, format);
     }
     let response = ui.add(Label::new(job).wrap());
     let plain = plain(text);
@@ -31,11 +38,7 @@ pub(super) fn label(ui: &mut Ui, text: &str, size: f32) {
 
 /// The height of one line of such text.
 pub(super) fn row_height(ui: &Ui, size: f32) -> f32 {
-    ui.ctx().fonts_mut(|fonts| fonts.row_height(&FontId::proportional(size)))
-}
-
-fn format(font_id: FontId, color: Color32) -> TextFormat {
-    TextFormat { font_id, color, ..TextFormat::default() }
+    ui.ctx().fonts_mut(|fonts| fonts.row_height(&FontId::proportional(size))).ceil()
 }
 
 /// The text without its marks.

@@ -25,7 +25,9 @@ fn press(window: &mut Window, button: &str) {
 /// A window on a lesson's step, both counted from 1.
 fn at_step(lesson: usize, step: usize) -> Window {
     let mut window = window("canonical");
-    window.state_mut().open_lesson(Place { lesson: Which::Builtin(lesson - 1), step: step - 1 }, None);
+    window
+        .state_mut()
+        .open_lesson(Place { lesson: Which::Builtin(lesson - 1), step: step - 1 }, None);
     window.run();
     window
 }
@@ -108,7 +110,11 @@ fn numbers() -> Vec<(usize, usize, Says)> {
         (7, 4, DOWN),
         (8, 2, look_at),
         (9, 2, Conditioning(160.003)),
-        (9, 3, Fault("up (0, 1, 0) is parallel to the view direction (0, -8, 0): turn one of them")),
+        (
+            9,
+            3,
+            Fault("up (0, 1, 0) is parallel to the view direction (0, -8, 0): turn one of them"),
+        ),
         (9, 4, Fault("eye and at are the same point (0, 0, 0): move one of them")),
         (9, 5, Fault("up is (0, 0, 0): it must point somewhere")),
         (12, 1, Ts(&[6.0])),
@@ -125,7 +131,10 @@ fn numbers() -> Vec<(usize, usize, Says)> {
 
 #[track_caller]
 fn near(found: f64, wanted: f64, what: &str) {
-    assert!((found - wanted).abs() < 1e-12 * wanted.abs().max(1.0), "{what}: {found}, not {wanted}");
+    assert!(
+        (found - wanted).abs() < 1e-12 * wanted.abs().max(1.0),
+        "{what}: {found}, not {wanted}"
+    );
 }
 
 #[track_caller]
@@ -164,7 +173,7 @@ fn check(app: &App, says: &Says, what: &str) {
             near(inspection.uv.y, *v, what);
         }
         Basis([u, v, w]) => {
-            let basis = derived.posed.unwrap().basis();
+            let basis = *derived.posed.unwrap().basis();
             all_near(basis.u, *u, what);
             all_near(basis.v, *v, what);
             all_near(basis.w, *w, what);

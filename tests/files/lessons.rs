@@ -123,7 +123,9 @@ fn a_lesson_may_have_its_own_scene_or_name_a_file_beside_it() {
     assert_eq!(load(&path).unwrap().steps[0].document.camera.eye.x, 7.0);
     fs::write(folder.path().join("room.toml"), "pinhole = 1\n").unwrap();
     let error = load(&path).unwrap_err().to_string();
-    assert!(error.ends_with("room.toml:1:1: camera is missing: write [camera] with eye, at and up"));
+    assert!(
+        error.ends_with("room.toml:1:1: camera is missing: write [camera] with eye, at and up")
+    );
 }
 
 /// What stands in a file, and the message behind `lesson.toml:`.
@@ -139,10 +141,7 @@ const WHOLE_FILES: Cases = &[
         "1:18: pinhole_lesson is 2: this lesson format is newer than this program, which reads 1: get a newer Pinhole",
     ),
     ("pinhole_lesson = 1\ntitel = \"A\"\n", "2:1: titel is unknown: did you mean title?"),
-    (
-        "pinhole_lesson = 1\n",
-        "1:1: title is missing: write title = \"What the lesson is about\"",
-    ),
+    ("pinhole_lesson = 1\n", "1:1: title is missing: write title = \"What the lesson is about\""),
     ("pinhole_lesson = 1\ntitle = \" \"\n", "2:9: title is \" \": it must say something"),
     (
         "pinhole_lesson = 1\ntitle = \"A\"\n",
@@ -160,7 +159,10 @@ const WHOLE_FILES: Cases = &[
         "pinhole_lesson = 1\ntitle = \"A\"\n[[step]]\ntext = \"B\"\n",
         "3:1: step[0].title is missing: write title = \"What the step is about\"",
     ),
-    ("pinhole_lesson = 1\ntitle = A\n", "2:9: not TOML: A is no value: write a number, or text in quotes"),
+    (
+        "pinhole_lesson = 1\ntitle = A\n",
+        "2:9: not TOML: A is no value: write a number, or text in quotes",
+    ),
 ];
 
 /// Behind [`HEAD`], which is five lines.
@@ -174,10 +176,7 @@ const STEPS: Cases = &[
         "pinhole_lesson = 1\n",
         "6:1: step[0].pinhole_lesson is unknown: it belongs at the top of the file, before the first [table]",
     ),
-    (
-        "scene = \"canonicle\"\n",
-        "6:9: step[0].scene is \"canonicle\": did you mean \"canonical\"?",
-    ),
+    ("scene = \"canonicle\"\n", "6:9: step[0].scene is \"canonicle\": did you mean \"canonical\"?"),
     (
         "scene = \"zzz\"\n",
         "6:9: step[0].scene is \"zzz\": it must be a built-in scene, or the path of a .toml file",
@@ -265,7 +264,8 @@ fn every_fault_has_its_place_and_says_what_would_be_right() {
 
 #[test]
 fn an_argument_is_a_number_a_step_or_a_file() {
-    let at = |lesson, step| Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(lesson), step }));
+    let at =
+        |lesson, step| Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(lesson), step }));
     assert_eq!(LessonArgument::of("7"), at(6, 0));
     assert_eq!(LessonArgument::of("7.3"), at(6, 2));
     assert_eq!(LessonArgument::of("13"), at(12, 0));
@@ -273,7 +273,10 @@ fn an_argument_is_a_number_a_step_or_a_file() {
     for (text, message) in [
         ("0", "there is no lesson 0: there are lessons 1 to 13"),
         ("14", "there is no lesson 14: there are lessons 1 to 13"),
-        ("99999999999999999999999", "there is no lesson 99999999999999999999999: there are lessons 1 to 13"),
+        (
+            "99999999999999999999999",
+            "there is no lesson 99999999999999999999999: there are lessons 1 to 13",
+        ),
         ("7.9", "lesson 7 has no step 9: it has steps 1 to 5"),
         ("7.0", "lesson 7 has no step 0: it has steps 1 to 5"),
         ("-1", "\"-1\" is no lesson: a number from 1 to 13, or the path of a .toml file"),

@@ -95,7 +95,8 @@ fn read_camera(section: &Section) -> Result<Camera, FileError> {
         .filter_map(|way| Some((way, section.get(way)?)))
         .collect();
     if let [(first, _), (_, second), ..] = &ways[..] {
-        let why = format!("beside camera.{first}: keep exactly one of at, view and basis");
+        let first = section.path_of(first);
+        let why = format!("beside {first}: keep exactly one of at, view and basis");
         return Err(second.refuse(&why));
     }
     let up = || section.need("up", "up = [0.0, 1.0, 0.0]")?.vector();
@@ -104,13 +105,15 @@ fn read_camera(section: &Section) -> Result<Camera, FileError> {
         Some(("view", view)) => Orientation::View { view: view.vector()?, up: up()? },
         Some((_, basis)) => {
             if let Some(up) = section.get("up") {
-                return Err(up.refuse("beside camera.basis: a basis needs no up, leave it out"));
+                let basis = section.path_of("basis");
+                let why = format!("beside {basis}: a basis needs no up, leave it out");
+                return Err(up.refuse(&why));
             }
             Orientation::Basis(read_basis(&basis.section()?)?)
         }
         None => {
-            let what = "camera.at (or view, or basis)";
-            return Err(section.missing(what, "at = [0.0, 0.0, -1.0]"));
+            let what = format!("{} (or view, or basis)", section.path_of("at"));
+            return Err(section.missing(&what, "at = [0.0, 0.0, -1.0]"));
         }
     };
     Ok(Camera { eye, orientation, ..Camera::CANONICAL })

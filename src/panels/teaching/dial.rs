@@ -11,9 +11,9 @@ use crate::panels::number::{error_color, significant};
 
 /// The scale ends at 10^6.
 const DECADES: f32 = 6.0;
-const RADIUS: f32 = 78.0;
+const RADIUS: f32 = 64.0;
 /// Legible from the back row.
-const NUMBER: f32 = 22.0;
+const NUMBER: f32 = 20.0;
 const WORDS: f32 = 15.0;
 const TICK: f32 = 12.0;
 
@@ -41,18 +41,20 @@ pub(super) fn ui(ui: &mut Ui, camera: &Camera) {
 
 /// The number, and what it means.
 fn words(ui: &mut Ui, conditioning: f64) {
-    let number = format!("{}° of roll", significant(conditioning, 3));
+    let number = format!("{}° of roll per 1° of up", significant(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
+    let hint = "Tipped sideways, out of the plane of up and view, by a small angle";
+    let response = response.on_hover_text(hint);
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_label("conditioning");
         node.set_value(number);
     });
     let meaning = if conditioning < SENSITIVE {
-        "for 1° of up tipped sideways. Calm: up is well away from the view's line."
+        "Calm: up is well away from view."
     } else if conditioning < NERVOUS {
-        "for each 1° of up tipped sideways. Sensitive: up is near the view's line."
+        "Sensitive: up is near the view's line."
     } else {
-        "for each 1° of up tipped sideways, to begin with. Nervous: up is almost on the view's line."
+        "Nervous: up is almost on the view's line."
     };
     ui.label(RichText::new(meaning).size(WORDS));
 }
