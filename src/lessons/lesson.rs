@@ -53,8 +53,10 @@ pub struct Looks {
     pub keep_picture: Option<bool>,
     /// The camera panel's teaching part is unfolded.
     pub teaching: Option<bool>,
-    /// The ledger's sections that are unfolded, by name.
+    /// The ledger's sections that are shown, by name.
     pub ledger: Option<Vec<String>>,
+    /// What is lit in the views and the ledger, by name; `nothing` for nothing.
+    pub lit: Option<String>,
     /// The wrong camera that is shown beside the right one, by name.
     pub mistake: Option<String>,
     /// How far one has walked along the selected ray.

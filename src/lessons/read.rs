@@ -23,7 +23,7 @@ pub const VERSION: i64 = 1;
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// What a step may say, beside the tables of a scene.
-const STEP: [&str; 17] = [
+const STEP: [&str; 18] = [
     "title",
     "text",
     "scene",
@@ -38,6 +38,7 @@ const STEP: [&str; 17] = [
     "keep_picture",
     "teaching",
     "ledger",
+    "lit",
     "mistake",
     "t",
     "lines",
@@ -211,6 +212,7 @@ fn read_looks(section: &Section, looks: &mut Looks) -> Result<(), FileError> {
     say(section, "keep_picture", &mut looks.keep_picture, Field::boolean)?;
     say(section, "teaching", &mut looks.teaching, Field::boolean)?;
     say(section, "ledger", &mut looks.ledger, |field| names(field, "[\"basis\"]"))?;
+    say(section, "lit", &mut looks.lit, line)?;
     say(section, "mistake", &mut looks.mistake, line)?;
     say(section, "t", &mut looks.t, Field::number)?;
     say(section, "lines", &mut looks.lines, |field| lines(&field.section()?))
