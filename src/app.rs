@@ -24,10 +24,12 @@ use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
+use crate::panels::ledger::LedgerPanel;
 use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
+use crate::thing::Pointed;
 use crate::view_texture::ViewTexture;
 
 /// The open document, how it is looked at, and what is shown of it.
@@ -45,6 +47,7 @@ pub struct App {
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
     map_texture: ViewTexture,
+    ledger: LedgerPanel,
     measuring: Measuring,
     frames: FrameHistory,
     store: Option<Store>,
@@ -66,8 +69,8 @@ impl App {
             open,
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
-                observer: None,
                 settings: remembered.settings.in_range(),
+                ..Session::default()
             },
             lessons: Lessons::default(),
             recent: remembered.recent,
@@ -79,6 +82,7 @@ impl App {
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
             map_texture: ViewTexture::default(),
+            ledger: LedgerPanel::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
             store,
@@ -172,6 +176,7 @@ impl App {
             if self.dialog.is_none() {
                 views::inputs(ui, &places, &mut self.session, &self.derived, &mut actions);
             }
+            self.session.pointed = self.pointed(ui, &places);
             for action in actions {
                 self.apply(&ctx, action);
             }
@@ -211,6 +216,8 @@ impl App {
                     as_drawn.camera.orientation = camera.orientation;
                 }
                 looked_at.observer = session.observer;
+                // Nor does pointing, which is known before anything is drawn.
+                looked_at.pointed = session.pointed;
                 (document, session, *had_changes) != (&as_drawn, &looked_at, now.2)
             }
         };
@@ -311,6 +318,14 @@ impl App {
         ui.add_space(8.0);
     }
 
+    /// What the mouse or the focus is on: a mark in a view, or a line of the ledger.
+    fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
+        if self.session.settings.layout != ViewLayout::Ledger || self.dialog.is_some() {
+            return None;
+        }
+        views::pointed(ui, places, &self.derived).or_else(|| self.ledger.pointed(ui.ctx()))
+    }
+
     /// Where everything can be seen from.
     fn framed(&self, aspect: f32) -> Observer {
         let document = &self.open.document;
@@ -340,7 +355,7 @@ impl App {
         }
         let scene = argument_of(self.open.origin());
         let remembered = Remembered {
-            settings: self.lessons.settings_without(&self.session.settings),
+            settings: self.lessons.settings_without(&self.session),
             window: self.geometry,
             selection: scene.is_some().then(|| self.session.selection.into()),
             recent: self.recent.clone(),

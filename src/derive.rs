@@ -1,6 +1,7 @@
 //! From the document to everything that is shown: pure, and remembered on its inputs, so that an
 //! idle window does no work and one drag does only what it changes.
 
+mod ledgers;
 mod memo;
 mod objects;
 mod picture;
@@ -16,6 +17,7 @@ use pinhole_core::{
     Camera, CameraError, Counts, Frame, PosedCamera, Rgb, Scene, SceneError, Steps, UpAngle,
 };
 
+use self::ledgers::Ledgers;
 use self::memo::Memo;
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
@@ -26,9 +28,13 @@ use self::world::WorldPictures;
 use crate::accuracy;
 use crate::document::Document;
 use crate::inspection::Inspection;
+use crate::ledger::Ledger;
 use crate::observer::Observer;
-use crate::overlay::{self, CameraView, Label, OverlayItems, Picture, Style, WorldView};
+use crate::overlay::{
+    self, CameraView, Drawing, Label, Lit, OverlayItems, Picture, Style, Target, WorldView,
+};
 use crate::session::{Selection, Session};
+use crate::thing::Thing;
 
 /// How large the views are, in physical pixels; `None` where one is not shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -95,6 +101,8 @@ pub struct Derived {
     pub compared: Option<Arc<Compared>>,
     /// The error map.
     pub error_map: Option<Shown>,
+    /// How every number comes about, where the layout shows it.
+    pub ledger: Option<Arc<Ledger>>,
     /// What the observer sees where in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }
@@ -106,6 +114,8 @@ pub struct Shown {
     pub image: Arc<ColorImage>,
     /// Text, in physical pixels of the image.
     pub labels: Arc<Vec<Label>>,
+    /// What can be pointed at, in physical pixels of the image.
+    pub targets: Arc<Vec<Target>>,
 }
 
 /// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
@@ -117,6 +127,7 @@ pub struct Deriver {
     error_map: Memo<(Method, CameraViewKey), Shown>,
     world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
+    ledgers: Ledgers,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -128,6 +139,7 @@ struct CameraViewKey {
     size: [u32; 2],
     selection: Selection,
     items: OverlayItems,
+    lit: Option<(Thing, usize)>,
     scale: f32,
     style: Style,
 }
@@ -142,6 +154,7 @@ struct WorldViewKey {
     palette: u64,
     selection: Selection,
     items: OverlayItems,
+    lit: Option<(Thing, usize)>,
     scale: f32,
     style: Style,
 }
@@ -187,8 +200,9 @@ impl Deriver {
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
-        self.camera_views(&mut derived, session, sizes, watch);
+        self.camera_views(&mut derived, document, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
+        derived.ledger = self.ledgers.of(document, session, &derived);
         derived
     }
 
@@ -196,17 +210,22 @@ impl Deriver {
     fn camera_views(
         &mut self,
         derived: &mut Derived,
+        document: &Document,
         session: &Session,
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) {
         let Some(good) = self.last_good.clone() else { return };
+        // What is lit belongs to the document as it is; an older picture does not show it.
+        let lit = lit_key(session).filter(|_| derived.fault.is_none());
+        let scene = derived.scene.as_deref();
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
             posed: good.posed,
             size,
             selection: good.selection,
             items: session.settings.items,
+            lit,
             scale: sizes.scale,
             style: sizes.style,
         };
@@ -219,6 +238,7 @@ impl Deriver {
                 size: key.size.map(|n| n as usize),
                 scale: key.scale,
                 style: key.style,
+                lit: scene.and_then(|scene| key.lit.map(|lit| lit_of(lit, document, scene))),
             };
             overlay::camera(&view, pixels)
         };
@@ -226,18 +246,18 @@ impl Deriver {
             self.camera_view.get(key(size), |key| {
                 watched(watch, Work::Overlay, || {
                     let mut pixels = blank(size);
-                    let labels = view(&good.picture, key, &mut pixels);
-                    shown(size, pixels, labels)
+                    let drawing = view(&good.picture, key, &mut pixels);
+                    shown(size, pixels, drawing)
                 })
             })
         });
         if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
             let shown = self.error_map.get((compared.method, key(size)), |(_, key)| {
                 let mut pixels = blank(size);
-                let labels = view(map, key, &mut pixels);
+                let drawing = view(map, key, &mut pixels);
                 let (comparison, width) = (&compared.comparison, size[0] as usize);
                 accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
-                shown(size, pixels, labels)
+                shown(size, pixels, drawing)
             });
             derived.error_map = Some(shown);
             derived.compared = Some(Arc::clone(compared));
@@ -269,6 +289,7 @@ impl Deriver {
             return;
         };
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
+        let lit = lit_key(session);
         let key = WorldViewKey {
             camera: document.camera,
             observer,
@@ -278,6 +299,7 @@ impl Deriver {
             palette: good.palette,
             selection: session.selection,
             items: session.settings.items,
+            lit,
             scale: sizes.scale,
             style: sizes.style,
         };
@@ -297,9 +319,10 @@ impl Deriver {
                 items: key.items,
                 scale: key.scale,
                 style: key.style,
+                lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
             };
-            let labels = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
-            shown(size, pixels, labels)
+            let drawing = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
+            shown(size, pixels, drawing)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);
@@ -314,7 +337,24 @@ fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
     vec![Color32::BLACK; width as usize * height as usize]
 }
 
-fn shown(size: [u32; 2], pixels: Vec<Color32>, labels: Vec<Label>) -> Shown {
+/// What is lit, and to how many digits it is labelled.
+fn lit_key(session: &Session) -> Option<(Thing, usize)> {
+    Some((session.lit()?, session.settings.digits))
+}
+
+fn lit_of<'a>(
+    (thing, digits): (Thing, usize),
+    document: &'a Document,
+    scene: &'a Scene,
+) -> Lit<'a> {
+    Lit { thing, camera: &document.camera, scene, digits }
+}
+
+fn shown(size: [u32; 2], pixels: Vec<Color32>, drawing: Drawing) -> Shown {
     let size = size.map(|n| n as usize);
-    Shown { image: Arc::new(ColorImage::new(size, pixels)), labels: Arc::new(labels) }
+    Shown {
+        image: Arc::new(ColorImage::new(size, pixels)),
+        targets: Arc::new(drawing.targets()),
+        labels: Arc::new(drawing.labels),
+    }
 }

@@ -5,6 +5,8 @@ use pinhole_core::{
     SphereQuadratic,
 };
 
+use crate::thing::Thing;
+
 /// How many objects' parts are kept: more than anybody reads.
 pub const LISTED_OBJECTS: usize = 12;
 
@@ -74,6 +76,18 @@ impl Inspection {
     pub fn pixel(&self) -> Option<Pixel> {
         let PixelOfUv { pixel, column_edge, row_edge } = self.place?;
         (column_edge.is_none() && row_edge.is_none()).then_some(pixel)
+    }
+
+    /// A root's name: its place among those of its object, by ascending t.
+    pub fn thing_of(&self, root: &Root) -> Thing {
+        let own = self.roots.iter().filter(|other| other.object == root.object);
+        let number = own.take_while(|other| other.t < root.t).count() as u8;
+        Thing::Root { object: root.object, number }
+    }
+
+    /// The root that has this name.
+    pub fn root_of(&self, object: u32, number: u8) -> Option<&Root> {
+        self.roots.iter().filter(|root| root.object == object).nth(number.into())
     }
 
     /// The first hit.

@@ -51,6 +51,35 @@ pub(crate) fn grouped(n: u64) -> String {
     text
 }
 
+/// `value` to that many significant digits, trailing zeros dropped; never `NaN` or `inf`.
+pub(crate) fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return "beyond f64".to_owned();
+    }
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = digits.max(1);
+    let scientific = format!("{:.*e}", digits - 1, value);
+    let exponent: i32 =
+        scientific.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or_default();
+    if (-5..digits.max(7) as i32).contains(&exponent) {
+        let decimals = (digits as i32 - 1 - exponent).max(0) as usize;
+        let fixed = format!("{value:.decimals$}");
+        if fixed.contains('.') {
+            return fixed.trim_end_matches('0').trim_end_matches('.').to_owned();
+        }
+        return fixed;
+    }
+    match scientific.split_once('e') {
+        Some((mantissa, exponent)) if mantissa.contains('.') => {
+            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+            format!("{mantissa}e{exponent}")
+        }
+        _ => scientific,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{grouped, short};

@@ -4,8 +4,10 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
+use crate::ledger::LedgerSections;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
+use crate::thing::{Pointed, Thing};
 
 /// Everything about the window that is not the document. Changing it never marks the document as
 /// edited.
@@ -15,6 +17,12 @@ pub struct Session {
     pub selection: Selection,
     /// Who looks at the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
+    /// What the mouse or the keyboard points at just now.
+    pub pointed: Option<Pointed>,
+    /// What is lit while nothing is pointed at.
+    pub lit: Option<Thing>,
+    /// Which sections of the ledger are shown.
+    pub sections: LedgerSections,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -222,8 +230,18 @@ impl Default for Session {
         Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
+            pointed: None,
+            lit: None,
+            sections: LedgerSections::default(),
             settings: Settings::default(),
         }
+    }
+}
+
+impl Session {
+    /// What both views and the ledger show lit.
+    pub fn lit(&self) -> Option<Thing> {
+        self.pointed.map(|pointed| pointed.thing).or(self.lit)
     }
 }
 

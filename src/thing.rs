@@ -51,3 +51,107 @@ pub enum Thing {
     /// The normal at the first hit.
     Normal,
 }
+
+/// What is pointed at, and where that is done: the other place follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pointed {
+    /// At what.
+    pub thing: Thing,
+    /// Where.
+    pub by: Pointing,
+}
+
+/// Where something is pointed at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pointing {
+    /// In a view: the ledger scrolls to its line.
+    View,
+    /// At a line of the ledger.
+    Ledger,
+}
+
+/// Names of things that have no number, in files, and what is said of them.
+const NAMES: [(Thing, &str, &str); 19] = [
+    (Thing::Eye, "eye", "eye: where every view ray begins"),
+    (Thing::At, "at", "at: the point that the camera looks at"),
+    (Thing::View, "view", "view: the direction that the camera looks along"),
+    (Thing::Up, "up", "up: keeps the camera level"),
+    (Thing::Backwards, "backwards", "−view: backwards, not yet of length 1"),
+    (Thing::U, "u", "u: to the right in the image"),
+    (Thing::V, "v", "v: up in the image"),
+    (Thing::W, "w", "w: backwards, of length 1"),
+    (Thing::UpCrossW, "up-cross-w", "up × w: at right angles to both"),
+    (Thing::WCrossU, "w-cross-u", "w × u: at right angles to both"),
+    (Thing::Viewport, "viewport", "viewport: what the image is stretched over"),
+    (Thing::Distance, "distance", "distance: from the eye to the viewport"),
+    (Thing::Pixel, "pixel", "the selected place in the viewport"),
+    (Thing::AlongU, "along-u", "u u: how far to the right"),
+    (Thing::AlongV, "along-v", "v v: how far up"),
+    (Thing::AlongW, "along-w", "−distance w: how far forwards"),
+    (Thing::Direction, "direction", "d: from the eye to the viewport"),
+    (Thing::Ray, "ray", "p + t d: the view ray"),
+    (Thing::Normal, "normal", "n: the normal at the first hit"),
+];
+
+impl Thing {
+    /// The thing that has this name in files: `up-cross-w`, `object 0`, `root 0 1` (of object 0 the
+    /// root with number 1).
+    pub fn from_name(name: &str) -> Option<Thing> {
+        if let Some(object) = name.strip_prefix("object ") {
+            return Some(Thing::Object(object.parse().ok()?));
+        }
+        if let Some(rest) = name.strip_prefix("root ") {
+            let (object, number) = rest.split_once(' ')?;
+            return Some(Thing::Root {
+                object: object.parse().ok()?,
+                number: number.parse().ok()?,
+            });
+        }
+        NAMES.iter().find(|(_, known, _)| *known == name).map(|(thing, ..)| *thing)
+    }
+
+    /// The names of all things that have no number.
+    pub fn names() -> [&'static str; 19] {
+        NAMES.map(|(_, name, _)| name)
+    }
+
+    /// Its name in files.
+    pub fn name(self) -> String {
+        match self {
+            Thing::Object(object) => format!("object {object}"),
+            Thing::Root { object, number } => format!("root {object} {number}"),
+            other => other.entry().0.to_owned(),
+        }
+    }
+
+    /// What is said of it; of an object or a root by the object's `title`.
+    pub fn words(self, title: impl Fn(u32) -> String) -> String {
+        match self {
+            Thing::Object(object) => title(object),
+            Thing::Root { object, .. } => format!("where the ray's line meets {}", title(object)),
+            other => other.entry().1.to_owned(),
+        }
+    }
+
+    fn entry(self) -> (&'static str, &'static str) {
+        let found = NAMES.iter().find(|(thing, ..)| *thing == self);
+        found.map_or(("", ""), |(_, name, words)| (name, words))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_lead_back_to_their_things() {
+        let numbered = [Thing::Object(7), Thing::Root { object: 2, number: 1 }];
+        for thing in NAMES.iter().map(|(thing, ..)| *thing).chain(numbered) {
+            assert_eq!(Thing::from_name(&thing.name()), Some(thing));
+            assert!(!thing.words(|k| format!("sphere {k}")).is_empty());
+        }
+        for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x"] {
+            assert_eq!(Thing::from_name(wrong), None, "{wrong}");
+        }
+    }
+}

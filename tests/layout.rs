@@ -78,7 +78,7 @@ fn wgpu_is_known_to_one_file_only() {
 fn what_is_pure_knows_no_effect() {
     for (name, text) in sources("src") {
         let pure = name.starts_with("src/core/")
-            || name.starts_with("src/overlay/")
+            || ["src/overlay/", "src/formula/", "src/ledger/"].iter().any(|f| name.starts_with(f))
             || ["src/document.rs", "src/derive.rs", "src/inspection.rs"].contains(&name.as_str());
         if pure && !name.contains("/tests/") && !name.contains("/benches/") {
             for effect in
@@ -86,6 +86,15 @@ fn what_is_pure_knows_no_effect() {
             {
                 assert!(!text.contains(effect), "{name} uses {effect}");
             }
+        }
+    }
+}
+
+#[test]
+fn formulas_and_the_ledger_know_no_window() {
+    for (name, text) in sources("src") {
+        if name.starts_with("src/formula/") || name.starts_with("src/ledger/") {
+            assert!(!text.contains("egui"), "{name} knows egui");
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::files::{OpenDocument, Origin, argument_of};
 use crate::lessons::{Lesson, OpenLesson, Place, Which, apply};
 use crate::observer::Observer;
 use crate::panels::lesson_strip;
-use crate::session::Settings;
+use crate::session::{Session, Settings};
 
 /// The lesson that is open, and what is needed to leave it without a trace.
 #[derive(Debug, Default)]
@@ -23,7 +23,7 @@ pub(super) struct Lessons {
     /// Where the step was first looked at from, if it does not say so itself.
     seen_from: Option<Observer>,
     /// As it was before the first step.
-    before: Option<Settings>,
+    before: Option<Session>,
     /// The scene that was open before the first step, as the command line names it.
     scene_before: Option<PathBuf>,
 }
@@ -35,12 +35,12 @@ impl Lessons {
     }
 
     /// The settings without what lessons have set.
-    pub(super) fn settings_without(&self, settings: &Settings) -> Settings {
-        let mut settings = settings.clone();
+    pub(super) fn settings_without(&self, session: &Session) -> Settings {
+        let mut session = session.clone();
         if let Some(before) = &self.before {
-            apply::give_back(before, &mut settings);
+            apply::give_back(before, &mut session);
         }
-        settings
+        session.settings
     }
 
     pub(super) fn scene_before(&self) -> Option<PathBuf> {
@@ -74,7 +74,7 @@ impl App {
             self.session.observer = None;
             self.chosen_object = 0;
         }
-        self.lessons.before.get_or_insert_with(|| self.session.settings.clone());
+        self.lessons.before.get_or_insert_with(|| self.session.clone());
         if let Some(scene) = argument_of(self.open.origin()) {
             self.lessons.scene_before = Some(scene);
         }
@@ -111,7 +111,7 @@ impl App {
     pub(super) fn close_lesson(&mut self, ctx: &Context) {
         self.lessons.open = None;
         if let Some(before) = self.lessons.before.take() {
-            apply::give_back(&before, &mut self.session.settings);
+            apply::give_back(&before, &mut self.session);
         }
         self.open.leave_lesson();
         ctx.request_discard("the lesson is closed");

@@ -7,7 +7,7 @@ use crate::derive::Fault;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
 use crate::panels::{accuracy, frame, readouts, views};
-use crate::session::ViewLayout;
+use crate::session::{Session, ViewLayout};
 
 impl App {
     pub(super) fn outputs(&mut self, ui: &mut Ui, places: &Places) {
@@ -23,6 +23,7 @@ impl App {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
             views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
         }
+        views::tell_pointed(ui, self.session.pointed, &self.open.document);
         if let (Some(area), Some(rect)) = (places.map_area, places.map) {
             accuracy::strip(ui, area, &mut self.session.settings);
             if let (Some(shown), Some(compared)) = (&self.derived.error_map, &self.derived.compared)
@@ -41,6 +42,7 @@ impl App {
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &fault.to_string());
         }
+        let lit = self.session.lit();
         let settings = &self.session.settings;
         let style = NumberStyle {
             digits: settings.digits,
@@ -55,6 +57,12 @@ impl App {
                     accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
                 }
                 ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
+                ViewLayout::Ledger => {
+                    let Session { sections, pointed, .. } = &mut self.session;
+                    if let Some(ledger) = &self.derived.ledger {
+                        self.ledger.ui(ui, ledger, sections, *pointed, lit);
+                    }
+                }
                 _ => readouts::ui(ui, &self.derived, document, style),
             }
         });

@@ -4,7 +4,7 @@
 use super::lesson::Step;
 use crate::document::Document;
 use crate::observer::Observer;
-use crate::session::{Session, Settings};
+use crate::session::Session;
 
 /// Sets what the step says and leaves alone what it does not.
 ///
@@ -19,6 +19,8 @@ pub fn apply(
     session.selection = step.selection;
     let looks = &step.looks;
     session.observer = looks.observer.or(seen_from).or(session.observer);
+    set(&mut session.sections, looks.ledger);
+    set(&mut session.lit, looks.lit);
     let settings = &mut session.settings;
     set(&mut settings.layout, looks.layout);
     set(&mut settings.items, looks.items);
@@ -29,8 +31,12 @@ pub fn apply(
     set(&mut settings.teaching, looks.teaching);
 }
 
-/// Gives back what lessons set: the window as it was before the first of them.
-pub fn give_back(before: &Settings, settings: &mut Settings) {
+/// Gives back what lessons set: the window as it was before the first of them. Selection and
+/// observer stay with the step's scene, which stays open.
+pub fn give_back(before: &Session, session: &mut Session) {
+    session.sections = before.sections;
+    session.lit = before.lit;
+    let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;
     settings.items = before.items;
     settings.shade = before.shade;

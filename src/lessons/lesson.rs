@@ -3,9 +3,11 @@
 use pinhole_core::DVec2;
 
 use crate::document::Document;
+use crate::ledger::LedgerSections;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 use crate::session::{Selection, ShadeName, ViewLayout};
+use crate::thing::Thing;
 
 /// A lesson: steps to go through.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,10 +55,10 @@ pub struct Looks {
     pub keep_picture: Option<bool>,
     /// The camera panel's teaching part is unfolded.
     pub teaching: Option<bool>,
-    /// The ledger's sections that are shown, by name.
-    pub ledger: Option<Vec<String>>,
-    /// What is lit in the views and the ledger, by name; `nothing` for nothing.
-    pub lit: Option<String>,
+    /// The ledger's sections that are shown.
+    pub ledger: Option<LedgerSections>,
+    /// What is lit in the views and the ledger, or that nothing is.
+    pub lit: Option<Option<Thing>>,
     /// The wrong camera that is shown beside the right one, by name.
     pub mistake: Option<String>,
     /// How far one has walked along the selected ray.

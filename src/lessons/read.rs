@@ -12,9 +12,11 @@ use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::scene_file::{TABLES, not_toml, tables};
 use crate::formats::{FileError, builtin};
+use crate::ledger::{LedgerSection, LedgerSections};
 use crate::observer::Observer;
 use crate::overlay::{Item, OverlayItems};
 use crate::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
+use crate::thing::Thing;
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;
@@ -211,8 +213,8 @@ fn read_looks(section: &Section, looks: &mut Looks) -> Result<(), FileError> {
     })?;
     say(section, "keep_picture", &mut looks.keep_picture, Field::boolean)?;
     say(section, "teaching", &mut looks.teaching, Field::boolean)?;
-    say(section, "ledger", &mut looks.ledger, |field| names(field, "[\"basis\"]"))?;
-    say(section, "lit", &mut looks.lit, line)?;
+    say(section, "ledger", &mut looks.ledger, ledger)?;
+    say(section, "lit", &mut looks.lit, lit)?;
     say(section, "mistake", &mut looks.mistake, line)?;
     say(section, "t", &mut looks.t, Field::number)?;
     say(section, "lines", &mut looks.lines, |field| lines(&field.section()?))
@@ -248,9 +250,26 @@ fn elements<'a>(field: &Field<'a>, such_as: &str) -> Result<Vec<Field<'a>>, File
     field.elements().ok_or_else(|| field.error(&format!("it must be a list, such as {such_as}")))
 }
 
-fn names(field: &Field, such_as: &str) -> Result<Vec<String>, FileError> {
-    elements(field, such_as)?.iter().map(line).collect()
+fn ledger(field: &Field) -> Result<LedgerSections, FileError> {
+    let known = LedgerSection::ALL.map(LedgerSection::name);
+    let section = |element: &Field| Ok(LedgerSection::from_name(element.one_of(&known)?));
+    let sections: Result<Vec<_>, FileError> =
+        elements(field, "[\"basis\"]")?.iter().map(section).collect();
+    Ok(sections?.into_iter().flatten().collect())
 }
+
+/// A thing, or nothing.
+fn lit(field: &Field) -> Result<Option<Thing>, FileError> {
+    let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Thing::from_name);
+    if numbered.is_some() {
+        return Ok(numbered);
+    }
+    let known: Vec<&str> = [NOTHING].into_iter().chain(Thing::names()).collect();
+    Ok(Thing::from_name(field.one_of(&known)?))
+}
+
+/// What is said where nothing is lit.
+const NOTHING: &str = "nothing";
 
 fn lines(section: &Section) -> Result<Lines, FileError> {
     section.only(&["implicit", "p", "d", "t"], &[])?;

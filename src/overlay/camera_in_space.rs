@@ -1,5 +1,7 @@
 //! The edited camera as lines in the world view: eye, arrows, frustum, viewport, selected ray.
 
+use std::borrow::Cow;
+
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, PosedCamera};
 
@@ -8,6 +10,7 @@ use crate::overlay::items::Item;
 use crate::overlay::screen::unit;
 use crate::overlay::sketch::{Head, Pen, Sketch, Tip};
 use crate::overlay::world_view::WorldView;
+use crate::thing::Thing;
 
 /// Sizes of text, in points: vectors, points, marks.
 pub(crate) const VECTOR_TEXT: f32 = 21.0;
@@ -16,16 +19,16 @@ pub(crate) const MARK_TEXT: f32 = 14.0;
 
 /// A basis arrow is one world unit long where that makes it so many points long on the screen, and
 /// otherwise as near to it as it can be.
-const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
+pub(crate) const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
 /// Lengths of the other arrows, as multiples of the basis arrows': all may have one direction, and
 /// each must stick out.
-const VIEW_LENGTH: f64 = 1.6;
-const UP_LENGTH: f64 = 1.35;
+pub(crate) const VIEW_LENGTH: f64 = 1.6;
+pub(crate) const UP_LENGTH: f64 = 1.35;
 const AXIS_LENGTH: f64 = 1.75;
 
 /// A normal's length, in points.
-const NORMAL_POINTS: f64 = 62.0;
+pub(crate) const NORMAL_POINTS: f64 = 62.0;
 
 impl Sketch<'_> {
     /// All of it, from the back of the drawing to its front.
@@ -50,7 +53,7 @@ impl Sketch<'_> {
 
     /// One world unit, or as much of it or as many as are within this many points at a place; 0
     /// where the place cannot be seen.
-    fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
+    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
         let Some(dots) = self.screen.dots_per_unit(at) else { return 0.0 };
         let points = dots / self.scale();
         points.clamp(least, most) / points
@@ -62,19 +65,19 @@ impl Sketch<'_> {
         for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
             let pen = Pen::new(Item::Axes, color, 1.6);
             let tip = self.arrow(DVec3::ZERO, length * axis, Head::Open, pen);
-            self.label_tip(Item::Axes, name, tip, (color, POINT_TEXT, false));
+            self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
         }
     }
 
-    fn label_tip(
+    pub(crate) fn label_tip(
         &mut self,
-        item: Item,
-        text: &'static str,
+        pen: Pen,
+        text: impl Into<Cow<'static, str>>,
         tip: Option<Tip>,
         font: (Color32, f32, bool),
     ) {
         if let Some(Tip { spot, direction }) = tip {
-            self.label(item, text, spot.at, direction, font);
+            self.label(pen, text, spot.at, direction, font);
         }
     }
 
@@ -103,7 +106,7 @@ impl Sketch<'_> {
     }
 
     fn outline(&mut self, posed: &PosedCamera) {
-        let pen = Pen::new(Item::Viewport, self.colors.ink, 2.2).on_viewport();
+        let pen = Pen::new(Item::Viewport, self.colors.ink, 2.2).of(Thing::Viewport).on_viewport();
         let corners = corners(posed).map(|uv| posed.viewport_point(uv));
         for k in 0..4 {
             self.line(corners[k], corners[(k + 1) % 4], pen);
@@ -141,7 +144,7 @@ impl Sketch<'_> {
             if let (Some(center), Some(spot)) = (center, place(self, uv))
                 && points > 90.0
             {
-                self.label(Item::Marks, text, spot, spot - center, font);
+                self.label(pen, text, spot, spot - center, font);
             }
         }
     }
@@ -154,7 +157,7 @@ impl Sketch<'_> {
         for pixel in touched.into_iter().flatten() {
             self.pixel(posed, pixel);
         }
-        let pen = Pen::new(Item::Ray, color, 2.8);
+        let pen = Pen::new(Item::Ray, color, 2.8).of(Thing::Ray);
         let hit = inspection.first_hit();
         let end = match hit {
             Some(hit) => Some(hit.point),
@@ -163,25 +166,26 @@ impl Sketch<'_> {
         if let Some(end) = end {
             self.line(ray.origin, end, pen);
         }
-        self.point(ray.at(1.0), 3.6, Pen { on_viewport: true, ..pen });
+        self.point(ray.at(1.0), 3.6, pen.of(Thing::Pixel).on_viewport());
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
-        let pen = Pen::new(Item::Hit, ink, 2.4);
+        let pen = Pen::new(Item::Hit, ink, 2.4).of(Thing::Normal);
         let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
         let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
-        self.label_tip(Item::Hit, "n", tip, (ink, POINT_TEXT, true));
-        if let Some(spot) = self.point(hit.point, 5.0, Pen { color, ..pen }) {
-            self.label(Item::Hit, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
+        self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
+        let pen = Pen { color, ..pen }.of(inspection.thing_of(hit));
+        if let Some(spot) = self.point(hit.point, 5.0, pen) {
+            self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
         }
     }
 
     /// A pixel's cell, framed, on the viewport.
-    fn pixel(&mut self, posed: &PosedCamera, Pixel { row, column }: Pixel) {
+    pub(crate) fn pixel(&mut self, posed: &PosedCamera, Pixel { row, column }: Pixel) {
         let u = [posed.u_of_column_edge(column), posed.u_of_column_edge(column + 1)];
         let v = [posed.v_of_row_edge(row), posed.v_of_row_edge(row + 1)];
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
             .map(|(i, j)| posed.viewport_point(DVec2::new(u[i], v[j])));
-        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).on_viewport();
+        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).of(Thing::Pixel).on_viewport();
         for k in 0..4 {
             self.line(corners[k], corners[(k + 1) % 4], pen.without_halo());
         }
@@ -195,12 +199,15 @@ impl Sketch<'_> {
         };
         let color = self.colors.given;
         let eye = view.camera.eye;
-        let vectors = [("view", view.camera.view(), VIEW_LENGTH), ("up", up, UP_LENGTH)];
-        for (name, vector, length) in vectors {
+        let vectors = [
+            ("view", view.camera.view(), VIEW_LENGTH, Thing::View),
+            ("up", up, UP_LENGTH, Thing::Up),
+        ];
+        for (name, vector, length, thing) in vectors {
             if let Some(direction) = unit(vector) {
-                let pen = Pen::new(Item::ViewAndUp, color, 1.9);
+                let pen = Pen::new(Item::ViewAndUp, color, 1.9).of(thing);
                 let tip = self.arrow(eye, eye + arrow * length * direction, Head::Filled, pen);
-                self.label_tip(Item::ViewAndUp, name, tip, (color, POINT_TEXT, false));
+                self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
             }
         }
     }
@@ -208,14 +215,14 @@ impl Sketch<'_> {
     fn basis(&mut self, posed: &PosedCamera, arrow: f64) {
         let (eye, basis) = (posed.eye(), posed.basis());
         let arrows = [
-            ("u", basis.u, Head::Filled),
-            ("v", basis.v, Head::Open),
-            ("w", basis.w, Head::Double),
+            ("u", basis.u, Head::Filled, Thing::U),
+            ("v", basis.v, Head::Open, Thing::V),
+            ("w", basis.w, Head::Double, Thing::W),
         ];
-        for ((name, vector, head), color) in arrows.into_iter().zip(self.colors.basis) {
-            let pen = Pen::new(Item::Basis, color, 3.4);
+        for ((name, vector, head, thing), color) in arrows.into_iter().zip(self.colors.basis) {
+            let pen = Pen::new(Item::Basis, color, 3.4).of(thing);
             let tip = self.arrow(eye, eye + arrow * vector, head, pen);
-            self.label_tip(Item::Basis, name, tip, (color, VECTOR_TEXT, true));
+            self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
         }
     }
 
@@ -223,24 +230,21 @@ impl Sketch<'_> {
         let ink = self.colors.ink;
         if let Orientation::At { at, .. } = view.camera.orientation {
             let color = self.colors.given;
-            if let Some(spot) = self.point(at, 4.5, Pen::new(Item::At, color, 2.0)) {
-                self.label(
-                    Item::At,
-                    "at",
-                    spot.at,
-                    DVec2::new(0.5, 1.0),
-                    (color, POINT_TEXT, false),
-                );
+            let pen = Pen::new(Item::At, color, 2.0).of(Thing::At);
+            if let Some(spot) = self.point(at, 4.5, pen) {
+                let font = (color, POINT_TEXT, false);
+                self.label(pen, "at", spot.at, DVec2::new(0.5, 1.0), font);
             }
         }
-        if let Some(spot) = self.point(view.camera.eye, 6.0, Pen::new(Item::Eye, ink, 2.0)) {
-            self.label(Item::Eye, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
+        let pen = Pen::new(Item::Eye, ink, 2.0).of(Thing::Eye);
+        if let Some(spot) = self.point(view.camera.eye, 6.0, pen) {
+            self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
         }
     }
 }
 
 /// (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.
-fn corners(posed: &PosedCamera) -> [DVec2; 4] {
+pub(crate) fn corners(posed: &PosedCamera) -> [DVec2; 4] {
     let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }

@@ -1,16 +1,21 @@
 //! The camera view: the traced picture, pixels as pixels, with what is selected in it.
 
+use std::borrow::Cow;
+
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera};
 
 use crate::inspection::Inspection;
 use crate::overlay::camera_in_space::MARK_TEXT;
-use crate::overlay::drawing::{Drawing, Label, Mark, Shape, dot};
+use crate::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels::{self, Request};
 use crate::overlay::layers::{contrast, mix};
+use crate::overlay::lit::Lit;
 use crate::overlay::picture::Picture;
+use crate::overlay::sketch::Pen;
 use crate::overlay::style::{Colors, Style};
+use crate::thing::Thing;
 
 /// Everything that the camera view shows.
 #[derive(Clone, Copy, Debug)]
@@ -29,16 +34,19 @@ pub struct CameraView<'a> {
     pub scale: f32,
     /// The colours.
     pub style: Style,
+    /// What is lit, if anything.
+    pub lit: Option<Lit<'a>>,
 }
 
 /// Pixels smaller than this many dots have no grid.
 const GRID_FROM: f64 = 8.0;
 
-/// Fills the buffer with the picture, paints over it, and says which text belongs where.
-pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Vec<Label> {
+/// Fills the buffer with the picture and paints over it; what was painted, and which text belongs
+/// where.
+pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     let [width, height] = view.size;
     if width == 0 || dots.len() != width * height {
-        return Vec::new();
+        return Drawing::default();
     }
     view.picture.show_on(width, dots);
     if view.items.shows(Item::PixelGrid) {
@@ -46,7 +54,7 @@ pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Vec<Label> {
     }
     let drawing = view.drawing();
     drawing.paint(width, dots);
-    drawing.labels
+    drawing
 }
 
 /// The (u, v) at a place of the camera view, in dots; also beside the picture.
@@ -61,7 +69,7 @@ pub fn camera_position_of_uv(posed: &PosedCamera, size: [usize; 2], uv: DVec2) -
     dot(place_of(posed, size, uv))
 }
 
-fn place_of(posed: &PosedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
+pub(super) fn place_of(posed: &PosedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
     let viewport = posed.viewport();
     DVec2::new(
         width as f64 * (0.5 + uv.x / viewport.width),
@@ -70,12 +78,12 @@ fn place_of(posed: &PosedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec
 }
 
 impl CameraView<'_> {
-    fn extent(&self) -> DVec2 {
+    pub(super) fn extent(&self) -> DVec2 {
         DVec2::new(self.size[0] as f64, self.size[1] as f64)
     }
 
     /// Dots per pixel, across and down.
-    fn dots_per_pixel(&self) -> DVec2 {
+    pub(super) fn dots_per_pixel(&self) -> DVec2 {
         let image = self.posed.image();
         self.extent() / DVec2::new(image.width().into(), image.height().into())
     }
@@ -105,6 +113,7 @@ impl CameraView<'_> {
         let colors = self.style.colors();
         let mut sheet = Sheet {
             view: self,
+            items: self.items,
             colors,
             drawing: Drawing { scale: self.scale, ..Drawing::default() },
             requests: Vec::new(),
@@ -112,6 +121,9 @@ impl CameraView<'_> {
         sheet.uv_axes();
         sheet.marks();
         sheet.selected();
+        if let Some(lit) = self.lit {
+            sheet.light(lit);
+        }
         let Sheet { mut drawing, requests, .. } = sheet;
         drawing.labels = labels::place(&requests, &drawing, self.extent(), colors.halo);
         drawing
@@ -131,37 +143,41 @@ fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
 }
 
 /// The camera view's drawing in the making.
-struct Sheet<'a> {
-    view: &'a CameraView<'a>,
-    colors: &'static Colors,
-    drawing: Drawing,
-    requests: Vec<Request>,
+pub(super) struct Sheet<'a> {
+    pub(super) view: &'a CameraView<'a>,
+    pub(super) items: OverlayItems,
+    pub(super) colors: &'static Colors,
+    pub(super) drawing: Drawing,
+    pub(super) requests: Vec<Request>,
 }
 
 impl Sheet<'_> {
-    fn add(&mut self, item: Item, shape: Shape, color: Color32) {
-        if self.view.items.shows(item) {
+    pub(super) fn add(&mut self, pen: Pen, shape: Shape) {
+        let Pen { item, thing, color, .. } = pen;
+        if self.items.shows(item) {
             let halo = Some(self.colors.halo);
-            self.drawing.marks.push(Mark { item, shape, color, halo, hidden: false });
+            self.drawing.marks.push(Mark { item, thing, shape, color, halo, hidden: false });
         }
     }
 
-    fn line(&mut self, item: Item, points: &[DVec2], width: f32, color: Color32) {
+    pub(super) fn line(&mut self, points: &[DVec2], pen: Pen) {
         let points = points.iter().copied().map(dot).collect();
-        self.add(item, Shape::Line { points, width: width * self.view.scale }, color);
+        self.add(pen, Shape::Line { points, width: pen.width * self.view.scale });
     }
 
-    fn label(
+    pub(super) fn label(
         &mut self,
-        item: Item,
-        text: &'static str,
+        pen: Pen,
+        text: impl Into<Cow<'static, str>>,
         anchor: DVec2,
         toward: DVec2,
-        color: Color32,
+        (size, bold): (f32, bool),
     ) {
-        if self.view.items.shows(Item::Labels) && self.view.items.shows(item) {
-            let size = MARK_TEXT;
-            self.requests.push(Request { item, text, anchor, toward, color, size, bold: false });
+        let Pen { item, thing, color, .. } = pen;
+        if self.items.shows(Item::Labels) && self.items.shows(item) {
+            let text = text.into();
+            let request = Request { item, text, thing, anchor, toward, color, size, bold };
+            self.requests.push(request);
         }
     }
 
@@ -170,12 +186,14 @@ impl Sheet<'_> {
         let middle = 0.5 * size;
         let across = [DVec2::new(0.0, middle.y), DVec2::new(size.x, middle.y)];
         let down = [DVec2::new(middle.x, 0.0), DVec2::new(middle.x, size.y)];
-        for points in [across, down] {
-            self.line(Item::UvAxes, &points, 1.0, color);
-        }
-        let ends = [("u", DVec2::new(size.x - 1.0, middle.y)), ("v", DVec2::new(middle.x, 1.0))];
-        for (name, end) in ends {
-            self.label(Item::UvAxes, name, end, middle - end, color);
+        let axes = [
+            ("u", across, DVec2::new(size.x - 1.0, middle.y), Thing::U),
+            ("v", down, DVec2::new(middle.x, 1.0), Thing::V),
+        ];
+        for (name, points, end, thing) in axes {
+            let pen = Pen::new(Item::UvAxes, color, 1.0).of(thing);
+            self.line(&points, pen);
+            self.label(pen, name, end, middle - end, (MARK_TEXT, false));
         }
     }
 
@@ -191,14 +209,16 @@ impl Sheet<'_> {
         let up =
             [middle, middle + DVec2::new(0.7, 1.1) * side, middle + DVec2::new(-0.7, 1.1) * side];
         let corner = [DVec2::ZERO, DVec2::new(side, 0.0), DVec2::new(0.0, side)];
+        let pen = Pen::new(Item::Marks, color, 1.0);
         for polygon in [&rectangle[..], &up, &corner] {
             let points = polygon.iter().copied().map(dot).collect();
-            self.add(Item::Marks, Shape::Polygon { points }, color);
+            self.add(pen, Shape::Polygon { points });
         }
         if size.min_element() > 160.0 * scale {
             let below = DVec2::new(0.0, 1.2 * side);
-            self.label(Item::Marks, "top", middle + below, DVec2::Y, color);
-            self.label(Item::Marks, "(0, 0)", DVec2::splat(0.4 * side), DVec2::ONE, color);
+            self.label(pen, "top", middle + below, DVec2::Y, (MARK_TEXT, false));
+            let font = (MARK_TEXT, false);
+            self.label(pen, "(0, 0)", DVec2::splat(0.4 * side), DVec2::ONE, font);
         }
     }
 
@@ -206,7 +226,8 @@ impl Sheet<'_> {
     /// through the centre of one. Of pixels too small to be told apart, only the place.
     fn selected(&mut self) {
         let Some(inspection) = self.view.inspection else { return };
-        let color = self.colors.ray;
+        let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).of(Thing::Pixel);
+        let frame = Pen { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
         let posed = self.view.posed;
         let at = place_of(posed, self.view.size, inspection.uv);
@@ -216,10 +237,10 @@ impl Sheet<'_> {
         let centered = touched.len() == 1
             && place_of(posed, self.view.size, posed.uv_of_pixel(touched[0])).distance(at) < 0.01;
         if pixel_size >= 5.0 {
-            touched.iter().for_each(|pixel| self.pixel(*pixel));
+            touched.iter().for_each(|pixel| self.pixel(*pixel, frame));
         } else if !touched.is_empty() {
             let half = DVec2::splat(8.0 * scale);
-            self.frame(at - half, at + half);
+            self.frame(at - half, at + half, frame);
         }
         let inside = at.cmpge(DVec2::ZERO).all() && at.cmple(self.view.extent()).all();
         if !inside || pixel_size < 5.0 {
@@ -228,23 +249,24 @@ impl Sheet<'_> {
         if !centered {
             for axis in [DVec2::X, DVec2::Y] {
                 let arm = 9.0 * scale * axis;
-                self.line(Item::Ray, &[at - arm, at + arm], 1.8, color);
+                self.line(&[at - arm, at + arm], pen);
             }
         }
-        if inspection.first.is_some() && pixel_size >= 12.0 {
+        if let (Some(hit), true) = (inspection.first_hit(), pixel_size >= 12.0) {
             let radius = 3.2 * self.view.scale;
-            self.add(Item::Hit, Shape::Disc { center: dot(at), radius }, color);
+            let pen = Pen { item: Item::Hit, ..pen }.of(inspection.thing_of(hit));
+            self.add(pen, Shape::Disc { center: dot(at), radius });
         }
     }
 
-    fn pixel(&mut self, Pixel { row, column }: Pixel) {
+    fn pixel(&mut self, Pixel { row, column }: Pixel, pen: Pen) {
         let per_pixel = self.view.dots_per_pixel();
         let corner = |row: u32, column: u32| DVec2::new(column.into(), row.into()) * per_pixel;
-        self.frame(corner(row, column), corner(row + 1, column + 1));
+        self.frame(corner(row, column), corner(row + 1, column + 1), pen);
     }
 
-    fn frame(&mut self, from: DVec2, to: DVec2) {
+    pub(super) fn frame(&mut self, from: DVec2, to: DVec2, pen: Pen) {
         let points = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y), from];
-        self.line(Item::Ray, &points, 2.2, self.colors.ray);
+        self.line(&points, pen);
     }
 }

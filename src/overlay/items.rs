@@ -126,6 +126,9 @@ impl OverlayItems {
     /// Nothing at all.
     pub const NONE: OverlayItems = OverlayItems { off: u32::MAX };
 
+    /// Everything.
+    pub const ALL: OverlayItems = OverlayItems { off: 0 };
+
     /// Whether the item is drawn.
     pub fn shows(self, item: Item) -> bool {
         self.off & item.bit() == 0

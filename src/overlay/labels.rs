@@ -1,17 +1,21 @@
 //! Finding each label a place: inside the picture, beside what it names, over no other label, and
 //! over as few lines as can be.
 
+use std::borrow::Cow;
+
 use egui::Color32;
 use pinhole_core::DVec2;
 
 use crate::overlay::drawing::{Drawing, Label, Shape, dot};
 use crate::overlay::items::Item;
+use crate::thing::Thing;
 
 /// A label that wants a place.
 #[derive(Clone, Debug)]
 pub(crate) struct Request {
     pub(crate) item: Item,
-    pub(crate) text: &'static str,
+    pub(crate) text: Cow<'static, str>,
+    pub(crate) thing: Option<Thing>,
     /// What it names, in dots.
     pub(crate) anchor: DVec2,
     /// Where from there it would best stand; any length, zero for no wish.
@@ -47,7 +51,7 @@ pub(crate) fn place(
         let mut label = Label {
             item: request.item,
             position: [0.0, 0.0],
-            text: request.text.to_owned(),
+            text: request.text.clone().into_owned(),
             color: request.color,
             halo,
             size: request.size,

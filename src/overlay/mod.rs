@@ -5,6 +5,7 @@
 //! left to the caller, who has fonts. The window and exported figures use the same drawing.
 //!
 //! - `world_view`: what the world view shows; `camera_view`: what the camera view shows.
+//! - `lit`, `lit_world`, `lit_camera`: what is pointed at, over all else.
 //! - `screen`: projection and clipping; `flat`: the way back, from a dot to a place on a plane.
 //! - `layers`: what is filled dot by dot (planes, the picture on the viewport), and what hides what.
 //! - `sketch`: lines and arrows of the world into marks; `labels`: places for text;
@@ -17,6 +18,9 @@ mod flat;
 mod items;
 mod labels;
 mod layers;
+mod lit;
+mod lit_camera;
+mod lit_world;
 mod objects;
 mod paint;
 mod picture;
@@ -26,8 +30,9 @@ mod style;
 mod world_view;
 
 pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
-pub use drawing::{Drawing, Label, Mark, Shape};
+pub use drawing::{Drawing, Label, Mark, Shape, Target, thing_at};
 pub use items::{Item, OverlayItems};
+pub use lit::Lit;
 pub use picture::Picture;
 pub use style::{Colors, Style};
 pub use world_view::{WorldView, pick, world, world_position_of};

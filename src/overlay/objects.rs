@@ -10,6 +10,7 @@ use crate::overlay::layers::{Patch, mix};
 use crate::overlay::screen::{RayParts, unit};
 use crate::overlay::sketch::{Pen, Sketch};
 use crate::overlay::style::Colors;
+use crate::thing::Thing;
 
 /// The patch's radius, as a share of the observer's distance to the target and on to the plane; and
 /// how far the plane can be from the target, as a multiple of the observer's distance to it.
@@ -70,7 +71,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
 }
 
 /// Two directions in the plane at right angles, along the world's axes where the plane allows.
-fn tangents(normal: DVec3) -> (DVec3, DVec3) {
+pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     let least = normal.abs();
     let axis = if least.x <= least.y && least.x <= least.z {
         DVec3::X
@@ -102,10 +103,10 @@ fn grid_step(distance: f64) -> f64 {
 
 impl Sketch<'_> {
     /// Three circles on a sphere, at right angles to x, y and z.
-    pub(crate) fn circles(&mut self, sphere: &Sphere, [r, g, b]: Rgb) {
+    pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
         const SIDES: usize = 72;
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
-        let pen = Pen::new(Item::Frustum, color, 1.2).without_halo();
+        let pen = Pen::new(Item::Frustum, color, 1.2).of(Thing::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
             let at = |k: usize| {
                 let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();

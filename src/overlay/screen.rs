@@ -49,8 +49,14 @@ const BEYOND_BORDER: f64 = 0.1;
 impl Screen {
     /// `unit` is a length of about the size of what is seen.
     pub(crate) fn new(observer: &PosedCamera, unit: f64) -> Screen {
-        let (viewport, image) = (observer.viewport(), observer.image());
+        let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
+        Screen::of_size(observer, size, unit)
+    }
+
+    /// The same with the image stretched over so many dots.
+    pub(crate) fn of_size(observer: &PosedCamera, size: DVec2, unit: f64) -> Screen {
+        let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
         let unit = if unit.is_finite() && unit > 0.0 { unit } else { 1.0 };
         Screen { observer: *observer, focal, size, unit }

@@ -1,6 +1,8 @@
 //! Lines, arrows and points of the world into the marks of a [`Drawing`]: projected, cut, and
 //! parted into what is seen and what is hidden.
 
+use std::borrow::Cow;
+
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3};
 
@@ -10,17 +12,21 @@ use crate::overlay::labels::Request;
 use crate::overlay::layers::Layers;
 use crate::overlay::screen::{CutLine, Screen, Spot};
 use crate::overlay::style::Colors;
+use crate::thing::Thing;
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen {
     pub(crate) item: Item,
+    pub(crate) thing: Option<Thing>,
     pub(crate) color: Color32,
     /// In points.
     pub(crate) width: f32,
     pub(crate) halo: bool,
     /// Drawn on the viewport's rectangle, and so not hidden by it.
     pub(crate) on_viewport: bool,
+    /// Never hidden by anything.
+    pub(crate) on_top: bool,
 }
 
 /// The shape of an arrow's head.
@@ -60,7 +66,17 @@ struct Run {
 
 impl Pen {
     pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
-        Pen { item, color, width, halo: true, on_viewport: false }
+        let (thing, on_viewport, on_top) = (None, false, false);
+        Pen { item, thing, color, width, halo: true, on_viewport, on_top }
+    }
+
+    /// What it draws, for whoever points at it.
+    pub(crate) fn of(self, thing: Thing) -> Pen {
+        Pen { thing: Some(thing), ..self }
+    }
+
+    pub(crate) fn on_top(self) -> Pen {
+        Pen { on_top: true, ..self }
     }
 
     pub(crate) fn without_halo(self) -> Pen {
@@ -121,7 +137,7 @@ impl Sketch<'_> {
             let back = tip - direction * size;
             [tip, back + side, back - side]
         };
-        let hidden = self.is_hidden(tip, pen.on_viewport);
+        let hidden = self.is_hidden(tip, pen);
         let mut add = |corners: &[DVec2], filled: bool| {
             let mut points: Vec<[f32; 2]> = corners.iter().copied().map(dot).collect();
             let shape = if filled && !hidden {
@@ -135,7 +151,8 @@ impl Sketch<'_> {
             };
             let halo = (pen.halo && !hidden).then_some(self.colors.halo);
             // A dashed head would be no head.
-            let mark = Mark { item: pen.item, shape, color: pen.color, halo, hidden: false };
+            let (item, thing, color) = (pen.item, pen.thing, pen.color);
+            let mark = Mark { item, thing, shape, color, halo, hidden: false };
             self.drawing.marks.push(mark);
         };
         match head {
@@ -163,7 +180,7 @@ impl Sketch<'_> {
 
     /// A hidden disc is a ring.
     fn disc(&mut self, spot: Spot, radius: f32, pen: Pen) {
-        let hidden = self.is_hidden(spot, pen.on_viewport);
+        let hidden = self.is_hidden(spot, pen);
         let radius = radius * self.drawing.scale;
         let shape = if hidden {
             let ring = (0..=24).map(|k| {
@@ -182,6 +199,7 @@ impl Sketch<'_> {
         let halo = pen.halo.then_some(self.colors.halo);
         self.drawing.marks.push(Mark {
             item: pen.item,
+            thing: pen.thing,
             shape,
             color: pen.color,
             halo,
@@ -198,7 +216,7 @@ impl Sketch<'_> {
         else {
             return;
         };
-        let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen.on_viewport));
+        let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
         if seen {
             let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };
             self.mark(shape, pen);
@@ -208,43 +226,46 @@ impl Sketch<'_> {
     /// Asks for a label.
     pub(crate) fn label(
         &mut self,
-        item: Item,
-        text: &'static str,
+        pen: Pen,
+        text: impl Into<Cow<'static, str>>,
         anchor: DVec2,
         toward: DVec2,
         font: (Color32, f32, bool),
     ) {
         let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
-        if self.items.shows(Item::Labels) && self.items.shows(item) && inside {
+        if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
             let (color, size, bold) = font;
-            self.requests.push(Request { item, text, anchor, toward, color, size, bold });
+            let (item, thing, text) = (pen.item, pen.thing, text.into());
+            let request = Request { item, text, thing, anchor, toward, color, size, bold };
+            self.requests.push(request);
         }
     }
 
-    fn is_hidden(&self, spot: Spot, on_viewport: bool) -> bool {
-        self.layers.hides(spot.at, 1.0 / spot.inverse_t, on_viewport)
+    fn is_hidden(&self, spot: Spot, pen: Pen) -> bool {
+        !pen.on_top && self.layers.hides(spot.at, 1.0 / spot.inverse_t, pen.on_viewport)
     }
 
     fn cut_line(&mut self, from: Spot, to: Spot, pen: Pen) {
         let scale = self.drawing.scale;
-        for run in self.runs(from, to, pen.on_viewport) {
+        for run in self.runs(from, to, pen) {
             let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
             let thin = if run.hidden { 0.65 } else { 1.0 };
             let halo = (pen.halo && !run.hidden).then_some(self.colors.halo);
             let shape = Shape::Line { points, width: thin * pen.width * scale };
-            let mark = Mark { item: pen.item, shape, color: pen.color, halo, hidden: run.hidden };
+            let (item, thing, color) = (pen.item, pen.thing, pen.color);
+            let mark = Mark { item, thing, shape, color, halo, hidden: run.hidden };
             self.drawing.marks.push(mark);
         }
     }
 
-    fn runs(&self, from: Spot, to: Spot, on_viewport: bool) -> Vec<Run> {
+    fn runs(&self, from: Spot, to: Spot, pen: Pen) -> Vec<Run> {
         let length = (to.at - from.at).length();
         let count = (length / SAMPLE_SPACING).ceil().clamp(1.0, 16_384.0) as usize;
         let shortest = SHORTEST_RUN * self.scale() / length.max(1e-9);
         let mut runs: Vec<Run> = Vec::new();
         for k in 0..count {
             let share = |k: f64| k / count as f64;
-            let hidden = self.is_hidden(from.toward(to, share(k as f64 + 0.5)), on_viewport);
+            let hidden = self.is_hidden(from.toward(to, share(k as f64 + 0.5)), pen);
             let to = share(k as f64 + 1.0);
             match runs.last_mut() {
                 Some(last) if last.hidden == hidden => last.to = to,

@@ -5,11 +5,12 @@ use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Rgb, Scene};
 
 use crate::inspection::Inspection;
 use crate::observer::Observer;
-use crate::overlay::drawing::{Drawing, Label};
+use crate::overlay::drawing::Drawing;
 use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels;
 use crate::overlay::layers::{Layers, PictureLookup, ViewportLayer};
+use crate::overlay::lit::Lit;
 use crate::overlay::objects::{self, Onlooker};
 use crate::overlay::picture::Picture;
 use crate::overlay::screen::Screen;
@@ -44,16 +45,18 @@ pub struct WorldView<'a> {
     pub scale: f32,
     /// The colours.
     pub style: Style,
+    /// What is lit, if anything.
+    pub lit: Option<Lit<'a>>,
 }
 
-/// Paints the world view over the observer's traced and shaded picture, and says which text
-/// belongs where.
-pub fn world(view: &WorldView, dots: &mut [Color32]) -> Vec<Label> {
+/// Paints the world view over the observer's traced and shaded picture; what was painted, and which
+/// text belongs where.
+pub fn world(view: &WorldView, dots: &mut [Color32]) -> Drawing {
     let layers = view.layers();
     layers.paint(dots);
     let drawing = view.sketch(&layers);
     drawing.paint(view.frame.camera().image().width() as usize, dots);
-    drawing.labels
+    drawing
 }
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
@@ -140,10 +143,13 @@ impl<'a> WorldView<'a> {
         };
         for index in self.enclosing {
             if let Some(sphere) = self.scene.spheres().get(*index as usize) {
-                sketch.circles(sphere, (self.color_of)(*index));
+                sketch.circles(*index, sphere, (self.color_of)(*index));
             }
         }
         sketch.camera_in_space(self);
+        if let Some(lit) = self.lit {
+            sketch.light(self, lit);
+        }
         let Sketch { mut drawing, requests, .. } = sketch;
         drawing.labels = labels::place(&requests, &drawing, screen.size, colors.halo);
         drawing

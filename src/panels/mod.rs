@@ -4,7 +4,9 @@
 pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
+pub(crate) mod formula;
 pub(crate) mod frame;
+pub(crate) mod ledger;
 pub(crate) mod lesson_strip;
 mod marked_text;
 mod number;

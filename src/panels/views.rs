@@ -3,14 +3,16 @@
 use egui::{
     Color32, EventFilter, Key, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
 };
-use pinhole_core::ImageSize;
+use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::Action;
 use crate::derive::{Derived, Shown, ViewSizes};
+use crate::document::Document;
 use crate::label_text;
 use crate::overlay;
 use crate::panels::places::{Places, STRIP};
 use crate::session::{Selection, Session, Settings, ViewLayout};
+use crate::thing::{Pointed, Pointing, Thing};
 use crate::view_texture::ViewTexture;
 
 /// The world view's name, on the screen and for screen readers.
@@ -173,6 +175,71 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
             observer.zoom(factor);
         }
     }
+}
+
+/// How near to a mark the mouse points at it, in points.
+const REACH: f32 = 8.0;
+
+/// In scenes of more objects, what the mouse is on in the camera view is not looked for.
+const ASKED_OBJECTS: usize = 4096;
+
+/// What the mouse points at in a view: the nearest mark, or else the object under it.
+pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Pointed> {
+    let thing = ui.input(|i| !i.pointer.any_down()).then(|| {
+        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
+            .or_else(|| {
+                let rect = places.camera?;
+                let seen =
+                    |at| object_in_picture(shown, rect.size() * ui.ctx().pixels_per_point(), at);
+                in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
+            })
+    })??;
+    Some(Pointed { thing, by: Pointing::View })
+}
+
+fn in_view(
+    ui: &Ui,
+    rect: Option<Rect>,
+    name: &str,
+    shown: Option<&Shown>,
+    object_at: impl Fn(Vec2) -> Option<Thing>,
+) -> Option<Thing> {
+    let response = ui.ctx().read_response(ui.scope_id().with(name))?;
+    let pointer = response.hover_pos().filter(|_| response.hovered())?;
+    let per_point = ui.ctx().pixels_per_point();
+    let at = (pointer - rect?.min) * per_point;
+    overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
+}
+
+/// The sphere at a place of the world view.
+fn object_seen(shown: &Derived, at: Vec2) -> Option<Thing> {
+    let frame = shown.world_frame.as_ref()?;
+    let image = frame.camera().image();
+    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
+    let place = (at.y as usize) * image.width() as usize + at.x as usize;
+    let object = *frame.object.get(place).filter(|object| inside && **object != NO_OBJECT)?;
+    Some(Thing::Object(object))
+}
+
+/// The object at a place of the camera view.
+fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
+    let (posed, scene) = (shown.posed.as_ref()?, shown.scene.as_ref()?);
+    if scene.len() > ASKED_OBJECTS {
+        return None;
+    }
+    let size = [size.x.round() as usize, size.y.round() as usize];
+    let uv = overlay::camera_uv_at(posed, size, [at.x, at.y]);
+    let ray = posed.exact_ray_at(uv).ok()?;
+    Some(Thing::Object(scene.first_hit_of(&ray)?.object))
+}
+
+/// The name of what is pointed at in a view, beside the mouse.
+pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Document) {
+    let Some(Pointed { thing, by: Pointing::View }) = pointed else { return };
+    let words = thing.words(|object| document.title_of(object as usize));
+    let id = ui.scope_id().with("pointed");
+    egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
+        .show(|ui| ui.label(RichText::new(words).size(15.0)));
 }
 
 /// Titles above the views, with a button that gives one all the room.

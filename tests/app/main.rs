@@ -8,6 +8,7 @@ mod edits;
 mod faults;
 mod frame;
 mod harness;
+mod ledger;
 mod lessons;
 mod objects;
 mod scene_files;

@@ -220,6 +220,14 @@ const STEPS: Cases = &[
         "7:8: step[0].show is \"eye\": it must be a list, such as [\"eye\", \"basis\", \"ray\"]",
     ),
     (
+        "scene = \"canonical\"\nledger = [\"basics\"]\n",
+        "7:11: step[0].ledger[0] is \"basics\": did you mean \"basis\"?",
+    ),
+    (
+        "scene = \"canonical\"\nlit = \"up-cross-v\"\n",
+        "7:7: step[0].lit is \"up-cross-v\": did you mean \"up-cross-w\"?",
+    ),
+    (
         "scene = \"canonical\"\nshade = \"phong\"\n",
         "7:9: step[0].shade is \"phong\": it must be one of lambert, normal, t, object",
     ),

@@ -2,6 +2,7 @@
 
 mod camera_view;
 mod dots;
+mod lit;
 mod marks;
 mod wild;
 
@@ -82,6 +83,7 @@ impl Stage {
             items: self.items,
             scale: 1.0,
             style: Style::Light,
+            lit: None,
         }
     }
 

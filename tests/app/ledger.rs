@@ -1,0 +1,210 @@
+//! The ledger: its lines, and pointing from it to the views and back.
+
+use std::sync::Arc;
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::app::App;
+use pinhole::overlay::{Shape, Target};
+use pinhole::session::{Settings, ViewLayout};
+use pinhole::store::Remembered;
+use pinhole::thing::{Pointed, Pointing, Thing};
+
+use super::harness::{assert_says, says, texts_with, type_into, window_with};
+
+fn ledger_window(scene: &str) -> Harness<'static, App> {
+    let settings = Settings { layout: ViewLayout::Ledger, ..Settings::default() };
+    window_with(scene, Remembered { settings, ..Remembered::default() }, None)
+}
+
+fn pointed(window: &Harness<'_, App>) -> Option<Pointed> {
+    window.state().session().pointed
+}
+
+/// Moves the mouse to where nothing can be pointed at.
+fn point_at_nothing(window: &mut Harness<'_, App>) {
+    window.remove_cursor();
+    window.run();
+    assert_eq!(pointed(window), None);
+}
+
+/// Moves the mouse to a mark in a view.
+fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Thing) {
+    let derived = window.state().derived();
+    let shown = if view == "World view" { &derived.world_view } else { &derived.camera_view };
+    let target: Target = shown
+        .as_ref()
+        .unwrap()
+        .targets
+        .iter()
+        .rfind(|target| target.thing == thing)
+        .unwrap()
+        .clone();
+    let [x, y] = match target.shape {
+        Shape::Line { points, .. } | Shape::Polygon { points } => {
+            let [a, b] = [points[0], points[1]];
+            [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
+        }
+        Shape::Disc { center, .. } => center,
+    };
+    let at = window.get_by_role_and_label(Role::Image, view).rect().min + egui::vec2(x, y);
+    window.hover_at(at);
+    window.run();
+}
+
+#[test]
+fn every_line_can_be_read() {
+    let window = ledger_window("canonical");
+    for line in [
+        "eye = (0, 0, 0)",
+        "view = at − eye = (0, 0, −1) − (0, 0, 0) = (0, 0, −1)",
+        "−view = (0, 0, 1)",
+        "𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)",
+        "up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)",
+        "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
+        "(u, v) = (0.2, −0.1)   (the corner of four pixels, no pixel's centre)",
+        "𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (0.2, 0, 0) + (0, −0.1, 0) + (0, 0, −1) = (0.2, −0.1, −1)",
+    ] {
+        assert_says(&window, line);
+    }
+}
+
+#[test]
+fn a_line_that_is_pointed_at_lights_its_thing_in_both_views() {
+    let mut window = ledger_window("canonical");
+    let before = window.state().document().clone();
+    let pictures = |window: &Harness<'_, App>| {
+        let derived = window.state().derived();
+        [&derived.world_view, &derived.camera_view].map(|shown| shown.clone().unwrap())
+    };
+    let unlit = pictures(&window);
+    let traced = window.state().pictures_traced();
+    window.get_by_label("up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)").hover();
+    window.run();
+    assert_eq!(pointed(&window), Some(Pointed { thing: Thing::UpCrossW, by: Pointing::Ledger }));
+    let lit = pictures(&window);
+    for (lit, unlit) in lit.iter().zip(&unlit) {
+        assert_ne!(lit.image, unlit.image);
+        assert!(lit.targets.iter().any(|target| target.thing == Thing::UpCrossW));
+    }
+    let labels: Vec<&str> = lit[0].labels.iter().map(|label| label.text.as_str()).collect();
+    assert!(labels.contains(&"sin(90°) = 1"), "{labels:?}");
+    point_at_nothing(&mut window);
+    for (now, unlit) in pictures(&window).iter().zip(&unlit) {
+        assert_eq!(now.image, unlit.image);
+    }
+    assert_eq!(window.state().pictures_traced(), traced, "pointing traces nothing");
+    assert_eq!(*window.state().document(), before);
+}
+
+#[test]
+fn a_line_that_has_the_focus_lights_its_thing() {
+    let mut window = ledger_window("canonical");
+    window.get_by_label("−view = (0, 0, 1)").focus();
+    window.run();
+    assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(Thing::Backwards));
+}
+
+#[test]
+fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
+    let mut window = ledger_window("canonical");
+    for (view, thing, line, words) in [
+        ("World view", Thing::W, "𝐰 = normalize", "w: backwards, of length 1"),
+        ("World view", Thing::V, "𝐯 = 𝐰 × 𝐮", "v: up in the image"),
+        ("World view", Thing::Eye, "eye = ", "eye: where every view ray begins"),
+        ("Camera view", Thing::Pixel, "(u, v) = ", "the selected place in the viewport"),
+    ] {
+        hover_mark(&mut window, view, thing);
+        assert_eq!(pointed(&window), Some(Pointed { thing, by: Pointing::View }), "{view}");
+        assert!(says(&window, words), "{:?}", texts_with(&window, words));
+        let lit: Vec<String> = window
+            .root()
+            .children_recursive()
+            .map(|node| node.accesskit_node())
+            .filter(|node| node.description().as_deref() == Some("lit"))
+            .filter_map(|node| node.value())
+            .collect();
+        assert!(lit.iter().any(|text| text.starts_with(line)), "{view}: {lit:?}");
+        point_at_nothing(&mut window);
+    }
+}
+
+#[test]
+fn the_line_of_what_is_pointed_at_is_scrolled_into_view() {
+    let mut window = ledger_window("canonical");
+    window.set_size(egui::vec2(1280.0, 560.0));
+    window.run();
+    let seen = |window: &Harness<'_, App>| {
+        let line = window.get_by(|node| {
+            node.value().is_some_and(|text| text.starts_with("t = (𝐧 · (point − 𝐩))/"))
+        });
+        line.rect().max.y < 560.0
+    };
+    assert!(!seen(&window));
+    let hit = Thing::Root { object: 2, number: 0 };
+    hover_mark(&mut window, "World view", hit);
+    assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(hit));
+    assert!(seen(&window));
+}
+
+#[test]
+fn a_number_that_changes_changes_the_ledger_in_the_same_frame() {
+    let mut window = ledger_window("canonical");
+    window.get_by_role_and_label(Role::SpinButton, "distance").click();
+    window.run();
+    window.get_by_role_and_label(Role::SpinButton, "distance").type_text("2");
+    window.run();
+    window.key_press(egui::Key::Enter);
+    window.step();
+    assert_eq!(window.state().document().camera.viewport.distance, 2.0);
+    assert_says(&window, "−distance 𝐰 = −2 (0, 0, 1) = (0, 0, −2)");
+}
+
+#[test]
+fn the_derivation_goes_up_to_the_line_that_fails() {
+    let mut window = ledger_window("canonical");
+    type_into(&mut window, "at z", "0");
+    let reason = "eye and at are the same point (0, 0, 0): move one of them";
+    assert_says(&window, "view = at − eye = (0, 0, 0) − (0, 0, 0) = (0, 0, 0)");
+    assert_says(&window, &format!("𝐰 = normalize(−view)   ({reason})"));
+    assert!(texts_with(&window, "up × 𝐰").is_empty());
+    type_into(&mut window, "at y", "1");
+    assert_says(&window, "up × 𝐰 = (0, 1, 0) × (0, −1, 0) = (0, 0, 0)");
+    let line = window.get_by_label("up × 𝐰 = (0, 1, 0) × (0, −1, 0) = (0, 0, 0)");
+    line.hover();
+    window.run();
+    assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(Thing::UpCrossW));
+}
+
+#[test]
+fn sections_are_folded_and_left_out() {
+    let mut window = ledger_window("canonical");
+    window.get_by_label("Fold: Basis").click();
+    window.run();
+    assert!(!says(&window, "−view = (0, 0, 1)"));
+    window.get_by_label("Unfold: Basis").click();
+    window.run();
+    assert_says(&window, "−view = (0, 0, 1)");
+    window.get_by_label("Ledger: Objects").click();
+    window.run();
+    assert!(texts_with(&window, "D = b²").is_empty());
+    window.get_by_label("Copy the ledger").click();
+    window.step();
+    let copied =
+        window.output().platform_output.commands.iter().find_map(|command| match command {
+            egui::OutputCommand::CopyText(text) => Some(text.clone()),
+            _ => None,
+        });
+    let copied = copied.unwrap();
+    assert!(copied.starts_with("Basis\n  eye = (0, 0, 0)\n"), "{copied}");
+    assert!(!copied.contains("D = b²"));
+}
+
+#[test]
+fn an_idle_window_keeps_its_ledger() {
+    let mut window = ledger_window("look-at");
+    let before = window.state().derived().ledger.clone().unwrap();
+    window.step();
+    assert!(Arc::ptr_eq(&before, window.state().derived().ledger.as_ref().unwrap()));
+}
