@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::formats::scene_argument::SceneSource;
+use crate::lessons::Place;
 
 /// Something to do once, after the panels and before anything is derived.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +25,13 @@ pub enum Action {
     },
     /// Close the window, asking first if there are unsaved changes.
     Quit,
-    /// Close the window or open the scene without saving.
+    /// Show this step of a lesson, asking first if there are unsaved changes of a scene.
+    GoTo(Place),
+    /// Set everything as the open lesson's step says, once more; asking likewise.
+    BackToStep,
+    /// Close the lesson that is open; its scene stays.
+    CloseLesson,
+    /// Do it (close the window, open the scene or the step) without saving.
     Discard(Box<Action>),
     /// Save, then go on with this if that worked.
     SaveThen(Box<Action>),

@@ -110,6 +110,11 @@ impl Thing {
         NAMES.iter().find(|(_, known, _)| *known == name).map(|(thing, ..)| *thing)
     }
 
+    /// The names of all things that have no number.
+    pub fn names() -> [&'static str; 19] {
+        NAMES.map(|(_, name, _)| name)
+    }
+
     /// Its name in files.
     pub fn name(self) -> String {
         match self {

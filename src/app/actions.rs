@@ -16,14 +16,19 @@ impl App {
     /// Does it, or asks what stands in its way.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::Open(_) | Action::Quit if self.open.has_changes() => {
+            Action::Open(_) | Action::Quit | Action::GoTo(_) | Action::BackToStep
+                if self.open.has_changes() =>
+            {
                 self.ask_about_changes(action);
             }
-            Action::Open(_) | Action::Quit => self.proceed(ctx, action),
+            Action::Open(_) | Action::Quit | Action::GoTo(_) | Action::BackToStep => {
+                self.proceed(ctx, action);
+            }
             Action::Discard(then) => {
-                self.discarded = !matches!(*then, Action::Open(_));
+                self.discarded = matches!(*then, Action::Quit);
                 self.proceed(ctx, *then);
             }
+            Action::CloseLesson => self.close_lesson(ctx),
             Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
                 self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
@@ -45,13 +50,16 @@ impl App {
         }
     }
 
-    /// Opens the other scene, or closes the window: nothing stands in the way any more.
+    /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
     fn proceed(&mut self, ctx: &Context, action: Action) {
-        if let Action::Open(source) = action {
-            self.load(source);
-        } else {
-            self.may_close = true;
-            ctx.send_viewport_cmd(ViewportCommand::Close);
+        match action {
+            Action::Open(source) => self.load(source),
+            Action::GoTo(place) => self.go_to(ctx, place),
+            Action::BackToStep => self.back_to_step(ctx),
+            _ => {
+                self.may_close = true;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
         }
     }
 
@@ -71,15 +79,11 @@ impl App {
     }
 
     pub(super) fn ask_about_changes(&mut self, then: Action) {
-        self.dialog = Some(Dialog::Unsaved { title: title_of(&self.open.source), then });
+        self.dialog = Some(Dialog::Unsaved { title: title_of(self.open.origin()), then });
     }
 
     fn ask_save_as(&mut self, then: Option<Box<Action>>) {
-        let name = match &self.open.source {
-            SceneSource::Builtin(scene) => format!("{}.toml", scene.name),
-            file => title_of(file),
-        };
-        let field = PathField::near(self.open.file(), &name);
+        let field = PathField::near(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
     }
 

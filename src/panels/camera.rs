@@ -6,10 +6,13 @@ use pinhole_core::{
 };
 
 use super::number::{NumberField, error_color, vector_color, vector_row};
+use super::teaching;
+use crate::session::Settings;
 
-/// Edits the camera. `keep_shape` is the lock that keeps the pixels' shape, width : height against
-/// W : H, whatever it is.
-pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, keep_shape: &mut bool) {
+/// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
+/// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
+/// distance : width : height.
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -23,14 +26,15 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, keep_shape: &mut bool) {
     Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
     ui.add_space(6.0);
     ui.heading("Viewport and image");
-    Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, *keep_shape));
+    Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
     if let Err(fault) = camera.viewport.check() {
         // Below the grid, where it wraps: in a cell it would widen the panel.
         ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
     }
     let hint = "Editing width, height, W or H takes another of them along";
-    ui.checkbox(keep_shape, "Keep the pixels' shape").on_hover_text(hint);
+    ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
     pixel_shape(ui, camera);
+    teaching::ui(ui, camera, settings);
 }
 
 /// How the camera is given; switching converts.
@@ -109,7 +113,7 @@ fn is_at_fault(fault: &BasisError, field: &str) -> bool {
     at_fault == field
 }
 
-fn viewport(ui: &mut Ui, camera: &mut Camera, keep_shape: bool) {
+fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     let before = *camera;
     let (mut columns, mut rows) = (camera.image.width(), camera.image.height());
     ui.label("width");
@@ -124,10 +128,13 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, keep_shape: bool) {
     ui.label("distance");
     NumberField::new("distance", &mut camera.viewport.distance).show(ui);
     ui.end_row();
-    if keep_shape {
+    if settings.keep_picture && camera.viewport != before.viewport {
+        teaching::keep_picture(ui, &before, camera);
+    } else if settings.keep_pixel_shape {
         keep_pixels_shape(&before, camera);
     }
-    field_of_view(ui, camera);
+    // Another field of view is another picture.
+    field_of_view(ui, camera, !settings.keep_picture);
 }
 
 /// One measure of the image.
@@ -142,7 +149,7 @@ fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
 }
 
 /// Both fields of view in degrees; editing one changes width and height and keeps the distance.
-fn field_of_view(ui: &mut Ui, camera: &mut Camera) {
+fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     if camera.viewport.check().is_err() {
         return;
     }
@@ -150,7 +157,8 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera) {
     let edited = |ui: &mut Ui, name: &str, radians: f64| {
         let mut degrees = radians.to_degrees();
         let field = NumberField::new(name, &mut degrees).suffix("°").within(FOV_DEGREES);
-        field.show(ui).changed().then(|| degrees.to_radians())
+        let response = ui.add_enabled_ui(enabled, |ui| field.show(ui)).inner;
+        response.changed().then(|| degrees.to_radians())
     };
     ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
     if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {

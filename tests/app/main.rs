@@ -10,6 +10,7 @@ mod frame;
 mod harness;
 mod ledger;
 mod lines;
+mod lessons;
 mod objects;
 mod plot;
 mod scene_files;
@@ -17,3 +18,4 @@ mod selection;
 mod snapshots;
 #[path = "../support/mod.rs"]
 mod support;
+mod teaching;

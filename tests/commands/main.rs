@@ -3,6 +3,7 @@
 
 mod bench;
 mod inspect;
+mod lesson;
 mod render;
 mod report;
 mod scenes;

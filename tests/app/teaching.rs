@@ -1,0 +1,111 @@
+//! The camera panel's part for teaching.
+
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole_core::{DVec3, Orientation};
+
+use super::harness::{assert_says, says, type_into, window};
+
+type Window = egui_kittest::Harness<'static, pinhole::app::App>;
+
+/// A window with the part unfolded.
+fn teaching(scene: &str) -> Window {
+    let mut window = window(scene);
+    window.get_by_label("Teaching").click();
+    window.run();
+    window
+}
+
+fn up(window: &Window) -> DVec3 {
+    window.state().document().camera.up()
+}
+
+fn near(a: DVec3, b: DVec3) -> bool {
+    (a - b).length() < 1e-12
+}
+
+#[test]
+fn the_locked_picture_stays_while_distance_width_or_height_change() {
+    let mut window = teaching("canonical");
+    window.get_by_label("Keep the picture: scale distance, width and height together").click();
+    window.run();
+    let before = window.state().derived().camera_view.clone().unwrap().image;
+    let fov = window.get_by_role_and_label(Role::SpinButton, "vertical field of view");
+    assert!(fov.accesskit_node().is_disabled());
+    for (field, text, [width, height, distance]) in [
+        ("distance", "2", [2.0, 2.0, 2.0]),
+        ("width", "3", [3.0, 3.0, 3.0]),
+        ("height", "1/2", [0.5, 0.5, 0.5]),
+    ] {
+        type_into(&mut window, field, text);
+        let viewport = window.state().document().camera.viewport;
+        assert_eq!([viewport.width, viewport.height, viewport.distance], [width, height, distance]);
+    }
+    type_into(&mut window, "distance", "2");
+    type_into(&mut window, "uv u", "0.4");
+    type_into(&mut window, "uv v", "-0.2");
+    assert_says(&window, "d = (0.4, −0.2, −2)");
+    assert_says(&window, "t = 3");
+    assert_says(&window, "point = (1.2, −0.6, −6)");
+    type_into(&mut window, "uv u", "0.2");
+    type_into(&mut window, "distance", "1");
+    type_into(&mut window, "uv v", "-0.1");
+    assert_eq!(before, window.state().derived().camera_view.clone().unwrap().image);
+}
+
+#[test]
+fn up_is_swung_about_the_view() {
+    let mut window = teaching("canonical");
+    for (degrees, wanted) in
+        [("90", DVec3::NEG_X), ("180", DVec3::NEG_Y), ("-90", DVec3::X), ("0", DVec3::Y)]
+    {
+        type_into(&mut window, "swing up", degrees);
+        assert!(near(up(&window), wanted), "{degrees}: {}", up(&window));
+    }
+    type_into(&mut window, "swing up", "30");
+    let field = window.get_by_role_and_label(Role::SpinButton, "swing up");
+    assert_eq!(field.value().as_deref(), Some("30°"));
+    type_into(&mut window, "up x", "1");
+    let field = window.get_by_role_and_label(Role::SpinButton, "swing up");
+    assert_eq!(field.value().as_deref(), Some("0°"), "counted from the up that was typed");
+}
+
+#[test]
+fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
+    let mut window = teaching("canonical");
+    let basis = *window.state().derived().posed.unwrap().basis();
+    for (degrees, number, word) in [
+        ("90", "1° of roll per 1° of up", "Calm"),
+        ("10", "5.76° of roll per 1° of up", "Sensitive"),
+        ("0.5", "115° of roll per 1° of up", "Nervous"),
+        ("179.5", "115° of roll per 1° of up", "Nervous"),
+    ] {
+        type_into(&mut window, "up from view", degrees);
+        assert_says(&window, number);
+        let meaning = super::harness::texts_with(&window, &format!("{word}: "));
+        assert!(!meaning.is_empty(), "{degrees}");
+        let now = *window.state().derived().posed.unwrap().basis();
+        assert!(near(now.u, basis.u) && near(now.v, basis.v) && near(now.w, basis.w), "{degrees}");
+    }
+    type_into(&mut window, "up z", "1");
+    type_into(&mut window, "up y", "0");
+    assert_says(
+        &window,
+        "No camera: up (0, 0, 1) is parallel to the view direction (0, 0, -1): turn one of them",
+    );
+    let swing = window.get_by_role_and_label(Role::SpinButton, "swing up");
+    assert!(swing.accesskit_node().is_disabled());
+}
+
+#[test]
+fn a_basis_by_hand_has_no_up_to_turn() {
+    let mut window = teaching("forty-five");
+    assert!(matches!(window.state().document().camera.orientation, Orientation::Basis(_)));
+    for field in ["swing up", "up from view"] {
+        assert!(window.query_by_role_and_label(Role::SpinButton, field).is_none());
+    }
+    assert!(says(&window, "Keep the picture: scale distance, width and height together"));
+    window.get_by_label("Teaching").click();
+    window.run();
+    assert!(!says(&window, "Keep the picture: scale distance, width and height together"));
+}

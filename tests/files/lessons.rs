@@ -1,0 +1,306 @@
+//! Lesson files: those that come with the program, what a teacher can write, and each fault with the
+//! message that it gets, to the letter.
+
+use std::fs;
+use std::path::Path;
+
+use pinhole::lessons::{LessonArgument, Place, Which, builtin, load, parse};
+use pinhole::overlay::{Item, OverlayItems};
+use pinhole::session::{Selection, ViewLayout};
+use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
+
+#[test]
+fn every_lesson_is_read_and_says_how_it_begins() {
+    assert_eq!(builtin::all().len(), 13);
+    for file in builtin::FILES {
+        let lesson = file.load().unwrap_or_else(|error| panic!("{error}"));
+        assert!((1..=5).contains(&lesson.steps.len()), "{}", file.name);
+        // Whatever was shown before, a lesson begins in the same way.
+        let looks = &lesson.steps[0].looks;
+        assert!(
+            looks.layout.is_some()
+                && looks.items.is_some()
+                && looks.shade.is_some()
+                && looks.count_from_one.is_some()
+                && looks.keep_picture.is_some()
+                && looks.teaching.is_some()
+                && looks.ledger.is_some()
+                && looks.lit.is_some(),
+            "{}",
+            file.name
+        );
+        for step in &lesson.steps {
+            let sentences = step.text.matches(['.', '?']).count();
+            assert!(sentences >= 1 && step.text.chars().count() < 260, "{}", step.text);
+            assert_eq!(step.text.matches('*').count() % 2, 0, "{}", step.text);
+        }
+    }
+}
+
+#[test]
+fn every_lesson_has_a_file_and_every_file_is_a_lesson() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons");
+    let mut files: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    files.sort();
+    let known: Vec<String> =
+        builtin::FILES.iter().map(|file| format!("{}.toml", file.name)).collect();
+    assert_eq!(files, known);
+}
+
+const HEAD: &str = "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"A\"\ntext = \"B.\"\n";
+
+#[test]
+fn a_step_says_what_it_wants_and_inherits_the_rest() {
+    let text = format!(
+        "{HEAD}{}",
+        r#"
+scene = "canonical"
+uv = [0.5, 0]
+observer = { target = [0, 0, -3], azimuth = 40, elevation = 20, distance = 12 }
+layout = "ledger"
+show = ["eye", "view-and-up"]
+ledger = ["basis"]
+mistake = "w-as-printed"
+t = 2
+lines = { implicit = [1, 1, -2], p = [0, 0], d = [1, 1] }
+[step.viewport]
+distance = 2
+[[step]]
+title = "C"
+text = "Two\nlines."
+pixel = [3, 4]
+layout = "world"
+[[step.sphere]]
+center = [0, 0, -9]
+radius = 2
+[[step]]
+title = "D"
+text = "E."
+scene = "planet"
+"#
+    );
+    let lesson = parse(&text, Path::new("mine.toml"), None).unwrap();
+    let [a, c, d] = &lesson.steps[..] else { panic!("{}", lesson.steps.len()) };
+    assert_eq!(a.document.camera.viewport.distance, 2.0);
+    assert_eq!(a.selection, Selection::Uv(DVec2::new(0.5, 0.0)));
+    assert_eq!(a.looks.layout, Some(ViewLayout::Ledger));
+    let shown = OverlayItems::NONE.with(Item::Eye, true).with(Item::ViewAndUp, true);
+    assert_eq!(a.looks.items, Some(shown));
+    let observer = a.looks.observer.unwrap();
+    assert_eq!((observer.target(), observer.distance()), (DVec3::new(0.0, 0.0, -3.0), 12.0));
+    assert_eq!(a.looks.lines.unwrap().direction, DVec2::ONE);
+    assert_eq!((a.looks.shade, a.looks.digits), (None, None), "left alone");
+    assert_eq!(c.text, "Two lines.");
+    assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
+    assert_eq!(c.looks.layout, Some(ViewLayout::World));
+    assert_eq!(
+        (&c.looks.ledger, c.looks.t, c.looks.observer),
+        (&a.looks.ledger, Some(2.0), a.looks.observer)
+    );
+    assert_eq!(c.document.camera, a.document.camera);
+    let sphere = Sphere { center: DVec3::new(0.0, 0.0, -9.0), radius: 2.0 };
+    assert_eq!(c.document.spheres.iter().map(|item| item.shape).collect::<Vec<_>>(), [sphere]);
+    assert_eq!(c.document.planes, a.document.planes);
+    assert_eq!((a.scene_from, c.scene_from, d.scene_from), (0, 0, 2));
+    assert_eq!(d.selection, Selection::Uv(DVec2::new(0.2, -0.1)), "another scene begins afresh");
+    assert_eq!((d.looks.observer, d.looks.t), (None, None));
+    assert_eq!(d.looks.layout, Some(ViewLayout::World), "how it is looked at goes on");
+}
+
+#[test]
+fn a_lesson_may_have_its_own_scene_or_name_a_file_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    let inline = "[step.camera]\neye = [1, 2, 3]\nview = [0, 0, -1]\nup = [0, 1, 0]\n";
+    fs::write(&path, format!("{HEAD}{inline}")).unwrap();
+    let document = load(&path).unwrap().steps.remove(0).document;
+    assert_eq!((document.camera.eye, document.object_count()), (DVec3::new(1.0, 2.0, 3.0), 0));
+    let scene = "pinhole = 1\n[camera]\neye = [7, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n";
+    fs::write(folder.path().join("room.toml"), scene).unwrap();
+    fs::write(&path, format!("{HEAD}scene = \"room.toml\"\n")).unwrap();
+    assert_eq!(load(&path).unwrap().steps[0].document.camera.eye.x, 7.0);
+    fs::write(folder.path().join("room.toml"), "pinhole = 1\n").unwrap();
+    let error = load(&path).unwrap_err().to_string();
+    assert!(
+        error.ends_with("room.toml:1:1: camera is missing: write [camera] with eye, at and up")
+    );
+}
+
+/// What stands in a file, and the message behind `lesson.toml:`.
+type Cases = &'static [(&'static str, &'static str)];
+
+const WHOLE_FILES: Cases = &[
+    (
+        "",
+        "1:1: pinhole_lesson is missing: write pinhole_lesson = 1 (the format version) at the top",
+    ),
+    (
+        "pinhole_lesson = 2\n",
+        "1:18: pinhole_lesson is 2: this lesson format is newer than this program, which reads 1: get a newer Pinhole",
+    ),
+    ("pinhole_lesson = 1\ntitel = \"A\"\n", "2:1: titel is unknown: did you mean title?"),
+    ("pinhole_lesson = 1\n", "1:1: title is missing: write title = \"What the lesson is about\""),
+    ("pinhole_lesson = 1\ntitle = \" \"\n", "2:9: title is \" \": it must say something"),
+    (
+        "pinhole_lesson = 1\ntitle = \"A\"\n",
+        "1:1: step is missing: write [[step]] with title, text and scene",
+    ),
+    (
+        "pinhole_lesson = 1\ntitle = \"A\"\nstep = []\n",
+        "1:1: step is missing: write [[step]] with title, text and scene",
+    ),
+    (
+        "pinhole_lesson = 1\ntitle = \"A\"\n[step]\n",
+        "3:1: step is a table: each one must be a table that begins with [[step]]",
+    ),
+    (
+        "pinhole_lesson = 1\ntitle = \"A\"\n[[step]]\ntext = \"B\"\n",
+        "3:1: step[0].title is missing: write title = \"What the step is about\"",
+    ),
+    (
+        "pinhole_lesson = 1\ntitle = A\n",
+        "2:9: not TOML: A is no value: write a number, or text in quotes",
+    ),
+];
+
+/// Behind [`HEAD`], which is five lines.
+const STEPS: Cases = &[
+    (
+        "",
+        "3:1: step[0].camera is missing: write scene = \"canonical\", or [step.camera] with eye, at and up",
+    ),
+    ("scne = \"canonical\"\n", "6:1: step[0].scne is unknown: did you mean scene?"),
+    (
+        "pinhole_lesson = 1\n",
+        "6:1: step[0].pinhole_lesson is unknown: it belongs at the top of the file, before the first [table]",
+    ),
+    ("scene = \"canonicle\"\n", "6:9: step[0].scene is \"canonicle\": did you mean \"canonical\"?"),
+    (
+        "scene = \"zzz\"\n",
+        "6:9: step[0].scene is \"zzz\": it must be a built-in scene, or the path of a .toml file",
+    ),
+    (
+        "scene = \"gone.toml\"\n",
+        "6:9: step[0].scene is \"gone.toml\": gone.toml: cannot be read: no such file or directory",
+    ),
+    ("scene = 3\n", "6:9: step[0].scene is 3: it must be a scene's name in quotes"),
+    (
+        "scene = \"canonical\"\npixel = [400, 0]\n",
+        "7:10: step[0].pixel[0] is 400: it must be a row of the image, 0 to 399",
+    ),
+    (
+        "scene = \"canonical\"\npixel = [1]\n",
+        "7:9: step[0].pixel is [1]: it must be row and column, counted from 0, such as [99, 199]",
+    ),
+    (
+        "scene = \"canonical\"\nuv = [0, 0]\npixel = [1, 1]\n",
+        "8:9: step[0].pixel is there beside uv: keep exactly one of them",
+    ),
+    (
+        "scene = \"canonical\"\nuv = [0, \"a\"]\n",
+        "7:10: step[0].uv[1] is \"a\": it must be a number",
+    ),
+    (
+        "scene = \"canonical\"\nlayout = \"leger\"\n",
+        "7:10: step[0].layout is \"leger\": did you mean \"ledger\"?",
+    ),
+    (
+        "scene = \"canonical\"\nlayout = \"side\"\n",
+        "7:10: step[0].layout is \"side\": it must be one of both, world, camera, ledger, plot, lines, mistakes, exercises",
+    ),
+    (
+        "scene = \"canonical\"\nshow = [\"eye\", \"frustrum\"]\n",
+        "7:16: step[0].show[1] is \"frustrum\": did you mean \"frustum\"?",
+    ),
+    (
+        "scene = \"canonical\"\nshow = \"eye\"\n",
+        "7:8: step[0].show is \"eye\": it must be a list, such as [\"eye\", \"basis\", \"ray\"]",
+    ),
+    (
+        "scene = \"canonical\"\nledger = [\"basics\"]\n",
+        "7:11: step[0].ledger[0] is \"basics\": did you mean \"basis\"?",
+    ),
+    (
+        "scene = \"canonical\"\nlit = \"up-cross-v\"\n",
+        "7:7: step[0].lit is \"up-cross-v\": did you mean \"up-cross-w\"?",
+    ),
+    (
+        "scene = \"canonical\"\nshade = \"phong\"\n",
+        "7:9: step[0].shade is \"phong\": it must be one of lambert, normal, t, object",
+    ),
+    (
+        "scene = \"canonical\"\nteaching = 1\n",
+        "7:12: step[0].teaching is 1: it must be true or false",
+    ),
+    (
+        "scene = \"canonical\"\ndigits = 40\n",
+        "7:10: step[0].digits is 40: it must be a number of significant digits, 2 to 17",
+    ),
+    (
+        "scene = \"canonical\"\nobserver = { target = [0, 0, 0] }\n",
+        "7:12: step[0].observer.azimuth is missing: write azimuth = 40.0 (degrees, from +z towards +x)",
+    ),
+    (
+        "scene = \"canonical\"\nlines = { implicit = [1, 2], p = [0, 0], d = [1, 1] }\n",
+        "7:22: step[0].lines.implicit is [1, 2]: it must be a, b and c, such as [1.0, 1.0, -2.0]",
+    ),
+    (
+        "scene = \"canonical\"\n[[step.sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",
+        "9:10: step[0].sphere[0].radius is 0: it must be greater than 0",
+    ),
+    (
+        "scene = \"canonical\"\n[step.camera]\neye = [0, 0, 0]\n",
+        "7:1: step[0].camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
+    ),
+];
+
+#[test]
+fn every_fault_has_its_place_and_says_what_would_be_right() {
+    let check = |text: &str, message: &str| {
+        let error = parse(text, Path::new("lesson.toml"), Some(Path::new(""))).unwrap_err();
+        assert_eq!(error.to_string(), format!("lesson.toml:{message}"), "{text}");
+    };
+    for (text, message) in WHOLE_FILES {
+        check(text, message);
+    }
+    for (text, message) in STEPS {
+        check(&format!("{HEAD}{text}"), message);
+    }
+}
+
+#[test]
+fn an_argument_is_a_number_a_step_or_a_file() {
+    let at =
+        |lesson, step| Ok(LessonArgument::Builtin(Place { lesson: Which::Builtin(lesson), step }));
+    assert_eq!(LessonArgument::of("7"), at(6, 0));
+    assert_eq!(LessonArgument::of("7.3"), at(6, 2));
+    assert_eq!(LessonArgument::of("13"), at(12, 0));
+    assert_eq!(LessonArgument::of("a/my.toml"), Ok(LessonArgument::File("a/my.toml".into())));
+    for (text, message) in [
+        ("0", "there is no lesson 0: there are lessons 1 to 13"),
+        ("14", "there is no lesson 14: there are lessons 1 to 13"),
+        (
+            "99999999999999999999999",
+            "there is no lesson 99999999999999999999999: there are lessons 1 to 13",
+        ),
+        ("7.9", "lesson 7 has no step 9: it has steps 1 to 5"),
+        ("7.0", "lesson 7 has no step 0: it has steps 1 to 5"),
+        ("-1", "\"-1\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
+        ("basis", "\"basis\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
+    ] {
+        assert_eq!(LessonArgument::of(text), Err(message.to_owned()));
+    }
+}
+
+#[test]
+fn the_readmes_lesson_is_one() {
+    let readme =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
+    let blocks = readme.split("```").filter_map(|block| block.strip_prefix("toml\n"));
+    let lessons: Vec<&str> = blocks.filter(|text| text.contains("pinhole_lesson")).collect();
+    let [text] = lessons[..] else { panic!("{} lessons", lessons.len()) };
+    assert_eq!(parse(text, Path::new("README.md"), None).unwrap().steps.len(), 2);
+}
