@@ -41,7 +41,8 @@ pub struct App {
     derived: Derived,
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
-    map_texture: ViewTexture,
+    /// The error map, or what a wrong camera sees.
+    beside_texture: ViewTexture,
     measuring: Measuring,
     frames: FrameHistory,
     store: Option<Store>,
@@ -63,8 +64,8 @@ impl App {
             open,
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
-                observer: None,
                 settings: remembered.settings.in_range(),
+                ..Session::default()
             },
             recent: remembered.recent,
             chosen_object: 0,
@@ -74,7 +75,7 @@ impl App {
             derived: Derived::default(),
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
-            map_texture: ViewTexture::default(),
+            beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
             store,
@@ -170,7 +171,7 @@ impl App {
             for action in actions {
                 self.apply(&ctx, action);
             }
-            let sizes = views::sizes(ui, &places);
+            let sizes = views::sizes(ui, &places, self.session.settings.layout);
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
             stopwatch = self.shows_frame_times().then(Stopwatch::start);

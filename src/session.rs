@@ -4,6 +4,8 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
+use crate::exercises::Exercises;
+use crate::mistakes::Gallery;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 
@@ -15,6 +17,10 @@ pub struct Session {
     pub selection: Selection,
     /// Who looks at the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
+    /// The wrong camera beside the right one.
+    pub gallery: Gallery,
+    /// The exercise at hand, and what was answered.
+    pub exercises: Exercises,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -216,6 +222,8 @@ impl Default for Session {
         Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
+            gallery: Gallery::default(),
+            exercises: Exercises::default(),
             settings: Settings::default(),
         }
     }

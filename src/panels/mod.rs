@@ -4,7 +4,9 @@
 pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
+pub(crate) mod exercises;
 pub(crate) mod frame;
+pub(crate) mod mistakes;
 mod number;
 pub(crate) mod objects;
 pub(crate) mod places;
@@ -12,3 +14,4 @@ pub(crate) mod readouts;
 pub(crate) mod selection;
 pub(crate) mod top_bar;
 pub(crate) mod views;
+pub(crate) use number::significant;
