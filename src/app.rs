@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod lessons;
 mod outputs;
 
 use std::io::Write as _;
@@ -13,6 +14,7 @@ use std::path::{Path, PathBuf};
 use egui::{CentralPanel, Context, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
 use egui::{ThemePreference, ViewportCommand};
 
+use self::lessons::Lessons;
 use crate::action::Action;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
@@ -32,6 +34,7 @@ use crate::view_texture::ViewTexture;
 pub struct App {
     open: OpenDocument,
     session: Session,
+    lessons: Lessons,
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
@@ -53,8 +56,8 @@ pub struct App {
     may_close: bool,
     /// The user chose to lose the changes.
     discarded: bool,
-    /// What the last pass showed, and whether it had changes.
-    known: Option<(Document, Session, bool)>,
+    /// What the last pass showed, and whether it had changes and differed from the lesson's step.
+    known: Option<(Document, Session, [bool; 2])>,
 }
 
 impl App {
@@ -67,6 +70,7 @@ impl App {
                 settings: remembered.settings.in_range(),
                 ..Session::default()
             },
+            lessons: Lessons::default(),
             recent: remembered.recent,
             chosen_object: 0,
             dialog: None,
@@ -164,6 +168,7 @@ impl App {
             let places = places::places(ui, &mut self.session.settings, image);
             if let (None, Some(rect)) = (self.session.observer, places.world) {
                 self.session.observer = Some(self.framed(rect.aspect_ratio()));
+                self.lessons.framed(self.session.observer);
             }
             if self.dialog.is_none() {
                 views::inputs(ui, &places, &mut self.session, &self.derived, &mut actions);
@@ -179,7 +184,7 @@ impl App {
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
             if self.session.settings.layout == ViewLayout::Accuracy {
-                let name = title_of(&self.open.source);
+                let name = title_of(self.open.origin());
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
             }
             self.outputs(ui, &places);
@@ -192,7 +197,8 @@ impl App {
     /// Panels are drawn from the top while they are edited. Where an edit changed what had already
     /// been drawn, the pass is run again before anything is presented.
     fn draw_again_if_stale(&mut self, ctx: &Context) {
-        let now = (&self.open.document, &self.session, self.open.has_changes());
+        let marks = [self.open.has_changes(), self.differs_from_step()];
+        let now = (&self.open.document, &self.session, marks);
         let stale = match &self.known {
             None => true,
             Some(known) if (&known.0, &known.1, known.2) == now => return,
@@ -218,6 +224,7 @@ impl App {
     /// Keys, dropped files and the close button.
     fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         actions.append(&mut self.waiting);
+        self.lesson_keys(ctx, actions);
         let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
         let shifted = KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
         let pressed = |shortcut| ctx.input_mut(|i| i.consume_shortcut(&shortcut));
@@ -228,17 +235,8 @@ impl App {
             (command(Key::O), Action::AskOpen),
             (command(Key::Q), Action::Quit),
         ] {
-            if !pressed(shortcut) || self.dialog.is_some() {
-                continue;
-            }
-            match ctx.memory(|memory| memory.focused()) {
-                // A number that is being typed is taken over first, when its field loses the focus.
-                Some(focused) => {
-                    ctx.memory_mut(|memory| memory.surrender_focus(focused));
-                    self.waiting.push(action);
-                    ctx.request_repaint();
-                }
-                None => actions.push(action),
+            if pressed(shortcut) && self.dialog.is_none() {
+                self.after_typing(ctx, action, actions);
             }
         }
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
@@ -256,12 +254,26 @@ impl App {
         self.geometry.update(ctx);
     }
 
+    /// Does it now; where something has the focus, in the next pass: a number that is being typed is
+    /// taken over when its field loses the focus.
+    fn after_typing(&mut self, ctx: &Context, action: Action, actions: &mut Vec<Action>) {
+        match ctx.memory(|memory| memory.focused()) {
+            Some(focused) => {
+                ctx.memory_mut(|memory| memory.surrender_focus(focused));
+                self.waiting.push(action);
+                ctx.request_repaint();
+            }
+            None => actions.push(action),
+        }
+    }
+
     fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let ctx = ui.ctx().clone();
         dialogs::ui(&ctx, &mut self.dialog, actions);
         Panel::top("top bar").show(ui, |ui| {
             top_bar::ui(ui, &self.open, &self.recent, &mut self.session.settings, actions);
         });
+        self.lesson_strip(ui, actions);
         let panel =
             Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
         panel.show(ui, |ui| {
@@ -311,7 +323,7 @@ impl App {
     fn window_outputs(&mut self, ctx: &Context) {
         self.session.settings.zoom = ctx.zoom_factor();
         let changed = if self.open.has_changes() { "*" } else { "" };
-        let title = format!("{}{changed} - Pinhole", title_of(&self.open.source));
+        let title = format!("{}{changed} - Pinhole", title_of(self.open.origin()));
         if title != self.title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
@@ -327,13 +339,15 @@ impl App {
             self.save_to(&path);
             complain(&format!("the unsaved changes are in {}", path.display()));
         }
+        let scene = argument_of(self.open.origin());
         let remembered = Remembered {
-            settings: self.session.settings.clone(),
+            settings: self.lessons.settings_without(&self.session.settings),
             window: self.geometry,
-            selection: Some(self.session.selection.into()),
+            selection: scene.is_some().then(|| self.session.selection.into()),
             recent: self.recent.clone(),
             renderer: self.renderer.clone(),
-            last: Some(argument_of(&self.open.source)),
+            last: scene.or_else(|| self.lessons.scene_before()),
+            lesson: self.lessons.remembered(),
         };
         if let Err(error) = store.save(&remembered) {
             complain(&format!("settings were not saved: {error}"));

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
+use crate::lessons::LessonArgument;
 use crate::present::Renderer;
 
 /// See what a pinhole camera sees, and why.
@@ -30,7 +31,11 @@ pub struct Arguments {
 #[derive(Args, Clone, Debug)]
 pub struct WindowArguments {
     /// The scene to open
+    #[arg(conflicts_with = "lesson")]
     pub scene: Option<PathBuf>,
+    /// The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own
+    #[arg(long, value_name = "N|FILE.toml", value_parser = LessonArgument::of)]
+    pub lesson: Option<LessonArgument>,
     /// How the window is drawn; without this, whichever works best here
     #[arg(long, value_name = "wgpu|cpu")]
     pub renderer: Option<Renderer>,

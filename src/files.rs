@@ -10,22 +10,33 @@ use crate::formats::scene_file;
 /// How many files the list of recent ones holds.
 const RECENT: usize = 10;
 
-/// What the window's title calls a scene from there.
-pub fn title_of(source: &SceneSource) -> String {
-    match source {
-        SceneSource::Builtin(scene) => scene.name.to_owned(),
-        SceneSource::File(path) => match path.file_name() {
+/// Where a document came from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A scene.
+    Scene(SceneSource),
+    /// A lesson's step, of this title.
+    Step(String),
+}
+
+/// What the window's title calls a document from there.
+pub fn title_of(origin: &Origin) -> String {
+    match origin {
+        Origin::Step(title) => title.clone(),
+        Origin::Scene(SceneSource::Builtin(scene)) => scene.name.to_owned(),
+        Origin::Scene(SceneSource::File(path)) => match path.file_name() {
             Some(name) => name.to_string_lossy().into_owned(),
             None => path.display().to_string(),
         },
     }
 }
 
-/// The argument that names this source on the command line, from any folder.
-pub fn argument_of(source: &SceneSource) -> PathBuf {
-    match source {
-        SceneSource::Builtin(scene) => PathBuf::from(scene.name),
-        SceneSource::File(path) => absolute(path),
+/// The argument that names this scene on the command line, from any folder; a step has none.
+pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
+    match origin {
+        Origin::Scene(SceneSource::Builtin(scene)) => Some(PathBuf::from(scene.name)),
+        Origin::Scene(SceneSource::File(path)) => Some(absolute(path)),
+        Origin::Step(_) => None,
     }
 }
 
@@ -40,7 +51,10 @@ pub struct OpenDocument {
     /// it could not be read.
     text: Option<String>,
     /// Where it came from.
-    pub source: SceneSource,
+    origin: Origin,
+    /// Its changes are not worth asking about: the lesson's step that it is from can be gone back
+    /// to, and it belongs to no file.
+    forgiving: bool,
 }
 
 impl OpenDocument {
@@ -50,19 +64,46 @@ impl OpenDocument {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             SceneSource::File(path) => fs::read_to_string(path).ok(),
         };
-        OpenDocument { saved: document.clone(), document, text, source }
+        let origin = Origin::Scene(source);
+        OpenDocument { saved: document.clone(), document, text, origin, forgiving: false }
+    }
+
+    /// The document of a lesson's step that is called `title`. While its lesson is open, no change
+    /// of it counts as one that is lost.
+    pub fn of_step(document: Document, title: String) -> Self {
+        let origin = Origin::Step(title);
+        OpenDocument { saved: document.clone(), document, text: None, origin, forgiving: true }
+    }
+
+    /// The lesson is closed: from now on, changes count.
+    pub fn leave_lesson(&mut self) {
+        self.forgiving = false;
+    }
+
+    /// Where it came from.
+    pub fn origin(&self) -> &Origin {
+        &self.origin
     }
 
     /// Whether there is anything to lose.
     pub fn has_changes(&self) -> bool {
-        self.document != self.saved
+        !self.forgiving && self.document != self.saved
     }
 
-    /// The file that *Save* writes; a built-in scene has none.
+    /// The file that *Save* writes; a built-in scene has none, nor has a lesson's step.
     pub fn file(&self) -> Option<&Path> {
-        match &self.source {
-            SceneSource::File(path) => Some(path),
-            SceneSource::Builtin(_) => None,
+        match &self.origin {
+            Origin::Scene(SceneSource::File(path)) => Some(path),
+            Origin::Scene(SceneSource::Builtin(_)) | Origin::Step(_) => None,
+        }
+    }
+
+    /// The name that a file of this document could have.
+    pub fn file_name(&self) -> String {
+        match &self.origin {
+            Origin::Scene(SceneSource::Builtin(scene)) => format!("{}.toml", scene.name),
+            Origin::Step(_) => "scene.toml".to_owned(),
+            file => title_of(file),
         }
     }
 
@@ -81,7 +122,8 @@ impl OpenDocument {
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
-        self.source = SceneSource::File(path.to_owned());
+        self.origin = Origin::Scene(SceneSource::File(path.to_owned()));
+        self.forgiving = false;
         Ok(())
     }
 

@@ -23,6 +23,7 @@ mod frame_log;
 mod frame_times;
 pub mod inspection;
 mod label_text;
+pub mod lessons;
 mod machine;
 mod measuring;
 pub mod mistakes;

@@ -15,6 +15,5 @@ fn main() -> ExitCode {
 }
 
 fn open_window(arguments: &WindowArguments) -> Result<(), CommandError> {
-    pinhole::window::run(arguments.scene.as_deref(), arguments.renderer)
-        .map_err(|error| CommandError::Input(error.to_string()))
+    pinhole::window::run(arguments).map_err(|error| CommandError::Input(error.to_string()))
 }

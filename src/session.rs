@@ -53,6 +53,10 @@ pub struct Settings {
     pub count_from_one: bool,
     /// Changing the viewport or image keeps the pixels' shape.
     pub keep_pixel_shape: bool,
+    /// Changing distance, width or height takes the other two along: the picture stays.
+    pub keep_picture: bool,
+    /// The camera panel's part for teaching is unfolded.
+    pub teaching: bool,
     /// The world view's share of the width.
     pub views_split: f32,
     /// The readouts' height, in points.
@@ -155,6 +159,8 @@ impl Default for Settings {
             digits: 5,
             count_from_one: false,
             keep_pixel_shape: true,
+            keep_picture: false,
+            teaching: false,
             views_split: 0.54,
             readouts_height: 200.0,
             accuracy_height: 370.0,

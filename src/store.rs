@@ -8,6 +8,7 @@ use pinhole_core::{DVec2, Pixel};
 use serde::{Deserialize, Serialize};
 
 use crate::formats::{FileError, atomic};
+use crate::lessons::{Place, Which};
 use crate::present::WindowGeometry;
 use crate::session::{Selection, Settings};
 
@@ -25,8 +26,18 @@ pub struct Remembered {
     pub recent: Vec<PathBuf>,
     /// What drew the window, for reports of what went wrong.
     pub renderer: String,
-    /// The scene that was open, as the command line names it.
+    /// The scene that was open, as the command line names it; before the lesson, if one was.
     pub last: Option<PathBuf>,
+    /// The lesson that was open and its step, both counted from 1.
+    pub lesson: Option<(usize, usize)>,
+}
+
+impl Remembered {
+    /// Where in the program's lessons the last run ended.
+    pub fn lesson_place(&self) -> Option<Place> {
+        let (number, step) = self.lesson?;
+        Some(Place { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
+    }
 }
 
 /// A [`Selection`], in a form that is written to disk.

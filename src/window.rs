@@ -5,19 +5,20 @@ use std::io::Cursor;
 use std::path::Path;
 
 use crate::app::{App, complain};
+use crate::arguments::WindowArguments;
 use crate::document::Document;
 use crate::files::OpenDocument;
 use crate::formats::FileError;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::frame_log::{FRAME_TIMES, FrameLog};
-use crate::present::{self, FrameTimes, PresentError, Program, Renderer, WindowOptions};
+use crate::present::{self, FrameTimes, PresentError, Program, WindowOptions};
 use crate::store::{Remembered, Store};
 
 /// Why the window did not open, or broke off.
 #[derive(Debug)]
 pub enum WindowError {
-    /// The scene named cannot be read.
+    /// The scene or lesson named cannot be read.
     Scene(FileError),
     /// There is nothing to draw on.
     Present(PresentError),
@@ -34,16 +35,22 @@ impl fmt::Display for WindowError {
 
 impl std::error::Error for WindowError {}
 
-/// Opens the window on the scene named, else on the last run's, else on the lecture's own, and
-/// returns when it is closed.
+/// Opens the window on the scene or lesson named, else on the last run's, else on the lecture's own
+/// scene, and returns when it is closed.
 ///
 /// # Errors
-/// Where the scene named cannot be read, or there is no display.
-pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), WindowError> {
+/// Where the scene or lesson named cannot be read, or there is no display.
+pub fn run(arguments: &WindowArguments) -> Result<(), WindowError> {
+    let WindowArguments { scene, lesson, renderer } = arguments;
     let store = Store::of_user();
     let remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    let lesson = match (lesson, scene) {
+        (Some(lesson), _) => Some(lesson.load().map_err(WindowError::Scene)?),
+        (None, Some(_)) => None,
+        (None, None) => remembered.lesson_place().map(|place| (place, None)),
+    };
     let Start { open, remembered, trouble } =
-        start(scene, remembered).map_err(WindowError::Scene)?;
+        start(scene.as_deref(), remembered).map_err(WindowError::Scene)?;
     let options = WindowOptions {
         title: "Pinhole".to_owned(),
         app_id: "pinhole".to_owned(),
@@ -51,6 +58,9 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
         icon: icon(),
     };
     let mut app = App::new(open, remembered, store);
+    if let Some((place, file)) = lesson {
+        app.open_lesson(place, file);
+    }
     if let Some(trouble) = trouble {
         app.tell("The last scene cannot be opened again", trouble);
     }
@@ -60,7 +70,7 @@ pub fn run(scene: Option<&Path>, renderer: Option<Renderer>) -> Result<(), Windo
         app.drawn_by(info.to_string());
         Box::new(InWindow { app, frame_log }) as Box<dyn Program>
     };
-    present::run(renderer, options, make).map_err(WindowError::Present)
+    present::run(*renderer, options, make).map_err(WindowError::Present)
 }
 
 /// The picture in the title bar. Not having one is no reason not to open the window.

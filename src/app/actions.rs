@@ -5,25 +5,38 @@ use std::path::Path;
 use egui::{Context, ViewportCommand};
 
 use super::App;
-use crate::action::Action;
+use crate::action::{Action, MadeUp};
 use crate::derive::Deriver;
 use crate::files::{OpenDocument, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::panels::dialogs::{Dialog, PathField};
-use crate::session::Session;
+use crate::session::{Selection, Session, ViewLayout};
 
 impl App {
     /// Does it, or asks what stands in its way.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::Open(_) | Action::Quit if self.open.has_changes() => {
+            Action::Open(_)
+            | Action::Show(_)
+            | Action::Quit
+            | Action::GoTo(_)
+            | Action::BackToStep
+                if self.open.has_changes() =>
+            {
                 self.ask_about_changes(action);
             }
-            Action::Open(_) | Action::Quit => self.proceed(ctx, action),
+            Action::Open(_)
+            | Action::Show(_)
+            | Action::Quit
+            | Action::GoTo(_)
+            | Action::BackToStep => {
+                self.proceed(ctx, action);
+            }
             Action::Discard(then) => {
-                self.discarded = !matches!(*then, Action::Open(_));
+                self.discarded = matches!(*then, Action::Quit);
                 self.proceed(ctx, *then);
             }
+            Action::CloseLesson => self.close_lesson(ctx),
             Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
                 self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
@@ -45,13 +58,17 @@ impl App {
         }
     }
 
-    /// Opens the other scene, or closes the window: nothing stands in the way any more.
+    /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
     fn proceed(&mut self, ctx: &Context, action: Action) {
-        if let Action::Open(source) = action {
-            self.load(source);
-        } else {
-            self.may_close = true;
-            ctx.send_viewport_cmd(ViewportCommand::Close);
+        match action {
+            Action::Open(source) => self.load(source),
+            Action::Show(made_up) => self.show(ctx, *made_up),
+            Action::GoTo(place) => self.go_to(ctx, place),
+            Action::BackToStep => self.back_to_step(ctx),
+            _ => {
+                self.may_close = true;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
         }
     }
 
@@ -71,16 +88,26 @@ impl App {
     }
 
     pub(super) fn ask_about_changes(&mut self, then: Action) {
-        self.dialog = Some(Dialog::Unsaved { title: title_of(&self.open.source), then });
+        self.dialog = Some(Dialog::Unsaved { title: title_of(self.open.origin()), then });
     }
 
     fn ask_save_as(&mut self, then: Option<Box<Action>>) {
-        let name = match &self.open.source {
-            SceneSource::Builtin(scene) => format!("{}.toml", scene.name),
-            file => title_of(file),
-        };
-        let field = PathField::near(self.open.file(), &name);
+        let field = PathField::near(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
+    }
+
+    /// Opens a document from no file, with both views beside it.
+    fn show(&mut self, ctx: &Context, made_up: MadeUp) {
+        let MadeUp { document, title, uv } = made_up;
+        self.close_lesson(ctx);
+        self.open = OpenDocument::of_step(document, title);
+        // It can be got again, but what is changed in it counts.
+        self.open.leave_lesson();
+        self.deriver = Deriver::default();
+        self.session.observer = None;
+        self.session.selection = uv.map_or(Session::default().selection, Selection::Uv);
+        self.session.settings.layout = ViewLayout::Both;
+        self.chosen_object = 0;
     }
 
     fn load(&mut self, source: SceneSource) {

@@ -105,6 +105,43 @@ impl BigRay {
         BigRoot { x, sign: Ordering::Equal, radicand: Surd::zero(), y: Some(y) }
     }
 
+    /// `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
+    pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> (DoubleDouble, i32) {
+        // Times the scale's square: t and the direction are free of it.
+        let (q, t) = (self.to_center(sphere), Dyadic::from(t));
+        let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
+        let (b, square) = (self.dot(&q), self.scale.square(&self.of));
+        let linear = b.times(&self.scale, &self.of).scaled(&(&t + &t));
+        let value = &(&self.a.scaled(&t.square()) - &linear) + &square.scaled(&c);
+        self.value(&value, &square)
+    }
+
+    /// `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
+    pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> (DoubleDouble, i32) {
+        let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.of);
+        let half = &self.a.scaled(&Dyadic::from(t)) - &b;
+        self.value(&(&half + &half), &self.scale.square(&self.of))
+    }
+
+    /// `normal . (origin + t direction - point)`, as [`BigRay::value`].
+    pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> (DoubleDouble, i32) {
+        let normal = exact3(plane.normal);
+        let offset = dot(&normal, &minus(&exact3(plane.point), &self.origin));
+        let value = &self.dot(&normal).scaled(&Dyadic::from(t)) - &self.scale.scaled(&offset);
+        self.value(&value, &self.scale)
+    }
+
+    /// `value / unit` for a unit greater than 0, relative error at most `2^-100`, as a double-double
+    /// times a power of two; 0 exactly where it is.
+    fn value(&self, value: &Surd, unit: &Surd) -> (DoubleDouble, i32) {
+        if value.sign(&self.of) == Ordering::Equal {
+            return (DoubleDouble::default(), 0);
+        }
+        let (numerator, n) = self.digits(|places| value.fixed(places, &self.of));
+        let (denominator, m) = self.digits(|places| unit.fixed(places, &self.of));
+        ratio(&numerator, &denominator, m - n)
+    }
+
     /// Which of two roots is smaller, exactly.
     pub(crate) fn compare(&self, one: &BigRoot, other: &BigRoot) -> Ordering {
         let of = &self.of;

@@ -46,7 +46,7 @@ impl ViewGiven {
         DVec3::from_array(self.fine().0.map(DoubleDouble::near))
     }
 
-    fn big(&self) -> Exact3 {
+    pub(crate) fn big(&self) -> Exact3 {
         match *self {
             ViewGiven::Between { from, to } => minus(&exact3(to), &exact3(from)),
             ViewGiven::Along(view) => exact3(view),
@@ -205,7 +205,7 @@ pub(crate) fn angle_parts(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
 }
 
 /// `v / sqrt square`, each coordinate in double-double.
-fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
+pub(crate) fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
     const DIGITS: i32 = 130;
     let places = DIGITS - square.log2().div_euclid(2);
     let root = square.fixed_root(places);

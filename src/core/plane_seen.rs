@@ -219,6 +219,11 @@ impl PlaneSeen {
         ldexp(self.offset.hi, self.scale + self.normal_scale)
     }
 
+    /// The normal's scale, see [`PlaneSeen::normal`].
+    pub(crate) fn normal_scale(&self) -> i32 {
+        self.normal_scale
+    }
+
     /// Relative error of the offset.
     pub(crate) fn offset_doubt(&self) -> f64 {
         self.offset_doubt

@@ -13,7 +13,7 @@ use crate::exact_ray::{ExactRay, scaled};
 use crate::fine_basis::{BigBasis, FineBasis, ViewGiven};
 use crate::image::{ImageSize, Pixel};
 use crate::ray::{Ray, RayError};
-use crate::scale::ldexp;
+use crate::scale::{exponent, ldexp};
 use crate::surd::{Radicands, Surd};
 use crate::terms::Vector;
 use crate::viewport::Viewport;
@@ -255,6 +255,20 @@ impl PosedCamera {
             scaled([DoubleDouble::from(largest), DoubleDouble::default(), DoubleDouble::default()]);
         let coordinates = coordinates.map(|(x, n)| DoubleDouble::product(ldexp(x, -k), n));
         (self.fine_basis.direction(coordinates), k)
+    }
+
+    /// `u U`, `v V` and `-distance W`, each coordinate rounded once.
+    pub(crate) fn direction_parts(&self, place: ViewPlace) -> [DVec3; 3] {
+        let FineBasis { u, v, w, .. } = self.fine_basis;
+        let [along_u, along_v, along_w] = self.coordinates(place);
+        let stretch = DoubleDouble::from(place.stretch(self.image));
+        let part = |(x, n): (f64, f64), sign: f64, axis: Vector<DoubleDouble>| {
+            let (k, n) = (if x == 0.0 { 0 } else { exponent(x) }, DoubleDouble::from(sign * n));
+            let factor = DoubleDouble::from(ldexp(x, -k)) * n / stretch;
+            // Added to 0, a negative zero is 0.
+            DVec3::from_array(axis.map(|a| ldexp((factor * a).hi, k) + 0.0))
+        };
+        [part(along_u, 1.0, u), part(along_v, 1.0, v), part(along_w, -1.0, w)]
     }
 
     /// A view ray in exact numbers.

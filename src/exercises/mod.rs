@@ -5,7 +5,8 @@ mod texts;
 
 use pinhole_core::lecture::exercises::{Answer, Exercise, Question, Verdict};
 
-pub use texts::{asked, is_good, question, said, solution, title};
+pub use texts::{asked, question, solution, title};
+pub(crate) use texts::{is_good, said};
 
 use crate::document::{Document, Item};
 use crate::expression::evaluate;

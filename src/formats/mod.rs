@@ -10,6 +10,7 @@ pub mod csv_spheres;
 mod csv_table;
 mod error;
 pub mod exr;
+pub(crate) mod fields;
 pub mod png;
 pub mod rays;
 pub mod scene_argument;

@@ -79,6 +79,27 @@ impl Item {
         }
     }
 
+    /// What lesson files call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Item::Eye => "eye",
+            Item::At => "at",
+            Item::ViewAndUp => "view-and-up",
+            Item::Basis => "basis",
+            Item::Frustum => "frustum",
+            Item::Viewport => "viewport",
+            Item::Picture => "picture",
+            Item::PixelGrid => "pixel-grid",
+            Item::Marks => "marks",
+            Item::Ray => "ray",
+            Item::Hit => "hit",
+            Item::Axes => "axes",
+            Item::Planes => "planes",
+            Item::UvAxes => "uv-axes",
+            Item::Labels => "labels",
+        }
+    }
+
     fn bit(self) -> u32 {
         1 << self as u8
     }

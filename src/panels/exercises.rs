@@ -5,7 +5,7 @@ use pinhole_core::lecture::exercises::{Exercise, Part};
 
 use super::number::{error_color, vector_color};
 use super::readouts::NumberStyle;
-use crate::action::Action;
+use crate::action::{Action, MadeUp};
 use crate::exercises::{self, Exercises, Typed};
 
 /// Size of what is read, in points.
@@ -85,11 +85,9 @@ fn exercise(
         if let Some(document) = exercises.document() {
             let hint = "Makes this question's camera, and what its ray meets, the open scene";
             if ui.button("Open its camera").on_hover_text(hint).clicked() {
-                actions.push(Action::Show {
-                    document: Box::new(document),
-                    title: exercises::title(question.exercise).to_owned(),
-                    uv: question.uv(),
-                });
+                let title = exercises::title(question.exercise).to_owned();
+                let made_up = MadeUp { document, title, uv: question.uv() };
+                actions.push(Action::Show(Box::new(made_up)));
                 ui.ctx().request_repaint();
             }
         }

@@ -6,6 +6,8 @@ pub(crate) mod camera;
 pub mod dialogs;
 pub(crate) mod exercises;
 pub(crate) mod frame;
+pub(crate) mod lesson_strip;
+mod marked_text;
 pub(crate) mod mistakes;
 mod number;
 pub(crate) mod objects;

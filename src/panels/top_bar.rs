@@ -9,6 +9,7 @@ use crate::action::Action;
 use crate::files::{OpenDocument, title_of};
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
+use crate::lessons::{self, Place, Which};
 use crate::overlay::Item;
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 
@@ -29,6 +30,7 @@ pub(crate) fn ui(
                 }
             }
         });
+        ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
         // Several switches in one go: these stay open while one clicks in them.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
@@ -40,8 +42,17 @@ pub(crate) fn ui(
         shade(ui, &mut settings.shade);
         ui.separator();
         let changed = if open.has_changes() { " (changed)" } else { "" };
-        ui.strong(format!("{}{changed}", title_of(&open.source)));
+        ui.strong(format!("{}{changed}", title_of(open.origin())));
     });
+}
+
+fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
+    for (index, lesson) in lessons::builtin::all().iter().enumerate() {
+        let which = Which::Builtin(index);
+        if ui.button(lessons::title_of(which, lesson)).clicked() {
+            actions.push(Action::GoTo(Place { lesson: which, step: 0 }));
+        }
+    }
 }
 
 fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {

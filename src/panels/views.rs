@@ -127,6 +127,9 @@ fn keys(ui: &Ui, actions: &mut Vec<Action>) {
     if pressed(Key::F) || pressed(Key::Home) {
         actions.push(Action::FrameAll);
     }
+    if pressed(Key::R) {
+        actions.push(Action::BackToStep);
+    }
 }
 
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {

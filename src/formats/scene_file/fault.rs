@@ -6,8 +6,8 @@ use std::path::Path;
 use pinhole_core::{BasisError, CameraError};
 use toml_edit::Document as Toml;
 
-use super::fields::{Section, Source};
 use crate::formats::FileError;
+use crate::formats::fields::{Section, Source};
 
 /// The error of a file's camera at the place of the field at fault, as
 /// `room.toml:5:6: camera.at: eye and at are the same point (1, 2, 3): move one of them`.

@@ -44,7 +44,6 @@
 
 mod edit;
 mod fault;
-mod fields;
 mod note;
 mod read;
 mod write;
@@ -56,6 +55,7 @@ use super::{FileError, Place, atomic};
 use crate::document::Document;
 
 pub use fault::camera_fault;
+pub(crate) use read::{TABLES, not_toml, tables};
 pub use write::to_text;
 
 /// The format version that this program reads and writes.

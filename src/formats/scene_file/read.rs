@@ -6,12 +6,14 @@ use std::sync::Arc;
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sphere, Viewport};
 use toml_edit::Document as Toml;
 
-use super::fields::{Field, Section, Source};
 use super::{VERSION, note};
 use crate::document::{CsvSpheres, Document, Item};
+use crate::formats::fields::{Field, Section, Source};
 use crate::formats::{FileError, color, csv_spheres};
 
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
+/// The tables of a scene.
+pub(crate) const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
 /// Those of [`TOP`] that must stand before the first table.
 const BEFORE_TABLES: &[&str] = &["pinhole", "spheres"];
 
@@ -26,25 +28,40 @@ pub(super) fn document(
     let root = Section::root(&source, toml.as_table());
     version(&root)?;
     root.only(TOP, &[])?;
-    let camera = root.need("camera", "[camera] with eye, at and up")?.section()?;
-    let mut camera = read_camera(&camera)?;
+    root.need("camera", "[camera] with eye, at and up")?;
+    let mut document = Document {
+        note: note::of_block(note::split(text.trim_start_matches('\u{feff}')).0),
+        ..Document::default()
+    };
+    tables(&root, &mut document)?;
+    document.csv_spheres = root.get("spheres").map(|field| csv(&field, base)).transpose()?;
+    Ok(document)
+}
+
+/// Reads the tables [`TABLES`] that are there; each replaces what the document has for it.
+pub(crate) fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
+    let camera = &mut document.camera;
+    if let Some(section) = root.get("camera") {
+        let Camera { viewport, image, .. } = *camera;
+        *camera = Camera { viewport, image, ..read_camera(&section.section()?)? };
+    }
     if let Some(section) = root.get("viewport") {
         camera.viewport = viewport(&section.section()?)?;
     }
     if let Some(section) = root.get("image") {
         camera.image = image(&section.section()?)?;
     }
-    Ok(Document {
-        note: note::of_block(note::split(text.trim_start_matches('\u{feff}')).0),
-        camera,
-        spheres: objects(&root, "sphere", sphere)?,
-        planes: objects(&root, "plane", plane)?,
-        csv_spheres: root.get("spheres").map(|field| csv(&field, base)).transpose()?,
-    })
+    if let Some(field) = root.get("sphere") {
+        document.spheres = objects(&field, sphere)?;
+    }
+    if let Some(field) = root.get("plane") {
+        document.planes = objects(&field, plane)?;
+    }
+    Ok(())
 }
 
 /// Says a syntax error in the words of someone who does not know the grammar, where that is common.
-fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
+pub(crate) fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
     let found = source.text.get(span.clone()).unwrap_or_default();
     let message = match error.message() {
@@ -137,13 +154,9 @@ fn image(section: &Section) -> Result<ImageSize, FileError> {
 }
 
 fn objects<S>(
-    root: &Section,
-    key: &str,
+    field: &Field,
     read: impl Fn(&Section) -> Result<S, FileError>,
 ) -> Result<Vec<Item<S>>, FileError> {
-    let Some(field) = root.get(key) else {
-        return Ok(Vec::new());
-    };
     let item = |section: &Section| {
         let shape = read(section)?;
         let name = section.get("name").map(|name| name.text()).transpose()?;

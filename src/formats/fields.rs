@@ -1,21 +1,21 @@
-//! The fields of a scene file's tables, each with the name and place that messages give it.
+//! The fields of a TOML file's tables, each with the name and place that messages give it.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
 use pinhole_core::DVec3;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
-use super::super::{FileError, Place, suggest};
+use super::{FileError, Place, suggest};
 
 /// The text that is read, and what messages call it.
-pub(super) struct Source<'a> {
-    pub(super) text: &'a str,
-    pub(super) path: &'a Path,
+pub(crate) struct Source<'a> {
+    pub(crate) text: &'a str,
+    pub(crate) path: &'a Path,
 }
 
 /// A table: `camera`, `sphere[3]`, or the file itself, whose name is empty.
-pub(super) struct Section<'a> {
+pub(crate) struct Section<'a> {
     source: &'a Source<'a>,
     name: String,
     table: &'a dyn TableLike,
@@ -23,7 +23,7 @@ pub(super) struct Section<'a> {
 }
 
 /// A field with a value.
-pub(super) struct Field<'a> {
+pub(crate) struct Field<'a> {
     source: &'a Source<'a>,
     name: String,
     item: Entry<'a>,
@@ -38,7 +38,7 @@ enum Entry<'a> {
 }
 
 impl Source<'_> {
-    pub(super) fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
+    pub(crate) fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
         FileError {
             file: self.path.display().to_string(),
             place: Some(Place::of_byte(self.text.as_bytes(), span.start)),
@@ -49,7 +49,7 @@ impl Source<'_> {
 
 impl<'a> Section<'a> {
     /// The file itself.
-    pub(super) fn root(source: &'a Source<'a>, table: &'a dyn TableLike) -> Section<'a> {
+    pub(crate) fn root(source: &'a Source<'a>, table: &'a dyn TableLike) -> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
@@ -58,7 +58,7 @@ impl<'a> Section<'a> {
     }
 
     /// Refuses the first field that is none of the `known`; `top` are those of the file itself.
-    pub(super) fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
+    pub(crate) fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
         let Some((key, _)) = self.table.iter().find(|(key, _)| !known.contains(key)) else {
             return Ok(());
         };
@@ -75,7 +75,7 @@ impl<'a> Section<'a> {
     }
 
     /// A field, if it is there.
-    pub(super) fn get(&self, key: &str) -> Option<Field<'a>> {
+    pub(crate) fn get(&self, key: &str) -> Option<Field<'a>> {
         let item = self.table.get(key)?;
         let entry = match item {
             Item::Value(Value::InlineTable(table)) => Entry::Table(table),
@@ -90,19 +90,19 @@ impl<'a> Section<'a> {
     }
 
     /// A field that must be there; `such_as` is a line that would do.
-    pub(super) fn need(&self, key: &str, such_as: &str) -> Result<Field<'a>, FileError> {
+    pub(crate) fn need(&self, key: &str, such_as: &str) -> Result<Field<'a>, FileError> {
         self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
     }
 
     /// The error that something is missing in this table.
-    pub(super) fn missing(&self, what: &str, such_as: &str) -> FileError {
+    pub(crate) fn missing(&self, what: &str, such_as: &str) -> FileError {
         self.source.error(&self.span, format!("{what} is missing: write {such_as}"))
     }
 }
 
 impl<'a> Field<'a> {
     /// `camera.eye[2] is nan: ` and what would be right.
-    pub(super) fn error(&self, right: &str) -> FileError {
+    pub(crate) fn error(&self, right: &str) -> FileError {
         let value = match self.item {
             Entry::Value(_) => shown(&self.source.text[self.span.clone()]),
             Entry::Table(_) => "a table".to_owned(),
@@ -112,17 +112,17 @@ impl<'a> Field<'a> {
     }
 
     /// The error that this field is at fault, in words that say its value themselves.
-    pub(super) fn fault(&self, problem: impl std::fmt::Display) -> FileError {
+    pub(crate) fn fault(&self, problem: impl std::fmt::Display) -> FileError {
         self.source.error(&self.span, format!("{}: {problem}", self.name))
     }
 
     /// The error that this field is there at all.
-    pub(super) fn refuse(&self, why: &str) -> FileError {
+    pub(crate) fn refuse(&self, why: &str) -> FileError {
         self.source.error(&self.span, format!("{} is there {why}", self.name))
     }
 
     /// A finite number; an integer will do.
-    pub(super) fn number(&self) -> Result<f64, FileError> {
+    pub(crate) fn number(&self) -> Result<f64, FileError> {
         match self.item {
             Entry::Value(Value::Integer(integer)) => Ok(*integer.value() as f64),
             Entry::Value(Value::Float(float)) if float.value().is_finite() => Ok(*float.value()),
@@ -132,33 +132,54 @@ impl<'a> Field<'a> {
     }
 
     /// A finite number greater than 0.
-    pub(super) fn positive(&self) -> Result<f64, FileError> {
+    pub(crate) fn positive(&self) -> Result<f64, FileError> {
         let number = self.number()?;
         if number > 0.0 { Ok(number) } else { Err(self.error("it must be greater than 0")) }
     }
 
     /// An integer as it stands.
-    pub(super) fn integer(&self) -> Option<i64> {
+    pub(crate) fn integer(&self) -> Option<i64> {
         match self.item {
             Entry::Value(value) => value.as_integer(),
             _ => None,
         }
     }
 
+    /// A whole number from `range`; `what` says what it is in the message.
+    pub(crate) fn whole(&self, range: RangeInclusive<i64>, what: &str) -> Result<i64, FileError> {
+        self.integer().filter(|number| range.contains(number)).ok_or_else(|| {
+            self.error(&format!("it must be {what}, {} to {}", range.start(), range.end()))
+        })
+    }
+
+    /// Yes or no.
+    pub(crate) fn boolean(&self) -> Result<bool, FileError> {
+        match self.item {
+            Entry::Value(Value::Boolean(value)) => Ok(*value.value()),
+            _ => Err(self.error("it must be true or false")),
+        }
+    }
+
     /// Three finite numbers.
-    pub(super) fn vector(&self) -> Result<DVec3, FileError> {
-        const RIGHT: &str = "it must be three numbers, such as [0.0, 1.0, 0.0]";
-        let Entry::Value(Value::Array(array)) = self.item else {
-            return Err(self.error(RIGHT));
-        };
-        if array.len() != 3 {
-            return Err(self.error(RIGHT));
+    pub(crate) fn vector(&self) -> Result<DVec3, FileError> {
+        self.numbers("three numbers, such as [0.0, 1.0, 0.0]").map(DVec3::from_array)
+    }
+
+    /// `N` finite numbers; `such_as` says how many and what they look like.
+    pub(crate) fn numbers<const N: usize>(&self, such_as: &str) -> Result<[f64; N], FileError> {
+        let elements = self.elements().filter(|elements| elements.len() == N);
+        let elements = elements.ok_or_else(|| self.error(&format!("it must be {such_as}")))?;
+        let mut numbers = [0.0; N];
+        for (number, element) in numbers.iter_mut().zip(&elements) {
+            *number = element.number()?;
         }
-        let mut numbers = [0.0; 3];
-        for (k, (number, value)) in numbers.iter_mut().zip(array.iter()).enumerate() {
-            *number = self.element(k, value).number()?;
-        }
-        Ok(DVec3::from_array(numbers))
+        Ok(numbers)
+    }
+
+    /// The elements of a list of values; `None` where this is none.
+    pub(crate) fn elements(&self) -> Option<Vec<Field<'a>>> {
+        let Entry::Value(Value::Array(array)) = self.item else { return None };
+        Some(array.iter().enumerate().map(|(k, value)| self.element(k, value)).collect())
     }
 
     fn element(&self, k: usize, value: &'a Value) -> Field<'a> {
@@ -171,15 +192,28 @@ impl<'a> Field<'a> {
     }
 
     /// A string.
-    pub(super) fn text(&self) -> Result<&'a str, FileError> {
+    pub(crate) fn text(&self) -> Result<&'a str, FileError> {
         match self.item {
             Entry::Value(Value::String(text)) => Ok(text.value()),
             _ => Err(self.error("it must be text in quotes")),
         }
     }
 
+    /// One of these names; what it may be a slip for is said.
+    pub(crate) fn one_of(&self, known: &[&'static str]) -> Result<&'static str, FileError> {
+        let choices = || format!("it must be one of {}", known.join(", "));
+        let text = self.text().map_err(|_| self.error(&choices()))?;
+        if let Some(name) = known.iter().find(|name| **name == text) {
+            return Ok(name);
+        }
+        Err(match suggest::nearest(text, known.iter().copied()).first() {
+            Some(near) => self.error(&format!("did you mean \"{near}\"?")),
+            None => self.error(&choices()),
+        })
+    }
+
     /// One table.
-    pub(super) fn section(&self) -> Result<Section<'a>, FileError> {
+    pub(crate) fn section(&self) -> Result<Section<'a>, FileError> {
         match self.item {
             Entry::Table(table) => Ok(self.section_of(self.name.clone(), table, self.span.clone())),
             _ => Err(self.error(&format!("it must be one table, [{}]", self.name))),
@@ -187,7 +221,7 @@ impl<'a> Field<'a> {
     }
 
     /// A list of tables.
-    pub(super) fn sections(&self) -> Result<Vec<Section<'a>>, FileError> {
+    pub(crate) fn sections(&self) -> Result<Vec<Section<'a>>, FileError> {
         let name = |k: usize| format!("{}[{k}]", self.name);
         let right = format!("each one must be a table that begins with [[{}]]", self.name);
         match self.item {

@@ -1,0 +1,59 @@
+//! From a step to what is edited and how it is looked at: the one place where a step's fields become
+//! the window's.
+
+use super::lesson::Step;
+use crate::document::Document;
+use crate::observer::Observer;
+use crate::session::{Session, Settings};
+
+/// Sets what the step says and leaves alone what it does not.
+///
+/// `seen_from` is the observer that the step was first looked at from, where it says none.
+pub fn apply(
+    step: &Step,
+    seen_from: Option<Observer>,
+    document: &mut Document,
+    session: &mut Session,
+) {
+    document.clone_from(&step.document);
+    session.selection = step.selection;
+    let looks = &step.looks;
+    session.observer = looks.observer.or(seen_from).or(session.observer);
+    let settings = &mut session.settings;
+    set(&mut settings.layout, looks.layout);
+    set(&mut settings.items, looks.items);
+    set(&mut settings.shade, looks.shade);
+    set(&mut settings.count_from_one, looks.count_from_one);
+    set(&mut settings.digits, looks.digits);
+    set(&mut settings.keep_picture, looks.keep_picture);
+    set(&mut settings.teaching, looks.teaching);
+}
+
+/// Gives back what lessons set: the window as it was before the first of them.
+pub fn give_back(before: &Settings, settings: &mut Settings) {
+    settings.layout = before.layout;
+    settings.items = before.items;
+    settings.shade = before.shade;
+    settings.count_from_one = before.count_from_one;
+    settings.digits = before.digits;
+    settings.keep_picture = before.keep_picture;
+    settings.teaching = before.teaching;
+}
+
+/// Whether anything is not as the step says.
+pub fn differs(
+    step: &Step,
+    seen_from: Option<Observer>,
+    document: &Document,
+    session: &Session,
+) -> bool {
+    let (mut said, mut looked_at) = (document.clone(), session.clone());
+    apply(step, seen_from, &mut said, &mut looked_at);
+    said != *document || looked_at != *session
+}
+
+fn set<T>(value: &mut T, said: Option<T>) {
+    if let Some(said) = said {
+        *value = said;
+    }
+}

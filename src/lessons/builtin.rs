@@ -1,0 +1,61 @@
+//! The lessons that come with the program.
+
+use std::path::Path;
+use std::sync::{Arc, LazyLock};
+
+use super::lesson::Lesson;
+use super::read;
+use crate::formats::FileError;
+
+/// A lesson that comes with the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Builtin {
+    /// The name of its file, for messages.
+    pub name: &'static str,
+    /// Its lesson file.
+    pub text: &'static str,
+}
+
+macro_rules! builtins {
+    ($($name:literal),* $(,)?) => {
+        &[$(Builtin {
+            name: $name,
+            text: include_str!(concat!("../../assets/lessons/", $name, ".toml")),
+        }),*]
+    };
+}
+
+/// The lessons' files, in the lecture's order.
+pub const FILES: &[Builtin] = builtins![
+    "01-canonical-camera",
+    "02-warm-up",
+    "03-viewport-and-distance",
+    "04-eye-moved",
+    "05-orientation",
+    "06-forty-five-degrees",
+    "07-view-and-up",
+    "08-eye-at-up",
+    "09-when-it-breaks",
+    "10-as-printed",
+    "11-parametric-and-implicit",
+    "12-ray-and-objects",
+    "13-many-rays",
+];
+
+impl Builtin {
+    /// The lesson.
+    ///
+    /// # Errors
+    /// None, as the tests see to.
+    pub fn load(&self) -> Result<Lesson, FileError> {
+        read::parse(self.text, Path::new(self.name), None)
+    }
+}
+
+/// All of them, read once; lesson 1 is the first.
+pub fn all() -> &'static [Arc<Lesson>] {
+    static LESSONS: LazyLock<Vec<Arc<Lesson>>> = LazyLock::new(|| {
+        FILES.iter().filter_map(|file| Some(Arc::new(file.load().ok()?))).collect()
+    });
+    &LESSONS
+}

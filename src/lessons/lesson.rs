@@ -1,0 +1,77 @@
+//! What a lesson's file says, read.
+
+use pinhole_core::DVec2;
+
+use crate::document::Document;
+use crate::observer::Observer;
+use crate::overlay::OverlayItems;
+use crate::session::{Selection, ShadeName, ViewLayout};
+
+/// A lesson: steps to go through.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lesson {
+    /// What it is about.
+    pub title: String,
+    /// At least one.
+    pub steps: Vec<Step>,
+}
+
+/// One state of the window to look at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// What it is about.
+    pub title: String,
+    /// What to look at, or what to drag, with `*u*` for scalars and `**u**` for vectors.
+    pub text: String,
+    /// What is edited.
+    pub document: Document,
+    /// The step of the lesson that named the scene: steps of one scene are looked at from the same
+    /// place, unless they say another one.
+    pub scene_from: usize,
+    /// The ray that is looked at closely.
+    pub selection: Selection,
+    /// The rest of how it is looked at.
+    pub looks: Looks,
+}
+
+/// How a step is looked at; `None` is left alone.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Looks {
+    /// Where the world view is seen from.
+    pub observer: Option<Observer>,
+    /// Which views are shown.
+    pub layout: Option<ViewLayout>,
+    /// What is drawn over the views.
+    pub items: Option<OverlayItems>,
+    /// How the pictures are coloured.
+    pub shade: Option<ShadeName>,
+    /// Rows and columns counted from 1.
+    pub count_from_one: Option<bool>,
+    /// Significant digits.
+    pub digits: Option<usize>,
+    /// Distance, width and height go together.
+    pub keep_picture: Option<bool>,
+    /// The camera panel's teaching part is unfolded.
+    pub teaching: Option<bool>,
+    /// The ledger's sections that are unfolded, by name.
+    pub ledger: Option<Vec<String>>,
+    /// The wrong camera that is shown beside the right one, by name.
+    pub mistake: Option<String>,
+    /// How far one has walked along the selected ray.
+    pub t: Option<f64>,
+    /// The two lines of the lines lab.
+    pub lines: Option<Lines>,
+}
+
+/// Two lines in the plane: `a x + b y + c = 0`, and `p + t d`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lines {
+    /// a, b and c.
+    pub implicit: [f64; 3],
+    /// Where the ray begins.
+    pub origin: DVec2,
+    /// The ray's direction.
+    pub direction: DVec2,
+    /// How far one has walked along it.
+    pub t: Option<f64>,
+}

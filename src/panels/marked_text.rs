@@ -1,0 +1,97 @@
+//! Sentences with the lecture's letters in them: `**u**` is a vector, bold and in its own colour,
+//! `*u*` a scalar, in italics.
+
+use egui::text::LayoutJob;
+use egui::{Color32, FontFamily, FontId, Label, TextFormat, Ui};
+
+use super::number::vector_color;
+use crate::present::fonts;
+
+/// A run of letters that are written alike.
+#[derive(Clone, Debug, PartialEq)]
+struct Run {
+    text: String,
+    is_vector: bool,
+}
+
+/// Shows the text, wrapped. Screen readers and tests get it without its marks.
+pub(super) fn label(ui: &mut Ui, text: &str, size: f32) {
+    let runs = runs(text);
+    let color = ui.visuals().strong_text_color();
+    let mut job = LayoutJob::default();
+    for run in &runs {
+        let family = if run.is_vector { fonts::bold() } else { FontFamily::Proportional };
+        let own = run.is_vector.then(|| vector_color(ui, &run.text)).flatten();
+        job.append(&run.text, 0.0, format(FontId::new(size, family), own.unwrap_or(color)));
+    }
+    let response = ui.add(Label::new(job).wrap());
+    let plain = plain(text);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain));
+}
+
+/// The height of one line of such text.
+pub(super) fn row_height(ui: &Ui, size: f32) -> f32 {
+    ui.ctx().fonts_mut(|fonts| fonts.row_height(&FontId::proportional(size)))
+}
+
+fn format(font_id: FontId, color: Color32) -> TextFormat {
+    TextFormat { font_id, color, ..TextFormat::default() }
+}
+
+/// The text without its marks.
+pub(super) fn plain(text: &str) -> String {
+    text.replace('*', "")
+}
+
+fn runs(text: &str) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let (mut is_vector, mut is_scalar) = (false, false);
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        if letter == '*' {
+            // In a scalar the first of `***` ends it: u times the vector u is `*u***u**`.
+            if !is_scalar && letters.next_if_eq(&'*').is_some() {
+                is_vector = !is_vector;
+            } else {
+                is_scalar = !is_scalar;
+            }
+            continue;
+        }
+        let letter = if is_scalar { italic(letter) } else { letter };
+        match runs.last_mut().filter(|run| run.is_vector == is_vector) {
+            Some(run) => run.text.push(letter),
+            None => runs.push(Run { text: letter.to_string(), is_vector }),
+        }
+    }
+    runs
+}
+
+/// The letter's own sign in Unicode's *Mathematical Alphanumeric Symbols*, which every family has.
+fn italic(letter: char) -> char {
+    let shifted = |first: char, to: u32| char::from_u32(to + letter as u32 - first as u32);
+    match letter {
+        // The block has a gap where this one was there before.
+        'h' => Some('ℎ'),
+        'a'..='z' => shifted('a', 0x1d44e),
+        'A'..='Z' => shifted('A', 0x1d434),
+        _ => None,
+    }
+    .unwrap_or(letter)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_and_scalars_are_told_apart() {
+        let text = "*u***u** + *v***v**";
+        let run = |text: &str, is_vector| Run { text: text.to_owned(), is_vector };
+        assert_eq!(
+            runs(text),
+            [run("𝑢", false), run("u", true), run(" + 𝑣", false), run("v", true)]
+        );
+        assert_eq!(plain(text), "uu + vv");
+        assert_eq!(runs("*h*, *W* 1"), [run("ℎ, 𝑊 1", false)]);
+    }
+}
