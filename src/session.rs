@@ -166,7 +166,7 @@ impl Default for Settings {
             accuracy_height: 370.0,
             frame_height: 350.0,
             plot_height: 300.0,
-            mistakes_height: 260.0,
+            mistakes_height: 330.0,
             ledger_split: 0.5,
             stack_split: 0.55,
             method: MethodName(Method::Ladder),

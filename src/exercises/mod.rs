@@ -88,9 +88,7 @@ impl Exercises {
 
     /// Whether every part was answered rightly.
     pub(crate) fn is_right(&self) -> bool {
-        let is_right = |typed: &Typed| {
-            matches!(&typed.said, Some(Said::Judged(verdict)) if verdict.is_right())
-        };
+        let is_right = |typed: &Typed| matches!(&typed.said, Some(Said::Judged(verdict)) if verdict.is_right());
         self.answers.iter().all(is_right)
     }
 
@@ -150,7 +148,8 @@ mod tests {
             assert_eq!(typed.fields, ["0.2", "-0.1", "-1"], "{text}");
         }
         let root = "(1/sqrt(2), 0, -1/sqrt(2))".to_owned();
-        let mut typed = Typed { fields: vec![root, String::new(), String::new()], ..Typed::default() };
+        let mut typed =
+            Typed { fields: vec![root, String::new(), String::new()], ..Typed::default() };
         typed.spread();
         assert_eq!(typed.fields, ["1/sqrt(2)", "0", "-1/sqrt(2)"]);
     }

@@ -1,7 +1,9 @@
 //! The exercises in words.
 
-use pinhole_core::lecture::NumberForm;
-use pinhole_core::lecture::exercises::{Answer, Asked, Exercise, Finding, Given, Part, Slip, Verdict};
+use pinhole_core::lecture::exercises::{
+    Answer, Asked, Exercise, Finding, Given, Part, Slip, Verdict,
+};
+use pinhole_core::lecture::{NumberForm, VectorForm};
 use pinhole_core::{DVec2, DVec3, shortest};
 
 use super::Said;
@@ -166,14 +168,12 @@ fn judged(verdict: &Verdict, part: &Part) -> String {
         Verdict::Rounded { digits } => format!(
             "≈ Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
         ),
-        Verdict::Backwards { times } => format!(
-            "✖ It points backwards: yours is {} times ours.",
-            short(*times)
-        ),
-        Verdict::OtherLength { times } if part.asked.is_unit() => format!(
-            "✖ The direction is right, but the length is {}: it must be 1.",
-            short(*times)
-        ),
+        Verdict::Backwards { times } => {
+            format!("✖ It points backwards: yours is {} times ours.", short(*times))
+        }
+        Verdict::OtherLength { times } if part.asked.is_unit() => {
+            format!("✖ The direction is right, but the length is {}: it must be 1.", short(*times))
+        }
         Verdict::OtherLength { times } => format!(
             "✖ The direction is right, but it is {} times ours: here its length matters, because t \
              counts in it.",
@@ -197,11 +197,9 @@ fn found(finding: &Finding, part: &Part) -> String {
         Finding::Zero => "A direction cannot be (0, 0, 0)".to_owned(),
         Finding::Coordinate(k) => format!("{} is wrong", ["x", "y", "z"][(*k).min(2)]),
         Finding::Length(length) => format!("its length is {}, not 1", short(*length)),
-        Finding::NotOrthogonal { to, dot } => format!(
-            "it is not orthogonal to {}: the dot product is {}",
-            bold(to),
-            short(*dot)
-        ),
+        Finding::NotOrthogonal { to, dot } => {
+            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(*dot))
+        }
         Finding::Another if part.count() == 1 => "Another number".to_owned(),
         Finding::Another => "Every coordinate is another one".to_owned(),
     }
@@ -216,48 +214,60 @@ fn bold(name: &str) -> &str {
     }
 }
 
-/// The right answer: exactly, and in decimals where that is another text.
+/// The right answer, exactly if it can be recognised, and in decimals where that is another text.
 pub fn solution(part: &Part, digits: usize) -> String {
     let numbers = match &part.truth {
-        Answer::Yes(yes) => return if *yes { "yes" } else { "no" }.to_owned(),
+        Answer::Yes(yes) => return if *yes { "= yes" } else { "= no" }.to_owned(),
         Answer::Numbers(numbers) => numbers,
     };
-    let exact: Option<Vec<String>> = numbers.iter().map(|x| form(*x)).collect();
-    let decimals: Vec<String> =
-        numbers.iter().map(|x| significant(*x, digits).replace('-', "−")).collect();
-    let [decimals, exact] =
-        [Some(decimals), exact].map(|texts| texts.map(|texts| of_parts(&texts)).unwrap_or_default());
-    if exact.is_empty() || exact == decimals {
-        return format!("= {decimals}");
+    let decimals = |x: &f64| significant(*x, digits).replace('-', "−");
+    let decimals = listed(&numbers.iter().map(decimals).collect::<Vec<_>>());
+    match exact(numbers) {
+        Some(exact) if exact == decimals => format!("= {exact}"),
+        Some(exact) => format!("= {exact} ≈ {decimals}"),
+        None => format!("≈ {decimals}"),
     }
-    format!("= {exact} ≈ {decimals}")
 }
 
-fn of_parts(texts: &[String]) -> String {
+/// `5√2`, `(5, 0, −7)/√74`, `(0.2, −0.1, −1)`.
+fn exact(numbers: &[f64]) -> Option<String> {
+    if let [x, y, z] = *numbers
+        && let VectorForm::Common { whole, factor } = VectorForm::of(DVec3::new(x, y, z))?
+        && factor.root() > 1
+        && factor.is_root_below()
+    {
+        let whole = whole.map(|n| number(n as f64));
+        return Some(format!("{}/√{}", listed(&whole), factor.root()));
+    }
+    let each: Option<Vec<String>> =
+        numbers.iter().map(|x| Some(form(NumberForm::of(*x)?))).collect();
+    Some(listed(&each?))
+}
+
+fn listed(texts: &[String]) -> String {
     match texts {
         [one] => one.clone(),
         many => format!("({})", many.join(", ")),
     }
 }
 
-/// `5√2`, `−1/√2`, `0.2`: a number exactly, if it can be recognised. Decimals stay decimals.
-fn form(x: f64) -> Option<String> {
-    let form = NumberForm::of(x)?;
+/// `5√2`, `−1/√2`, `3/7`. Decimals stay decimals.
+fn form(form: NumberForm) -> String {
     if form.decimals().is_some() {
-        return Some(number(form.value()));
+        return number(form.value());
     }
     let (n, k, m) = (form.numerator(), form.root(), form.denominator());
     let sign = if n < 0 { "−" } else { "" };
-    let n = n.unsigned_abs();
-    Some(match (k, form.is_root_below()) {
-        (1, _) => format!("{sign}{n}/{m}"),
-        (_, true) if m == 1 => format!("{sign}{n}/√{k}"),
-        (_, true) => format!("{sign}{n}/({m}√{k})"),
-        (_, false) => {
-            let above = if n == 1 { format!("√{k}") } else { format!("{n}√{k}") };
-            if m == 1 { format!("{sign}{above}") } else { format!("{sign}{above}/{m}") }
-        }
-    })
+    let above = match (n.unsigned_abs(), k) {
+        (n, k) if k == 1 || form.is_root_below() => n.to_string(),
+        (1, k) => format!("√{k}"),
+        (n, k) => format!("{n}√{k}"),
+    };
+    match (form.is_root_below(), m) {
+        (true, _) => format!("{sign}{above}/√{k}"),
+        (false, 1) => format!("{sign}{above}"),
+        (false, m) => format!("{sign}{above}/{m}"),
+    }
 }
 
 fn number(x: f64) -> String {
@@ -266,7 +276,7 @@ fn number(x: f64) -> String {
 
 /// For sentences: exact where it is short.
 fn short(x: f64) -> String {
-    form(x).unwrap_or_else(|| significant(x, 5).replace('-', "−"))
+    NumberForm::of(x).map(form).unwrap_or_else(|| significant(x, 5).replace('-', "−"))
 }
 
 fn pair(v: DVec2) -> String {

@@ -52,12 +52,7 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     }
 }
 
-fn exercise(
-    ui: &mut Ui,
-    exercises: &mut Exercises,
-    style: NumberStyle,
-    actions: &mut Vec<Action>,
-) {
+fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions: &mut Vec<Action>) {
     let question = exercises.question().clone();
     ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
     source(ui, exercises);
@@ -71,7 +66,8 @@ fn exercise(
         wants_check |= answer(ui, part, typed);
         verdict(ui, part, typed);
         if exercises.is_solved {
-            let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
+            let text =
+                format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
             ui.label(RichText::new(text).strong());
         }
         ui.add_space(8.0);
@@ -101,9 +97,13 @@ fn exercise(
         ui.label(RichText::new("✔ All of it is right.").strong());
     }
     ui.add_space(10.0);
-    ui.label(RichText::new(
-        "Numbers may be typed exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is kept or sent.",
-    ).size(15.0).weak());
+    ui.label(
+        RichText::new(
+            "Numbers may be typed exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is kept or sent.",
+        )
+        .size(15.0)
+        .weak(),
+    );
 }
 
 /// The lecture's own question, or one of a seed.

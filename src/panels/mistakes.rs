@@ -160,7 +160,9 @@ fn explanation(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
 
 fn sentence(text: &str) -> String {
     let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
+    chars
+        .next()
+        .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
 /// u, v, w of both cameras; what differs is struck out and written anew.

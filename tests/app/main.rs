@@ -5,9 +5,11 @@
 
 mod accuracy;
 mod edits;
+mod exercises;
 mod faults;
 mod frame;
 mod harness;
+mod mistakes;
 mod objects;
 mod scene_files;
 mod selection;

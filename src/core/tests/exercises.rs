@@ -188,7 +188,8 @@ fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
     assert_eq!(u(0.707, -0.707), Verdict::Rounded { digits: 3 });
     assert_eq!(u(0.71, -0.70711), Verdict::Rounded { digits: 2 });
     // One digit is too few to be called rounded.
-    assert!(matches!(u(0.7, -0.7), Verdict::Wrong(_)));
+    assert!(matches!(u(0.7, -0.70711), Verdict::Wrong(_)));
+    assert!(matches!(u(0.7, -0.7), Verdict::OtherLength { .. }));
     assert_eq!(u(0.7071067811865, -S), Verdict::Right, "all the digits that matter");
     assert!(matches!(u(0.708, -0.707), Verdict::Wrong(_)));
     let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));

@@ -57,8 +57,7 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     };
     let response = ui.label(verdict);
     let said = if here.passes { "passes" } else { "finds it" };
-    let spoken =
-        format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
+    let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
 }
 
