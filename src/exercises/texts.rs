@@ -152,37 +152,40 @@ pub(crate) fn is_good(said: &Said) -> bool {
 /// What is said of an answer.
 pub(crate) fn said(said: &Said, part: &Part) -> String {
     match said {
-        Said::NotAnswered => "– Not answered yet.".to_owned(),
-        Said::Missing => "– One of the numbers is missing.".to_owned(),
-        Said::NoNumber(why) => format!("✖ {why}."),
+        Said::NotAnswered => "Not answered yet.".to_owned(),
+        Said::Missing => "One of the numbers is missing.".to_owned(),
+        Said::NoNumber(why) => format!("{why}."),
         Said::Judged(verdict) => judged(verdict, part),
     }
 }
 
 fn judged(verdict: &Verdict, part: &Part) -> String {
     match verdict {
-        Verdict::Right => "✔ Right.".to_owned(),
+        Verdict::Right => "Right.".to_owned(),
         Verdict::Multiple { times } => {
-            format!("✔ Right: yours is {} times ours, the same ray.", short(*times))
+            format!("Right: yours is {} times ours, the same ray.", short(*times))
         }
         Verdict::Rounded { digits } => format!(
-            "≈ Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
+            "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
         ),
         Verdict::Backwards { times } => {
-            format!("✖ It points backwards: yours is {} times ours.", short(*times))
+            format!("Wrong: it points backwards, and is is {} times ours.", short(*times))
         }
         Verdict::OtherLength { times } if part.asked.is_unit() => {
-            format!("✖ The direction is right, but the length is {}: it must be 1.", short(*times))
+            format!(
+                "Wrong: the direction is right, but the length is {}: it must be 1.",
+                short(*times)
+            )
         }
         Verdict::OtherLength { times } => format!(
-            "✖ The direction is right, but it is {} times ours: here its length matters, because t \
+            "Wrong: the direction is right, but it is {} times ours: here its length matters, because t \
              counts in it.",
             short(*times)
         ),
-        Verdict::Slips(slips) => format!("✖ {}", named(slips)),
+        Verdict::Slips(slips) => format!("Wrong: {}", named(slips)),
         Verdict::Wrong(findings) => {
             let texts: Vec<String> = findings.iter().map(|finding| found(finding, part)).collect();
-            format!("✖ {}.", texts.join("; "))
+            format!("Wrong: {}.", texts.join("; "))
         }
     }
 }
@@ -194,14 +197,14 @@ fn named(slips: &[Slip]) -> String {
 
 fn found(finding: &Finding, part: &Part) -> String {
     match finding {
-        Finding::Zero => "A direction cannot be (0, 0, 0)".to_owned(),
-        Finding::Coordinate(k) => format!("{} is wrong", ["x", "y", "z"][(*k).min(2)]),
+        Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
+        Finding::Coordinate(k) => format!("{} is another number", ["x", "y", "z"][(*k).min(2)]),
         Finding::Length(length) => format!("its length is {}, not 1", short(*length)),
         Finding::NotOrthogonal { to, dot } => {
             format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(*dot))
         }
-        Finding::Another if part.count() == 1 => "Another number".to_owned(),
-        Finding::Another => "Every coordinate is another one".to_owned(),
+        Finding::Another if part.count() == 1 => "it is another number".to_owned(),
+        Finding::Another => "every coordinate is another one".to_owned(),
     }
 }
 

@@ -15,6 +15,8 @@ pub struct Gallery {
     pub guess: Option<Guess>,
     /// The next riddle's seed.
     pub seed: u64,
+    /// A riddle was asked for, and no mistake shows in the picture.
+    pub nothing_shows: bool,
 }
 
 /// A wrong camera without its name.
@@ -28,7 +30,7 @@ pub struct Guess {
 
 impl Default for Gallery {
     fn default() -> Self {
-        Gallery { chosen: Mistake::WAsPrinted, guess: None, seed: 1 }
+        Gallery { chosen: Mistake::WAsPrinted, guess: None, seed: 1, nothing_shows: false }
     }
 }
 
@@ -45,6 +47,7 @@ impl Gallery {
 
     /// Asks for one of these mistakes, another than the last one if there is one.
     pub fn ask(&mut self, visible: &[Mistake]) {
+        self.nothing_shows = visible.is_empty();
         let last = self.guess.map(|guess| guess.mistake);
         let others: Vec<Mistake> =
             visible.iter().copied().filter(|mistake| Some(*mistake) != last).collect();
@@ -186,6 +189,6 @@ mod tests {
         assert!(visible.iter().all(|mistake| asked.contains(mistake)), "{asked:?}");
         gallery.guess = None;
         gallery.ask(&[]);
-        assert_eq!(gallery.guess, None);
+        assert_eq!((gallery.guess, gallery.nothing_shows), (None, true));
     }
 }

@@ -5,8 +5,9 @@ use pinhole_core::lecture::exercises::{Exercise, Part};
 
 use super::number::{error_color, vector_color};
 use super::readouts::NumberStyle;
+use super::sign::sign;
 use crate::action::{Action, MadeUp};
-use crate::exercises::{self, Exercises, Typed};
+use crate::exercises::{self, Exercises, Said, Typed};
 
 /// Size of what is read, in points.
 const TEXT: f32 = 17.0;
@@ -94,7 +95,10 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
     }
     if exercises.is_right() {
         ui.add_space(6.0);
-        ui.label(RichText::new("✔ All of it is right.").strong());
+        ui.horizontal(|ui| {
+            sign(ui, true);
+            ui.label(RichText::new("All of it is right.").strong());
+        });
     }
     ui.add_space(10.0);
     ui.label(
@@ -183,7 +187,13 @@ fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let Some(said) = &typed.said else { return };
     let text = RichText::new(exercises::said(said, part)).size(TEXT - 1.0).strong();
     let text = if exercises::is_good(said) { text } else { text.color(error_color(ui)) };
-    let response = ui.label(text);
-    let spoken = format!("{}: {}", part.asked.id(), exercises::said(said, part));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    ui.horizontal_top(|ui| {
+        ui.add_space(100.0);
+        if let Said::Judged(_) = said {
+            sign(ui, exercises::is_good(said));
+        }
+        let response = ui.add(egui::Label::new(text).wrap());
+        let spoken = format!("{}: {}", part.asked.id(), exercises::said(said, part));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    });
 }

@@ -14,6 +14,7 @@ pub(crate) mod objects;
 pub(crate) mod places;
 pub(crate) mod readouts;
 pub(crate) mod selection;
+mod sign;
 pub(crate) mod top_bar;
 pub(crate) mod views;
 pub(crate) use number::significant;

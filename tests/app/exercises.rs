@@ -108,9 +108,9 @@ fn the_lectures_exercises_answered_rightly_are_accepted() {
         }
         click(&mut window, "Check");
         for (part, _) in &parts {
-            assert_eq!(said(&window, part), "✔ Right.", "{exercise:?}");
+            assert_eq!(said(&window, part), "Right.", "{exercise:?}");
         }
-        assert_says(&window, "✔ All of it is right.");
+        assert_says(&window, "All of it is right.");
     }
 }
 
@@ -118,21 +118,21 @@ fn the_lectures_exercises_answered_rightly_are_accepted() {
 fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
     let mut window = open(Exercise::WarmUpRay);
     for (texts, verdict) in [
-        (["0.4", "-0.2", "-2"], "✔ Right: yours is 2 times ours, the same ray."),
-        (["-0.2", "0.1", "1"], "✖ It points backwards: yours is −1 times ours."),
+        (["0.4", "-0.2", "-2"], "Right: yours is 2 times ours, the same ray."),
+        (["-0.2", "0.1", "1"], "Wrong: it points backwards, and is −1 times ours."),
         (
             ["0.195", "-0.0976", "-0.976"],
-            "≈ Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",
+            "Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",
         ),
-        (["0.2", "-0.1", "1"], "✖ z has the wrong sign: the camera looks along −z."),
-        (["-0.1", "0.2", "-1"], "✖ 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),
-        (["0.2", "-0.3", "-1"], "✖ y is wrong."),
+        (["0.2", "-0.1", "1"], "Wrong: z has the wrong sign: the camera looks along −z."),
+        (["-0.1", "0.2", "-1"], "Wrong: 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),
+        (["0.2", "-0.3", "-1"], "Wrong: y is another number."),
     ] {
         answers(&mut window, "d", &texts);
         window.key_press(egui::Key::Enter);
         window.run();
         assert_eq!(said(&window, "d"), verdict, "{texts:?}");
-        assert_eq!(said(&window, "p"), "– Not answered yet.");
+        assert_eq!(said(&window, "p"), "Not answered yet.");
     }
 }
 
@@ -143,14 +143,14 @@ fn classic_mistakes_and_bad_input_are_named() {
     answers(&mut window, "u", &["5", "0", "-7"]);
     answers(&mut window, "v", &["0", "1", "zero"]);
     click(&mut window, "Check");
-    let wrong_w = "✖ at − eye is the view: 𝐰 points the other way, from at to eye.";
+    let wrong_w = "Wrong: at − eye is the view: 𝐰 points the other way, from at to eye.";
     assert_eq!(said(&window, "w"), wrong_w);
-    let length = "✖ The direction is right, but the length is √74: it must be 1.";
+    let length = "Wrong: the direction is right, but the length is √74: it must be 1.";
     assert_eq!(said(&window, "u"), length);
-    assert!(said(&window, "v").starts_with("✖ “zero” is not a number"), "{}", said(&window, "v"));
+    assert!(said(&window, "v").starts_with("“zero” is not a number"), "{}", said(&window, "v"));
     answer(&mut window, "v z", "0");
     click(&mut window, "Check");
-    assert_eq!(said(&window, "v"), "✖ up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.");
+    assert_eq!(said(&window, "v"), "Wrong: up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.");
     assert_eq!(texts_with(&window, "All of it is right"), Vec::<String>::new());
 }
 
@@ -160,7 +160,7 @@ fn a_pasted_vector_fills_all_fields() {
     answer(&mut window, "d x", "(0.2, -0.1, -1)");
     answer(&mut window, "p x", "0, 0, 0");
     click(&mut window, "Check");
-    assert_says(&window, "✔ All of it is right.");
+    assert_says(&window, "All of it is right.");
 }
 
 #[test]

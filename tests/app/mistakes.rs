@@ -153,7 +153,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     });
     let other = other.unwrap();
     click(&mut window, other.name());
-    assert_says(&window, &format!("✖ Not {}: it is {}.", other.name(), guess.mistake.name()));
+    assert_says(&window, &format!("Not {}: it is {}.", other.name(), guess.mistake.name()));
     assert!(!texts_with(&window, "What would have told: ").is_empty());
     assert!(!values(&window, "finds it").is_empty());
     click(&mut window, "Next one");
@@ -161,7 +161,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     assert_ne!(next.mistake, guess.mistake);
     assert_eq!(next.answer, None);
     click(&mut window, next.mistake.name());
-    assert_says(&window, &format!("✔ Right: {}.", next.mistake.name()));
+    assert_says(&window, &format!("Right: {}.", next.mistake.name()));
     click(&mut window, "Gallery");
     assert_eq!(window.state().session().gallery.guess, None);
     assert_says(&window, &format!("Wrong camera: {}", next.mistake.name()));

@@ -118,7 +118,8 @@ impl Mistake {
             Mistake::DistanceDropped => &[ViewportAtDistance],
             Mistake::PixelCorner | Mistake::CountedFromOne => &[CornersBalance],
             Mistake::RowsFromBottom => &[TopLeft, StepDown],
-            Mistake::RowsColumnsSwapped => &[StepRight, StepDown],
+            // The corners only where the image is not square.
+            Mistake::RowsColumnsSwapped => &[StepRight, StepDown, CornersBalance],
             Mistake::UpAsV => &[LengthV, VDotW],
             Mistake::UIsWCrossUp => &[UpIsUp],
             Mistake::LeftHanded => &[RightHanded],

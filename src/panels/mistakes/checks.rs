@@ -5,6 +5,7 @@ use pinhole_core::lecture::mistakes::{Checked, Value, Wanted};
 
 use super::super::number::error_color;
 use super::super::readouts::NumberStyle;
+use super::super::sign::sign;
 use super::TEXT;
 use crate::mistakes::Wrong;
 
@@ -50,13 +51,11 @@ fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     ui.label(wanted(here, right, style));
     let value = RichText::new(text_of(here.value, style)).size(TEXT);
     ui.label(if here.passes { value } else { value.strong().color(error_color(ui)) });
-    let verdict = if here.passes {
-        RichText::new("✔ passes").weak()
-    } else {
-        RichText::new("✖ finds it").strong().color(error_color(ui))
-    };
-    let response = ui.label(verdict);
     let said = if here.passes { "passes" } else { "finds it" };
+    let verdict = RichText::new(said);
+    let verdict =
+        if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
+    let response = ui.horizontal(|ui| (sign(ui, here.passes), ui.label(verdict)).1).inner;
     let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
 }

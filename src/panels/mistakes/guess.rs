@@ -5,6 +5,7 @@ use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
 use pinhole_core::{Camera, PosedCamera, Scene};
 
 use super::super::number::error_color;
+use super::super::sign::sign;
 use super::checks;
 use crate::mistakes::{Gallery, Wrong, visible};
 
@@ -29,6 +30,9 @@ pub(super) fn buttons(
             gallery.guess = None;
         }
     });
+    if gallery.nothing_shows {
+        ui.label("No mistake shows in this picture: bring an object into it.");
+    }
     ui.add_space(3.0);
 }
 
@@ -45,15 +49,19 @@ pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &Wrong, camera: &Ca
     };
     let name = guess.mistake.name();
     let (text, is_right) = if answer == guess.mistake {
-        (format!("✔ Right: {name}."), true)
+        (format!("Right: {name}."), true)
     } else if looks_the_same(camera, answer, wrong) {
         let same = answer.name();
-        (format!("✔ Right: {same} and {name} give the same picture. Here it is {name}."), true)
+        (format!("Right: {same} and {name} give the same picture. Here it is {name}."), true)
     } else {
-        (format!("✖ Not {}: it is {name}.", answer.name()), false)
+        (format!("Not {}: it is {name}.", answer.name()), false)
     };
     let text = RichText::new(text).size(18.0).strong();
-    ui.label(if is_right { text } else { text.color(error_color(ui)) });
+    ui.horizontal_top(|ui| {
+        sign(ui, is_right);
+        let text = if is_right { text } else { text.color(error_color(ui)) };
+        ui.add(egui::Label::new(text).wrap());
+    });
     let told: Vec<&str> = checks::failing(wrong).map(|c| c.check.formula()).collect();
     if !told.is_empty() {
         ui.label(format!("What would have told: {}.", told.join("; ")));
