@@ -2,8 +2,22 @@
 
 use std::path::PathBuf;
 
+use pinhole_core::DVec2;
+
+use crate::document::Document;
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::Place;
+
+/// A document from no file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MadeUp {
+    /// The document.
+    pub document: Document,
+    /// What the window calls it.
+    pub title: String,
+    /// The ray to look at, if any.
+    pub uv: Option<DVec2>,
+}
 
 /// Something to do once, after the panels and before anything is derived.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +43,9 @@ pub enum Action {
     GoTo(Place),
     /// Set everything as the open lesson's step says, once more; asking likewise.
     BackToStep,
+    /// Show a document that was made up, such as an exercise's, asking first if there are unsaved
+    /// changes.
+    Show(Box<MadeUp>),
     /// Close the lesson that is open; its scene stays.
     CloseLesson,
     /// Do it (close the window, open the scene or the step) without saving.

@@ -46,8 +46,9 @@ pub struct App {
     derived: Derived,
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
-    map_texture: ViewTexture,
     ledger: LedgerPanel,
+    /// The error map, or what a wrong camera sees.
+    beside_texture: ViewTexture,
     measuring: Measuring,
     frames: FrameHistory,
     store: Option<Store>,
@@ -81,8 +82,8 @@ impl App {
             derived: Derived::default(),
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
-            map_texture: ViewTexture::default(),
             ledger: LedgerPanel::default(),
+            beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
             store,
@@ -180,7 +181,7 @@ impl App {
             for action in actions {
                 self.apply(&ctx, action);
             }
-            let sizes = views::sizes(ui, &places);
+            let sizes = views::sizes(ui, &places, self.session.settings.layout);
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
             stopwatch = self.shows_frame_times().then(Stopwatch::start);

@@ -7,6 +7,7 @@ mod objects;
 mod picture;
 mod watch;
 mod world;
+mod wrong;
 
 use std::fmt;
 use std::sync::Arc;
@@ -25,10 +26,12 @@ use self::picture::{GoodPicture, Pictures};
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::WorldPictures;
+use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
 use crate::document::Document;
 use crate::inspection::Inspection;
 use crate::ledger::Ledger;
+use crate::mistakes::Wrong;
 use crate::observer::Observer;
 use crate::overlay::{
     self, CameraView, Drawing, Label, Lit, Loupe, OverlayItems, Picture, Style, Target, WorldView,
@@ -45,6 +48,8 @@ pub struct ViewSizes {
     pub camera: Option<[u32; 2]>,
     /// Width and height of the error map.
     pub map: Option<[u32; 2]>,
+    /// Width and height of the wrong camera's picture.
+    pub wrong: Option<[u32; 2]>,
     /// Physical pixels per point.
     pub scale: f32,
     /// Colours of the world view.
@@ -103,6 +108,10 @@ pub struct Derived {
     pub error_map: Option<Shown>,
     /// How every number comes about, where the layout shows it.
     pub ledger: Option<Arc<Ledger>>,
+    /// The wrong camera beside the right one, or why there is none.
+    pub wrong: Option<Arc<Wrong>>,
+    /// What it sees.
+    pub wrong_view: Option<Shown>,
     /// What the observer sees where in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }
@@ -128,6 +137,7 @@ pub struct Deriver {
     world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
     ledgers: Ledgers,
+    wrong: WrongPictures,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -164,7 +174,7 @@ struct WorldViewKey {
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.traced() + self.world_pictures.traced()
+        self.pictures.traced() + self.world_pictures.traced() + self.wrong.count()
     }
 
     /// Everything to show of this document.
@@ -203,6 +213,7 @@ impl Deriver {
             self.last_good = Some(good);
         }
         self.camera_views(&mut derived, document, session, sizes, watch);
+        self.wrong_view(&mut derived, document, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
         derived
@@ -273,6 +284,28 @@ impl Deriver {
         derived.too_many = good.too_many;
         (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
+    }
+
+    /// The wrong camera's picture, next to the right one.
+    fn wrong_view(
+        &mut self,
+        derived: &mut Derived,
+        document: &Document,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) {
+        let good = self.last_good.as_ref().filter(|_| derived.fault.is_none());
+        let right = good.zip(self.objects.good()).map(|(good, world)| {
+            let right = Right {
+                camera: &document.camera,
+                posed: &good.posed,
+                inspection: &good.inspection,
+                selection: good.selection,
+            };
+            (right, world)
+        });
+        self.wrong.update(derived, right, session, sizes, watch);
     }
 
     fn world_view(

@@ -4,8 +4,10 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
+use crate::exercises::Exercises;
 use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
+use crate::mistakes::Gallery;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 use crate::thing::{Pointed, Thing};
@@ -28,6 +30,10 @@ pub struct Session {
     pub lit: Option<Thing>,
     /// Which sections of the ledger are shown.
     pub sections: LedgerSections,
+    /// The wrong camera beside the right one.
+    pub gallery: Gallery,
+    /// The exercise at hand, and what was answered.
+    pub exercises: Exercises,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -173,7 +179,7 @@ impl Default for Settings {
             accuracy_height: 370.0,
             frame_height: 350.0,
             plot_height: 300.0,
-            mistakes_height: 260.0,
+            mistakes_height: 330.0,
             ledger_split: 0.5,
             stack_split: 0.55,
             method: MethodName(Method::Ladder),
@@ -240,6 +246,8 @@ impl Default for Session {
             pointed: None,
             lit: None,
             sections: LedgerSections::default(),
+            gallery: Gallery::default(),
+            exercises: Exercises::default(),
             settings: Settings::default(),
         }
     }

@@ -5,23 +5,31 @@ use std::path::Path;
 use egui::{Context, ViewportCommand};
 
 use super::App;
-use crate::action::Action;
+use crate::action::{Action, MadeUp};
 use crate::derive::Deriver;
 use crate::files::{OpenDocument, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::panels::dialogs::{Dialog, PathField};
-use crate::session::Session;
+use crate::session::{Selection, Session, ViewLayout};
 
 impl App {
     /// Does it, or asks what stands in its way.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::Open(_) | Action::Quit | Action::GoTo(_) | Action::BackToStep
+            Action::Open(_)
+            | Action::Show(_)
+            | Action::Quit
+            | Action::GoTo(_)
+            | Action::BackToStep
                 if self.open.has_changes() =>
             {
                 self.ask_about_changes(action);
             }
-            Action::Open(_) | Action::Quit | Action::GoTo(_) | Action::BackToStep => {
+            Action::Open(_)
+            | Action::Show(_)
+            | Action::Quit
+            | Action::GoTo(_)
+            | Action::BackToStep => {
                 self.proceed(ctx, action);
             }
             Action::Discard(then) => {
@@ -54,6 +62,7 @@ impl App {
     fn proceed(&mut self, ctx: &Context, action: Action) {
         match action {
             Action::Open(source) => self.load(source),
+            Action::Show(made_up) => self.show(ctx, *made_up),
             Action::GoTo(place) => self.go_to(ctx, place),
             Action::BackToStep => self.back_to_step(ctx),
             _ => {
@@ -85,6 +94,20 @@ impl App {
     fn ask_save_as(&mut self, then: Option<Box<Action>>) {
         let field = PathField::near(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
+    }
+
+    /// Opens a document from no file, with both views beside it.
+    fn show(&mut self, ctx: &Context, made_up: MadeUp) {
+        let MadeUp { document, title, uv } = made_up;
+        self.close_lesson(ctx);
+        self.open = OpenDocument::of_step(document, title);
+        // It can be got again, but what is changed in it counts.
+        self.open.leave_lesson();
+        self.deriver = Deriver::default();
+        self.session.observer = None;
+        self.session.selection = uv.map_or(Session::default().selection, Selection::Uv);
+        self.session.settings.layout = ViewLayout::Both;
+        self.chosen_object = 0;
     }
 
     fn load(&mut self, source: SceneSource) {

@@ -1,12 +1,12 @@
 //! Putting what was derived on the screen: the views, and what the layout has beside them.
 
-use egui::{Ui, UiBuilder};
+use egui::{Rect, Ui, UiBuilder};
 
 use super::App;
 use crate::derive::Fault;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, frame, lines, plot, readouts, views};
+use crate::panels::{accuracy, exercises, frame, lines, mistakes, plot, readouts, views};
 use crate::session::{Session, ViewLayout};
 
 impl App {
@@ -24,15 +24,10 @@ impl App {
             views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
         }
         views::tell_pointed(ui, self.session.pointed, &self.open.document);
-        if let (Some(area), Some(rect)) = (places.map_area, places.map) {
-            accuracy::strip(ui, area, &mut self.session.settings);
-            if let (Some(shown), Some(compared)) = (&self.derived.error_map, &self.derived.compared)
-            {
-                views::show(ui, rect, shown, &mut self.map_texture, dimmed);
-                views::speak(ui, views::MAP, &accuracy::summary(compared));
-                accuracy::legend(ui, area, compared);
-            } else if let Some(why) = self.derived.too_many {
-                accuracy::no_map(ui, rect, why);
+        if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {
+            match self.session.settings.layout {
+                ViewLayout::Mistakes => self.wrong_camera(ui, area, rect, dimmed),
+                _ => self.error_map(ui, area, rect, dimmed),
             }
         }
         let mark = accuracy::drawn_by(&self.derived, self.session.settings.method.0);
@@ -68,8 +63,38 @@ impl App {
                         self.ledger.ui(ui, ledger, sections, *pointed, lit);
                     }
                 }
+                ViewLayout::Mistakes => {
+                    mistakes::ui(ui, &self.derived, document, &mut self.session, style);
+                }
+                ViewLayout::Exercises => {
+                    let exercises = &mut self.session.exercises;
+                    exercises::ui(ui, exercises, style, &mut self.waiting);
+                }
                 _ => readouts::ui(ui, &self.derived, document, style),
             }
         });
+    }
+
+    /// Beside the right picture, where another method errs in it.
+    fn error_map(&mut self, ui: &mut Ui, area: Rect, rect: Rect, dimmed: bool) {
+        accuracy::strip(ui, area, &mut self.session.settings);
+        if let (Some(shown), Some(compared)) = (&self.derived.error_map, &self.derived.compared) {
+            views::show(ui, rect, shown, &mut self.beside_texture, dimmed);
+            views::speak(ui, views::MAP, &accuracy::summary(compared));
+            accuracy::legend(ui, area, compared);
+        } else if let Some(why) = self.derived.too_many {
+            accuracy::no_map(ui, rect, why);
+        }
+    }
+
+    /// Beside the right picture, what a wrong camera sees.
+    fn wrong_camera(&mut self, ui: &mut Ui, area: Rect, rect: Rect, dimmed: bool) {
+        mistakes::strip(ui, area, &self.session.gallery);
+        let Some(wrong) = &self.derived.wrong else { return };
+        views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &self.session.gallery));
+        match &self.derived.wrong_view {
+            Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, dimmed),
+            None => mistakes::no_picture(ui, rect, wrong),
+        }
     }
 }

@@ -97,6 +97,7 @@ fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> V
         world: world.then_some(size),
         camera: (!world).then_some(size),
         map: None,
+        wrong: None,
         scale,
         style: Style::Light,
     };

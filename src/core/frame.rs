@@ -100,6 +100,11 @@ impl Raster {
         Raster { rows: vec![pixel.row], columns: vec![pixel.column] }
     }
 
+    /// These rows and columns, ascending.
+    pub(crate) fn of(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
+        Raster { rows, columns }
+    }
+
     /// The rows traced, ascending.
     pub fn rows(&self) -> &[u32] {
         &self.rows

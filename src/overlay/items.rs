@@ -101,6 +101,7 @@ impl Item {
             Item::Planes => "planes",
             Item::UvAxes => "uv-axes",
             Item::Labels => "labels",
+            Item::Loupe => "loupe",
         }
     }
 

@@ -22,10 +22,11 @@ pub(crate) struct Places {
     pub camera_area: Option<Rect>,
     /// The camera view's picture, in the image's proportions.
     pub camera: Option<Rect>,
-    /// The part that the error map may fill.
-    pub map_area: Option<Rect>,
-    /// The error map's picture, as large as the camera view's.
-    pub map: Option<Rect>,
+    /// The part that the picture beside the camera view may fill: the error map, or what a wrong
+    /// camera sees.
+    pub beside_area: Option<Rect>,
+    /// That picture, as large as the camera view's.
+    pub beside: Option<Rect>,
     /// What stands below the pictures, or beside or instead of them: the readouts, or what the
     /// layout has in their place.
     pub rest: Rect,
@@ -67,15 +68,15 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
 }
 
 impl Places {
-    /// World view, camera view and map in these parts of the window, strips included.
+    /// World view, camera view and what is beside it in these parts of the window, strips included.
     fn of(parts: [Option<Rect>; 3], rest: Rect, image: ImageSize, per_point: f32) -> Places {
         let below_strip = |rect: Rect| {
             snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + STRIP), rect.max), per_point)
         };
-        let [world, camera_area, map_area] = parts.map(|part| part.map(below_strip));
+        let [world, camera_area, beside_area] = parts.map(|part| part.map(below_strip));
         let fitted = |area| fitted(area, image, per_point);
-        let (camera, map) = (camera_area.map(fitted), map_area.map(fitted));
-        Places { world, camera_area, camera, map_area, map, rest }
+        let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
+        Places { world, camera_area, camera, beside_area, beside, rest }
     }
 }
 

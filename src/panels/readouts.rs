@@ -25,14 +25,14 @@ impl NumberStyle {
         NumberStyle { exact: true, ..self }
     }
 
-    fn number(self, x: f64) -> String {
+    pub(super) fn number(self, x: f64) -> String {
         if self.exact && x.is_finite() {
             return shortest(x);
         }
         significant(x, self.digits).replace('-', "−")
     }
 
-    fn vector(self, v: DVec3) -> String {
+    pub(super) fn vector(self, v: DVec3) -> String {
         format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
     }
 

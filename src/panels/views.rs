@@ -22,19 +22,23 @@ pub(crate) const WORLD: &str = "World view";
 pub(crate) const CAMERA: &str = "Camera view";
 /// The error map's.
 pub(crate) const MAP: &str = "Error map";
+/// The wrong camera's.
+pub(crate) const WRONG: &str = "Wrong camera";
 
 /// How large the views are, in physical pixels.
-pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
+pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
     let physical = |rect: Rect| {
         let size = rect.size() * per_point;
         let most = ui.input(|i| i.max_texture_side) as f32;
         [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
     };
+    let beside = |of: ViewLayout| places.beside.filter(|_| layout == of).map(physical);
     ViewSizes {
         world: places.world.map(physical),
         camera: places.camera.map(physical),
-        map: places.map.map(physical),
+        map: beside(ViewLayout::Accuracy),
+        wrong: beside(ViewLayout::Mistakes),
         scale: per_point,
         style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
     }
@@ -59,8 +63,9 @@ pub(crate) fn inputs(
         camera_input(ui, &response, session, shown);
         views.push(response);
     }
-    if let Some(rect) = places.map {
-        let response = view(ui, rect, MAP);
+    if let Some(rect) = places.beside {
+        let name = if session.settings.layout == ViewLayout::Mistakes { WRONG } else { MAP };
+        let response = view(ui, rect, name);
         camera_input(ui, &response, session, shown);
         views.push(response);
     }

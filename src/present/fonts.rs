@@ -55,7 +55,7 @@ mod tests {
     use egui::FontId;
 
     /// What formulas and labels are written with.
-    const SIGNS: &str = "→←↑↓·⟂∥‖⟨⟩×−√²₀₁₂θπ°½∞≈≤≥±≠⁻…•\u{302}";
+    const SIGNS: &str = "→←↑↓·⟂∥‖⟨⟩×−√²₀₁₂ₓθπ°½∞≈≤≥±≠⁻…•𝐮𝐯𝐰𝐝𝐩𝑢𝑣𝑖𝑗𝑊𝐻\u{302}";
 
     #[test]
     fn every_sign_has_a_glyph_in_every_family() {

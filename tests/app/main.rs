@@ -5,12 +5,14 @@
 
 mod accuracy;
 mod edits;
+mod exercises;
 mod faults;
 mod frame;
 mod harness;
 mod ledger;
-mod lines;
 mod lessons;
+mod lines;
+mod mistakes;
 mod objects;
 mod plot;
 mod scene_files;

@@ -14,6 +14,7 @@ const SIZES: ViewSizes = ViewSizes {
     world: Some([120, 90]),
     camera: Some([100, 80]),
     map: None,
+    wrong: None,
     scale: 1.0,
     style: Style::Light,
 };

@@ -8,14 +8,18 @@
 //! - [`lines`]: lines in two dimensions, implicit and parametric, and one put into the other.
 //! - [`NumberForm`], [`VectorForm`]: numbers such as `5 sqrt 2` and `(5, 0, -7)/sqrt 74`, recognised.
 //! - [`Camera::swung`](crate::Camera::swung) and the other verbs: cameras that differ in one thing.
+//! - [`mistakes`]: the classic wrong cameras, what they see, and the checks that find them.
+//! - [`exercises`]: questions, their answers, and what is to be said of a wrong one.
 //!
 //! A step that does not exist (u of a camera whose up is parallel to its view) is `None`, and the
 //! reason is told beside it: no number here is NaN for want of an answer.
 
 mod along;
 mod basis;
+pub mod exercises;
 mod form;
 pub mod lines;
+pub mod mistakes;
 mod objects;
 mod ray;
 mod vector_form;

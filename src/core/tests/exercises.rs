@@ -1,0 +1,264 @@
+//! Every exercise answered rightly, and with each classic mistake.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
+
+use pinhole_core::lecture::exercises::{Answer, Asked, Exercise, Finding, Question, Slip, Verdict};
+use pinhole_core::lecture::mistakes::Mistake;
+
+fn numbers(x: &[f64]) -> Answer {
+    Answer::Numbers(x.to_vec())
+}
+
+fn judged(exercise: Exercise, asked: Asked, answer: Answer) -> Verdict {
+    let question = Question::new(exercise, None);
+    let part = question.parts.iter().position(|part| part.asked == asked).unwrap();
+    question.judge(part, &answer).unwrap()
+}
+
+#[test]
+fn the_lectures_answers_are_right() {
+    let (r74, r682) = (74f64.sqrt(), 682f64.sqrt());
+    let r = 666f64.sqrt() * r682;
+    let cases: Vec<(Exercise, Asked, Vec<f64>)> = vec![
+        (Exercise::WarmUpRay, Asked::Origin, vec![0.0, 0.0, 0.0]),
+        (Exercise::WarmUpRay, Asked::Direction, vec![0.2, -0.1, -1.0]),
+        (Exercise::WarmUpPlane, Asked::T, vec![6.0]),
+        (Exercise::WarmUpPlane, Asked::Point, vec![1.2, -0.6, -6.0]),
+        (Exercise::Distance, Asked::Direction, vec![0.2, -0.1, -2.0]),
+        (Exercise::Distance, Asked::T, vec![3.0]),
+        (Exercise::Turned, Asked::U, vec![S, 0.0, -S]),
+        (Exercise::Turned, Asked::V, vec![0.0, 1.0, 0.0]),
+        (Exercise::Turned, Asked::W, vec![S, 0.0, S]),
+        (Exercise::Turned, Asked::Direction, vec![-0.8 * S, -0.1, -1.2 * S]),
+        (Exercise::Turned, Asked::T, vec![5.0 * SQRT_2]),
+        (Exercise::ViewUp, Asked::U, vec![0.0, 0.0, 1.0]),
+        (Exercise::ViewUp, Asked::V, vec![1.0, 0.0, 0.0]),
+        (Exercise::ViewUp, Asked::W, vec![0.0, 1.0, 0.0]),
+        (Exercise::EyeAtUp, Asked::U, vec![5.0 / r74, 0.0, -7.0 / r74]),
+        (Exercise::EyeAtUp, Asked::W, vec![21.0 / r682, 4.0 / r682, 15.0 / r682]),
+        // w x u, with 9 (5, 0, -7) / sqrt 74 = 9 (5, 0, -7) 3 / sqrt 666.
+        (Exercise::EyeAtUp, Asked::V, vec![-84.0 / r, 666.0 / r, -60.0 / r]),
+        (Exercise::Sphere, Asked::T, vec![4.0]),
+        (Exercise::Sphere, Asked::Point, vec![0.0, 0.0, -4.0]),
+        (Exercise::Sphere, Asked::Normal, vec![0.0, 0.0, 1.0]),
+        (Exercise::Lines, Asked::T, vec![1.0]),
+        (Exercise::Lines, Asked::Point, vec![1.0, 1.0]),
+    ];
+    for (exercise, asked, answer) in cases {
+        let verdict = judged(exercise, asked, numbers(&answer));
+        assert_eq!(verdict, Verdict::Right, "{exercise:?} {asked:?} {answer:?}");
+    }
+    assert_eq!(judged(Exercise::Lines, Asked::Hits, Answer::Yes(true)), Verdict::Right);
+    let no = judged(Exercise::Lines, Asked::Hits, Answer::Yes(false));
+    assert_eq!(no, Verdict::Slips(vec![Slip::LineForRay]));
+}
+
+/// All questions of a few seeds, the lecture's among them.
+fn questions() -> impl Iterator<Item = Question> {
+    Exercise::ALL.into_iter().flat_map(|exercise| {
+        (0..60).map(Some).chain([None]).map(move |seed| Question::new(exercise, seed))
+    })
+}
+
+#[test]
+fn every_truth_is_right_and_finite_and_every_slip_is_named() {
+    for question in questions() {
+        for (index, part) in question.parts.iter().enumerate() {
+            let judge = |answer: &Answer| question.judge(index, answer).unwrap();
+            assert_eq!(judge(&part.truth), Verdict::Right, "{question:?}");
+            if let Answer::Numbers(truth) = &part.truth {
+                assert!(truth.iter().all(|x| x.is_finite()), "{question:?}");
+            }
+            for (slip, answer) in &part.slips {
+                let verdict = judge(answer);
+                let named = matches!(&verdict, Verdict::Slips(slips) if slips.contains(slip));
+                // The same line, backwards, is told so first.
+                let backwards = part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. });
+                assert!(
+                    named || backwards,
+                    "{:?}: {slip:?} {answer:?}: {verdict:?}",
+                    question.given
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn seeds_are_kept_and_differ() {
+    for exercise in Exercise::ALL {
+        assert_eq!(Question::new(exercise, Some(7)), Question::new(exercise, Some(7)));
+        let all: Vec<_> = (0..20).map(|seed| Question::new(exercise, Some(seed)).given).collect();
+        let others = all.iter().filter(|given| **given != all[0]).count();
+        assert!(others >= 12, "{exercise:?}: {all:?}");
+        assert_eq!(Exercise::from_id(exercise.id()), Some(exercise));
+    }
+}
+
+#[test]
+fn each_classic_mistake_in_the_lectures_own_exercises_is_named() {
+    use Asked::{Direction, Hits, Normal, Origin, Point, T, U, V, W};
+    let (r74, r682) = (74f64.sqrt(), 682f64.sqrt());
+    let camera = Slip::Camera;
+    let cases: Vec<(Exercise, Asked, Vec<f64>, Slip)> = vec![
+        (Exercise::WarmUpRay, Origin, vec![0.0, 0.0, -1.0], Slip::ViewportForEye),
+        (Exercise::WarmUpRay, Direction, vec![0.2, -0.1, 1.0], Slip::SignOfZ),
+        (Exercise::WarmUpRay, Direction, vec![0.4, -0.2, 2.0], Slip::SignOfZ),
+        (Exercise::WarmUpRay, Direction, vec![0.2, -0.1, 0.0], Slip::FlatDirection),
+        (Exercise::WarmUpRay, Direction, vec![-0.1, 0.2, -1.0], Slip::UvSwapped),
+        (Exercise::WarmUpRay, Direction, vec![0.2, 0.1, -1.0], Slip::VDown),
+        (Exercise::WarmUpPlane, T, vec![-6.0], Slip::SignOfT),
+        (Exercise::WarmUpPlane, T, vec![-6.0], Slip::CoordinateForT),
+        (Exercise::WarmUpPlane, T, vec![6.0 * 1.05f64.sqrt()], Slip::TForDistance),
+        (Exercise::WarmUpPlane, T, vec![6.15], Slip::TForDistance),
+        (Exercise::WarmUpPlane, T, vec![1.0 / 6.0], Slip::TInverted),
+        (Exercise::Distance, Direction, vec![0.2, -0.1, -1.0], camera(Mistake::DistanceDropped)),
+        (Exercise::Distance, T, vec![6.0], camera(Mistake::DistanceDropped)),
+        (Exercise::Distance, Direction, vec![0.4, -0.2, -2.0], Slip::DistanceOnAll),
+        (Exercise::Distance, Direction, vec![0.2, -0.1, 2.0], Slip::SignOfZ),
+        (Exercise::Turned, W, vec![-S, 0.0, -S], camera(Mistake::WAsPrinted)),
+        (Exercise::Turned, U, vec![S, 0.0, S], Slip::UAndWSwapped),
+        (Exercise::Turned, U, vec![1.0, 0.0, -1.0], Slip::Unnormalized),
+        (Exercise::Turned, Direction, vec![1.2 * S, -0.1, 0.8 * S], Slip::PlusW),
+        (Exercise::Turned, Direction, vec![0.2, -0.1, -1.0], Slip::BasisForgotten),
+        (Exercise::ViewUp, W, vec![0.0, -1.0, 0.0], camera(Mistake::WAsPrinted)),
+        (Exercise::ViewUp, U, vec![0.0, 0.0, -1.0], camera(Mistake::WAsPrinted)),
+        (Exercise::ViewUp, U, vec![0.0, 0.0, -1.0], camera(Mistake::UIsWCrossUp)),
+        (Exercise::ViewUp, V, vec![1.0, 1.0, 0.0], camera(Mistake::UpAsV)),
+        (Exercise::ViewUp, V, vec![-1.0, 0.0, 0.0], camera(Mistake::VIsUCrossW)),
+        (Exercise::ViewUp, U, vec![1.0, 0.0, 0.0], Slip::UAndVSwapped),
+        (
+            Exercise::EyeAtUp,
+            W,
+            vec![-21.0 / r682, -4.0 / r682, -15.0 / r682],
+            camera(Mistake::WIsAtMinusEye),
+        ),
+        (Exercise::EyeAtUp, W, vec![21.0, 4.0, 15.0], camera(Mistake::WNotNormalized)),
+        (
+            Exercise::EyeAtUp,
+            U,
+            vec![15.0 / r682, 0.0, -21.0 / r682],
+            camera(Mistake::NotNormalized),
+        ),
+        (Exercise::EyeAtUp, U, vec![-5.0 / r74, 0.0, 7.0 / r74], camera(Mistake::UIsWCrossUp)),
+        (Exercise::EyeAtUp, V, vec![0.0, 1.0, 0.0], camera(Mistake::UpAsV)),
+        (Exercise::Sphere, T, vec![6.0], Slip::FarRoot),
+        (Exercise::Sphere, T, vec![-4.0], Slip::SignOfT),
+        (Exercise::Sphere, T, vec![10.0 - 76f64.sqrt()], Slip::BForHalfB),
+        (Exercise::Sphere, Point, vec![0.0, 0.0, -6.0], Slip::FarRoot),
+        (Exercise::Sphere, Normal, vec![0.0, 0.0, -1.0], Slip::NormalInwards),
+        (Exercise::Lines, T, vec![-1.0], Slip::SignOfT),
+        (Exercise::Lines, T, vec![0.0], Slip::CLeftOut),
+        (Exercise::Lines, Point, vec![0.0, 0.0], Slip::CLeftOut),
+    ];
+    for (exercise, asked, answer, slip) in cases {
+        let verdict = judged(exercise, asked, numbers(&answer));
+        let named = matches!(&verdict, Verdict::Slips(slips) if slips.contains(&slip));
+        assert!(named, "{exercise:?} {asked:?} {answer:?}: {verdict:?}");
+    }
+    assert_eq!(judged(Exercise::Lines, Hits, Answer::Yes(true)), Verdict::Right);
+}
+
+#[test]
+fn a_direction_may_be_any_positive_multiple_where_the_question_allows_it() {
+    let of = |exercise, d: [f64; 3]| judged(exercise, Asked::Direction, numbers(&d));
+    let ray = Exercise::WarmUpRay;
+    assert_eq!(of(ray, [0.4, -0.2, -2.0]), Verdict::Multiple { times: 2.0 });
+    assert!(of(ray, [0.4, -0.2, -2.0]).is_right());
+    let Verdict::Backwards { times } = of(ray, [-0.2, 0.1, 1.0]) else { panic!() };
+    assert_eq!(times, -1.0);
+    let length = 1.05f64.sqrt();
+    let Verdict::Multiple { times } = of(ray, [0.2 / length, -0.1 / length, -1.0 / length]) else {
+        panic!()
+    };
+    assert!((times * length - 1.0).abs() < 1e-15);
+    assert_eq!(of(ray, [0.195, -0.0976, -0.976]), Verdict::Rounded { digits: 3 });
+    // Where t is asked for too, the length matters.
+    let Verdict::OtherLength { times } = of(Exercise::Turned, [-1.6 * S, -0.2, -2.4 * S]) else {
+        panic!()
+    };
+    assert!((times - 2.0).abs() < 1e-15);
+    assert!(matches!(of(Exercise::Turned, [0.8 * S, 0.1, 1.2 * S]), Verdict::Backwards { .. }));
+}
+
+#[test]
+fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
+    let u = |x: f64, z: f64| judged(Exercise::Turned, Asked::U, numbers(&[x, 0.0, z]));
+    assert_eq!(u(0.707, -0.707), Verdict::Rounded { digits: 3 });
+    assert_eq!(u(0.71, -0.70711), Verdict::Rounded { digits: 2 });
+    // One digit is too few to be called rounded.
+    assert!(matches!(u(0.7, -0.70711), Verdict::Wrong(_)));
+    assert!(matches!(u(0.7, -0.7), Verdict::OtherLength { .. }));
+    assert_eq!(u(0.7071067811865, -S), Verdict::Right, "all the digits that matter");
+    assert!(matches!(u(0.708, -0.707), Verdict::Wrong(_)));
+    let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));
+    assert_eq!(t(7.07), Verdict::Rounded { digits: 3 });
+    assert_eq!(t(7.0710678), Verdict::Rounded { digits: 8 });
+    assert_eq!(t(7.08), Verdict::Wrong(vec![Finding::Another]));
+    assert_eq!(t(7.0), Verdict::Wrong(vec![Finding::Another]));
+}
+
+#[test]
+fn otherwise_it_says_what_is_wrong() {
+    let of = |asked, v: [f64; 3]| match judged(Exercise::ViewUp, asked, numbers(&v)) {
+        Verdict::Wrong(findings) => findings,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(of(Asked::U, [0.0; 3]), [Finding::Zero]);
+    assert_eq!(
+        of(Asked::U, [0.0, 3.0, 1.0]),
+        [
+            Finding::Coordinate(1),
+            Finding::Length(10f64.sqrt()),
+            Finding::NotOrthogonal { to: "up", dot: 3.0 },
+            Finding::NotOrthogonal { to: "w", dot: 3.0 }
+        ]
+    );
+    assert_eq!(
+        of(Asked::V, [0.6, 0.0, 0.8]),
+        [
+            Finding::Coordinate(0),
+            Finding::Coordinate(2),
+            Finding::NotOrthogonal { to: "u", dot: 0.8 }
+        ]
+    );
+    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[5.0]));
+    assert_eq!(t, Verdict::Wrong(vec![Finding::Another]));
+    let none = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[f64::NAN]));
+    assert_eq!(none, Verdict::Wrong(vec![Finding::Another]));
+}
+
+#[test]
+fn the_questions_camera_sends_the_questions_ray() {
+    for question in questions() {
+        let Some(camera) = question.camera() else {
+            assert_eq!(question.exercise, Exercise::Lines);
+            continue;
+        };
+        let posed = camera.posed().unwrap();
+        let ray = question.uv().map(|uv| posed.ray(uv));
+        for part in &question.parts {
+            let Answer::Numbers(truth) = &part.truth else { continue };
+            let basis = posed.basis();
+            let known = match part.asked {
+                Asked::U => basis.u.to_array().to_vec(),
+                Asked::V => basis.v.to_array().to_vec(),
+                Asked::W => basis.w.to_array().to_vec(),
+                Asked::Direction => ray.unwrap().direction.to_array().to_vec(),
+                Asked::Origin => posed.eye().to_array().to_vec(),
+                Asked::T => {
+                    let scene = pinhole_core::Scene::new(
+                        question.sphere().into_iter().collect(),
+                        question.plane().into_iter().collect(),
+                    );
+                    vec![scene.unwrap().first_hit(&ray.unwrap()).unwrap().t]
+                }
+                _ => continue,
+            };
+            let near =
+                known.iter().zip(truth).all(|(x, y)| (x - y).abs() < 1e-13 * y.abs().max(1.0));
+            assert!(near, "{question:?}: {known:?}");
+        }
+    }
+}

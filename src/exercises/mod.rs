@@ -1,0 +1,196 @@
+//! The exercises: which one is open, what was typed, and what is said of it. The questions and their
+//! answers are the core's; nothing is counted, stored or sent.
+
+mod texts;
+
+use pinhole_core::lecture::exercises::{Answer, Exercise, Question, Verdict};
+
+pub use texts::{asked, question, solution, title};
+pub(crate) use texts::{is_good, said};
+
+use crate::document::{Document, Item};
+use crate::expression::evaluate;
+
+/// The exercise at hand. A lesson's step sets it with [`Exercises::open`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exercises {
+    /// The numbers, answers and wrong answers.
+    question: Question,
+    /// Of which seed; the lecture's own question without one.
+    seed: Option<u64>,
+    /// What was typed, a part each.
+    pub(crate) answers: Vec<Typed>,
+    /// Whether the solution is shown.
+    pub(crate) is_solved: bool,
+}
+
+/// What was typed for one part, and what is said of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Typed {
+    /// A field a number.
+    pub(crate) fields: Vec<String>,
+    /// Yes or no, where that is asked.
+    pub(crate) yes: Option<bool>,
+    /// Since the last check, if nothing was changed.
+    pub(crate) said: Option<Said>,
+}
+
+/// What is said of a part.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Said {
+    /// Nothing was answered.
+    NotAnswered,
+    /// Some of the numbers are missing.
+    Missing,
+    /// What was typed is no number, and why.
+    NoNumber(String),
+    /// The answer was judged.
+    Judged(Verdict),
+}
+
+impl Default for Exercises {
+    fn default() -> Self {
+        Exercises::open(Exercise::WarmUpRay, None)
+    }
+}
+
+impl Exercises {
+    /// The lecture's own question, or another one like it.
+    pub fn open(exercise: Exercise, seed: Option<u64>) -> Exercises {
+        let question = Question::new(exercise, seed);
+        let typed = |count| Typed { fields: vec![String::new(); count], ..Typed::default() };
+        let answers = question.parts.iter().map(|part| typed(part.count())).collect();
+        Exercises { question, seed, answers, is_solved: false }
+    }
+
+    /// The question.
+    pub fn question(&self) -> &Question {
+        &self.question
+    }
+
+    /// Of which seed it is; the lecture's own without one.
+    pub fn seed(&self) -> Option<u64> {
+        self.seed
+    }
+
+    /// Looks at everything that was typed.
+    pub(crate) fn check(&mut self) {
+        for (index, typed) in self.answers.iter_mut().enumerate() {
+            typed.said = Some(match typed.answer() {
+                Ok(answer) => match self.question.judge(index, &answer) {
+                    Some(verdict) => Said::Judged(verdict),
+                    None => Said::NotAnswered,
+                },
+                Err(said) => said,
+            });
+        }
+    }
+
+    /// Whether every part was answered rightly.
+    pub(crate) fn is_right(&self) -> bool {
+        let is_right = |typed: &Typed| matches!(&typed.said, Some(Said::Judged(verdict)) if verdict.is_right());
+        self.answers.iter().all(is_right)
+    }
+
+    /// The question's camera, with what its ray meets, as a document.
+    pub(crate) fn document(&self) -> Option<Document> {
+        let question = &self.question;
+        Some(Document {
+            note: format!("{}.", title(question.exercise)),
+            camera: question.camera()?,
+            spheres: question.sphere().map(Item::plain).into_iter().collect(),
+            planes: question.plane().map(Item::plain).into_iter().collect(),
+            ..Document::default()
+        })
+    }
+}
+
+impl Typed {
+    fn answer(&self) -> Result<Answer, Said> {
+        if self.fields.is_empty() {
+            return self.yes.map(Answer::Yes).ok_or(Said::NotAnswered);
+        }
+        let is_empty = |field: &String| field.trim().is_empty();
+        if self.fields.iter().all(is_empty) {
+            return Err(Said::NotAnswered);
+        }
+        if self.fields.iter().any(is_empty) {
+            return Err(Said::Missing);
+        }
+        let numbers: Result<Vec<f64>, String> =
+            self.fields.iter().map(|field| evaluate(field)).collect();
+        numbers.map(Answer::Numbers).map_err(Said::NoNumber)
+    }
+
+    /// Where a whole vector was pasted into one field, `(1, 2, 3)`, puts each number into its own.
+    pub(crate) fn spread(&mut self) {
+        let count = self.fields.len();
+        let whole = self.fields.iter().find(|field| field.matches(',').count() + 1 == count);
+        let Some(whole) = whole.filter(|_| count > 1) else { return };
+        let inside = whole.trim().trim_start_matches('(').trim_end();
+        // The bracket that closes the vector, not the last number's.
+        let unbalanced = inside.matches(')').count() > inside.matches('(').count();
+        let inside = if unbalanced { inside.strip_suffix(')').unwrap_or(inside) } else { inside };
+        self.fields = inside.split(',').map(|field| field.trim().to_owned()).collect();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pasted_vector_fills_its_fields() {
+        for text in ["(0.2, -0.1, -1)", "0.2,-0.1,-1", " ( 0.2 , -0.1 , -1 ) "] {
+            let fields = vec![text.to_owned(), String::new(), String::new()];
+            let mut typed = Typed { fields, ..Typed::default() };
+            typed.spread();
+            assert_eq!(typed.fields, ["0.2", "-0.1", "-1"], "{text}");
+        }
+        let root = "(1/sqrt(2), 0, -1/sqrt(2))".to_owned();
+        let mut typed =
+            Typed { fields: vec![root, String::new(), String::new()], ..Typed::default() };
+        typed.spread();
+        assert_eq!(typed.fields, ["1/sqrt(2)", "0", "-1/sqrt(2)"]);
+    }
+
+    #[test]
+    fn exact_entry_is_right() {
+        let mut exercises = Exercises::open(Exercise::Turned, None);
+        let typed = [
+            ["1/sqrt(2)", "0", "-1/sqrt(2)"],
+            ["0", "1", "0"],
+            ["sqrt(2)/2", "0", "√(2)/2"],
+            ["-0.8/sqrt(2)", "−0.1", "-1.2/sqrt(2)"],
+        ];
+        for (part, typed) in exercises.answers.iter_mut().zip(typed) {
+            part.fields = typed.map(str::to_owned).to_vec();
+        }
+        exercises.answers[4].fields = vec!["5*sqrt(2)".to_owned()];
+        exercises.check();
+        assert!(exercises.is_right(), "{:?}", exercises.answers);
+        exercises.answers[4].fields = vec!["5*sqrt(".to_owned()];
+        exercises.check();
+        assert!(matches!(exercises.answers[4].said, Some(Said::NoNumber(_))));
+        exercises.answers[0].fields[1].clear();
+        exercises.check();
+        assert_eq!(exercises.answers[0].said, Some(Said::Missing));
+    }
+
+    #[test]
+    fn every_question_has_its_words_and_its_solution() {
+        for exercise in Exercise::ALL {
+            for seed in [None, Some(1), Some(2)] {
+                let exercises = Exercises::open(exercise, seed);
+                let question = exercises.question();
+                assert!(!super::question(&question.given).is_empty());
+                for part in &question.parts {
+                    assert!(!solution(part, 5).contains("NaN") && !asked(part).is_empty());
+                }
+                let document = exercises.document();
+                assert_eq!(document.is_none(), exercise == Exercise::Lines);
+                assert!(document.is_none_or(|document| document.scene().is_ok()));
+            }
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! What each check says of the wrong camera: which ones find the mistake, and which do not.
+
+use egui::{Grid, RichText, Ui};
+use pinhole_core::lecture::mistakes::{Checked, Value, Wanted};
+
+use super::super::number::error_color;
+use super::super::readouts::NumberStyle;
+use super::super::sign::sign;
+use super::TEXT;
+use crate::mistakes::Wrong;
+
+/// The checks as a table, those that find the mistake first.
+pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+    if wrong.checks.is_empty() {
+        ui.label("Without a wrong camera there is nothing to check.");
+        return;
+    }
+    ui.strong(summary(wrong));
+    ui.add_space(3.0);
+    let rows = || wrong.checks.iter().zip(&wrong.right_checks);
+    Grid::new("checks").num_columns(4).spacing([10.0, 2.0]).striped(true).show(ui, |ui| {
+        for head in ["check", "right", "here", ""] {
+            ui.strong(head);
+        }
+        ui.end_row();
+        for passes in [false, true] {
+            for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
+                row(ui, here, right, style);
+                ui.end_row();
+            }
+        }
+    });
+}
+
+/// `2 of 14 checks find it`
+pub(super) fn summary(wrong: &Wrong) -> String {
+    let (all, failing) = (wrong.checks.len(), failing(wrong).count());
+    match failing {
+        0 => format!("None of {all} checks finds it"),
+        1 => format!("1 of {all} checks finds it"),
+        _ => format!("{failing} of {all} checks find it"),
+    }
+}
+
+pub(super) fn failing(wrong: &Wrong) -> impl Iterator<Item = &Checked> {
+    wrong.checks.iter().filter(|checked| !checked.passes)
+}
+
+fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
+    ui.label(here.check.formula()).on_hover_text(here.check.meaning());
+    ui.label(wanted(here, right, style));
+    let value = RichText::new(text_of(here.value, style)).size(TEXT);
+    ui.label(if here.passes { value } else { value.strong().color(error_color(ui)) });
+    let said = if here.passes { "passes" } else { "finds it" };
+    let verdict = RichText::new(said);
+    let verdict =
+        if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
+    let response = ui.horizontal(|ui| (sign(ui, here.passes), ui.label(verdict)).1).inner;
+    let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+}
+
+fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {
+    let value = text_of(right.value, style);
+    match here.wanted {
+        Wanted::Equal(_) => value,
+        Wanted::Negative => format!("{value} < 0"),
+        Wanted::Positive => format!("{value} > 0"),
+        Wanted::LeftAndUp => value,
+    }
+}
+
+/// What rounding leaves of a 0.
+const NOTHING: f64 = 1e-12;
+
+fn text_of(value: Value, style: NumberStyle) -> String {
+    let number = |x: f64| style.number(if x.abs() < NOTHING { 0.0 } else { x });
+    match value {
+        Value::Number(x) => number(x),
+        Value::Uv(uv) => format!("({}, {})", number(uv.x), number(uv.y)),
+    }
+}

@@ -1,0 +1,212 @@
+//! The exercises: typed answers, what is said of them, seeds, and opening a question's camera.
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::app::App;
+use pinhole::exercises::title;
+use pinhole::session::{Selection, ViewLayout};
+use pinhole_core::lecture::exercises::{Exercise, Given};
+use pinhole_core::{DVec2, Orientation};
+
+use super::harness::{assert_says, texts_with, type_into, window};
+
+fn click(window: &mut Harness<'_, App>, label: &str) {
+    window.get_by_role_and_label(Role::Button, label).click();
+    window.run();
+}
+
+fn open(exercise: Exercise) -> Harness<'static, App> {
+    let mut window = window("canonical");
+    click(&mut window, "Exercises");
+    if exercise != Exercise::WarmUpRay {
+        click(&mut window, title(exercise));
+    }
+    assert_says(&window, title(exercise));
+    window
+}
+
+/// Types over what is in an answer's field.
+fn answer(window: &mut Harness<'_, App>, field: &str, text: &str) {
+    let label = format!("answer {field}");
+    window.get_by_role_and_label(Role::TextInput, &label).click();
+    window.run();
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    window.get_by_role_and_label(Role::TextInput, &label).type_text(text);
+    window.run();
+}
+
+fn answers(window: &mut Harness<'_, App>, part: &str, texts: &[&str]) {
+    if let [one] = texts {
+        return answer(window, part, one);
+    }
+    for (axis, text) in ["x", "y", "z"].into_iter().zip(texts) {
+        answer(window, &format!("{part} {axis}"), text);
+    }
+}
+
+/// What is said of a part after *Check*.
+#[track_caller]
+fn said(window: &Harness<'_, App>, part: &str) -> String {
+    let start = format!("{part}: ");
+    let mut nodes = window.root().children_recursive();
+    let value = nodes
+        .find_map(|node| node.accesskit_node().value().filter(|value| value.starts_with(&start)));
+    value.map(|value| value[start.len()..].to_owned()).unwrap()
+}
+
+#[test]
+fn the_lectures_exercises_answered_rightly_are_accepted() {
+    let all: Vec<(Exercise, Vec<(&str, Vec<&str>)>)> = vec![
+        (Exercise::WarmUpRay, vec![("p", vec!["0", "0", "0"]), ("d", vec!["0.2", "-0.1", "-1"])]),
+        (Exercise::WarmUpPlane, vec![("t", vec!["6"]), ("point", vec!["1.2", "-0.6", "-6"])]),
+        (Exercise::Distance, vec![("d", vec!["1/5", "-1/10", "-2"]), ("t", vec!["3"])]),
+        (
+            Exercise::Turned,
+            vec![
+                ("u", vec!["1/sqrt(2)", "0", "-1/sqrt(2)"]),
+                ("v", vec!["0", "1", "0"]),
+                ("w", vec!["√(2)/2", "0", "√(2)/2"]),
+                ("d", vec!["-0.8/sqrt(2)", "-0.1", "-1.2/sqrt(2)"]),
+                ("t", vec!["5*sqrt(2)"]),
+            ],
+        ),
+        (
+            Exercise::ViewUp,
+            vec![
+                ("w", vec!["0", "1", "0"]),
+                ("u", vec!["0", "0", "1"]),
+                ("v", vec!["1", "0", "0"]),
+            ],
+        ),
+        (
+            Exercise::EyeAtUp,
+            vec![
+                ("w", vec!["21/sqrt(682)", "4/sqrt(682)", "15/sqrt(682)"]),
+                ("u", vec!["5/sqrt(74)", "0", "-7/sqrt(74)"]),
+                ("v", vec!["-28/sqrt(50468)", "222/sqrt(50468)", "-20/sqrt(50468)"]),
+            ],
+        ),
+        (
+            Exercise::Sphere,
+            vec![
+                ("t", vec!["4"]),
+                ("point", vec!["0", "0", "-4"]),
+                ("normal", vec!["0", "0", "1"]),
+            ],
+        ),
+        (Exercise::Lines, vec![("t", vec!["1"]), ("point", vec!["1", "1"])]),
+    ];
+    for (exercise, parts) in all {
+        let mut window = open(exercise);
+        for (part, texts) in &parts {
+            answers(&mut window, part, texts);
+        }
+        if exercise == Exercise::Lines {
+            window.get_by_role_and_label(Role::RadioButton, "yes").click();
+            window.run();
+        }
+        click(&mut window, "Check");
+        for (part, _) in &parts {
+            assert_eq!(said(&window, part), "Right.", "{exercise:?}");
+        }
+        assert_says(&window, "All of it is right.");
+    }
+}
+
+#[test]
+fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
+    let mut window = open(Exercise::WarmUpRay);
+    for (texts, verdict) in [
+        (["0.4", "-0.2", "-2"], "Right: yours is 2 times ours, the same ray."),
+        (["-0.2", "0.1", "1"], "Wrong: it points backwards, and is −1 times ours."),
+        (
+            ["0.195", "-0.0976", "-0.976"],
+            "Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",
+        ),
+        (["0.2", "-0.1", "1"], "Wrong: z has the wrong sign: the camera looks along −z."),
+        (["-0.1", "0.2", "-1"], "Wrong: 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),
+        (["0.2", "-0.3", "-1"], "Wrong: y is another number."),
+    ] {
+        answers(&mut window, "d", &texts);
+        window.key_press(egui::Key::Enter);
+        window.run();
+        assert_eq!(said(&window, "d"), verdict, "{texts:?}");
+        assert_eq!(said(&window, "p"), "Not answered yet.");
+    }
+}
+
+#[test]
+fn classic_mistakes_and_bad_input_are_named() {
+    let mut window = open(Exercise::EyeAtUp);
+    answers(&mut window, "w", &["-21/sqrt(682)", "-4/sqrt(682)", "-15/sqrt(682)"]);
+    answers(&mut window, "u", &["5", "0", "-7"]);
+    answers(&mut window, "v", &["0", "1", "zero"]);
+    click(&mut window, "Check");
+    let wrong_w = "Wrong: at − eye is the view: 𝐰 points the other way, from at to eye.";
+    assert_eq!(said(&window, "w"), wrong_w);
+    let length = "Wrong: the direction is right, but the length is √74: it must be 1.";
+    assert_eq!(said(&window, "u"), length);
+    assert!(said(&window, "v").starts_with("“zero” is not a number"), "{}", said(&window, "v"));
+    answer(&mut window, "v z", "0");
+    click(&mut window, "Check");
+    assert_eq!(said(&window, "v"), "Wrong: up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.");
+    assert_eq!(texts_with(&window, "All of it is right"), Vec::<String>::new());
+}
+
+#[test]
+fn a_pasted_vector_fills_all_fields() {
+    let mut window = open(Exercise::WarmUpRay);
+    answer(&mut window, "d x", "(0.2, -0.1, -1)");
+    answer(&mut window, "p x", "0, 0, 0");
+    click(&mut window, "Check");
+    assert_says(&window, "All of it is right.");
+}
+
+#[test]
+fn another_one_like_it_has_a_seed_that_can_be_typed() {
+    let mut window = open(Exercise::WarmUpRay);
+    click(&mut window, "Another one like it");
+    assert_eq!(window.state().session().exercises.seed(), Some(1));
+    type_into(&mut window, "exercise seed", "42");
+    let exercises = &window.state().session().exercises;
+    assert_eq!(exercises.seed(), Some(42));
+    let Given::Uv(uv) = exercises.question().given else { panic!() };
+    let text = format!("{:?}", (uv.x, uv.y)).replace('-', "−");
+    assert!(!texts_with(&window, &text).is_empty(), "{text}: {:?}", texts_with(&window, "ray"));
+    click(&mut window, "The lecture's");
+    assert_eq!(window.state().session().exercises.seed(), None);
+}
+
+#[test]
+fn the_solution_is_exact_where_it_can_be_and_is_hidden_again() {
+    let mut window = open(Exercise::Turned);
+    click(&mut window, "Show the solution");
+    assert_says(&window, "t = 5√2 ≈ 7.0711");
+    assert_says(&window, "𝐮 = (1/√2, 0, −1/√2) ≈ (0.70711, 0, −0.70711)");
+    click(&mut window, "Hide the solution");
+    assert_eq!(texts_with(&window, "5√2"), Vec::<String>::new());
+    click(&mut window, title(Exercise::EyeAtUp));
+    click(&mut window, "Show the solution");
+    let u = "𝐮 = (5, 0, −7)/√74 ≈ (0.58124, 0, −0.81373)";
+    assert_says(&window, u);
+}
+
+#[test]
+fn the_questions_camera_opens_and_asks_about_changes_first() {
+    let mut window = open(Exercise::Distance);
+    type_into(&mut window, "eye x", "1");
+    click(&mut window, "Open its camera");
+    assert_says(&window, "Save the changes to canonical?");
+    click(&mut window, "Discard");
+    let app = window.state();
+    assert_eq!(app.document().camera.viewport.distance, 2.0);
+    let Orientation::View { view, .. } = app.document().camera.orientation else { panic!() };
+    assert_eq!(view, pinhole_core::DVec3::NEG_Z);
+    assert_eq!(app.session().selection, Selection::Uv(DVec2::new(0.2, -0.1)));
+    assert_eq!(app.session().settings.layout, ViewLayout::Both);
+    let hit = app.derived().inspection.clone().unwrap().first_hit().copied().unwrap();
+    assert_eq!(hit.t, 3.0, "the exercise's own answer");
+    // The answers are still there when one comes back.
+    assert_eq!(app.session().exercises.question().exercise, Exercise::Distance);
+}
