@@ -3,6 +3,7 @@
 
 use super::lesson::Step;
 use crate::document::Document;
+use crate::mistakes::Gallery;
 use crate::observer::Observer;
 use crate::session::Session;
 
@@ -21,6 +22,11 @@ pub fn apply(
     session.observer = looks.observer.or(seen_from).or(session.observer);
     set(&mut session.sections, looks.ledger);
     set(&mut session.lit, looks.lit);
+    session.walked = looks.t;
+    set(&mut session.lines, looks.lines.clone());
+    if let Some(chosen) = looks.mistake {
+        session.gallery = Gallery { chosen, ..Gallery::default() };
+    }
     let settings = &mut session.settings;
     set(&mut settings.layout, looks.layout);
     set(&mut settings.items, looks.items);
@@ -36,6 +42,9 @@ pub fn apply(
 pub fn give_back(before: &Session, session: &mut Session) {
     session.sections = before.sections;
     session.lit = before.lit;
+    session.walked = None;
+    session.lines = before.lines.clone();
+    session.gallery = before.gallery;
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;
     settings.items = before.items;
