@@ -1,6 +1,7 @@
 //! From the document to everything that is shown: pure, and remembered on its inputs, so that an
 //! idle window does no work and one drag does only what it changes.
 
+mod derived;
 mod ledgers;
 mod memo;
 mod objects;
@@ -9,15 +10,13 @@ mod watch;
 mod world;
 mod wrong;
 
-use std::fmt;
 use std::sync::Arc;
 
 use egui::{Color32, ColorImage};
 use pinhole_core::methods::Method;
-use pinhole_core::{
-    Camera, CameraError, Counts, Frame, PosedCamera, Rgb, Scene, SceneError, Steps, UpAngle,
-};
+use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
+pub use self::derived::{Derived, Fault, Shown, ViewSizes};
 use self::ledgers::Ledgers;
 use self::memo::Memo;
 use self::objects::Objects;
@@ -29,103 +28,12 @@ use self::world::WorldPictures;
 use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
 use crate::document::Document;
-use crate::inspection::Inspection;
-use crate::ledger::Ledger;
-use crate::mistakes::Wrong;
 use crate::observer::Observer;
 use crate::overlay::{
-    self, CameraView, Drawing, Label, Lit, Loupe, OverlayItems, Picture, Style, Target, WorldView,
+    self, CameraView, Drawing, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
 };
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
-
-/// How large the views are, in physical pixels; `None` where one is not shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ViewSizes {
-    /// Width and height of the world view.
-    pub world: Option<[u32; 2]>,
-    /// Width and height of the picture in the camera view.
-    pub camera: Option<[u32; 2]>,
-    /// Width and height of the error map.
-    pub map: Option<[u32; 2]>,
-    /// Width and height of the wrong camera's picture.
-    pub wrong: Option<[u32; 2]>,
-    /// Physical pixels per point.
-    pub scale: f32,
-    /// Colours of the world view.
-    pub style: Style,
-}
-
-/// Why there is no new picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fault {
-    /// The camera sees nothing.
-    Camera(CameraError),
-    /// An object is none.
-    Scene(SceneError),
-}
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Fault::Camera(e) => e.fmt(f),
-            Fault::Scene(e) => e.fmt(f),
-        }
-    }
-}
-
-/// One frame's worth of everything that is shown. Panels, views and readouts get this and cannot
-/// write back, so all of them show the same frame.
-#[derive(Clone, Debug, Default)]
-pub struct Derived {
-    /// The camera with its basis.
-    pub posed: Option<PosedCamera>,
-    /// How close up is to the view direction.
-    pub up_angle: Option<UpAngle>,
-    /// The selected ray.
-    pub inspection: Option<Arc<Inspection>>,
-    /// The scene, if every object is one.
-    pub scene: Option<Arc<Scene>>,
-    /// Why the pictures are older than the document, where they are.
-    pub fault: Option<Fault>,
-    /// What the camera sees.
-    pub camera_view: Option<Shown>,
-    /// The scene with the camera in it.
-    pub world_view: Option<Shown>,
-    /// How far up the ladder the camera's picture had to go.
-    pub steps: Option<Steps>,
-    /// What the camera's picture left out, and what was left to do.
-    pub counts: Option<Counts>,
-    /// Why no other method than the ladder was let at the scene, where one should have been.
-    pub too_many: Option<TooMany>,
-    /// The ladder's answer for the pixels that are shown, where another method stands beside it.
-    pub truth: Option<Arc<Frame>>,
-    /// What drew the camera's picture, where the ladder did not.
-    pub drawn_by: Option<Arc<Compared>>,
-    /// The method of the error map, and where it errs.
-    pub compared: Option<Arc<Compared>>,
-    /// The error map.
-    pub error_map: Option<Shown>,
-    /// How every number comes about, where the layout shows it.
-    pub ledger: Option<Arc<Ledger>>,
-    /// The wrong camera beside the right one, or why there is none.
-    pub wrong: Option<Arc<Wrong>>,
-    /// What it sees.
-    pub wrong_view: Option<Shown>,
-    /// What the observer sees where in the world view.
-    pub world_frame: Option<Arc<Frame<f32>>>,
-}
-
-/// A finished view: pixels to present and labels to write on them.
-#[derive(Clone, Debug)]
-pub struct Shown {
-    /// The pixels, at physical resolution.
-    pub image: Arc<ColorImage>,
-    /// Text, in physical pixels of the image.
-    pub labels: Arc<Vec<Label>>,
-    /// What can be pointed at, in physical pixels of the image.
-    pub targets: Arc<Vec<Target>>,
-}
 
 /// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
 #[derive(Debug, Default)]

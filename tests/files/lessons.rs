@@ -91,7 +91,7 @@ scene = "planet"
     assert_eq!(a.looks.items, Some(shown));
     let observer = a.looks.observer.unwrap();
     assert_eq!((observer.target(), observer.distance()), (DVec3::new(0.0, 0.0, -3.0), 12.0));
-    assert_eq!(a.looks.lines.unwrap().direction, DVec2::ONE);
+    assert_eq!(a.looks.lines.as_ref().unwrap().ray.d, DVec2::ONE);
     assert_eq!((a.looks.shade, a.looks.digits), (None, None), "left alone");
     assert_eq!(c.text, "Two lines.");
     assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
