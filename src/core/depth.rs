@@ -3,7 +3,11 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::frame::Frame;
 use crate::kernel::MISS;
+use crate::plan::Tuning;
+use crate::scene::Scene;
+use crate::trace::{Finish, Stage, fill};
 
 /// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within an ulp, at
 /// a fraction of the time.
@@ -53,9 +57,20 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sea
 }
 
 mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f64 {}
-    impl Sealed for f32 {}
+    use super::*;
+
+    /// The tracer of one precision.
+    pub trait Sealed: Sized {
+        /// See [`fill`]. Neither generic nor inlined, it is compiled with this crate, once, and not
+        /// again with each crate that calls what is generic over [`Depth`].
+        fn fill(
+            frame: &mut Frame<Self>,
+            tuning: &Tuning,
+            scene: &Scene,
+            finish: Option<Finish<'_, Self>>,
+            observe: &(dyn Fn(Stage) + Sync),
+        );
+    }
 }
 
 /// Two `t` that are closer than this many spacings may be in the wrong order for their rounding.
@@ -64,6 +79,19 @@ const TIE: f64 = 4.0;
 /// What one precision's [`Depth`] is, but for how lanes become its vectors.
 macro_rules! depth {
     ($real:ident, $doubt:expr, $is_fine:expr, $range:expr, $blend_lanes:ident, $singles:expr) => {
+        impl sealed::Sealed for $real {
+            #[inline(never)]
+            fn fill(
+                frame: &mut Frame<$real>,
+                tuning: &Tuning,
+                scene: &Scene,
+                finish: Option<Finish<'_, $real>>,
+                observe: &(dyn Fn(Stage) + Sync),
+            ) {
+                fill(frame, tuning, scene, finish, observe);
+            }
+        }
+
         impl Depth for $real {
             const ZERO: $real = 0.0;
             const NONE: $real = $real::INFINITY;

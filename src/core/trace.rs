@@ -1,6 +1,7 @@
 //! Tracing a picture: bands of rows in parallel, each object asked of the pixels that it can cover.
 
 use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 use glam::DVec3;
@@ -11,7 +12,7 @@ use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::painter::Painter;
-use crate::plan::{Plan, Tuning};
+use crate::plan::{Plan, SLICE_ROWS, Tuning};
 use crate::posed::PosedCamera;
 use crate::scene::Scene;
 use crate::seen::{ObjectSeen, plane_normal};
@@ -76,7 +77,7 @@ pub fn trace_at_level<T: Depth>(
             done(rows);
         }
     };
-    fill(&mut frame, &Tuning::new(level), scene, &mut [], &no_pixels, &observe);
+    T::fill(&mut frame, &Tuning::new(level), scene, None, &observe);
     frame
 }
 
@@ -116,14 +117,22 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
     if paint.shade != Shade::T {
         let mut frame = empty_frame(camera, raster, outputs);
         let painter = Painter::new(level, paint, scene, camera, raster, f64::INFINITY);
-        let finish = |rows, t: &[T], object: &[u32], pixels: &mut [P]| {
-            painter.rows(rows, t, object, pixels);
+        let slice = SLICE_ROWS * raster.columns().len().max(1);
+        let slices: Vec<Mutex<&mut [P]>> = pixels.chunks_mut(slice).map(Mutex::new).collect();
+        let finish = |rows: Range<usize>, t: &[T], object: &[u32]| {
+            // Bands are whole slices: no two want the same one, and no lock is waited for.
+            let slices = slices[rows.start / SLICE_ROWS..].iter();
+            let hits = t.chunks(slice).zip(object.chunks(slice));
+            for ((start, (t, object)), pixels) in rows.step_by(SLICE_ROWS).zip(hits).zip(slices) {
+                let mut pixels = pixels.lock().unwrap_or_else(PoisonError::into_inner);
+                painter.rows(start..start + SLICE_ROWS, t, object, &mut pixels);
+            }
         };
-        fill(&mut frame, &Tuning::new(level), scene, pixels, &finish, &observe);
+        T::fill(&mut frame, &Tuning::new(level), scene, Some(&finish), &observe);
         return frame;
     }
     let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
-    fill(&mut frame, &Tuning::new(level), scene, &mut [], &no_pixels, &observe);
+    T::fill(&mut frame, &Tuning::new(level), scene, None, &observe);
     paint_frame(level, &frame, scene, paint, pixels);
     if !outputs.t {
         frame.t = Vec::new();
@@ -149,7 +158,7 @@ pub fn retrace_tuned<T: Depth>(
     camera: &PosedCamera,
 ) {
     frame.camera = *camera;
-    fill(frame, tuning, scene, &mut [], &no_pixels, &|_| ());
+    T::fill(frame, tuning, scene, None, &|_| ());
 }
 
 /// A frame with room for what is asked for.
@@ -167,17 +176,14 @@ fn empty_frame<T: Depth>(camera: &PosedCamera, raster: &Raster, outputs: Outputs
     }
 }
 
-/// What is done with the pixels of a band that is traced: rows, `t`, objects, pixels.
-type Finish<'a, T, P> = &'a (dyn Fn(Range<usize>, &[T], &[u32], &mut [P]) + Sync);
-
-fn no_pixels<T>(_: Range<usize>, _: &[T], _: &[u32], _: &mut [()]) {}
+/// What is done with the rows of a band when they are traced: rows, `t`, objects.
+pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
 
 /// A band's part of each buffer; empty where that was not asked for.
-struct Part<'a, T, P> {
+struct Part<'a, T> {
     t: &'a mut [T],
     object: &'a mut [u32],
     normal: &'a mut [DVec3],
-    pixels: &'a mut [P],
 }
 
 /// The parts of a buffer, and empty ones where there is none.
@@ -196,12 +202,11 @@ fn or_own<'a, T: Copy>(part: &'a mut [T], own: &'a mut Vec<T>, len: usize, zero:
 
 /// Traces the frame's camera and raster into those of its buffers that have room, band by band, each
 /// of which is finished while it is in the cache.
-fn fill<T: Depth, P: Send>(
+pub(crate) fn fill<T: Depth>(
     frame: &mut Frame<T>,
     tuning: &Tuning,
     scene: &Scene,
-    pixels: &mut [P],
-    finish: Finish<'_, T, P>,
+    finish: Option<Finish<'_, T>>,
     observe: &(dyn Fn(Stage) + Sync),
 ) {
     let Frame { camera, raster, t, object, normal, steps, counts } = frame;
@@ -212,15 +217,13 @@ fn fill<T: Depth, P: Send>(
     let plan = Plan::new::<T>(tuning, scene, camera, raster);
     observe(Stage::Planned);
     *counts = plan.counts;
-    let is_quick = plan.is_quick && pixels.is_empty() && normal.is_empty();
+    let is_quick = plan.is_quick && finish.is_none() && normal.is_empty();
     let band = plan.band_rows * width;
-    let of_outputs = parts(t, band).zip(parts(object, band)).zip(parts(normal, band));
-    let parts: Vec<Part<T, P>> = of_outputs
-        .zip(parts(pixels, band))
-        .map(|(((t, object), normal), pixels)| Part { t, object, normal, pixels })
+    let parts: Vec<Part<T>> = (parts(t, band).zip(parts(object, band)).zip(parts(normal, band)))
+        .map(|((t, object), normal)| Part { t, object, normal })
         .take(rows.div_ceil(plan.band_rows))
         .collect();
-    let trace_band = |own: &mut (Vec<T>, Vec<u32>), (index, part): (usize, Part<T, P>)| {
+    let trace_band = |own: &mut (Vec<T>, Vec<u32>), (index, part): (usize, Part<T>)| {
         let first = index * plan.band_rows;
         let rows = first..rows.min(first + plan.band_rows);
         let t = or_own(part.t, &mut own.0, rows.len() * width, T::ZERO);
@@ -230,7 +233,9 @@ fn fill<T: Depth, P: Send>(
         for (row, (normals, object)) in rows.clone().zip(of_rows) {
             fill_normals(&plan, row, object, normals);
         }
-        finish(rows.clone(), t, object, part.pixels);
+        if let Some(finish) = finish {
+            finish(rows.clone(), t, object);
+        }
         observe(Stage::Rows(rows.len()));
         traced
     };
