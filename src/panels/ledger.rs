@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{
-    Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense, Ui,
-    pos2, vec2,
+    Align, Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense,
+    Ui, pos2, vec2,
 };
 
 use super::formula::{self, Inks};
@@ -186,7 +186,9 @@ impl LedgerPanel {
         for (line, place) in section.lines.iter().zip(lines) {
             let response = show(ui, line, place, inks, is_lit(line));
             if goal.is_some_and(|goal| line.is_about(goal)) {
-                response.scroll_to_me(None);
+                if !ui.clip_rect().contains_rect(response.rect) {
+                    response.scroll_to_me(Some(Align::Center));
+                }
                 *goal = None;
             }
         }
