@@ -156,10 +156,7 @@ fn a_sum_that_is_too_wide_breaks_before_its_signs() {
     let term = || coordinates(["0.123456789", "0", "-0.987654321"]);
     let formula = row([U, equals(), term(), Operator::Plus.into(), term()]);
     let set = lines(&formula, Column { size: 10.0, width: 190.0, indent: 14.0 }, &mut Even);
-    assert_eq!(
-        lines_of(&set),
-        ["u", "=(0.123456789,0,−0.987654321)", "+(0.123456789,0,−0.987654321)"]
-    );
+    assert_eq!(lines_of(&set), ["u=(0.123456789,0,−0.987654321)", "+(0.123456789,0,−0.987654321)"]);
 }
 
 #[test]

@@ -15,7 +15,7 @@ impl fmt::Display for Formula {
             Formula::Row(parts) => row(parts, f),
             Formula::Root(of) => guarded("√", of, f),
             Formula::Fraction(above, below) => {
-                guarded("", above, f)?;
+                numerator(above, f)?;
                 guarded("/", below, f)
             }
             Formula::Power(base, exponent) => script(base, exponent, '^', &SUPERSCRIPTS, f),
@@ -58,16 +58,17 @@ fn row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
 /// Behind a sign that takes only the next part: more than one part in parentheses.
 fn guarded(sign: &str, of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match of {
-        // A minus before one part needs none.
-        Formula::Row(parts)
-            if parts.len() == 2
-                && parts[0] == Formula::Operator(Operator::Negative)
-                && sign.is_empty() =>
-        {
-            write!(f, "{of}")
-        }
         Formula::Row(_) | Formula::Fraction(..) => write!(f, "{sign}({of})"),
         _ => write!(f, "{sign}{of}"),
+    }
+}
+
+/// Before `/`, a product needs no parentheses.
+fn numerator(of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let joins = |part: &Formula| matches!(part, Formula::Operator(operator) if *operator != Operator::Negative);
+    match of {
+        Formula::Row(parts) if !parts.iter().any(joins) => write!(f, "{of}"),
+        other => guarded("", other, f),
     }
 }
 

@@ -22,9 +22,11 @@ impl Numbers {
         number(&significant(x, self.digits))
     }
 
-    /// Whether so many digits are all that it has.
+    /// Whether so many digits are all that it has, but for the noise of rounding.
     fn is_whole(self, x: f64) -> bool {
-        significant(x, self.digits).parse() == Ok(x)
+        let fits = |x: f64| significant(x, self.digits).parse() == Ok(x);
+        let recognised = || NumberForm::of(x).filter(|form| form.decimals().is_some());
+        fits(x) || recognised().is_some_and(|form| fits(form.value()))
     }
 
     /// To so many digits.
@@ -52,7 +54,7 @@ impl Numbers {
 
     /// In one form: the exact one, or to so many digits.
     pub(super) fn vector(self, v: DVec3) -> Formula {
-        self.vector_form(v).map_or_else(|| self.decimals(v), exact_vector)
+        self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
     /// As what something is divided by: exact if that is no fraction itself.
@@ -69,8 +71,22 @@ impl Numbers {
 
     /// The same of a vector.
     pub(super) fn equals_vector(self, v: DVec3) -> Formula {
-        let exact = self.vector_form(v).map(exact_vector);
+        let exact = self.vector_form(v).map(|form| self.exact_vector(form));
         result(exact, self.decimals(v), self.are_whole(v))
+    }
+
+    /// A recognised vector; coordinates that so many digits suffice for are written with them.
+    fn exact_vector(self, form: VectorForm) -> Formula {
+        let VectorForm::Common { whole, factor } = form else {
+            return tuple(form.entries().map(|entry| self.scalar(entry.value())));
+        };
+        let (k, m) = (factor.root(), factor.denominator());
+        let whole = tuple(whole.map(|n| number(&n.to_string())));
+        if factor.is_root_below() {
+            return fraction(whole, root(number(&k.to_string())));
+        }
+        let above = if k > 1 { row([root(number(&k.to_string())), whole]) } else { whole };
+        if m > 1 { fraction(above, number(&m.to_string())) } else { above }
     }
 
     /// What stands before these vectors, written to so many digits.
@@ -112,18 +128,4 @@ fn exact(form: NumberForm) -> Formula {
         if m == 1 { above } else { fraction(above, number(&m.to_string())) }
     };
     row(sign.into_iter().chain([magnitude]))
-}
-
-/// A recognised vector.
-fn exact_vector(form: VectorForm) -> Formula {
-    let VectorForm::Common { whole, factor } = form else {
-        return tuple(form.entries().map(exact));
-    };
-    let (k, m) = (factor.root(), factor.denominator());
-    let whole = tuple(whole.map(|n| number(&n.to_string())));
-    if factor.is_root_below() {
-        return fraction(whole, root(number(&k.to_string())));
-    }
-    let above = if k > 1 { row([root(number(&k.to_string())), whole]) } else { whole };
-    if m > 1 { fraction(above, number(&m.to_string())) } else { above }
 }

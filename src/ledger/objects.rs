@@ -175,7 +175,7 @@ impl Sheet<'_> {
             self.push(Line { formula: T, ..line });
             return;
         };
-        let put_in = fraction(numbers.scalar(of.terms.offset), numbers.scalar(of.terms.rate));
+        let put_in = fraction(numbers.scalar(of.terms.offset), numbers.divisor(of.terms.rate));
         let formula = equation(equation(T, symbols), put_in);
         let line = Line::of(self.root_thing(0), row([formula, numbers.equals(found.t)]));
         let verdict = self.verdict(&found);

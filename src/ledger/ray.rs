@@ -20,7 +20,7 @@ pub(super) fn lines(
 ) -> Vec<Line> {
     let mut lines = match &ray.shares {
         Some(shares) => of_pixel(posed, shares, ray, numbers),
-        None => vec![of_uv(ray, inspection, numbers)],
+        None => vec![of_uv(posed, ray, inspection, numbers)],
     };
     let (viewport, basis) = (posed.viewport(), posed.basis());
     let distance = negative(DISTANCE);
@@ -81,7 +81,7 @@ fn of_pixel(
     let down = |k, count| parentheses(minus(half(), share(k, count)));
     let whole = |n: u32| number(&n.to_string());
     let line = |name, extent, symbols, size, put_in, value| {
-        let symbols = row([word(extent), symbols]);
+        let symbols = row([Formula::Scalar(extent), symbols]);
         let put_in = row([numbers.scalar(size), put_in]);
         let formula = equation(equation(Formula::Scalar(name), symbols), put_in);
         Line::of(Thing::Pixel, row([formula, numbers.equals(value)]))
@@ -110,19 +110,24 @@ fn of_pixel(
 }
 
 /// A place that is given, and what it is in the image.
-fn of_uv(ray: &RayDerivation, inspection: &Inspection, numbers: Numbers) -> Line {
+fn of_uv(
+    posed: &PosedCamera,
+    ray: &RayDerivation,
+    inspection: &Inspection,
+    numbers: Numbers,
+) -> Line {
     let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
     let values = tuple([numbers.decimal(ray.uv.x), numbers.decimal(ray.uv.y)]);
     let note = match inspection.place {
         None => "outside the image".to_owned(),
-        Some(PixelOfUv { column_edge: Some(_), row_edge: Some(_), .. }) => {
-            "a corner of pixels, no pixel's centre".to_owned()
+        Some(place) if place.touching(posed.image()).len() == 4 => {
+            "the corner of four pixels, no pixel's centre".to_owned()
         }
         Some(PixelOfUv { column_edge: None, row_edge: None, pixel }) => {
             let (i, j) = numbers.counted(pixel);
             format!("in the pixel of row {i}, column {j}")
         }
-        Some(_) => "on an edge between two pixels".to_owned(),
+        Some(_) => "on an edge between pixels".to_owned(),
     };
     Line::of(Thing::Pixel, equation(symbols, values)).noted(note)
 }

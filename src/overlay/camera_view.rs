@@ -161,7 +161,7 @@ impl Sheet<'_> {
     pub(super) fn add(&mut self, pen: Pen, shape: Shape) {
         let Pen { item, thing, color, .. } = pen;
         if self.items.shows(item) {
-            let halo = Some(self.colors.halo);
+            let halo = pen.halo.then_some(self.colors.halo);
             self.drawing.marks.push(Mark { item, thing, shape, color, halo, hidden: false });
         }
     }

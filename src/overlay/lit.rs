@@ -3,12 +3,14 @@
 //!
 //! `lit_world`: in the world view; `lit_camera`: in the camera view.
 
+use egui::Color32;
 use pinhole_core::{Camera, DVec3, Scene, Sphere};
 
 use crate::number::significant;
 use crate::overlay::drawing::Drawing;
 use crate::overlay::labels::Request;
 use crate::overlay::objects::tangents;
+use crate::overlay::sketch::Pen;
 use crate::thing::Thing;
 
 /// What is lit, and what is needed to draw it.
@@ -58,6 +60,18 @@ pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, thing: Thi
     for request in requests {
         request.color = request.color.gamma_multiply(DIMMED);
     }
+}
+
+/// The thing's own labels first: they get the best places, and nothing is named twice.
+pub(super) fn first(own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+    others.retain(|other| own.iter().all(|request| request.text != other.text));
+    own.into_iter().chain(others).collect()
+}
+
+/// A pen and its casing, which a chain of short lines needs as a whole, below all of it.
+pub(super) fn cased(pen: Pen, halo: Color32) -> [Pen; 2] {
+    let pen = pen.without_halo();
+    [Pen { color: halo, width: pen.width + 2.5, ..pen }, pen]
 }
 
 /// The circle on a sphere that bounds what is seen of it from a point; `None` from inside.

@@ -8,7 +8,7 @@ use crate::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
 use crate::overlay::camera_view::{Sheet, place_of};
 use crate::overlay::drawing::{Shape, dot};
 use crate::overlay::items::{Item, OverlayItems};
-use crate::overlay::lit::{ALONG, BESIDE, Lit, STRONG, dim, silhouette};
+use crate::overlay::lit::{ALONG, BESIDE, Lit, STRONG, cased, dim, first, silhouette};
 use crate::overlay::screen::{Screen, unit};
 use crate::overlay::sketch::Pen;
 use crate::thing::Thing;
@@ -30,14 +30,12 @@ impl Sheet<'_> {
         }
         self.items = shown;
         let mut own = std::mem::replace(&mut self.drawing.marks, others);
-        let mut labels = self.requests.split_off(before);
+        let labels = self.requests.split_off(before);
         if !own.is_empty() {
             dim(&mut self.drawing, &mut self.requests, lit.thing);
         }
         self.drawing.marks.append(&mut own);
-        // The first labels get the best places.
-        labels.append(&mut self.requests);
-        self.requests = labels;
+        self.requests = first(labels, std::mem::take(&mut self.requests));
     }
 
     fn middle(&self) -> DVec2 {
@@ -232,8 +230,9 @@ impl Sheet<'_> {
         let unit = (sphere.center - posed.eye()).length();
         let screen = Screen::of_size(posed, self.view.extent(), unit);
         let pen = Pen { width: 4.0, ..Self::pen(lit, self.colors.hit) };
-        for pair in silhouette(&sphere, posed.eye()).unwrap_or_default().windows(2) {
-            if let Some(cut) = screen.line(pair[0], pair[1]) {
+        let outline = silhouette(&sphere, posed.eye()).unwrap_or_default();
+        for pen in cased(pen, self.colors.halo) {
+            for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
                 self.line(&[cut.from.at, cut.to.at], pen);
             }
         }

@@ -8,7 +8,7 @@ use crate::overlay::camera_in_space::{
     ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, UP_LENGTH, VECTOR_TEXT, VIEW_LENGTH, corners,
 };
 use crate::overlay::items::{Item, OverlayItems};
-use crate::overlay::lit::{ALONG, BESIDE, Lit, STRONG, dim, silhouette};
+use crate::overlay::lit::{ALONG, BESIDE, Lit, STRONG, cased, dim, first, silhouette};
 use crate::overlay::objects::tangents;
 use crate::overlay::screen::unit;
 use crate::overlay::sketch::{Head, Pen, Sketch};
@@ -30,8 +30,8 @@ impl Sketch<'_> {
             self.light_object(view, index);
         }
         self.items = shown;
-        // The first labels get the best places.
-        self.requests.rotate_left(before);
+        let own = self.requests.split_off(before);
+        self.requests = first(own, std::mem::take(&mut self.requests));
     }
 
     fn lit_pen(&self, lit: Lit, color: Color32) -> Pen {
@@ -244,8 +244,9 @@ impl Sketch<'_> {
         match object {
             Object::Sphere(sphere) => {
                 let from = view.frame.camera().eye();
-                for pair in silhouette(&sphere, from).unwrap_or_default().windows(2) {
-                    self.line(pair[0], pair[1], pen);
+                let outline = silhouette(&sphere, from).unwrap_or_default();
+                for pen in cased(pen, self.colors.halo) {
+                    outline.windows(2).for_each(|pair| self.line(pair[0], pair[1], pen));
                 }
             }
             Object::Plane(plane) => {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui::{
-    Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense, Ui,
-    pos2, vec2,
+    Align, Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense,
+    Ui, pos2, vec2,
 };
 
 use super::formula::{self, Inks};
@@ -154,9 +154,14 @@ impl LedgerPanel {
         let is_folded = self.folded.contains(&key);
         let is_lit = |line: &Line| lit.is_some_and(|thing| line.is_about(thing));
         ui.add_space(6.0);
-        let title = format!("{} {}", if is_folded { "⏵" } else { "⏷" }, section.title);
-        let title = RichText::new(title).strong().size(SIZE);
-        let head = ui.add(egui::Label::new(title).sense(Sense::click()));
+        let head = ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
+            triangle(ui, rect.center(), is_folded);
+            let title = RichText::new(&section.title).strong().size(SIZE);
+            ui.add(egui::Label::new(title).selectable(false).sense(Sense::click()))
+        });
+        let head = head.inner;
         ui.ctx().accesskit_node_builder(head.id, |node| {
             node.set_role(Role::Button);
             node.set_label(format!(
@@ -181,11 +186,22 @@ impl LedgerPanel {
         for (line, place) in section.lines.iter().zip(lines) {
             let response = show(ui, line, place, inks, is_lit(line));
             if goal.is_some_and(|goal| line.is_about(goal)) {
-                response.scroll_to_me(None);
+                if !ui.clip_rect().contains_rect(response.rect) {
+                    response.scroll_to_me(Some(Align::Center));
+                }
                 *goal = None;
             }
         }
     }
+}
+
+/// Points down at what is unfolded, right where something is folded.
+fn triangle(ui: &Ui, center: egui::Pos2, is_folded: bool) {
+    let corners = [vec2(-5.0, -3.0), vec2(5.0, -3.0), vec2(0.0, 4.5)];
+    let turned = |corner: egui::Vec2| if is_folded { vec2(corner.y, corner.x) } else { corner };
+    let points = corners.map(|corner| center + turned(corner)).to_vec();
+    let color = ui.visuals().text_color();
+    ui.painter().add(egui::Shape::convex_polygon(points, color, egui::Stroke::NONE));
 }
 
 /// The light behind what is lit.
@@ -231,7 +247,8 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     }
     ui.ctx().accesskit_node_builder(place.id, |node| {
         node.set_role(Role::Label);
-        node.set_label(place.text.as_str());
+        // The text of what is only text is its value.
+        node.set_value(place.text.as_str());
         if is_lit {
             node.set_description("lit");
         }

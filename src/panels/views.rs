@@ -241,7 +241,10 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
     let words = thing.words(|object| document.title_of(object as usize));
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
-        .show(|ui| ui.label(RichText::new(words).size(15.0)));
+        .show(|ui| {
+            let words = egui::Label::new(RichText::new(words).size(15.0));
+            ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
+        });
 }
 
 /// Titles above the views, with a button that gives one all the room.

@@ -63,7 +63,7 @@ fn every_line_can_be_read() {
         "𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)",
         "up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)",
         "𝐯 = 𝐰 × 𝐮 = (0, 0, 1) × (1, 0, 0) = (0, 1, 0)",
-        "(u, v) = (0.2, −0.1)   (a corner of pixels, no pixel's centre)",
+        "(u, v) = (0.2, −0.1)   (the corner of four pixels, no pixel's centre)",
         "𝐝 = u 𝐮 + v 𝐯 − distance 𝐰 = (0.2, 0, 0) + (0, −0.1, 0) + (0, 0, −1) = (0.2, −0.1, −1)",
     ] {
         assert_says(&window, line);
@@ -123,7 +123,7 @@ fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
             .children_recursive()
             .map(|node| node.accesskit_node())
             .filter(|node| node.description().as_deref() == Some("lit"))
-            .filter_map(|node| node.label())
+            .filter_map(|node| node.value())
             .collect();
         assert!(lit.iter().any(|text| text.starts_with(line)), "{view}: {lit:?}");
         point_at_nothing(&mut window);
@@ -137,13 +137,12 @@ fn the_line_of_what_is_pointed_at_is_scrolled_into_view() {
     window.run();
     let seen = |window: &Harness<'_, App>| {
         let line = window.get_by(|node| {
-            node.label().is_some_and(|label| label.starts_with("t = 𝐧 · (point − 𝐩)/"))
-                || node.label().is_some_and(|label| label.starts_with("t = (𝐧 · (point − 𝐩))/"))
+            node.value().is_some_and(|text| text.starts_with("t = (𝐧 · (point − 𝐩))/"))
         });
         line.rect().max.y < 560.0
     };
     assert!(!seen(&window));
-    let hit = Thing::Root { object: 1, number: 0 };
+    let hit = Thing::Root { object: 2, number: 0 };
     hover_mark(&mut window, "World view", hit);
     assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(hit));
     assert!(seen(&window));

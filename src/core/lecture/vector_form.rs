@@ -47,8 +47,11 @@ const FACTOR_LIMIT: u64 = 1 << 22;
 impl VectorForm {
     /// The form of a vector whose coordinates are within 4 ulps of one: whole numbers up to 1024
     /// times a factor that is a small fraction or the root of one; or, without a common factor, three
-    /// [`NumberForm`]s. `None` of any other. By chance, a vector of three random numbers has a form
-    /// once in 1e17, with one or two coordinates of exactly 0 once in 3e8.
+    /// [`NumberForm`]s. `None` of any other.
+    ///
+    /// Random digits have a form by chance less than once in 1e15. Fewer of them are random where a
+    /// coordinate is exactly 0: of a unit vector with one such once in 1e9, of a vector along an axis
+    /// once in 3e8.
     pub fn of(v: DVec3) -> Option<VectorForm> {
         if !v.is_finite() {
             return None;

@@ -60,7 +60,7 @@ impl Camera {
     /// ```
     ///
     /// View and w stay to the bit; up's length and its angle to the view stay but for rounding, which
-    /// turns the camera by at most 3e-16 times the [conditioning](UpAngle). A whole number of turns
+    /// turns the camera by at most 5e-16 times the [conditioning](UpAngle). A whole number of turns
     /// changes nothing.
     ///
     /// # Errors
@@ -85,7 +85,7 @@ impl Camera {
 
     /// The camera with up turned towards the view, or away from it, until the angle between the two
     /// is this: up moves in the plane of both and keeps its length, so that u, v and w stay but for
-    /// rounding, which turns them by at most 3e-16 times the [conditioning](UpAngle).
+    /// rounding, which turns them by at most 5e-16 times the [conditioning](UpAngle).
     ///
     /// ```text
     /// up = |up| (sin(angle) V - cos(angle) W)

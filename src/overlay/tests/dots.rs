@@ -11,7 +11,7 @@ fn the_picture_on_the_viewport_has_its_own_colours() {
     let mut stage = Stage::new(camera, vec![sphere(0.3, 0.2, -5.0, 1.5)], vec![]);
     stage.items = OverlayItems::NONE.with(Item::Picture, true);
     let mut dots = stage.dots();
-    assert_eq!(world(&stage.view(), &mut dots), []);
+    assert_eq!(world(&stage.view(), &mut dots).labels, []);
     let picture = stage.picture.as_ref().expect("a picture");
     let mut colors = std::collections::HashSet::new();
     for pixel in (0..8).flat_map(|row| (0..8).map(move |column| Pixel { row, column })) {
@@ -31,7 +31,7 @@ fn with_nothing_on_only_the_background_changes() {
     stage.items = OverlayItems::NONE;
     let before = stage.dots();
     let mut after = before.clone();
-    assert_eq!(world(&stage.view(), &mut after), []);
+    assert_eq!(world(&stage.view(), &mut after).labels, []);
     let sphere = opaque(color_of(0));
     let background = Style::Light.colors().background;
     for (before, after) in before.iter().zip(&after) {

@@ -3,6 +3,7 @@
 mod camera_view;
 mod dots;
 mod loupe;
+mod lit;
 mod marks;
 mod wild;
 
