@@ -2,8 +2,8 @@
 
 mod camera_view;
 mod dots;
-mod loupe;
 mod lit;
+mod loupe;
 mod marks;
 mod wild;
 
