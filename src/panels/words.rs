@@ -34,24 +34,24 @@ impl Words {
         self.taken.push(rect);
     }
 
-    /// Writes at the first of the places that is free and inside; whether one was. What is not bold
-    /// is set as a formula.
+    /// Writes at the first of the places that is free and inside; where that is, if there is one.
+    /// What is not bold is set as a formula.
     pub(super) fn write(
         &mut self,
         text: &str,
         font: Font,
         places: impl IntoIterator<Item = (Pos2, Align2)>,
-    ) -> bool {
+    ) -> Option<Rect> {
         let galley = self.galley(text, font);
         for (at, align) in places {
             let rect = align.anchor_size(at, galley.size());
             let free = self.taken.iter().all(|taken| !taken.intersects(rect));
             if free && self.within.contains_rect(rect) {
                 self.put(galley, rect, font.color);
-                return true;
+                return Some(rect);
             }
         }
-        false
+        None
     }
 
     fn galley(&self, text: &str, font: Font) -> Arc<Galley> {

@@ -99,11 +99,12 @@ pub(super) fn ui(
         point_that_walks(&inside, &axes, curves, t, &mut words, colors);
     }
     for (curve, strokes) in curves.iter().zip(&drawn) {
-        words.write(
-            &curve.name,
-            Font { size: TEXT, color: colors.ink, bold: true },
-            places_at(strokes, within),
-        );
+        let font = Font { size: TEXT, color: colors.ink, bold: true };
+        if let Some(name) = words.write(&curve.name, font, places_at(strokes, within)) {
+            // Underlined as the curve is drawn.
+            let y = name.bottom() - 1.0;
+            stroke(&inside, &[pos2(name.left(), y), pos2(name.right(), y)], curve);
+        }
     }
 }
 
@@ -193,8 +194,9 @@ fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) {
         (0..5).map(move |k| (pos2(x, rect.bottom() - 4.0 - 20.0 * k as f32), align))
     };
     let left = || rows(eye - 5.0, Align2::RIGHT_BOTTOM);
-    let _ =
-        ["behind the eye", "behind\nthe eye"].iter().any(|text| words.write(text, font, left()));
+    let _ = ["behind the eye", "behind\nthe eye"]
+        .iter()
+        .any(|text| words.write(text, font, left()).is_some());
     words.write("viewport: t = 1", font, rows(viewport + 5.0, Align2::LEFT_BOTTOM));
     words.write("eye: t = 0", font, rows(eye + 5.0, Align2::LEFT_BOTTOM).chain(left()));
 }
