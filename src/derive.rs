@@ -31,7 +31,7 @@ use crate::inspection::Inspection;
 use crate::ledger::Ledger;
 use crate::observer::Observer;
 use crate::overlay::{
-    self, CameraView, Drawing, Label, Lit, OverlayItems, Picture, Style, Target, WorldView,
+    self, CameraView, Drawing, Label, Lit, Loupe, OverlayItems, Picture, Style, Target, WorldView,
 };
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
@@ -140,6 +140,7 @@ struct CameraViewKey {
     selection: Selection,
     items: OverlayItems,
     lit: Option<(Thing, usize)>,
+    loupe: Option<Arc<Loupe>>,
     scale: f32,
     style: Style,
 }
@@ -155,6 +156,7 @@ struct WorldViewKey {
     selection: Selection,
     items: OverlayItems,
     lit: Option<(Thing, usize)>,
+    walked: Option<f64>,
     scale: f32,
     style: Style,
 }
@@ -226,6 +228,7 @@ impl Deriver {
             selection: good.selection,
             items: session.settings.items,
             lit,
+            loupe: good.loupe.clone(),
             scale: sizes.scale,
             style: sizes.style,
         };
@@ -239,6 +242,7 @@ impl Deriver {
                 scale: key.scale,
                 style: key.style,
                 lit: scene.and_then(|scene| key.lit.map(|lit| lit_of(lit, document, scene))),
+                loupe: key.loupe.as_deref(),
             };
             overlay::camera(&view, pixels)
         };
@@ -252,13 +256,16 @@ impl Deriver {
             })
         });
         if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
-            let shown = self.error_map.get((compared.method, key(size)), |(_, key)| {
-                let mut pixels = blank(size);
-                let drawing = view(map, key, &mut pixels);
-                let (comparison, width) = (&compared.comparison, size[0] as usize);
-                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
-                shown(size, pixels, drawing)
-            });
+            let shown = self.error_map.get(
+                (compared.method, CameraViewKey { loupe: None, ..key(size) }),
+                |(_, key)| {
+                    let mut pixels = blank(size);
+                    let drawing = view(map, key, &mut pixels);
+                    let (comparison, width) = (&compared.comparison, size[0] as usize);
+                    accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
+                    shown(size, pixels, drawing)
+                },
+            );
             derived.error_map = Some(shown);
             derived.compared = Some(Arc::clone(compared));
         }
@@ -300,6 +307,7 @@ impl Deriver {
             selection: session.selection,
             items: session.settings.items,
             lit,
+            walked: session.walked,
             scale: sizes.scale,
             style: sizes.style,
         };
@@ -320,6 +328,7 @@ impl Deriver {
                 scale: key.scale,
                 style: key.style,
                 lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
+                walked: key.walked,
             };
             let drawing = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
             shown(size, pixels, drawing)

@@ -25,6 +25,7 @@ pub mod inspection;
 mod label_text;
 pub mod ledger;
 pub mod lessons;
+pub mod lines;
 mod machine;
 mod measuring;
 mod number;

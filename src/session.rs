@@ -5,6 +5,7 @@ use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
 use serde::{Deserialize, Serialize};
 
 use crate::ledger::LedgerSections;
+use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 use crate::thing::{Pointed, Thing};
@@ -17,6 +18,10 @@ pub struct Session {
     pub selection: Selection,
     /// Who looks at the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
+    /// The t of the point p + t d that walks along the selected ray; `None` where none does.
+    pub walked: Option<f64>,
+    /// The lab of lines in two dimensions.
+    pub lines: LinesLab,
     /// What the mouse or the keyboard points at just now.
     pub pointed: Option<Pointed>,
     /// What is lit while nothing is pointed at.
@@ -230,6 +235,8 @@ impl Default for Session {
         Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
+            walked: None,
+            lines: LinesLab::default(),
             pointed: None,
             lit: None,
             sections: LedgerSections::default(),

@@ -6,7 +6,7 @@ use super::App;
 use crate::derive::Fault;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, frame, readouts, views};
+use crate::panels::{accuracy, frame, lines, plot, readouts, views};
 use crate::session::{Session, ViewLayout};
 
 impl App {
@@ -57,6 +57,11 @@ impl App {
                     accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
                 }
                 ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
+                ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
+                ViewLayout::Plot => {
+                    let walk = (self.session.selection, &mut self.session.walked);
+                    plot::ui(ui, walk, &self.derived, document, style.digits);
+                }
                 ViewLayout::Ledger => {
                     let Session { sections, pointed, .. } = &mut self.session;
                     if let Some(ledger) = &self.derived.ledger {

@@ -151,6 +151,18 @@ fn round_to_odd(m: u64, k: i32) -> f64 {
     ldexp((whole + u64::from(up)) as f64, last)
 }
 
+/// `numerator / denominator` as the nearest `f64`, halves to even; the denominator is not 0.
+pub(crate) fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
+    // Enough for a result's 53 bits; the bit below them stands for all that is left over.
+    let widen = (64 + denominator.mantissa.bits()).saturating_sub(numerator.mantissa.bits());
+    let widened = &numerator.mantissa << widen;
+    let quotient = &widened / &denominator.mantissa;
+    let is_rest = &quotient * &denominator.mantissa != widened;
+    let sign = if widened.sign() == denominator.mantissa.sign() { 1 } else { -1 };
+    let quotient = (quotient << 1_u32) + BigInt::from(sign * i32::from(is_rest));
+    round(&quotient, numerator.exponent - denominator.exponent - widen as i32 - 1)
+}
+
 /// `numerator / denominator * 2^k` as a double-double times a power of two: relative error at most
 /// `2^-105`. The high part is in `[1/2, 2]`.
 pub(crate) fn ratio(numerator: &BigInt, denominator: &BigInt, k: i32) -> (DoubleDouble, i32) {

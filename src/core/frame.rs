@@ -90,6 +90,11 @@ impl Raster {
         }
     }
 
+    /// The pixels of these rows and columns, which the image has.
+    pub fn part(rows: std::ops::Range<u32>, columns: std::ops::Range<u32>) -> Raster {
+        Raster { rows: rows.collect(), columns: columns.collect() }
+    }
+
     /// One pixel alone.
     pub fn of_pixel(pixel: Pixel) -> Raster {
         Raster { rows: vec![pixel.row], columns: vec![pixel.column] }

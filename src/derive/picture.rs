@@ -15,7 +15,7 @@ use super::watch::{self, Watch};
 use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
 use crate::number::grouped;
-use crate::overlay::Picture;
+use crate::overlay::{Item, Loupe, Picture, loupe_window};
 use crate::session::{Selection, Session};
 
 /// How many times a method may ask whether a ray meets an object for one picture: about a second's
@@ -81,6 +81,8 @@ pub(super) struct GoodPicture {
     pub(super) drawn_by: Option<Arc<Compared>>,
     /// The error map's method and its picture, where the map is shown.
     pub(super) compared: Option<(Arc<Compared>, Arc<Picture>)>,
+    /// What is under the loupe, where it is shown.
+    pub(super) loupe: Option<Arc<Loupe>>,
 }
 
 /// What is seen from where: a camera, the generation of the objects, and the pixels.
@@ -103,6 +105,7 @@ pub(super) struct Pictures {
     picture: Memo<PictureKey, Made>,
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
+    loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
     /// How many pictures were made, which tells one from the next.
     made: u64,
     /// How many were traced for that.
@@ -187,7 +190,15 @@ impl Pictures {
             });
             (compared, map)
         });
+        let place = inspection.place.filter(|_| settings.items.shows(Item::Loupe));
+        let loupe = place.map(|place| {
+            let [rows, columns] = loupe_window(&place, posed.image());
+            let seen = (posed, *generation, Raster::part(rows, columns));
+            let key = ((method, seen, mode, world.palette), settings.count_from_one);
+            self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)))
+        });
         GoodPicture {
+            loupe,
             posed,
             picture,
             selection,
@@ -205,6 +216,21 @@ impl Pictures {
 fn picture_of<T: Depth>(frame: &Frame<T>, pixels: Vec<Color32>) -> Arc<Picture> {
     let (raster, image) = (frame.raster().clone(), frame.camera().image());
     Arc::new(Picture { raster, image, pixels })
+}
+
+/// The pixels under the loupe, by the method that draws the picture.
+fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
+    let ((method, (posed, _, raster), mode, _), count_from_one) = key;
+    let mut frame = watch::truth(&world.scene, posed, raster, watch);
+    if *method != Method::Ladder {
+        let traced = trace_by(*method, &world.scene, posed, raster);
+        let frame = Arc::make_mut(&mut frame);
+        (frame.t, frame.object) = (traced.t, traced.object);
+    }
+    let colors = (*mode, |i: u32| world.colors[i as usize]);
+    let pixels = watch::repainted(&frame, &world.scene, colors, watch);
+    let picture = Picture { raster: raster.clone(), image: posed.image(), pixels };
+    Loupe { picture, count_from_one: *count_from_one }
 }
 
 fn compare(

@@ -21,6 +21,8 @@ pub fn apply(
     session.observer = looks.observer.or(seen_from).or(session.observer);
     set(&mut session.sections, looks.ledger);
     set(&mut session.lit, looks.lit);
+    session.walked = looks.t;
+    set(&mut session.lines, looks.lines.clone());
     let settings = &mut session.settings;
     set(&mut settings.layout, looks.layout);
     set(&mut settings.items, looks.items);
@@ -36,6 +38,8 @@ pub fn apply(
 pub fn give_back(before: &Session, session: &mut Session) {
     session.sections = before.sections;
     session.lit = before.lit;
+    session.walked = before.walked;
+    session.lines = before.lines.clone();
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;
     settings.items = before.items;

@@ -1,9 +1,8 @@
 //! What a lesson's file says, read.
 
-use pinhole_core::DVec2;
-
 use crate::document::Document;
 use crate::ledger::LedgerSections;
+use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
 use crate::session::{Selection, ShadeName, ViewLayout};
@@ -61,21 +60,8 @@ pub struct Looks {
     pub lit: Option<Option<Thing>>,
     /// The wrong camera that is shown beside the right one, by name.
     pub mistake: Option<String>,
-    /// How far one has walked along the selected ray.
+    /// How far one has walked along the selected ray; `None` where nobody has.
     pub t: Option<f64>,
-    /// The two lines of the lines lab.
-    pub lines: Option<Lines>,
-}
-
-/// Two lines in the plane: `a x + b y + c = 0`, and `p + t d`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lines {
-    /// a, b and c.
-    pub implicit: [f64; 3],
-    /// Where the ray begins.
-    pub origin: DVec2,
-    /// The ray's direction.
-    pub direction: DVec2,
-    /// How far one has walked along it.
-    pub t: Option<f64>,
+    /// The lines lab.
+    pub lines: Option<LinesLab>,
 }

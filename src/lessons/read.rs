@@ -3,16 +3,18 @@
 use std::fs;
 use std::path::Path;
 
+use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 use toml_edit::Document as Toml;
 
-use super::lesson::{Lesson, Lines, Looks, Step};
+use super::lesson::{Lesson, Looks, Step};
 use crate::document::Document;
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::scene_file::{TABLES, not_toml, tables};
 use crate::formats::{FileError, builtin};
 use crate::ledger::{LedgerSection, LedgerSections};
+use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::{Item, OverlayItems};
 use crate::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
@@ -271,17 +273,19 @@ fn lit(field: &Field) -> Result<Option<Thing>, FileError> {
 /// What is said where nothing is lit.
 const NOTHING: &str = "nothing";
 
-fn lines(section: &Section) -> Result<Lines, FileError> {
+fn lines(section: &Section) -> Result<LinesLab, FileError> {
     section.only(&["implicit", "p", "d", "t"], &[])?;
-    let pair = |key: &str, such_as: &str| -> Result<DVec2, FileError> {
-        let field = section.need(key, such_as)?;
+    let pair = |field: &Field| -> Result<DVec2, FileError> {
         Ok(DVec2::from_array(field.numbers("two numbers, such as [1.0, 1.0]")?))
     };
     let field = section.need("implicit", "implicit = [1.0, 1.0, -2.0] (a, b and c)")?;
-    Ok(Lines {
-        implicit: field.numbers("a, b and c, such as [1.0, 1.0, -2.0]")?,
-        origin: pair("p", "p = [0.0, 0.0]")?,
-        direction: pair("d", "d = [1.0, 1.0]")?,
-        t: section.get("t").map(|field| field.number()).transpose()?,
-    })
+    let [a, b, c] = field.numbers("a, b and c, such as [1.0, 1.0, -2.0]")?;
+    let line = ImplicitLine { a, b, c };
+    line.check().map_err(|error| field.fault(error))?;
+    let p = pair(&section.need("p", "p = [0.0, 0.0]")?)?;
+    let field = section.need("d", "d = [1.0, 1.0]")?;
+    let ray = ParametricLine { p, d: pair(&field)? };
+    ray.check().map_err(|error| field.fault(error))?;
+    let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
+    Ok(LinesLab::of(line, ray, t))
 }

@@ -6,6 +6,7 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, PosedCamera};
 
 use crate::inspection::Inspection;
+use crate::number::significant;
 use crate::overlay::items::Item;
 use crate::overlay::screen::unit;
 use crate::overlay::sketch::{Head, Pen, Sketch, Tip};
@@ -27,6 +28,9 @@ pub(crate) const VIEW_LENGTH: f64 = 1.6;
 pub(crate) const UP_LENGTH: f64 = 1.35;
 const AXIS_LENGTH: f64 = 1.75;
 
+/// Significant digits of the t of a point that walks along the ray.
+const WALKED_DIGITS: usize = 4;
+
 /// A normal's length, in points.
 pub(crate) const NORMAL_POINTS: f64 = 62.0;
 
@@ -41,7 +45,7 @@ impl Sketch<'_> {
             self.outline(posed);
             self.marks(posed);
             if let Some(inspection) = view.inspection {
-                self.selected(posed, inspection, view.observer.distance());
+                self.selected(posed, inspection, view);
             }
         }
         self.given(view, arrow);
@@ -150,7 +154,8 @@ impl Sketch<'_> {
     }
 
     /// The selected pixel on the viewport, its ray, the hit and the normal there.
-    fn selected(&mut self, posed: &PosedCamera, inspection: &Inspection, far: f64) {
+    fn selected(&mut self, posed: &PosedCamera, inspection: &Inspection, view: &WorldView) {
+        let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
         let touched = inspection.place.map(|place| place.touching(posed.image()));
@@ -167,6 +172,9 @@ impl Sketch<'_> {
             self.line(ray.origin, end, pen);
         }
         self.point(ray.at(1.0), 3.6, pen.of(Thing::Pixel).on_viewport());
+        if let Some(t) = view.walked {
+            self.walked(inspection, t);
+        }
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
         let pen = Pen::new(Item::Hit, ink, 2.4).of(Thing::Normal);
@@ -176,6 +184,26 @@ impl Sketch<'_> {
         let pen = Pen { color, ..pen }.of(inspection.thing_of(hit));
         if let Some(spot) = self.point(hit.point, 5.0, pen) {
             self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
+        }
+    }
+
+    /// The point p + t d, with its t, and the line to it where the ray is not drawn so far.
+    fn walked(&mut self, inspection: &Inspection, t: f64) {
+        let ray = &inspection.ray;
+        let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
+        let color = self.colors.ray;
+        let thin = Pen::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
+        if t < 0.0 {
+            self.line(ray.origin, at, thin);
+        } else if t > last {
+            self.line(ray.at(last), at, thin);
+        }
+        let pen = Pen::new(Item::Ray, self.colors.hit, 2.0);
+        self.point(at, 7.5, Pen { color, ..pen });
+        if let Some(spot) = self.point(at, 4.5, pen) {
+            let text = format!("t = {}", significant(t, WALKED_DIGITS)).replace('-', "−");
+            let font = (color, POINT_TEXT, true);
+            self.label(pen, text, spot.at, DVec2::new(-0.3, -1.0), font);
         }
     }
 

@@ -12,6 +12,7 @@ use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels::{self, Request};
 use crate::overlay::layers::{contrast, mix};
 use crate::overlay::lit::Lit;
+use crate::overlay::loupe::{self, Loupe};
 use crate::overlay::picture::Picture;
 use crate::overlay::sketch::Pen;
 use crate::overlay::style::{Colors, Style};
@@ -36,6 +37,8 @@ pub struct CameraView<'a> {
     pub style: Style,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
+    /// What is under the loupe.
+    pub loupe: Option<&'a Loupe>,
 }
 
 /// Pixels smaller than this many dots have no grid.
@@ -124,8 +127,11 @@ impl CameraView<'_> {
         if let Some(lit) = self.lit {
             sheet.light(lit);
         }
-        let Sheet { mut drawing, requests, .. } = sheet;
-        drawing.labels = labels::place(&requests, &drawing, self.extent(), colors.halo);
+        let placed = labels::place(&sheet.requests, &sheet.drawing, self.extent(), colors.halo);
+        sheet.loupe();
+        let mut drawing = sheet.drawing;
+        drawing.labels = placed;
+        loupe::label(self, &mut drawing);
         drawing
     }
 }

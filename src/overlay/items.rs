@@ -36,11 +36,13 @@ pub enum Item {
     UvAxes,
     /// The text at all of these.
     Labels,
+    /// The pixels around the selected place, magnified, in the camera view.
+    Loupe,
 }
 
 impl Item {
     /// All of them, in the order in which a panel lists them.
-    pub const ALL: [Item; 15] = [
+    pub const ALL: [Item; 16] = [
         Item::Eye,
         Item::At,
         Item::ViewAndUp,
@@ -56,6 +58,7 @@ impl Item {
         Item::Planes,
         Item::UvAxes,
         Item::Labels,
+        Item::Loupe,
     ];
 
     /// What a checkbox for it says.
@@ -76,6 +79,7 @@ impl Item {
             Item::Planes => "planes",
             Item::UvAxes => "u = 0 and v = 0",
             Item::Labels => "labels",
+            Item::Loupe => "loupe",
         }
     }
 
@@ -97,6 +101,7 @@ impl Item {
             Item::Planes => "planes",
             Item::UvAxes => "uv-axes",
             Item::Labels => "labels",
+            Item::Loupe => "loupe",
         }
     }
 
@@ -116,9 +121,9 @@ pub struct OverlayItems {
 }
 
 impl Default for OverlayItems {
-    /// All but the camera view's axes, which would lie over the middle of the picture.
+    /// All but what would lie over the camera's picture: its axes and the loupe.
     fn default() -> Self {
-        OverlayItems { off: Item::UvAxes.bit() }
+        OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() }
     }
 }
 
@@ -165,9 +170,9 @@ mod tests {
     }
 
     #[test]
-    fn all_but_one_are_on_by_default() {
+    fn all_but_two_are_on_by_default() {
         let off: Vec<_> =
             Item::ALL.iter().filter(|item| !OverlayItems::default().shows(**item)).collect();
-        assert_eq!(off, [&Item::UvAxes]);
+        assert_eq!(off, [&Item::UvAxes, &Item::Loupe]);
     }
 }

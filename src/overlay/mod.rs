@@ -21,6 +21,7 @@ mod layers;
 mod lit;
 mod lit_camera;
 mod lit_world;
+mod loupe;
 mod objects;
 mod paint;
 mod picture;
@@ -33,9 +34,10 @@ pub use camera_view::{CameraView, camera, camera_position_of_uv, camera_uv_at};
 pub use drawing::{Drawing, Label, Mark, Shape, Target, thing_at};
 pub use items::{Item, OverlayItems};
 pub use lit::Lit;
+pub use loupe::{Loupe, loupe_window};
 pub use picture::Picture;
 pub use style::{Colors, Style};
-pub use world_view::{WorldView, pick, world, world_position_of};
+pub use world_view::{WorldView, pick, t_towards, world, world_position_of};
 
 #[cfg(test)]
 mod tests;

@@ -1,10 +1,11 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Rgb, Scene};
+use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Ray, Rgb, Scene};
 
 use crate::inspection::Inspection;
 use crate::observer::Observer;
+use crate::overlay::camera_view::camera_uv_at;
 use crate::overlay::drawing::Drawing;
 use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::items::{Item, OverlayItems};
@@ -45,6 +46,8 @@ pub struct WorldView<'a> {
     pub scale: f32,
     /// The colours.
     pub style: Style,
+    /// The t of the point that walks along the selected ray.
+    pub walked: Option<f64>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
 }
@@ -78,6 +81,20 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let unit = (point - observer.eye()).length();
     let spot = Screen::new(observer, unit).spot(point)?;
     Some([spot.at.x as f32, spot.at.y as f32])
+}
+
+/// The t at which the ray's line passes nearest to what the observer sees at a place, in dots,
+/// rounded to what a hand can do; `None` where the line runs at the observer.
+pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f64> {
+    let observer = frame.camera();
+    let size = [observer.image().width() as usize, observer.image().height() as usize];
+    let sight = observer.ray(camera_uv_at(observer, size, position)).direction;
+    let (d, between) = (ray.direction, ray.origin - observer.eye());
+    // The shortest way from one line to the other is across both.
+    let across = d.cross(sight);
+    let t = sight.cross(between).dot(across) / across.length_squared();
+    let digits = 10_f64.powf(3.0 - t.abs().max(1.0).log10().ceil());
+    t.is_finite().then(|| (t * digits).round() / digits + 0.0)
 }
 
 fn viewport_layer<'a>(posed: &PosedCamera, observer: &PosedCamera) -> Option<ViewportLayer<'a>> {

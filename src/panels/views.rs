@@ -11,6 +11,7 @@ use crate::document::Document;
 use crate::label_text;
 use crate::overlay;
 use crate::panels::places::{Places, STRIP};
+use crate::panels::walking;
 use crate::session::{Selection, Session, Settings, ViewLayout};
 use crate::thing::{Pointed, Pointing, Thing};
 use crate::view_texture::ViewTexture;
@@ -155,6 +156,10 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
         if let Some(place) = uv.and_then(|uv| posed.pixel_of_uv(uv)) {
             session.selection = Selection::Pixel(place.pixel);
         }
+    }
+    if let Some(t) = walking::dragged(ui, response, session.walked, shown) {
+        session.walked = Some(t);
+        return;
     }
     let Some(observer) = &mut session.observer else { return };
     let shift = ui.input(|i| i.modifiers.shift);

@@ -91,7 +91,7 @@ scene = "planet"
     assert_eq!(a.looks.items, Some(shown));
     let observer = a.looks.observer.unwrap();
     assert_eq!((observer.target(), observer.distance()), (DVec3::new(0.0, 0.0, -3.0), 12.0));
-    assert_eq!(a.looks.lines.unwrap().direction, DVec2::ONE);
+    assert_eq!(a.looks.lines.as_ref().unwrap().ray.d, DVec2::ONE);
     assert_eq!((a.looks.shade, a.looks.digits), (None, None), "left alone");
     assert_eq!(c.text, "Two lines.");
     assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
@@ -246,6 +246,10 @@ const STEPS: Cases = &[
     (
         "scene = \"canonical\"\nlines = { implicit = [1, 2], p = [0, 0], d = [1, 1] }\n",
         "7:22: step[0].lines.implicit is [1, 2]: it must be a, b and c, such as [1.0, 1.0, -2.0]",
+    ),
+    (
+        "scene = \"canonical\"\nlines = { implicit = [1, 2, 3], p = [0, 0], d = [0, 0] }\n",
+        "7:49: step[0].lines.d: d is (0, 0): every t gives the one point (0, 0)",
     ),
     (
         "scene = \"canonical\"\n[[step.sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",

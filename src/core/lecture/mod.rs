@@ -5,6 +5,7 @@
 //! - [`RayDerivation`]: from a pixel to (u, v), and from there to the view ray.
 //! - [`ObjectDerivation`]: from the ray and an object to t, point and normal; [`AlongRay`] is the
 //!   object's implicit function along the ray, to be plotted.
+//! - [`lines`]: lines in two dimensions, implicit and parametric, and one put into the other.
 //! - [`NumberForm`], [`VectorForm`]: numbers such as `5 sqrt 2` and `(5, 0, -7)/sqrt 74`, recognised.
 //! - [`Camera::swung`](crate::Camera::swung) and the other verbs: cameras that differ in one thing.
 //!
@@ -14,6 +15,7 @@
 mod along;
 mod basis;
 mod form;
+pub mod lines;
 mod objects;
 mod ray;
 mod vector_form;

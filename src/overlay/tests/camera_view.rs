@@ -22,6 +22,7 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
         scale: 1.0,
         style: Style::Light,
         lit: None,
+        loupe: None,
     };
     let mut plain = vec![Color32::BLACK; 63 * 40];
     camera(&view, &mut plain);
@@ -54,6 +55,7 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
             scale: 1.0,
             style: Style::Dark,
             lit: None,
+            loupe: None,
         };
         let lengths: Vec<usize> = view.drawing().marks.iter().map(|m| points(m).len()).collect();
         [5, 2].map(|corners| lengths.iter().filter(|n| **n == corners).count())

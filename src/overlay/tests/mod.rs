@@ -3,6 +3,7 @@
 mod camera_view;
 mod dots;
 mod lit;
+mod loupe;
 mod marks;
 mod wild;
 
@@ -84,6 +85,7 @@ impl Stage {
             scale: 1.0,
             style: Style::Light,
             lit: None,
+            walked: None,
         }
     }
 

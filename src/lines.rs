@@ -1,0 +1,280 @@
+//! The lab of lines in two dimensions: what it holds, and what dragging in it does. The arithmetic of
+//! the lines is [`pinhole_core::lecture::lines`].
+
+use pinhole_core::DVec2;
+use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
+
+/// Numbers in the lab's fields are not larger than this, so that all that follows from them is a
+/// number.
+pub(crate) const LARGEST: f64 = 1e6;
+
+/// What the lab shows: two lines and a t. Plain data; a lesson's step sets it as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinesLab {
+    line: ImplicitLine,
+    /// The parametric line.
+    pub ray: ParametricLine,
+    /// Which of its points is looked at.
+    pub t: f64,
+    /// The points that t has left behind.
+    pub trail: Trail,
+    /// Dragging goes by [`LinesLab::GRID`].
+    pub snap: bool,
+    /// What of the plane is seen.
+    pub window: Window,
+    /// Where the implicit line is taken hold of.
+    grip: DVec2,
+    /// From the grip to the place where the line is turned, as a multiple of the line's direction.
+    reach: f64,
+}
+
+/// The points at equal steps of t, over all t that were visited.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Trail {
+    /// From one point to the next, in t.
+    pub step: f64,
+    /// The smallest t that was visited.
+    pub first: f64,
+    /// The largest t that was visited.
+    pub last: f64,
+}
+
+/// A part of the plane, as wide as the drawing is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Window {
+    /// In the middle of the drawing.
+    pub center: DVec2,
+    /// From the middle to the nearer two edges.
+    pub half_extent: f64,
+}
+
+/// What can be dragged in the lab.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Handle {
+    /// Moves the implicit line without turning it.
+    Move,
+    /// Turns the implicit line about the place where it is moved.
+    Turn,
+    /// The parametric line's p.
+    P,
+    /// The tip of d.
+    Tip,
+    /// The point p + t d, along its line.
+    T,
+}
+
+impl Handle {
+    /// All of them; a later one lies over an earlier one.
+    pub const ALL: [Handle; 5] = [Handle::Move, Handle::Turn, Handle::P, Handle::Tip, Handle::T];
+
+    /// What it is called, for screen readers and under the pointer.
+    pub fn name(self) -> &'static str {
+        match self {
+            Handle::Move => "move the implicit line",
+            Handle::Turn => "turn the implicit line",
+            Handle::P => "move p",
+            Handle::Tip => "move the tip of d",
+            Handle::T => "slide t",
+        }
+    }
+}
+
+impl Default for LinesLab {
+    /// The lecture's kind of example: they meet at t = 1.
+    fn default() -> Self {
+        LinesLab::EXAMPLES[0].1.lab()
+    }
+}
+
+/// Two lines to begin with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Example {
+    /// a, b, c.
+    pub line: [f64; 3],
+    /// p.
+    pub p: [f64; 2],
+    /// d.
+    pub d: [f64; 2],
+}
+
+impl Example {
+    /// The lab that shows it.
+    pub fn lab(self) -> LinesLab {
+        let [a, b, c] = self.line;
+        let ray = ParametricLine { p: self.p.into(), d: self.d.into() };
+        LinesLab::of(ImplicitLine { a, b, c }, ray, 0.5)
+    }
+}
+
+impl LinesLab {
+    /// Two coordinates that are dragged with snapping are multiples of this.
+    pub const GRID: f64 = 0.5;
+
+    /// One example of every verdict.
+    pub const EXAMPLES: [(&str, Example); 4] = [
+        ("Ray hits", Example { line: [1.0, 1.0, -2.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
+        ("Ray missed", Example { line: [2.0, -1.0, 1.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
+        ("Parallel", Example { line: [1.0, -1.0, 2.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
+        ("Coincident", Example { line: [1.0, -2.0, 2.0], p: [-2.0, 0.0], d: [2.0, 1.0] }),
+    ];
+
+    /// Two lines and the point of the second at `t`.
+    pub fn of(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
+        let mut lab = LinesLab {
+            line,
+            ray,
+            t,
+            trail: Trail { step: 0.5, first: t, last: t },
+            snap: false,
+            window: Window { center: DVec2::ZERO, half_extent: 4.0 },
+            grip: DVec2::ZERO,
+            reach: 1.0,
+        };
+        lab.set_line(line);
+        // The middle, where the lines are likely to meet, is left to that.
+        lab.grip -= 0.5 * lab.reach * line.direction();
+        lab
+    }
+
+    /// The implicit line.
+    pub fn line(&self) -> ImplicitLine {
+        self.line
+    }
+
+    /// Takes another implicit line; what it is dragged by moves onto it.
+    pub fn set_line(&mut self, line: ImplicitLine) {
+        self.line = line;
+        if line.check().is_err() {
+            return;
+        }
+        self.grip = line.nearest_to(self.grip);
+        // A power of two, so that turning divides without rounding.
+        let wanted = 0.7 * self.window.half_extent / line.direction().length();
+        self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
+    }
+
+    /// Goes to another t, leaving points behind on the way.
+    pub fn set_t(&mut self, t: f64) {
+        self.t = t;
+        self.trail.first = self.trail.first.min(t);
+        self.trail.last = self.trail.last.max(t);
+    }
+
+    /// Takes away the points left behind.
+    pub fn clear_trail(&mut self) {
+        (self.trail.first, self.trail.last) = (self.t, self.t);
+    }
+
+    /// Where a handle is; `None` where its line is none.
+    pub fn place_of(&self, handle: Handle) -> Option<DVec2> {
+        let of_line = || self.line.check().ok().map(|()| self.grip);
+        let place = match handle {
+            Handle::Move => of_line()?,
+            Handle::Turn => of_line()? + self.reach * self.line.direction(),
+            Handle::P => self.ray.p,
+            Handle::Tip => self.ray.p + self.ray.d,
+            Handle::T => self.ray.at(self.t),
+        };
+        place.is_finite().then_some(place)
+    }
+
+    /// Drags a handle to a place of the plane, on the grid if that is asked for, and otherwise
+    /// on whole multiples of `1 / fineness`, which are short numbers. What would leave no line is
+    /// not done.
+    pub fn drag(&mut self, handle: Handle, to: DVec2, fineness: f64) {
+        let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
+        let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;
+        let to = DVec2::new(round(to.x), round(to.y)).clamp(-DVec2::splat(1e5), DVec2::splat(1e5));
+        match handle {
+            Handle::Move => {
+                self.line = ImplicitLine::along(self.line.direction(), to);
+                self.grip = to;
+            }
+            Handle::Turn => {
+                let line = ImplicitLine::along((to - self.grip) / self.reach, self.grip);
+                if line.check().is_ok() {
+                    self.line = line;
+                }
+            }
+            Handle::P => self.ray.p = to,
+            Handle::Tip => {
+                let d = to - self.ray.p;
+                let d = DVec2::new(round(d.x), round(d.y));
+                if d != DVec2::ZERO {
+                    self.ray.d = d;
+                }
+            }
+            Handle::T => {
+                let t = round(self.ray.nearest_t(to));
+                if t.is_finite() {
+                    self.set_t(t.clamp(-LARGEST, LARGEST));
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pinhole_core::lecture::lines::{Meeting, Substitution};
+
+    fn meeting(lab: &LinesLab) -> Meeting {
+        Substitution::of(lab.line(), lab.ray).expect("two lines").meeting
+    }
+
+    #[test]
+    fn examples_are_what_they_are_called() {
+        let meetings = LinesLab::EXAMPLES.map(|(_, example)| meeting(&example.lab()));
+        assert!(matches!(meetings[0], Meeting::At(at) if at.t == 1.0 && at.ray_hits));
+        assert!(matches!(meetings[1], Meeting::At(at) if at.t == -1.0 && !at.ray_hits));
+        assert_eq!(meetings[2..], [Meeting::Parallel, Meeting::Coincident]);
+    }
+
+    #[test]
+    fn every_handle_goes_where_it_is_dragged() {
+        let to = DVec2::new(1.25, -2.5);
+        for handle in [Handle::Move, Handle::Turn, Handle::P, Handle::Tip] {
+            let mut lab = LinesLab::default();
+            lab.drag(handle, to, 100.0);
+            let there = lab.place_of(handle).expect("a place");
+            assert!(there.distance(to) < 1e-12, "{handle:?} {there}");
+        }
+        let mut lab = LinesLab::default();
+        lab.drag(Handle::T, DVec2::new(3.0, 1.0), 100.0);
+        assert_eq!((lab.t, lab.trail.first, lab.trail.last), (2.0, 0.5, 2.0));
+    }
+
+    #[test]
+    fn turning_keeps_the_grip_and_moving_keeps_the_direction() {
+        let mut lab = LinesLab::default();
+        let grip = lab.place_of(Handle::Move).expect("a place");
+        lab.drag(Handle::Turn, DVec2::new(3.0, 3.0), 100.0);
+        assert_eq!(lab.place_of(Handle::Move), Some(grip));
+        assert_eq!(lab.line().f(grip), 0.0);
+        let direction = lab.line().direction();
+        lab.drag(Handle::Move, DVec2::new(-2.0, 0.5), 100.0);
+        assert_eq!(lab.line().direction(), direction);
+        assert_eq!(lab.line().f(DVec2::new(-2.0, 0.5)), 0.0);
+    }
+
+    #[test]
+    fn by_the_grid_a_hand_makes_lines_exactly_parallel_and_exactly_one() {
+        let mut lab = LinesLab { snap: true, ..LinesLab::default() };
+        lab.drag(Handle::Move, DVec2::new(0.02, 1.04), 100.0);
+        lab.drag(Handle::Turn, DVec2::new(2.1, 2.9), 100.0);
+        assert_eq!(meeting(&lab), Meeting::Parallel);
+        lab.drag(Handle::Move, DVec2::new(1.02, 0.98), 100.0);
+        assert_eq!(meeting(&lab), Meeting::Coincident);
+    }
+
+    #[test]
+    fn no_drag_leaves_no_line() {
+        let mut lab = LinesLab::default();
+        let (p, grip) = (lab.ray.p, lab.place_of(Handle::Move).expect("a place"));
+        let before = lab.clone();
+        lab.drag(Handle::Tip, p, 100.0);
+        lab.drag(Handle::Turn, grip, 100.0);
+        assert_eq!(lab, before);
+    }
+}

@@ -1,0 +1,137 @@
+//! The plot of f(p + t d) against t, and walking along the ray: below both views, with every object
+//! on one axis of t, and beside it what each curve says.
+
+mod curve;
+mod drawing;
+
+use egui::{Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
+use pinhole_core::ExactRay;
+
+use self::curve::{Curve, curves, range};
+use super::lines::number;
+use super::notation::{formula, plain};
+use super::number::{NumberField, error_color};
+use crate::derive::Derived;
+use crate::document::Document;
+use crate::session::Selection;
+
+/// Size of the text, in points: for the back row.
+const TEXT: f32 = 15.5;
+/// What is said is at most so wide, in points, and at most so much of the whole.
+const WORDS: (f32, f32) = (430.0, 0.44);
+
+/// Shows plot and words. `walked` is the t of the point that walks along the ray.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    (selection, walked): (Selection, &mut Option<f64>),
+    derived: &Derived,
+    document: &Document,
+    digits: usize,
+) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    if let Some(fault) = derived.fault {
+        ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
+    }
+    let (Some(posed), Some(scene), Some(inspection)) =
+        (&derived.posed, &derived.scene, &derived.inspection)
+    else {
+        return;
+    };
+    let ray: ExactRay = match selection.inside(posed.image()) {
+        Selection::Pixel(pixel) => posed.exact_ray(pixel),
+        Selection::Uv(uv) => match posed.exact_ray_at(uv) {
+            Ok(ray) => ray,
+            Err(error) => {
+                ui.label(error.to_string());
+                return;
+            }
+        },
+    };
+    let (curves, left_out) = curves(scene, &ray, inspection, document);
+    let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
+    let range = range(&curves, *walked);
+    let area = ui.available_rect_before_wrap();
+    let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
+    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
+    let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
+    drawing::ui(ui, left, &curves, first, &range, walked);
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            walk(ui, walked, range.clone(), first.map_or(1.0, |(_, t)| t));
+            if let Some(t) = *walked {
+                let point = inspection.ray.at(t);
+                let [x, y, z] = point.to_array().map(|x| number(x, digits));
+                text(ui, &format!("p + t d = ({x}, {y}, {z})"));
+                ui.label(RichText::new(inside(&curves, t)).strong());
+            }
+            ui.separator();
+            for curve in &curves {
+                said(ui, curve, first, *walked, digits);
+            }
+            if left_out > 0 {
+                ui.label(format!("{left_out} more objects are left out"));
+            }
+            if curves.is_empty() && left_out == 0 {
+                ui.label("There is no object.");
+            }
+        });
+    });
+}
+
+/// Text with its formulas set.
+fn text(ui: &mut Ui, text: &str) {
+    let response = ui.label(formula(text, TEXT, ui.visuals().text_color()));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+}
+
+/// The t of the point that walks, as a number and as a slider.
+fn walk(
+    ui: &mut Ui,
+    walked: &mut Option<f64>,
+    range: std::ops::RangeInclusive<f64>,
+    first_hit: f64,
+) {
+    ui.horizontal(|ui| {
+        let mut walks = walked.is_some();
+        if ui.checkbox(&mut walks, "Walk along the ray").changed() {
+            *walked = walks.then_some(0.5 * first_hit);
+        }
+        let Some(t) = walked else { return };
+        text(ui, "t =");
+        NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
+        ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
+        let slider = Slider::new(t, range).show_value(false);
+        let response = ui.add(slider.clamping(egui::SliderClamping::Never));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("walk to t"));
+    });
+}
+
+/// Which of the objects the point at t is inside of.
+fn inside(curves: &[Curve], t: f64) -> String {
+    let names: Vec<&str> =
+        curves.iter().filter(|curve| curve.is_inside(t)).map(|c| c.title.as_str()).collect();
+    if names.is_empty() {
+        "inside of none of these objects".to_owned()
+    } else {
+        format!("inside of {}", names.join(", "))
+    }
+}
+
+/// One curve's line sample, title and words, and f where one walks.
+fn said(ui: &mut Ui, curve: &Curve, first: Option<(u32, f64)>, walked: Option<f64>, digits: usize) {
+    ui.horizontal_wrapped(|ui| {
+        let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
+        drawing::sample(ui, sample, curve);
+        ui.label(RichText::new(&curve.title).strong());
+        text(ui, &curve.unit_words(digits));
+        if first.is_some_and(|(object, _)| object == curve.object) {
+            ui.label(RichText::new("the first hit").strong());
+        }
+    });
+    ui.indent(("said", curve.object), |ui| {
+        text(ui, &curve.words(digits));
+        if let Some(t) = walked {
+            text(ui, &format!("at t = {}: {}", number(t, digits), curve.reading(t, digits)));
+        }
+    });
+}

@@ -1,0 +1,156 @@
+//! The lab of lines: fields, handles, the slider that generates points, and what is said of two lines.
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::app::App;
+use pinhole::lines::LinesLab;
+use pinhole_core::DVec2;
+
+use super::harness::{assert_says, says, texts_with, type_into, window};
+
+fn open() -> Harness<'static, App> {
+    let mut window = window("canonical");
+    window.get_by_role_and_label(Role::Button, "Lines").click();
+    window.run();
+    window
+}
+
+fn lab<'a>(window: &'a Harness<'_, App>) -> &'a LinesLab {
+    &window.state().session().lines
+}
+
+/// The line of the substitution with exactly this text.
+#[track_caller]
+fn assert_reads(window: &Harness<'_, App>, text: &str) {
+    let read = |value: Option<String>| value.is_some_and(|value| value == text);
+    let found = window.root().children_recursive().any(|n| read(n.accesskit_node().value()));
+    assert!(found, "no “{text}”; there is {:?}", texts_with(window, "t"));
+}
+
+/// Drags a handle by so many points.
+fn drag(window: &mut Harness<'_, App>, handle: &str, by: egui::Vec2) {
+    let from = window.get_by_role_and_label(Role::Slider, handle).rect().center();
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.run();
+    window.hover_at(from + 0.5 * by);
+    window.run();
+    window.hover_at(from + by);
+    window.run();
+    window.drop_at(from + by);
+    window.run();
+}
+
+/// Points of the screen in a unit of the plane.
+fn scale(window: &Harness<'_, App>) -> f32 {
+    let plane = window.get_by_label("Plane with both lines").rect();
+    0.5 * plane.size().min_elem() / lab(window).window.half_extent as f32
+}
+
+#[test]
+fn what_is_typed_is_put_in_with_its_numbers() {
+    let mut window = open();
+    for (field, text) in [("a", "2"), ("b", "-1"), ("c", "1")] {
+        type_into(&mut window, field, text);
+    }
+    assert_reads(&window, "f(x, y) = 2 x − 1 y + 1");
+    assert_reads(&window, "f(p + t d) = 2 (0 + 1 t) − 1 (0 + 1 t) + 1");
+    assert_reads(&window, "= 1 t + 1");
+    assert_reads(&window, "t = −(1) / 1 = −1");
+    assert_reads(&window, "the same as  y = 2 x + 1");
+    assert_says(&window, "Line met but ray missed: t = −1 < 0, in (−1, −1), behind p.");
+    type_into(&mut window, "p x", "-2");
+    assert_says(&window, "They meet at t = 3, in (1, 3). t > 0: the ray hits.");
+}
+
+#[test]
+fn parallel_coincident_and_no_line_are_told_apart() {
+    let mut window = open();
+    type_into(&mut window, "b", "-1");
+    assert_says(&window, "Parallel: f(p + t d) is −2 at every t, never 0. They never meet.");
+    type_into(&mut window, "c", "0");
+    assert_says(&window, "Coincident: f(p + t d) is 0 at every t. Both are the same line.");
+    type_into(&mut window, "d x", "0");
+    type_into(&mut window, "d y", "0");
+    assert_says(&window, "d is (0, 0): every t gives the one point (0, 0)");
+    type_into(&mut window, "a", "0");
+    type_into(&mut window, "b", "0");
+    assert_says(&window, "a and b are both 0: f is 0 at every point, and no line is left");
+}
+
+#[test]
+fn every_example_says_what_it_is_called() {
+    let mut window = open();
+    for (name, said) in [
+        ("Ray missed", "Line met but ray missed: t = −1 < 0, in (−1, −1), behind p."),
+        ("Parallel", "Parallel: f(p + t d) is 2 at every t, never 0. They never meet."),
+        ("Coincident", "Coincident: f(p + t d) is 0 at every t. Both are the same line."),
+        ("Ray hits", "They meet at t = 1, in (1, 1). t > 0: the ray hits."),
+    ] {
+        window.get_by_role_and_label(Role::Button, name).click();
+        window.run();
+        assert_says(&window, said);
+    }
+}
+
+#[test]
+fn handles_follow_the_pointer() {
+    let mut window = open();
+    let unit = scale(&window);
+    drag(&mut window, "move p", egui::vec2(-2.0 * unit, -unit));
+    assert!(lab(&window).ray.p.distance(DVec2::new(-2.0, 1.0)) < 0.02, "{:?}", lab(&window).ray);
+    assert_eq!(lab(&window).ray.d, DVec2::ONE);
+    drag(&mut window, "move the tip of d", egui::vec2(unit, unit));
+    assert!(lab(&window).ray.d.distance(DVec2::new(2.0, 0.0)) < 0.03, "{:?}", lab(&window).ray);
+    let before = lab(&window).line();
+    drag(&mut window, "move the implicit line", egui::vec2(unit, 0.0));
+    let after = lab(&window).line();
+    assert_eq!((after.a, after.b), (before.a, before.b));
+    assert!((after.c - before.c + 1.0).abs() < 0.03, "{after:?}");
+    drag(&mut window, "turn the implicit line", egui::vec2(0.0, unit));
+    let turned = lab(&window).line();
+    assert!((turned.a, turned.b) != (after.a, after.b));
+}
+
+#[test]
+fn a_handle_goes_by_halves_where_that_is_asked_for() {
+    let mut window = open();
+    window.get_by_role_and_label(Role::CheckBox, "drag by halves").click();
+    window.run();
+    let unit = scale(&window);
+    drag(&mut window, "move p", egui::vec2(-1.46 * unit, 0.55 * unit));
+    assert_eq!(lab(&window).ray.p, DVec2::new(-1.5, -0.5));
+}
+
+#[test]
+fn t_generates_points_and_leaves_them_behind() {
+    let mut window = open();
+    type_into(&mut window, "t", "-1");
+    type_into(&mut window, "t", "2");
+    let trail = lab(&window).trail;
+    assert_eq!((trail.first, trail.last), (-1.0, 2.0));
+    assert_reads(&window, "at t = 2:  f = 2 > 0");
+    window.get_by_role_and_label(Role::Button, "Clear").click();
+    window.run();
+    let trail = lab(&window).trail;
+    assert_eq!((trail.first, trail.last), (2.0, 2.0));
+    let unit = scale(&window);
+    drag(&mut window, "slide t", egui::vec2(-1.0 * unit, unit));
+    assert!((lab(&window).t - 1.0).abs() < 0.02, "{}", lab(&window).t);
+    assert!(says(&window, "slide t along"));
+}
+
+#[test]
+fn arrow_keys_move_the_handle_that_has_the_focus() {
+    let mut window = open();
+    drag(&mut window, "move p", egui::vec2(0.0, 0.0));
+    window.get_by_role_and_label(Role::Slider, "move p").focus();
+    window.run();
+    window.key_press(egui::Key::ArrowRight);
+    window.run();
+    window.key_press(egui::Key::ArrowUp);
+    window.run();
+    assert_eq!(lab(&window).ray.p, DVec2::new(0.1, 0.1));
+}

@@ -1,0 +1,151 @@
+//! The plot of f(p + t d), and walking along the ray.
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::app::App;
+use pinhole::overlay::{Item, world_position_of};
+
+use super::harness::{assert_says, texts_with, type_into, window};
+
+fn open(scene: &str) -> Harness<'static, App> {
+    let mut window = window(scene);
+    window.get_by_role_and_label(Role::Button, "Plot").click();
+    window.run();
+    window
+}
+
+#[track_caller]
+fn assert_reads(window: &Harness<'_, App>, text: &str) {
+    let read = |value: Option<String>| value.is_some_and(|value| value == text);
+    let found = window.root().children_recursive().any(|n| read(n.accesskit_node().value()));
+    assert!(found, "no “{text}”; there is {:?}", texts_with(window, "t"));
+}
+
+/// The t that the world view's label says.
+fn t_in_the_world_view(window: &Harness<'_, App>) -> Option<String> {
+    let labels = window.state().derived().world_view.clone()?.labels;
+    let walked = |text: &String| text.starts_with("t = ");
+    labels.iter().filter(|l| l.item == Item::Ray).map(|l| l.text.clone()).find(walked)
+}
+
+fn select(window: &mut Harness<'_, App>, u: &str, v: &str) {
+    type_into(window, "uv u", u);
+    type_into(window, "uv v", v);
+}
+
+#[test]
+fn every_object_s_curve_says_what_it_does() {
+    let mut window = open("canonical");
+    assert_reads(&window, "D < 0: f is never 0: missed");
+    assert_reads(&window, "straight line, 0 at t = 6");
+    select(&mut window, "0", "0");
+    assert_reads(&window, "D > 0: in at t = 4, out at t = 6");
+    assert_says(&window, "the first hit");
+    type_into(&mut window, "eye z", "-5");
+    assert_reads(&window, "f < 0 at t = 0: the eye is inside; −1 is behind, 1 is the hit");
+    type_into(&mut window, "eye z", "-5.5");
+    type_into(&mut window, "at z", "-5");
+    assert_reads(&window, "f < 0 at t = 0: the eye is inside; −0.5 is behind, 1.5 is the hit");
+}
+
+#[test]
+fn tangent_and_behind_explain_themselves() {
+    let mut window = open("canonical");
+    select(&mut window, "0", "0");
+    type_into(&mut window, "eye x", "1");
+    type_into(&mut window, "at x", "1");
+    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent, a hit");
+    type_into(&mut window, "eye x", "0");
+    type_into(&mut window, "at x", "0");
+    type_into(&mut window, "at z", "-9");
+    type_into(&mut window, "eye z", "-8");
+    assert_reads(&window, "0 only at t = −4 and −2, not ahead of the eye: no hit");
+    assert_reads(&window, "0 only at t = −2, behind the eye: no hit");
+}
+
+#[test]
+fn walking_is_seen_in_the_world_view_and_read_off_as_numbers() {
+    let mut window = open("canonical");
+    select(&mut window, "0", "0");
+    assert_eq!(t_in_the_world_view(&window), None);
+    window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
+    window.run();
+    assert_eq!(window.state().session().walked, Some(2.0));
+    assert_says(&window, "inside of none of these objects");
+    type_into(&mut window, "walked t", "4.5");
+    assert_eq!(t_in_the_world_view(&window).as_deref(), Some("t = 4.5"));
+    assert_reads(&window, "p + t d = (0, 0, −4.5)");
+    assert_reads(&window, "at t = 4.5: f = −0.75 < 0: inside");
+    assert_reads(&window, "at t = 4.5: f = 1.5 > 0: where n points to");
+    assert_says(&window, "inside of sphere 0 “ball”");
+    window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
+    window.run();
+    assert_eq!(t_in_the_world_view(&window), None);
+}
+
+#[test]
+fn dragging_in_the_plot_walks_there() {
+    let mut window = open("canonical");
+    let before = window.state().derived().world_view.clone().unwrap().image;
+    let plot = window.get_by_label("Plot of f(p + t d)").rect();
+    let at = |share: f32| egui::pos2(plot.left() + share * plot.width(), plot.center().y);
+    window.hover_at(at(0.5));
+    window.run();
+    window.drag_at(at(0.5));
+    window.run();
+    let middle = window.state().session().walked;
+    window.hover_at(at(0.8));
+    window.run();
+    window.drop_at(at(0.8));
+    window.run();
+    let walked = window.state().session().walked.unwrap();
+    assert!(middle.is_none_or(|middle| middle < walked), "{middle:?} {walked}");
+    let value = window.get_by_label("Plot of f(p + t d)").value();
+    assert_eq!(value.as_deref(), Some(format!("walked to t = {walked}").as_str()));
+    let after = window.state().derived().world_view.clone().unwrap().image;
+    assert_ne!(before.pixels, after.pixels);
+}
+
+#[test]
+fn of_many_objects_the_first_met_are_shown_and_the_rest_counted() {
+    let folder = tempfile::tempdir().unwrap();
+    let row = |k: i32| format!("0,0,{},0.3\n", -2 - k);
+    let rows: String = (0..20).map(row).collect();
+    std::fs::write(folder.path().join("row.csv"), format!("x,y,z,r\n{rows}")).unwrap();
+    let path = folder.path().join("row.toml");
+    let text = "pinhole = 1\nspheres = \"row.csv\"\n\
+                [camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n";
+    std::fs::write(&path, text).unwrap();
+    let mut window = open(path.to_str().unwrap());
+    select(&mut window, "0", "0");
+    assert_says(&window, "12 more objects are left out");
+    assert_reads(&window, "D > 0: in at t = 1.7, out at t = 2.3");
+}
+
+#[test]
+fn the_point_that_walks_is_dragged_in_the_world_view() {
+    let mut window = open("canonical");
+    window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
+    window.run();
+    let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
+    let place = |window: &Harness<'_, App>, t: f64| {
+        let derived = window.state().derived();
+        let ray = derived.inspection.clone().unwrap().ray;
+        let frame = derived.world_frame.clone().unwrap();
+        rect.min + world_position_of(&frame, ray.at(t)).unwrap().into()
+    };
+    let observer = window.state().session().observer;
+    let (from, to) = (place(&window, 3.0), place(&window, 4.5));
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.run();
+    window.hover_at(to);
+    window.run();
+    window.drop_at(to);
+    window.run();
+    let walked = window.state().session().walked.unwrap();
+    assert!((walked - 4.5).abs() < 0.05, "{walked}");
+    assert_eq!(window.state().session().observer, observer, "the observer stays");
+}
