@@ -42,7 +42,7 @@ pub fn apply(
 pub fn give_back(before: &Session, session: &mut Session) {
     session.sections = before.sections;
     session.lit = before.lit;
-    session.walked = None;
+    session.walked = before.walked;
     session.lines = before.lines.clone();
     session.gallery = before.gallery;
     let (before, settings) = (&before.settings, &mut session.settings);

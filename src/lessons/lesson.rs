@@ -62,7 +62,7 @@ pub struct Looks {
     pub lit: Option<Option<Thing>>,
     /// The wrong camera that is shown beside the right one.
     pub mistake: Option<Mistake>,
-    /// How far one has walked along the selected ray.
+    /// How far one has walked along the selected ray; `None` where nobody has.
     pub t: Option<f64>,
     /// The lab of lines in two dimensions.
     pub lines: Option<LinesLab>,

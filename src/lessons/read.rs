@@ -279,17 +279,17 @@ const NOTHING: &str = "nothing";
 
 fn lines(section: &Section) -> Result<LinesLab, FileError> {
     section.only(&["implicit", "p", "d", "t"], &[])?;
-    let pair = |key: &str, such_as: &str| -> Result<DVec2, FileError> {
-        let field = section.need(key, such_as)?;
+    let pair = |field: &Field| -> Result<DVec2, FileError> {
         Ok(DVec2::from_array(field.numbers("two numbers, such as [1.0, 1.0]")?))
     };
     let field = section.need("implicit", "implicit = [1.0, 1.0, -2.0] (a, b and c)")?;
     let [a, b, c] = field.numbers("a, b and c, such as [1.0, 1.0, -2.0]")?;
     let line = ImplicitLine { a, b, c };
-    line.check().map_err(|error| field.error(&error.to_string()))?;
-    let ray = ParametricLine { p: pair("p", "p = [0.0, 0.0]")?, d: pair("d", "d = [1.0, 1.0]")? };
-    let direction = section.need("d", "d = [1.0, 1.0]")?;
-    ray.check().map_err(|error| direction.error(&error.to_string()))?;
-    let t = section.get("t").map(|field| field.number()).transpose()?;
-    Ok(LinesLab::of(line, ray, t.unwrap_or(0.0)))
+    line.check().map_err(|error| field.fault(error))?;
+    let p = pair(&section.need("p", "p = [0.0, 0.0]")?)?;
+    let field = section.need("d", "d = [1.0, 1.0]")?;
+    let ray = ParametricLine { p, d: pair(&field)? };
+    ray.check().map_err(|error| field.fault(error))?;
+    let t = section.get("t").map_or(Ok(0.0), |field| field.number())?;
+    Ok(LinesLab::of(line, ray, t))
 }

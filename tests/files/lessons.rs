@@ -248,6 +248,10 @@ const STEPS: Cases = &[
         "7:22: step[0].lines.implicit is [1, 2]: it must be a, b and c, such as [1.0, 1.0, -2.0]",
     ),
     (
+        "scene = \"canonical\"\nlines = { implicit = [1, 2, 3], p = [0, 0], d = [0, 0] }\n",
+        "7:49: step[0].lines.d: d is (0, 0): every t gives the one point (0, 0)",
+    ),
+    (
         "scene = \"canonical\"\n[[step.sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",
         "9:10: step[0].sphere[0].radius is 0: it must be greater than 0",
     ),
