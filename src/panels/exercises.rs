@@ -15,6 +15,9 @@ const TEXT: f32 = 17.0;
 /// Width of the list, in points.
 const LIST: f32 = 290.0;
 
+/// Where the fields begin, and what is said below them, in points.
+const INDENT: f32 = 96.0;
+
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
 
@@ -67,9 +70,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
         wants_check |= answer(ui, part, typed);
         verdict(ui, part, typed);
         if exercises.is_solved {
-            let text =
-                format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
-            ui.label(RichText::new(text).strong());
+            solution(ui, part, style);
         }
         ui.add_space(8.0);
     }
@@ -182,13 +183,22 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
     entered
 }
 
+/// The right answer, below the fields.
+fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
+    let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
+    ui.horizontal_top(|ui| {
+        ui.add_space(INDENT);
+        ui.add(egui::Label::new(RichText::new(text).strong()).wrap());
+    });
+}
+
 /// What is said of a part, once it was checked.
 fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let Some(said) = &typed.said else { return };
     let text = RichText::new(exercises::said(said, part)).size(TEXT - 1.0).strong();
     let text = if exercises::is_good(said) { text } else { text.color(error_color(ui)) };
     ui.horizontal_top(|ui| {
-        ui.add_space(100.0);
+        ui.add_space(INDENT);
         if let Said::Judged(_) = said {
             sign(ui, exercises::is_good(said));
         }
