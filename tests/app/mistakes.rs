@@ -8,8 +8,9 @@ use pinhole_core::lecture::mistakes::{Mistake, NoWrongCamera};
 
 use super::harness::{assert_says, texts_with, type_into, window};
 
+/// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {
-    window.get_by_role_and_label(Role::Button, label).click();
+    window.get_by_role_and_label(Role::Button, label).click_accesskit();
     window.run();
 }
 
