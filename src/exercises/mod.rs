@@ -76,6 +76,7 @@ impl Exercises {
     /// Looks at everything that was typed.
     pub(crate) fn check(&mut self) {
         for (index, typed) in self.answers.iter_mut().enumerate() {
+            typed.spread();
             typed.said = Some(match typed.answer() {
                 Ok(answer) => match self.question.judge(index, &answer) {
                     Some(verdict) => Said::Judged(verdict),

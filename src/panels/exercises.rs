@@ -15,6 +15,9 @@ const TEXT: f32 = 17.0;
 /// Width of the list, in points.
 const LIST: f32 = 290.0;
 
+/// Where the fields begin, and what is said below them, in points.
+const INDENT: f32 = 96.0;
+
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
 
@@ -67,9 +70,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
         wants_check |= answer(ui, part, typed);
         verdict(ui, part, typed);
         if exercises.is_solved {
-            let text =
-                format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
-            ui.label(RichText::new(text).strong());
+            solution(ui, part, style);
         }
         ui.add_space(8.0);
     }
@@ -160,7 +161,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
             return;
         }
         let width = FIELD.min((ui.available_width() - 24.0) / part.count() as f32 - 12.0).max(60.0);
-        let mut changed = false;
+        let (mut changed, mut left) = (false, false);
         for (axis, text) in ["x", "y", "z"].into_iter().zip(&mut typed.fields) {
             let label = if part.count() == 1 {
                 format!("answer {name}")
@@ -172,23 +173,37 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
             let response = ui.add(field.font(egui::FontId::proportional(TEXT)));
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
             changed |= response.changed();
+            left |= response.lost_focus();
             entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
         }
         if changed {
             typed.said = None;
+        }
+        // Not before: a vector may be typed with its brackets, too.
+        if left {
             typed.spread();
         }
     });
     entered
 }
 
+/// The right answer, below the fields.
+fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
+    let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
+    ui.horizontal_top(|ui| {
+        ui.add_space(INDENT);
+        ui.add(egui::Label::new(RichText::new(text).strong()).wrap());
+    });
+}
+
 /// What is said of a part, once it was checked.
 fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let Some(said) = &typed.said else { return };
     let text = RichText::new(exercises::said(said, part)).size(TEXT - 1.0).strong();
-    let text = if exercises::is_good(said) { text } else { text.color(error_color(ui)) };
+    let is_wrong = !exercises::is_good(said) && !matches!(said, Said::NotAnswered | Said::Missing);
+    let text = if is_wrong { text.color(error_color(ui)) } else { text };
     ui.horizontal_top(|ui| {
-        ui.add_space(100.0);
+        ui.add_space(INDENT);
         if let Said::Judged(_) = said {
             sign(ui, exercises::is_good(said));
         }

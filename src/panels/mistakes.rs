@@ -4,12 +4,13 @@
 mod checks;
 mod guess;
 
-use egui::{Align, Color32, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
+use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
 
 use super::number::{error_color, vector_color};
 use super::places::STRIP;
 use super::readouts::NumberStyle;
+use super::sign::sign;
 use super::views;
 use crate::derive::Derived;
 use crate::document::Document;
@@ -21,10 +22,13 @@ use crate::session::Session;
 const TEXT: f32 = 15.0;
 
 /// Width of the gallery, in points.
-const GALLERY: f32 = 220.0;
+const GALLERY: f32 = 200.0;
 
 /// Width of the checks' table, in points.
-const CHECKS: f32 = 400.0;
+const CHECKS: f32 = 420.0;
+
+/// Width of a vector's letter, in points.
+const LETTER: f32 = 16.0;
 
 /// The title above the wrong picture.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, gallery: &Gallery) {
@@ -89,7 +93,7 @@ pub(crate) fn ui(
     let part = |from: f32, to: f32| {
         Rect::from_min_max(pos2(from, whole.top()), pos2(to.max(from + 1.0), whole.bottom()))
     };
-    let checks = CHECKS.min(0.45 * whole.width());
+    let checks = CHECKS.min(0.46 * whole.width());
     let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
         let (camera, posed) = (&document.camera, derived.posed.as_ref());
@@ -165,7 +169,7 @@ fn sentence(text: &str) -> String {
         .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
-/// u, v, w of both cameras; what differs is struck out and written anew.
+/// u, v, w of both cameras, one above the other: there is no room for both side by side.
 fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     let right = camera.right_camera().basis();
     let rows = [
@@ -173,27 +177,39 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
         ("v", "𝐯", right.v, camera.v()),
         ("w", "𝐰", right.w, camera.w()),
     ];
-    egui::Grid::new("both bases").num_columns(3).spacing([14.0, 3.0]).show(ui, |ui| {
-        ui.label("");
-        ui.strong("right");
-        ui.strong("wrong");
-        ui.end_row();
-        for (name, letter, right, wrong) in rows {
-            let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
-            ui.label(RichText::new(letter).size(TEXT).color(color));
-            ui.label(style.vector(right));
-            let is_same = (right - wrong).length() <= 1e-12 * right.length();
-            let text = if is_same { "the same".to_owned() } else { style.vector(wrong) };
-            let text = RichText::new(text);
-            let text = if is_same { text.weak() } else { text.strong().color(error_color(ui)) };
-            let response = ui.label(text);
+    for (name, letter, right, wrong) in rows {
+        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
+        let letter = RichText::new(letter).size(TEXT).color(color);
+        let is_same = (right - wrong).length() <= 1e-12 * right.length();
+        ui.horizontal_top(|ui| {
+            cell(ui, LETTER, |ui| ui.label(letter));
+            sign(ui, true);
+            ui.add(Label::new(style.vector(right)).wrap());
+        });
+        if is_same {
+            continue;
+        }
+        ui.horizontal_top(|ui| {
+            cell(ui, LETTER, |_| ());
+            sign(ui, false);
+            let text = RichText::new(style.vector(wrong)).strong().color(error_color(ui));
+            let response = ui.add(Label::new(text).wrap());
             let spoken = format!("wrong {name} = {}", style.vector(wrong));
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
-            ui.end_row();
-        }
-    });
+        });
+    }
     let (right, wrong) = (camera.right_camera().viewport().distance, camera.distance());
     if right != wrong {
         ui.label(format!("distance {}, taken as {}", style.number(right), style.number(wrong)));
     }
+}
+
+/// A part of a row with a width of its own, in which text wraps.
+fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
+    let layout = Layout::top_down(Align::LEFT);
+    let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+        ui.set_width(width);
+        content(ui)
+    });
+    inner.inner
 }

@@ -7,8 +7,9 @@ use super::number::error_color;
 /// A tick or a cross, as high as the text beside it.
 pub(super) fn sign(ui: &mut Ui, is_right: bool) -> Response {
     let side = 14.0;
-    let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::hover());
-    let at = |x: f32, y: f32| rect.min + side * vec2(x, y);
+    let line = ui.text_style_height(&egui::TextStyle::Body).max(20.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(side, line), Sense::hover());
+    let at = |x: f32, y: f32| rect.center() + side * vec2(x - 0.5, y - 0.5);
     let color = if is_right { ui.visuals().text_color() } else { error_color(ui) };
     let stroke = Stroke::new(2.2, color);
     let lines = if is_right {

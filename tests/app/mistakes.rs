@@ -8,8 +8,9 @@ use pinhole_core::lecture::mistakes::{Mistake, NoWrongCamera};
 
 use super::harness::{assert_says, texts_with, type_into, window};
 
+/// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {
-    window.get_by_role_and_label(Role::Button, label).click();
+    window.get_by_role_and_label(Role::Button, label).click_accesskit();
     window.run();
 }
 
@@ -27,7 +28,8 @@ fn wrong_says(window: &Harness<'_, App>) -> String {
 fn values(window: &Harness<'_, App>, part: &str) -> Vec<String> {
     let nodes = window.root().children_recursive();
     let values = nodes.filter_map(|node| node.accesskit_node().value());
-    values.filter(|value| value.contains(part)).collect()
+    let is_spoken = |value: &String| value.contains(": ") || value.contains(" = ");
+    values.filter(|value| is_spoken(value) && value.contains(part)).collect()
 }
 
 #[test]
@@ -59,7 +61,7 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
                 assert!(wrong_says(&window).starts_with(mistake.name()), "{}", wrong_says(&window));
                 let finds = wrong.checks.iter().filter(|check| !check.passes).count();
                 assert!(finds > 0);
-                assert_eq!(values(&window, "finds it").len(), finds);
+                assert_eq!(values(&window, " finds it").len(), finds);
             }
             Err(why) => {
                 assert_eq!(why, NoWrongCamera::ChangesNothing(mistake));
@@ -75,12 +77,11 @@ fn every_mistake_is_one_click_and_shows_or_says_why_not() {
 fn as_printed_is_found_by_one_check_alone() {
     let mut window = open("look-at");
     click(&mut window, Mistake::WAsPrinted.name());
-    assert_eq!(values(&window, "finds it"), ["𝐰 · view / |view|: 1 finds it"]);
+    assert_eq!(values(&window, " finds it"), ["𝐰 · view / |view|: 1 finds it"]);
     assert_says(&window, "1 of 14 checks finds it");
     assert_eq!(values(&window, "passes").len(), 13);
     assert_eq!(values(&window, "wrong w = "), ["wrong w = (−0.80413, −0.15317, −0.57438)"]);
-    assert_eq!(values(&window, "wrong v = ").len(), 1);
-    assert_says(&window, "the same");
+    assert_eq!(values(&window, "wrong v = "), Vec::<String>::new(), "it is right");
 }
 
 #[test]
@@ -141,7 +142,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     click(&mut window, "Guess which");
     assert_says(&window, "Wrong camera: which mistake is it?");
     assert_says(&window, "Which mistake is it?");
-    assert!(values(&window, "finds it").is_empty(), "that would tell");
+    assert!(values(&window, " finds it").is_empty(), "that would tell");
     let guess = window.state().session().gallery.guess.unwrap();
     assert!(!wrong_says(&window).contains(guess.mistake.name()), "{}", wrong_says(&window));
     assert!(!texts_with(&window, guess.mistake.formula()).iter().any(|_| true));
@@ -155,7 +156,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     click(&mut window, other.name());
     assert_says(&window, &format!("Not {}: it is {}.", other.name(), guess.mistake.name()));
     assert!(!texts_with(&window, "What would have told: ").is_empty());
-    assert!(!values(&window, "finds it").is_empty());
+    assert!(!values(&window, " finds it").is_empty());
     click(&mut window, "Next one");
     let next = window.state().session().gallery.guess.unwrap();
     assert_ne!(next.mistake, guess.mistake);

@@ -1,5 +1,6 @@
 //! Every exercise answered rightly, and with each classic mistake.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::approx_constant, reason = "answers that are rounded are what is tested")]
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 

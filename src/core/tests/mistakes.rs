@@ -218,7 +218,7 @@ fn assert_picture(scene: &Scene, camera: &WrongCamera, raster: &Raster) {
             differing += usize::from(object != picture.object[index]);
             if let (Some(hit), true) = (hit, object == picture.object[index]) {
                 hits += 1;
-                let off = (hit.t - picture.t[index]).abs();
+                let off = (hit.t - f64::from(picture.t[index])).abs();
                 // On an outline a direction's last digit moves t by far more.
                 assert!(off <= 1e-6 * hit.t, "{:?}: {row}, {column}", camera.mistakes());
             }

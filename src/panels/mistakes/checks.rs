@@ -1,13 +1,17 @@
 //! What each check says of the wrong camera: which ones find the mistake, and which do not.
 
-use egui::{Grid, RichText, Ui};
+use egui::{RichText, Ui};
 use pinhole_core::lecture::mistakes::{Checked, Value, Wanted};
 
 use super::super::number::error_color;
 use super::super::readouts::NumberStyle;
 use super::super::sign::sign;
-use super::TEXT;
+use super::{TEXT, cell};
 use crate::mistakes::Wrong;
+
+/// Widths of the verdict and of what is checked, in points.
+const VERDICT: f32 = 58.0;
+const FORMULA: f32 = 176.0;
 
 /// The checks as a table, those that find the mistake first.
 pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
@@ -18,18 +22,11 @@ pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
     ui.strong(summary(wrong));
     ui.add_space(3.0);
     let rows = || wrong.checks.iter().zip(&wrong.right_checks);
-    Grid::new("checks").num_columns(4).spacing([10.0, 2.0]).striped(true).show(ui, |ui| {
-        for head in ["check", "right", "here", ""] {
-            ui.strong(head);
+    for passes in [false, true] {
+        for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
+            ui.horizontal_top(|ui| row(ui, here, right, style));
         }
-        ui.end_row();
-        for passes in [false, true] {
-            for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
-                row(ui, here, right, style);
-                ui.end_row();
-            }
-        }
-    });
+    }
 }
 
 /// `2 of 14 checks find it`
@@ -46,18 +43,27 @@ pub(super) fn failing(wrong: &Wrong) -> impl Iterator<Item = &Checked> {
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 
+/// The verdict first, then what is checked, and its number, which wraps where it is long.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
-    ui.label(here.check.formula()).on_hover_text(here.check.meaning());
-    ui.label(wanted(here, right, style));
-    let value = RichText::new(text_of(here.value, style)).size(TEXT);
-    ui.label(if here.passes { value } else { value.strong().color(error_color(ui)) });
     let said = if here.passes { "passes" } else { "finds it" };
-    let verdict = RichText::new(said);
+    let verdict = RichText::new(said).size(TEXT);
     let verdict =
         if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
-    let response = ui.horizontal(|ui| (sign(ui, here.passes), ui.label(verdict)).1).inner;
+    sign(ui, here.passes);
+    let response = cell(ui, VERDICT, |ui| ui.label(verdict));
     let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
+    let value = RichText::new(text_of(here.value, style)).size(TEXT);
+    cell(ui, ui.available_width(), |ui| {
+        if here.passes {
+            ui.label(value);
+            return;
+        }
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.label(value.strong().color(error_color(ui)));
+        ui.label(format!("right: {}", wanted(here, right, style)));
+    });
 }
 
 fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {

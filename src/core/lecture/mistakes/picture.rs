@@ -16,7 +16,7 @@ use crate::posed::PosedCamera;
 use crate::scene::Scene;
 use crate::shade::{BACKGROUND, Rgb, Shade};
 use crate::tones::Toner;
-use crate::trace::trace;
+use crate::trace::trace_as;
 use crate::viewport::Viewport;
 
 /// The first hits of a wrong camera's rays.
@@ -25,7 +25,7 @@ pub struct WrongPicture {
     camera: WrongCamera,
     raster: Raster,
     /// `t` of the first hit of every pixel of the raster, row by row; infinite where there is none.
-    pub t: Vec<f64>,
+    pub t: Vec<f32>,
     /// The object hit, or [`NO_OBJECT`].
     pub object: Vec<u32>,
 }
@@ -78,7 +78,7 @@ impl WrongPicture {
         let mut picture = WrongPicture {
             camera: camera.clone(),
             raster: raster.clone(),
-            t: vec![f64::INFINITY; raster.len()],
+            t: vec![f32::INFINITY; raster.len()],
             object: vec![NO_OBJECT; raster.len()],
         };
         if raster.is_empty() {
@@ -120,7 +120,7 @@ impl WrongPicture {
     /// which is the frame's `row_of`th.
     fn take(
         &mut self,
-        frame: &Frame,
+        frame: &Frame<f32>,
         columns: &Line,
         ks: std::ops::Range<usize>,
         row_of: impl Fn(usize) -> usize,
@@ -150,8 +150,8 @@ impl WrongPicture {
         color_of: impl Fn(u32) -> Rgb + Sync,
         to_pixel: impl Fn(Rgb) -> P + Sync,
     ) -> Vec<P> {
-        let nearest = self.t.iter().copied().fold(f64::INFINITY, f64::min);
-        let toner = Toner::new(scene, shade, nearest);
+        let nearest = self.t.iter().copied().fold(f32::INFINITY, f32::min);
+        let toner = Toner::new(scene, shade, f64::from(nearest));
         let width = self.raster.columns().len().max(1);
         let color = |index: usize| {
             let object = self.object[index];
@@ -160,9 +160,12 @@ impl WrongPicture {
                 column: self.raster.columns()[index % width],
             };
             match self.camera.ray(pixel) {
-                Ok(ray) if object != NO_OBJECT => {
-                    toner.color(toner.tones(&ray, object, self.t[index], color_of(object)))
-                }
+                Ok(ray) if object != NO_OBJECT => toner.color(toner.tones(
+                    &ray,
+                    object,
+                    f64::from(self.t[index]),
+                    color_of(object),
+                )),
                 _ => BACKGROUND,
             }
         };
@@ -213,6 +216,6 @@ fn posed(
     Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.posed()
 }
 
-fn traced(scene: &Scene, camera: &PosedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame {
-    trace(scene, camera, &Raster::of(rows, columns), Outputs::default())
+fn traced(scene: &Scene, camera: &PosedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
+    trace_as(scene, camera, &Raster::of(rows, columns), Outputs::default())
 }
