@@ -49,6 +49,7 @@ fn camera_drawing(stage: &Stage, thing: Option<Thing>) -> Drawing {
         scale: 0.5,
         style: Style::Dark,
         lit: thing.and_then(|thing| lit(stage, thing)),
+        loupe: None,
     }
     .drawing()
 }
