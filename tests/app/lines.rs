@@ -137,7 +137,7 @@ fn t_generates_points_and_leaves_them_behind() {
     let trail = lab(&window).trail;
     assert_eq!((trail.first, trail.last), (2.0, 2.0));
     let unit = scale(&window);
-    drag(&mut window, "slide t", egui::vec2(-1.0 * unit, unit));
+    drag(&mut window, "slide t", egui::vec2(-unit, unit));
     assert!((lab(&window).t - 1.0).abs() < 0.02, "{}", lab(&window).t);
     assert!(says(&window, "slide t along"));
 }

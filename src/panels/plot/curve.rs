@@ -61,7 +61,7 @@ pub(super) fn curves<'a>(
     }
     let of = |(place, &object): (usize, &u32)| {
         let shape = scene.object(object)?;
-        let along = AlongRay::new(&shape, ray.clone()).ok()?;
+        let along = AlongRay::new(&shape, *ray).ok()?;
         let derivation = ObjectDerivation::of(&shape, object, ray).ok()?;
         let [r, g, b] = document.color_of(object);
         let title = document.title_of(object as usize);
