@@ -294,14 +294,10 @@ fn zeros(
         let at = pos2(axes.x(t), y);
         painter.circle(at, 9.0, color, Stroke::new(3.0, colors.ink));
         words.keep_free(Rect::from_center_size(at, Vec2::splat(20.0)));
-        let text = format!("first hit: t = {}", number(t, 5));
-        let places = [
-            (at + vec2(-4.0, 12.0), Align2::LEFT_TOP),
-            (at + vec2(4.0, 12.0), Align2::RIGHT_TOP),
-            (at + vec2(-4.0, -12.0), Align2::LEFT_BOTTOM),
-            (at + vec2(4.0, -12.0), Align2::RIGHT_BOTTOM),
-        ];
-        words.write(&text, Font { size: TEXT + 1.0, color: colors.ink, bold: true }, places);
+        let t = number(t, 5);
+        let texts = [format!("first hit: t = {t}"), format!("hit: t = {t}"), t];
+        let font = Font { size: TEXT + 1.0, color: colors.ink, bold: true };
+        let _ = texts.iter().any(|text| words.write(text, font, beside_hit(at)).is_some());
     }
     for curve in curves {
         for root in curve.derivation.roots().filter(|root| shown(root.t)) {
@@ -323,6 +319,20 @@ fn zeros(
             );
         }
     }
+}
+
+/// Below the hit, then above it.
+fn beside_hit(at: Pos2) -> [(Pos2, Align2); 6] {
+    let below = |x: f32, align| (at + vec2(x, 12.0), align);
+    let above = |x: f32, align| (at + vec2(x, -12.0), align);
+    [
+        below(-4.0, Align2::LEFT_TOP),
+        below(4.0, Align2::RIGHT_TOP),
+        below(0.0, Align2::CENTER_TOP),
+        above(-4.0, Align2::LEFT_BOTTOM),
+        above(4.0, Align2::RIGHT_BOTTOM),
+        above(0.0, Align2::CENTER_BOTTOM),
+    ]
 }
 
 /// The vertical that is dragged, and every f there.
