@@ -1,6 +1,7 @@
 //! Carrying out what was asked for: opening, saving, quitting, and moving the selection.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use egui::{Context, ViewportCommand};
 
@@ -9,6 +10,7 @@ use crate::action::{Action, MadeUp};
 use crate::derive::Deriver;
 use crate::files::{OpenDocument, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
+use crate::lessons::{self, Place, Which};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::session::{Selection, Session, ViewLayout};
 
@@ -111,6 +113,11 @@ impl App {
     }
 
     fn load(&mut self, source: SceneSource) {
+        if let SceneSource::File(path) = &source
+            && lessons::is_lesson(path)
+        {
+            return self.load_lesson(path);
+        }
         match source.load() {
             Ok(document) => {
                 if let SceneSource::File(path) = &source {
@@ -124,6 +131,17 @@ impl App {
                 self.chosen_object = 0;
             }
             Err(error) => self.tell("This scene cannot be opened", error.to_string()),
+        }
+    }
+
+    fn load_lesson(&mut self, path: &Path) {
+        match lessons::load(path) {
+            Ok(lesson) => {
+                remember(&mut self.recent, path);
+                let place = Place { lesson: Which::File, step: 0 };
+                self.open_lesson(place, Some(Arc::new(lesson)));
+            }
+            Err(error) => self.tell("This lesson cannot be opened", error.to_string()),
         }
     }
 

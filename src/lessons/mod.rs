@@ -15,4 +15,4 @@ mod read;
 pub use argument::LessonArgument;
 pub use lesson::{Lesson, Looks, Step};
 pub use open::{OpenLesson, Place, Which, title_of};
-pub use read::{VERSION, load, parse};
+pub use read::{VERSION, is_lesson, load, parse};

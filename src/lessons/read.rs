@@ -70,6 +70,12 @@ pub fn load(path: &Path) -> Result<Lesson, FileError> {
     parse(&text, path, Some(path.parent().unwrap_or(Path::new(""))))
 }
 
+/// Whether a file calls itself a lesson, be it a right one or not.
+pub fn is_lesson(path: &Path) -> bool {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    Toml::parse(&text).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
+}
+
 /// Reads a lesson file's text. `path` is for the messages; `base` is the folder that the paths of
 /// scenes are relative to, and `None` where only built-in ones can be meant.
 ///

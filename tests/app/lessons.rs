@@ -14,6 +14,7 @@ use pinhole::store::{Remembered, Store};
 use pinhole_core::{DVec3, Pixel};
 
 use super::harness::{assert_says, says, texts_with, type_into, window, window_with};
+use super::scene_files::drop_file;
 
 type Window = Harness<'static, App>;
 
@@ -434,4 +435,36 @@ fn a_teachers_own_lesson_opens_and_is_in_the_contents() {
     window.get_by_label("1. One").click();
     window.run();
     assert_says(&window, "Look.");
+}
+
+#[test]
+fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let step = "[[step]]\ntitle = \"One\"\ntext = \"Look.\"\nscene = \"forty-five\"\n";
+    let good = write("good.toml", &format!("pinhole_lesson = 1\ntitle = \"Mine\"\n{step}"));
+    let bad = write("bad.toml", &format!("pinhole_lesson = 1\ntitle = \"Mine\"\n{step}show = 3\n"));
+    let mut window = window("canonical");
+    drop_file(&mut window, &bad);
+    assert_says(&window, "This lesson cannot be opened");
+    press(&mut window, "Close");
+    assert!(window.state().lesson().is_none());
+    drop_file(&mut window, &good);
+    let lesson = window.state().lesson().unwrap();
+    assert_eq!((lesson.title().as_str(), lesson.place().lesson), ("Mine", Which::File));
+    assert!(
+        window
+            .state()
+            .document()
+            .camera
+            .posed()
+            .unwrap()
+            .basis()
+            .u
+            .abs_diff_eq(DVec3::new(S, 0.0, -S), 1e-15)
+    );
 }
