@@ -17,10 +17,19 @@ pub(crate) struct CameraSpace {
     pub(crate) distance: f64,
     pub(crate) column_slope: f64,
     pub(crate) row_slope: f64,
+    /// Columns and rows for each unit of slope, and 1 / distance.
+    pub(crate) per_column: f64,
+    pub(crate) per_row: f64,
+    pub(crate) per_distance: f64,
+    /// Rows' slope for each unit of columns' slope, and its square's inverse.
+    pub(crate) ratio: f64,
+    pub(crate) inverse_ratio_squared: f64,
     pub(crate) middle_column: f64,
     pub(crate) middle_row: f64,
     /// The largest `|x|` and `|y|` of a pixel's centre, and a little more.
     pub(crate) widest: [f64; 2],
+    /// `sqrt(1 + widest^2)` of both.
+    pub(crate) border_lengths: [f64; 2],
     /// See [`CameraSpace::new`].
     pub(crate) doubt: f64,
     /// Whether lengths and slopes are so ordinary that no product of a few of them overflows, and
@@ -51,6 +60,8 @@ impl CameraSpace {
             && plain.contains(&viewport.distance)
             && camera.eye().abs().max_element() < 1e12
             && doubt < 1e-12;
+        let ratio = row_slope / column_slope;
+        let widest = [0.5001 * columns * column_slope, 0.5001 * rows * row_slope];
         CameraSpace {
             eye: camera.eye().to_array(),
             u: u.to_array(),
@@ -59,9 +70,15 @@ impl CameraSpace {
             distance: viewport.distance,
             column_slope,
             row_slope,
+            per_column: 1.0 / column_slope,
+            per_row: 1.0 / row_slope,
+            per_distance: 1.0 / viewport.distance,
+            ratio,
+            inverse_ratio_squared: 1.0 / (ratio * ratio),
             middle_column: 0.5 * columns - 0.5,
             middle_row: 0.5 * rows - 0.5,
-            widest: [0.5001 * columns * column_slope, 0.5001 * rows * row_slope],
+            widest,
+            border_lengths: widest.map(|widest| (1.0 + widest * widest).sqrt()),
             doubt,
             is_plain,
         }

@@ -11,7 +11,7 @@ use crate::crowd::{BoxSeen, Crowd};
 use crate::outline::Outlines;
 use crate::span::{Span, SpanTarget};
 use crate::sphere_index::{BLOCK, NO_SPHERE, SphereIndex};
-use crate::tiny::{TinyPixels, draw_tiny};
+use crate::tiny::{Runs, draw_tiny};
 use crate::veil::Veil;
 
 /// What a band did with a crowd.
@@ -35,8 +35,8 @@ pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
     let is_drawn = !crowd.others.is_empty() || first_group + first_block > 0;
     let mut drawing = Drawing {
         crowd,
+        runs: Runs::new(),
         veil: Veil::new(target.axes.width(), target.rows.len(), is_drawn),
-        pixels: TinyPixels::new(),
         drawn,
     };
     for (number, group) in crowd.groups.iter().enumerate().skip(first_group) {
@@ -65,7 +65,6 @@ pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
             let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
             drawing.block(simd, target, (block, group.has_others), kept);
             if target.is_full() {
-                drawing.pixels.draw(simd, target);
                 return Some((number, place + 1));
             }
         }
@@ -73,14 +72,13 @@ pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
             drawing.veil.touch(&rows, &group.bounds.columns());
         }
     }
-    drawing.pixels.draw(simd, target);
     None
 }
 
 struct Drawing<'a> {
     crowd: &'a Crowd<'a>,
+    runs: Runs,
     veil: Veil,
-    pixels: TinyPixels,
     drawn: &'a mut CrowdDrawn,
 }
 
@@ -174,7 +172,7 @@ impl Drawing<'_> {
             counts.in_view += u64::from(left.count_ones());
         }
         if tiny != 0 {
-            draw_tiny(simd, outlines, tiny, ids, &mut self.pixels, target);
+            draw_tiny(simd, outlines, tiny, ids, &mut self.runs, target);
             if self.crowd.is_crowded {
                 for lane in lanes_of(tiny) {
                     let (rows, columns) = extent(target, outlines, lane);

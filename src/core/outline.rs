@@ -5,7 +5,7 @@ use fearless_simd::prelude::*;
 
 use crate::camera_space::CameraSpace;
 use crate::span::MARGIN;
-use crate::tiny::TINY_ROWS;
+use crate::tiny::{TINY_ROWS, TINY_SIZE};
 
 /// The widest vector of `f64` that any level has.
 pub(crate) const MOST_LANES: usize = 8;
@@ -72,7 +72,8 @@ pub(crate) struct Outlines {
     pub(crate) thin: Lane8,
     /// Which spheres are drawn by [`wide`](crate::span_kernel::SpanLanes::wide) rows.
     pub(crate) is_wide: u64,
-    /// Which spheres cover so few rows and columns that they are drawn pixel by pixel.
+    /// Which spheres have so few rows and columns that each row is drawn as one vector, see
+    /// [`tiny`](crate::tiny).
     pub(crate) is_tiny: u64,
     /// In which lanes all of the above holds.
     pub(crate) is_plain: u64,
@@ -110,50 +111,36 @@ impl Outlines {
     #[inline(always)]
     pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &Spheres) {
         let splat = |x: f64| S::f64s::splat(simd, x);
-        let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
-        let r = load(of.radius);
-        let q = [
-            load(of.x) - splat(space.eye[0]),
-            load(of.y) - splat(space.eye[1]),
-            load(of.z) - splat(space.eye[2]),
-        ];
-        let x = along(simd, q, space.u);
-        let y = along(simd, q, space.v);
-        let z = -along(simd, q, space.w);
+        let centers = Centers::<S>::new(simd, space, of);
+        let Centers { x, y, z, r, qq } = centers;
         let (one, two) = (splat(1.0), splat(2.0));
-        let (xx, yy, zz, rr) = (x * x, y * y, z * z, r * r);
-        let qq = xx + yy + zz;
+        let (yy, zz, rr) = (y * y, z * z, r * r);
         let h = zz + yy - rr;
         let c = qq - rr;
         let depths = (z - r) * (z + r);
 
-        // In front of the eye, of ordinary size, nothing lost in h.
-        let is_plain = z.simd_gt(r * 1.07)
-            & qq.simd_lt(splat(1e24))
-            & r.simd_gt(splat(1e-12))
-            & r.simd_gt(z * splat(1e-9));
-
         let inverse_zr = one / (z * r);
         let (inverse_z, inverse_r) = (inverse_zr * r, inverse_zr * z);
         let inverse_h = one / h;
+        // One quotient for three.
+        let inverse_c_depths = one / (c * depths);
         let (xc, yc) = (x * inverse_z, y * inverse_z);
-        let row_slope = splat(space.row_slope);
-        let (per_column, per_row) = (splat(1.0 / space.column_slope), splat(1.0 / space.row_slope));
+        let (per_column, per_row) = (splat(space.per_column), splat(space.per_row));
         let column_center = splat(space.middle_column) + xc * per_column;
         let row = splat(space.middle_row) - yc * per_row;
         let by_h = rr * inverse_h;
         let offset = by_h * xc * per_column;
-        let ratio = splat(space.row_slope / space.column_slope);
+        let ratio = splat(space.ratio);
         let shear = -(x * y * inverse_h * ratio);
         let stretch = by_h * per_column * per_column;
         let square0 = stretch * (one + xc * xc + yc * yc) + offset * offset;
-        let square1 = two * (offset * shear - stretch * yc * row_slope);
+        let square1 = two * (offset * shear - stretch * yc * splat(space.row_slope));
         let minus_square2 = (c * inverse_h) * (depths * inverse_h) * (ratio * ratio);
 
         // Rows: where w^2 = 0.
-        let inverse_square2 = one / minus_square2;
+        let inverse_square2 = (h * h) * inverse_c_depths * splat(space.inverse_ratio_squared);
         let eta = splat(space.doubt) * (x.abs() + y.abs() + z.abs() + r);
-        let near = splat(8.0) * rr / depths + splat(4.0);
+        let near = splat(8.0) * rr * (c * inverse_c_depths) + splat(4.0);
         let share = near * (splat(16.0 * 1.2e-16) + eta * inverse_r);
         let size = square0 + square1 * square1 * inverse_square2;
         let square_doubt = share * (splat(4.0) * size);
@@ -163,61 +150,33 @@ impl Outlines {
         let reach = reach + margin;
         let (first_row, last_row) = (row + middle - reach, row + middle + reach);
 
-        let root = (inverse_h).sqrt();
+        let root = inverse_h.sqrt();
         let per_s = root * per_column;
         let b_column = x * root;
         let b_row = -(y * root * ratio);
         let b0 = qq * inverse_z * per_s - b_column * column_center;
-        let per_distance = splat(1.0 / space.distance);
+        let numerator = c * per_s * splat(space.per_distance);
+        let nearest = (z - r - eta) * splat(space.per_distance) * splat(1.0 - 1e-6);
 
-        // Behind, or beyond one of the image's four borders, by more than all roundings.
-        let safe = r + eta * 4.0;
-        let behind = (z + safe).simd_lt(splat(0.0));
-        let beyond = |side: S::f64s, widest: f64| {
-            // The plane through the eye and the border x = widest: (1, -widest) over its length.
-            let length = splat((1.0 + widest * widest).sqrt());
-            (side - z * splat(widest)).simd_gt(safe * length)
-        };
-        let [wide, high] = space.widest;
-        let is_ordinary = qq.simd_gt(splat(1e-200))
-            & qq.simd_lt(splat(1e200))
-            & r.simd_gt(splat(1e-100))
-            & r.simd_lt(splat(1e100));
-        let is_outside =
-            is_ordinary & (beyond(x, wide) | beyond(-x, wide) | beyond(y, high) | beyond(-y, high));
-
-        let least_b = c.sqrt() * per_s;
-        let numerator = c * per_s * per_distance;
-        let nearest = (z - r - eta) * per_distance * splat(1.0 - 1e-6);
-        let per_b = one / least_b;
-        let widest = size.sqrt();
-        let error = (splat(3.5) + splat(4.0) * b_column.abs()) * widest * per_b;
-        let is_wide = error.simd_gt(splat(0.42));
-        let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
-        let keep = (square_doubt * root_error * per_b * per_b).max(splat(32.0));
-        let thin = square_doubt * keep * splat(1.0 / MARGIN);
-        let can_be_wide = widest.simd_lt(splat(2040.0))
-            & (two * b_column.abs() * widest).simd_lt(splat(0.99) * least_b)
-            & (two * widest + one).simd_lt(splat(0.01) * least_b * least_b);
-        let is_tiny = (last_row - first_row).simd_lt(splat(TINY_ROWS as f64))
-            & size.simd_lt(splat(9.0))
-            & thin.simd_lt(splat(1.0));
-        let in_range = |x: S::f64s| x.simd_gt(splat(1e-20)) & x.simd_lt(splat(1e20));
+        let rows_away = middle.abs() + reach;
+        let kinds = Kinds::<S>::new(
+            simd,
+            [c * inverse_h, h * (depths * inverse_c_depths)],
+            (space, size, square_doubt),
+            ([b_row, b_column, shear], rows_away),
+        );
+        let is_tiny = (last_row - first_row).simd_lt(splat(TINY_ROWS as f64)) & kinds.is_tiny;
         let far = splat(131_072.0);
-        let is_plain = is_plain
-            & thin.simd_lt(splat(32.0))
-            & (can_be_wide | !is_wide)
-            & in_range(least_b)
-            & in_range(numerator)
-            & in_range(nearest)
-            & numerator.simd_lt(least_b * splat(1e20))
+        let is_plain = centers.are_plain(simd)
+            & kinds.is_plain(simd, numerator, nearest)
             & column_center.abs().simd_lt(far)
             & row.abs().simd_lt(far)
             & size.simd_lt(far * far)
             & size.simd_gt(splat(1e-12));
         self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
-        self.is_behind = (behind & is_ordinary).to_bitmask();
-        self.is_outside = is_outside.to_bitmask();
+        (self.is_behind, self.is_outside) = centers.unseen(simd, space, r + eta * 4.0);
+        self.is_tiny = is_tiny.to_bitmask();
+        self.is_wide = kinds.is_wide.to_bitmask();
         let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
         put(&mut self.column, column_center + offset);
         put(&mut self.row, row);
@@ -234,8 +193,127 @@ impl Outlines {
         put(&mut self.last_row, last_row.floor());
         put(&mut self.nearest, nearest);
         put(&mut self.size, size);
-        put(&mut self.thin, (thin * thin).max(splat(32.0) * square_doubt));
-        self.is_tiny = is_tiny.to_bitmask();
-        self.is_wide = is_wide.to_bitmask();
+        put(&mut self.thin, (kinds.thin * kinds.thin).max(splat(32.0) * square_doubt));
+    }
+}
+
+/// Centres along the camera's u, v and -w, with the radii and the squares of the distances.
+#[derive(Clone, Copy)]
+struct Centers<S: Simd> {
+    x: S::f64s,
+    y: S::f64s,
+    z: S::f64s,
+    r: S::f64s,
+    qq: S::f64s,
+}
+
+impl<S: Simd> Centers<S> {
+    #[inline(always)]
+    fn new(simd: S, space: &CameraSpace, of: &Spheres) -> Self {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+        let q = [
+            load(of.x) - splat(space.eye[0]),
+            load(of.y) - splat(space.eye[1]),
+            load(of.z) - splat(space.eye[2]),
+        ];
+        let x = along(simd, q, space.u);
+        let y = along(simd, q, space.v);
+        let z = -along(simd, q, space.w);
+        Centers { x, y, z, r: load(of.radius), qq: x * x + y * y + z * z }
+    }
+
+    /// In front of the eye, of ordinary size, nothing lost in h.
+    #[inline(always)]
+    fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let Centers { z, r, qq, .. } = self;
+        z.simd_gt(r * 1.07)
+            & qq.simd_lt(splat(1e24))
+            & r.simd_gt(splat(1e-12))
+            & r.simd_gt(z * splat(1e-9))
+    }
+
+    /// Behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
+    #[inline(always)]
+    fn unseen(self, simd: S, space: &CameraSpace, safe: S::f64s) -> (u64, u64) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let Centers { x, y, z, r, qq } = self;
+        let is_ordinary = qq.simd_gt(splat(1e-200))
+            & qq.simd_lt(splat(1e200))
+            & r.simd_gt(splat(1e-100))
+            & r.simd_lt(splat(1e100));
+        let is_behind = (z + safe).simd_lt(splat(0.0));
+        let [wide, high] = space.widest;
+        // The plane through the eye and the border x = widest: (1, -widest) over its length.
+        let [wide_length, high_length] = space.border_lengths;
+        let is_outside = (x.abs() - z * splat(wide)).simd_gt(safe * splat(wide_length))
+            | (y.abs() - z * splat(high)).simd_gt(safe * splat(high_length));
+        ((is_behind & is_ordinary).to_bitmask(), (is_outside & is_ordinary).to_bitmask())
+    }
+}
+
+/// By which rows spheres are drawn. With the least b only as its square, no root is needed but one in
+/// `f32`, rounded up.
+struct Kinds<S: Simd> {
+    is_wide: <S::f64s as SimdBase<S>>::Mask,
+    /// Of few columns, and so small beside b as [`tiny`](crate::tiny) rows need.
+    is_tiny: <S::f64s as SimdBase<S>>::Mask,
+    /// Whether wide rows would do.
+    can_be_wide: <S::f64s as SimdBase<S>>::Mask,
+    /// The root of `w^2` below which a row is thin.
+    thin: S::f64s,
+    /// The square of the least b.
+    least: S::f64s,
+}
+
+impl<S: Simd> Kinds<S> {
+    /// From `c / h` and its inverse.
+    #[inline(always)]
+    fn new(
+        simd: S,
+        [c_by_h, h_by_c]: [S::f64s; 2],
+        (space, size, square_doubt): (&CameraSpace, S::f64s, S::f64s),
+        ([b_row, b_column, shear], rows_away): ([S::f64s; 3], S::f64s),
+    ) -> Self {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let (one, slope) = (splat(1.0), splat(space.column_slope * space.column_slope));
+        let least = c_by_h * splat(space.per_column * space.per_column);
+        let widest = size.narrow(size).sqrt().widen().0 * splat(1.0 + 1e-6);
+        let b_column = b_column.abs();
+        let error = (splat(3.5) + splat(4.0) * b_column) * widest;
+        let away = b_row.abs() * rows_away + b_column * (widest + shear.abs() * rows_away);
+        let tiny_error = splat(4.0) * (one + b_column) * widest + splat(3.0) * away;
+        let is_wide = (error * error).simd_gt(splat(0.42 * 0.42) * least);
+        let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
+        let keep = (square_doubt * root_error * (h_by_c * slope)).max(splat(32.0));
+        let thin = square_doubt * keep * splat(1.0 / MARGIN);
+        let twice = b_column * widest + b_column * widest;
+        let can_be_wide = widest.simd_lt(splat(2040.0))
+            & (twice * twice).simd_lt(splat(0.99 * 0.99) * least)
+            & (widest + widest + one).simd_lt(splat(0.01) * least);
+        let is_tiny = size.simd_lt(splat(TINY_SIZE))
+            & (tiny_error * tiny_error).simd_lt(splat(0.05 * 0.05) * least)
+            & thin.simd_lt(splat(1.0));
+        Kinds { is_wide, is_tiny, can_be_wide, thin, least }
+    }
+
+    /// Whether rows of the kind will do, and `f32` holds the numbers.
+    #[inline(always)]
+    fn is_plain(
+        &self,
+        simd: S,
+        numerator: S::f64s,
+        nearest: S::f64s,
+    ) -> <S::f64s as SimdBase<S>>::Mask {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let in_range = |x: S::f64s| x.simd_gt(splat(1e-20)) & x.simd_lt(splat(1e20));
+        self.thin.simd_lt(splat(32.0))
+            & (self.can_be_wide | !self.is_wide)
+            & self.least.simd_gt(splat(1e-40))
+            & self.least.simd_lt(splat(1e40))
+            & in_range(numerator)
+            & in_range(nearest)
+            & (numerator * numerator).simd_lt(self.least * splat(1e40))
     }
 }
