@@ -306,10 +306,13 @@ impl App {
         }
         let document = &mut self.open.document;
         let settings = &mut self.session.settings;
-        let image = document.camera.image;
+        let (image, viewport) = (document.camera.image, document.camera.viewport);
         camera::ui(ui, &mut document.camera, settings);
         let selection = &mut self.session.selection;
         *selection = selection.in_another_image(image, document.camera.image);
+        if settings.keep_picture {
+            *selection = selection.in_another_viewport(viewport, document.camera.viewport);
+        }
         ui.separator();
         let posed = document.camera.posed().ok();
         let from_one = settings.count_from_one;

@@ -1,7 +1,7 @@
 //! How the document is looked at: what a scene file does not hold.
 
 use pinhole_core::methods::{Formula, Method, Precision};
-use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade};
+use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade, Viewport};
 use serde::{Deserialize, Serialize};
 
 use crate::exercises::Exercises;
@@ -291,6 +291,18 @@ impl Selection {
                 row: place(row, before.height(), now.height()),
                 column: place(column, before.width(), now.width()),
             }),
+            same => same,
+        }
+    }
+
+    /// The selection after the viewport was scaled: the same share of its width and height.
+    pub fn in_another_viewport(self, before: Viewport, now: Viewport) -> Selection {
+        match self {
+            Selection::Uv(uv) if before != now => {
+                let scaled = uv * DVec2::new(now.width, now.height)
+                    / DVec2::new(before.width, before.height);
+                Selection::Uv(if scaled.is_finite() { scaled } else { uv })
+            }
             same => same,
         }
     }

@@ -18,6 +18,7 @@ impl App {
     /// Does it, or asks what stands in its way.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
         match action {
+            Action::BackToStep if !self.differs_from_step() => {}
             Action::Open(_)
             | Action::Show(_)
             | Action::Quit
@@ -63,7 +64,7 @@ impl App {
     /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
     fn proceed(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::Open(source) => self.load(source),
+            Action::Open(source) => self.load(ctx, source),
             Action::Show(made_up) => self.show(ctx, *made_up),
             Action::GoTo(place) => self.go_to(ctx, place),
             Action::BackToStep => self.back_to_step(ctx),
@@ -112,7 +113,7 @@ impl App {
         self.chosen_object = 0;
     }
 
-    fn load(&mut self, source: SceneSource) {
+    fn load(&mut self, ctx: &Context, source: SceneSource) {
         if let SceneSource::File(path) = &source
             && lessons::is_lesson(path)
         {
@@ -123,6 +124,7 @@ impl App {
                 if let SceneSource::File(path) = &source {
                     remember(&mut self.recent, path);
                 }
+                self.close_lesson(ctx);
                 self.open = OpenDocument::new(document, source);
                 // What was good in another scene is nothing to show in this one.
                 self.deriver = Deriver::default();

@@ -133,13 +133,16 @@ impl App {
         });
     }
 
-    /// Page Up and Page Down, as presenters' remote controls send them, and the arrow keys where
-    /// neither a view nor a field has the focus.
+    /// Page Up and Page Down, as presenters' remote controls send them, the arrow keys where
+    /// neither a view nor a field has the focus, and R unless it is typed into a field.
     pub(super) fn lesson_keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         let (Some(open), None) = (&self.lessons.open, &self.dialog) else { return };
         let (previous, next) = (open.previous(), open.next());
         let nothing_focused = ctx.memory(|memory| memory.focused().is_none());
         let pressed = |key| ctx.input_mut(|i| i.consume_key(Modifiers::NONE, key));
+        if !ctx.egui_wants_keyboard_input() && pressed(Key::R) {
+            actions.push(Action::BackToStep);
+        }
         let go = |page, arrow| pressed(page) || (nothing_focused && pressed(arrow));
         let back = go(Key::PageUp, Key::ArrowLeft);
         let on = go(Key::PageDown, Key::ArrowRight);

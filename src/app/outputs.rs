@@ -94,7 +94,7 @@ impl App {
         views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &self.session.gallery));
         match &self.derived.wrong_view {
             Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, dimmed),
-            None => mistakes::no_picture(ui, rect, wrong),
+            None => mistakes::no_picture(ui, rect, wrong, &self.session.gallery),
         }
     }
 }

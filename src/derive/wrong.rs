@@ -56,6 +56,8 @@ impl WrongPictures {
         if let Some((right, world)) = right {
             self.last = Some(self.of(&right, world, session, size, sizes, watch));
         }
+        // An older picture, while there is a fault, must not stand under another mistake's name.
+        self.last.take_if(|(wrong, _)| wrong.mistake != session.gallery.shown());
         if let Some((wrong, shown)) = &self.last {
             derived.wrong = Some(Arc::clone(wrong));
             derived.wrong_view.clone_from(shown);

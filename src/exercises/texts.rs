@@ -169,7 +169,7 @@ fn judged(verdict: &Verdict, part: &Part) -> String {
             "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
         ),
         Verdict::Backwards { times } => {
-            format!("Wrong: it points backwards, and is {} times ours.", short(*times))
+            format!("Wrong: it points the opposite way, and is {} times ours.", short(*times))
         }
         Verdict::OtherLength { times } if part.asked.is_unit() => {
             format!(

@@ -140,9 +140,11 @@ impl From<Operator> for Formula {
 
 /// A number as text, its minus the real one.
 pub fn number(text: &str) -> Formula {
+    // An exponent has a minus, too.
+    let digits = |text: &str| Formula::Number(text.replace('-', "−"));
     match text.strip_prefix(['-', '−']) {
-        Some(digits) => row([Operator::Negative.into(), Formula::Number(digits.to_owned())]),
-        None => Formula::Number(text.to_owned()),
+        Some(positive) => row([Operator::Negative.into(), digits(positive)]),
+        None => digits(text),
     }
 }
 

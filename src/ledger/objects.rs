@@ -116,8 +116,8 @@ impl Sheet<'_> {
                 SphereMeeting::Missed => "D < 0: the line passes by",
                 SphereMeeting::Tangent => "D = 0: the line touches the sphere",
                 SphereMeeting::Through => "D > 0: two roots, in and out",
-                SphereMeeting::FromInside => "D > 0: the eye is inside",
-                SphereMeeting::FromSurface => "D > 0: the eye is on the sphere",
+                SphereMeeting::FromInside => "D > 0, c < 0: the eye is inside",
+                SphereMeeting::FromSurface => "D > 0, c = 0: the eye is on the sphere",
                 SphereMeeting::Behind => "D ≥ 0, but all of it is behind the eye",
             }
             .to_owned();

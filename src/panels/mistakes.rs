@@ -49,11 +49,20 @@ fn title(gallery: &Gallery) -> String {
 
 /// What a screen reader says of the wrong picture.
 pub(crate) fn spoken(wrong: &Wrong, gallery: &Gallery) -> String {
-    match (wrong.why_not(), seen(wrong)) {
+    match (why_not(wrong, gallery), seen(wrong)) {
         (Some(why), _) => why,
         (None, Some(seen)) if gallery.is_told() => format!("{}: {seen}", wrong.mistake.name()),
         (None, seen) => seen.unwrap_or_default(),
     }
+}
+
+/// Why there is no wrong picture, without its name as long as that is to be guessed.
+fn why_not(wrong: &Wrong, gallery: &Gallery) -> Option<String> {
+    let why = wrong.why_not()?;
+    Some(match gallery.is_told() {
+        true => why,
+        false => "It does not show with this camera: change the camera, or ask again.".to_owned(),
+    })
 }
 
 /// `12,345 of 90,000 pixels shown see something else`
@@ -68,7 +77,7 @@ fn seen(wrong: &Wrong) -> Option<String> {
 }
 
 /// Why there is no wrong picture, in its place.
-pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &Wrong) {
+pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &Wrong, gallery: &Gallery) {
     let fill = ui.visuals().faint_bg_color;
     ui.painter().rect_filled(rect, 4.0, fill);
     let inside = rect.shrink(16.0);
@@ -76,7 +85,8 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &Wrong) {
     ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
         ui.set_clip_rect(rect);
         ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
-        ui.label(RichText::new(wrong.why_not().unwrap_or_default()).size(17.0).strong());
+        let why = why_not(wrong, gallery).unwrap_or_default();
+        ui.label(RichText::new(why).size(17.0).strong());
     });
 }
 

@@ -14,7 +14,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     let header = CollapsingHeader::new("Teaching").open(Some(settings.teaching));
     let response = header.show(ui, |ui| {
         let text = "Keep the picture: scale distance, width and height together";
-        let hint = "The same rays and the same picture; t alone changes";
+        let hint = "The same picture: d is scaled, and t is divided by as much";
         ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
         // A basis by hand has no up.
         if !matches!(camera.orientation, Orientation::Basis(_)) {

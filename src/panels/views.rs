@@ -70,7 +70,8 @@ pub(crate) fn inputs(
         views.push(response);
     }
     let focused = ui.memory(|memory| memory.focused());
-    if focused.is_none_or(|id| views.iter().any(|view| view.id == id)) {
+    let is_here = focused.is_none_or(|id| views.iter().any(|view| view.id == id));
+    if is_here && !views.is_empty() {
         keys(ui, actions);
     }
 }
@@ -129,9 +130,6 @@ fn keys(ui: &Ui, actions: &mut Vec<Action>) {
     }
     if pressed(Key::F) || pressed(Key::Home) {
         actions.push(Action::FrameAll);
-    }
-    if pressed(Key::R) {
-        actions.push(Action::BackToStep);
     }
 }
 

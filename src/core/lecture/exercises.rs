@@ -214,6 +214,12 @@ impl Asked {
     pub fn is_unit(self) -> bool {
         matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
     }
+
+    /// Whether it is a direction, of which length and sense can be wrong apart from the rest; a point
+    /// is none.
+    pub fn is_vector(self) -> bool {
+        self.is_unit() || self == Asked::Direction
+    }
 }
 
 impl Question {

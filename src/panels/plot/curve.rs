@@ -124,7 +124,10 @@ impl Curve<'_> {
         let unit = number(self.unit, digits);
         match self.derivation {
             ObjectDerivation::Sphere(_) => format!("unit r² = {unit}"),
-            ObjectDerivation::Plane(_) => format!("unit |f(p)| = {unit}"),
+            ObjectDerivation::Plane(_) if self.along.value(0.0) != 0.0 => {
+                format!("unit |f(p)| = {unit}")
+            }
+            ObjectDerivation::Plane(_) => format!("unit |f(p + d)| = {unit}"),
         }
     }
 
@@ -159,13 +162,13 @@ impl Curve<'_> {
             ObjectDerivation::Sphere(sphere) => match sphere.meeting {
                 SphereMeeting::Missed => "D < 0: f is never 0: missed".to_owned(),
                 SphereMeeting::Tangent => {
-                    format!("D = 0: f touches 0 once, at t = {}: tangent, a hit", zero(0))
+                    format!("D = 0: f touches 0 once, at t = {}: tangent: hit", zero(0))
                 }
                 SphereMeeting::Through => {
                     format!("D > 0: in at t = {}, out at t = {}", zero(0), zero(1))
                 }
                 SphereMeeting::FromInside => format!(
-                    "f < 0 at t = 0: the eye is inside; {} is behind, {} is the hit",
+                    "f < 0 at t = 0: the eye is inside; {} is behind, {} is its first root ahead",
                     zero(0),
                     zero(1)
                 ),
@@ -186,7 +189,7 @@ impl Curve<'_> {
                 PlaneMeeting::Parallel => {
                     format!("n·d = 0: f stays {}, never 0: parallel", self.value_text(0.0, digits))
                 }
-                PlaneMeeting::Within => "f is 0 at every t: the ray runs in the plane".to_owned(),
+                PlaneMeeting::Within => "f is 0 at every t: the ray runs in the plane: no hit".to_owned(),
             },
         }
     }

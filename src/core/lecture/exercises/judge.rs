@@ -89,9 +89,10 @@ pub(super) fn judge(part: &Part, answer: &Answer) -> Verdict {
     }
     let named = named(part, answer);
     match times.filter(|_| !matches!(named, Verdict::Slips(_))) {
-        Some(times) if times > 0.0 && truth.len() == 3 => Verdict::OtherLength { times },
-        Some(times) if truth.len() == 3 => Verdict::Backwards { times },
-        _ => named,
+        Some(_) if !part.asked.is_vector() => named,
+        Some(times) if times > 0.0 => Verdict::OtherLength { times },
+        Some(times) => Verdict::Backwards { times },
+        None => named,
     }
 }
 
@@ -121,7 +122,7 @@ fn findings(part: &Part, answer: &Answer) -> Vec<Finding> {
     if given.len() == 1 {
         return vec![Finding::Another];
     }
-    if given.iter().all(|x| *x == 0.0) {
+    if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
         return vec![Finding::Zero];
     }
     let size = size(truth);
