@@ -100,7 +100,8 @@ impl<'a> Crowd<'a> {
         let keeps_outlines = in_groups <= KEPT;
         let found: Vec<(GroupSeen, Counts)> = groups
             .into_par_iter()
-            .with_min_len(16)
+            // A group's outlines are worth a thread's while, its blocks' bounds alone are not.
+            .with_min_len(if keeps_outlines { 1 } else { 16 })
             .map(|bounds| {
                 let mut dropped = Counts::default();
                 let mut blocks = Vec::new();
