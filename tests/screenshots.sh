@@ -18,8 +18,8 @@ unset WAYLAND_DISPLAY
 openbox 2>/dev/null &
 until xdotool get_num_desktops >/dev/null 2>&1; do sleep 0.1; done
 
-# shot NAME SCENE SETTINGS [SECONDS [ACTION]]: the window without its frame, on the whole screen,
-# after an action of the mouse.
+# shot NAME SCENE|--lesson=N SETTINGS [SECONDS [ACTION]]: the window without its frame, on the whole
+# screen, after an action of the mouse.
 shot() {
   mkdir -p "$work/pinhole"
   printf '{"settings": %s, "window": {"maximized": true}}' "$3" >"$work/pinhole/state.json"
@@ -47,3 +47,6 @@ shot planet planet '{}'
 # Measuring takes its time.
 shot accuracy planet '{"layout": "Accuracy"}' 20
 shot frame look-at '{"layout": "Frame"}' 2 orbit
+shot lesson-7 --lesson=7.3 '{}'
+shot lesson-11 --lesson=11.3 '{}'
+shot lesson-12 --lesson=12.2 '{}'

@@ -281,7 +281,7 @@ impl<S: Simd> Kinds<S> {
         let least = c_by_h * splat(space.per_column * space.per_column);
         let widest = size.narrow(size).sqrt().widen().0 * splat(1.0 + 1e-6);
         let b_column = b_column.abs();
-        let error = (splat(3.5) + splat(4.0) * b_column) * widest;
+        let error = (splat(4.5) + splat(4.0) * b_column) * widest;
         let away = b_row.abs() * rows_away + b_column * (widest + shear.abs() * rows_away);
         let tiny_error = splat(4.0) * (one + b_column) * widest + splat(3.0) * away;
         let is_wide = (error * error).simd_gt(splat(0.42 * 0.42) * least);

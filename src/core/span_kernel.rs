@@ -72,9 +72,9 @@ impl<S: Simd> SpanLanes<S> {
     /// `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, to an ulp: for a sphere whose
     /// S is small beside b.
     ///
-    /// With `u = 2^-24`: each factor of `S^2` and their product are off by u, so S is by `3/2 u` and
-    /// its own rounding, the part of b that varies by 3 u of itself, and the sum of both by u: in all
-    /// `(3.5 S + 4 (b - b0)) u`, which the caller keeps below 0.45 u of the denominator. The sum with
+    /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or
+    /// right, and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3 u of itself, and the sum of both by u: in all
+    /// `(4.5 S + 4 (b - b0)) u`, which the caller keeps below 0.45 u of the denominator. The sum with
     /// b0 keeps its rest, and the quotient is corrected by it and by its own residual.
     #[inline(always)]
     pub(crate) fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {

@@ -468,3 +468,43 @@ fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
             .abs_diff_eq(DVec3::new(S, 0.0, -S), 1e-15)
     );
 }
+
+#[test]
+fn r_asks_nothing_where_no_lesson_is_open() {
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "7");
+    key(&mut window, Key::R);
+    assert!(!says(&window, "Save the changes to canonical?"));
+    assert_eq!(window.state().document().camera.eye.x, 7.0);
+}
+
+#[test]
+fn another_scene_ends_the_lesson() {
+    let mut window = at_step(2, 1);
+    window.get_by_label("Scenes").click();
+    window.run();
+    window.get_by_label("planet").click();
+    window.run();
+    assert!(window.state().lesson().is_none());
+    let radii: Vec<f64> =
+        window.state().document().spheres.iter().map(|item| item.shape.radius).collect();
+    assert!(radii.contains(&5000.0), "{radii:?}");
+}
+
+#[test]
+fn r_puts_back_what_was_dragged_in_the_lines_lab() {
+    let mut window = at_step(11, 1);
+    let before = window.state().session().lines.clone();
+    let handle = window.get_by_label("move p").rect().center();
+    window.hover_at(handle);
+    window.run();
+    window.drag_at(handle);
+    window.run();
+    window.hover_at(handle + egui::vec2(60.0, 30.0));
+    window.run();
+    window.drop_at(handle + egui::vec2(60.0, 30.0));
+    window.run();
+    assert_ne!(window.state().session().lines, before);
+    key(&mut window, Key::R);
+    assert_eq!(window.state().session().lines, before);
+}

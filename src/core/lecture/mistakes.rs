@@ -155,16 +155,17 @@ impl Mistake {
                 id: "not-normalized",
                 name: "𝐮 and 𝐯 not normalized",
                 formula: "𝐮 ← up × 𝐰, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐮 ← normalize(up × 𝐰).",
-                shows: "The viewport shrinks or grows: everything is seen larger or smaller, and \
-                        more so the closer up is to the view.",
+                shows: "The viewport is |up × 𝐰| times as large: everything is seen larger where that \
+                        is below 1, smaller where it is above. The closer up is to the view, the \
+                        smaller the viewport.",
                 hint: "Here up × 𝐰 has length 1: give up another length, or tip it towards the view.",
             },
             Mistake::WNotNormalized => Texts {
                 id: "w-not-normalized",
                 name: "𝐰 not normalized",
                 formula: "𝐰 ← −view, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐰 ← −normalize(view).",
-                shows: "The viewport moves away and grows in height alone: everything is stretched \
-                        sideways.",
+                shows: "The viewport is |view| times as far and as high, but not as wide: everything \
+                        is stretched sideways where |view| > 1, squeezed where |view| < 1.",
                 hint: "Here the view has length 1: move at farther away, or give view another length.",
             },
             Mistake::DistanceDropped => Texts {

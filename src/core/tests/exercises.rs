@@ -226,6 +226,12 @@ fn otherwise_it_says_what_is_wrong() {
     );
     let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[5.0]));
     assert_eq!(t, Verdict::Wrong(vec![Finding::Another]));
+    // A point has no length and does not point anywhere.
+    let of_point = |v: [f64; 3]| judged(Exercise::WarmUpPlane, Asked::Point, numbers(&v));
+    for v in [[0.2, -0.1, -1.0], [0.0; 3]] {
+        let Verdict::Wrong(findings) = of_point(v) else { panic!("{:?}", of_point(v)) };
+        assert!(!findings.contains(&Finding::Zero), "{v:?}");
+    }
     let none = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[f64::NAN]));
     assert_eq!(none, Verdict::Wrong(vec![Finding::Another]));
 }

@@ -189,7 +189,9 @@ impl Curve<'_> {
                 PlaneMeeting::Parallel => {
                     format!("n·d = 0: f stays {}, never 0: parallel", self.value_text(0.0, digits))
                 }
-                PlaneMeeting::Within => "f is 0 at every t: the ray runs in the plane: no hit".to_owned(),
+                PlaneMeeting::Within => {
+                    "f is 0 at every t: the ray runs in the plane: no hit".to_owned()
+                }
             },
         }
     }
