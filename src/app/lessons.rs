@@ -140,7 +140,7 @@ impl App {
         let (previous, next) = (open.previous(), open.next());
         let nothing_focused = ctx.memory(|memory| memory.focused().is_none());
         let pressed = |key| ctx.input_mut(|i| i.consume_key(Modifiers::NONE, key));
-        if !ctx.egui_wants_keyboard_input() && pressed(Key::R) {
+        if !ctx.text_edit_focused() && pressed(Key::R) {
             actions.push(Action::BackToStep);
         }
         let go = |page, arrow| pressed(page) || (nothing_focused && pressed(arrow));

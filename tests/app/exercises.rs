@@ -126,7 +126,7 @@ fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
     let mut window = open(Exercise::WarmUpRay);
     for (texts, verdict) in [
         (["0.4", "-0.2", "-2"], "Right: yours is 2 times ours, the same ray."),
-        (["-0.2", "0.1", "1"], "Wrong: it points backwards, and is −1 times ours."),
+        (["-0.2", "0.1", "1"], "Wrong: it points the opposite way, and is −1 times ours."),
         (
             ["0.195", "-0.0976", "-0.976"],
             "Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",

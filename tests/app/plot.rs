@@ -43,10 +43,16 @@ fn every_object_s_curve_says_what_it_does() {
     assert_reads(&window, "D > 0: in at t = 4, out at t = 6");
     assert_says(&window, "the first hit");
     type_into(&mut window, "eye z", "-5");
-    assert_reads(&window, "f < 0 at t = 0: the eye is inside; −1 is behind, 1 is the hit");
+    assert_reads(
+        &window,
+        "f < 0 at t = 0: the eye is inside; −1 is behind, 1 is its first root ahead",
+    );
     type_into(&mut window, "eye z", "-5.5");
     type_into(&mut window, "at z", "-5");
-    assert_reads(&window, "f < 0 at t = 0: the eye is inside; −0.5 is behind, 1.5 is the hit");
+    assert_reads(
+        &window,
+        "f < 0 at t = 0: the eye is inside; −0.5 is behind, 1.5 is its first root ahead",
+    );
 }
 
 #[test]
@@ -55,7 +61,7 @@ fn tangent_and_behind_explain_themselves() {
     select(&mut window, "0", "0");
     type_into(&mut window, "eye x", "1");
     type_into(&mut window, "at x", "1");
-    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent, a hit");
+    assert_reads(&window, "D = 0: f touches 0 once, at t = 5: tangent: hit");
     type_into(&mut window, "eye x", "0");
     type_into(&mut window, "at x", "0");
     type_into(&mut window, "at z", "-9");
