@@ -107,7 +107,7 @@ impl Outlines {
     /// `S^2 >= MARGIN sqrt(thin) = keep square_doubt`. The root is off by `square_doubt / (2 S)` at
     /// most, which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres,
     /// whose kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row
-    /// adds less than `0.15 2^-24`.
+    /// adds less than `0.2 2^-24`.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &Spheres) {
         let splat = |x: f64| S::f64s::splat(simd, x);

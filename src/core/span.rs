@@ -260,8 +260,7 @@ impl Span {
                 right: right as f32,
                 b: two_parts(b),
                 pivot: pivot as f32,
-                slope: (right - left) as f32,
-                offset: (left * ((last - first) + right)) as f32,
+                offset: (left * right) as f32,
             };
             if self.draw_row(simd, target, row, &span_row, columns) {
                 self.find_doubts(simd, target, row, columns, &span_row);

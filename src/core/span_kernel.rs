@@ -20,8 +20,7 @@ pub(crate) struct SpanRow {
     pub(crate) b: [f32; 2],
     /// The column that b is given at: the middle, for wide spheres the first.
     pub(crate) pivot: f32,
-    /// `right - left` and `left (last - first + right)`, for wide spheres.
-    pub(crate) slope: f32,
+    /// `left right`, for wide spheres.
     pub(crate) offset: f32,
 }
 
@@ -45,7 +44,6 @@ pub(crate) struct SpanLanes<S: Simd> {
     right: SingleLanes<S>,
     b: [SingleLanes<S>; 2],
     pivot: SingleLanes<S>,
-    slope: SingleLanes<S>,
     offset: SingleLanes<S>,
     numerator: [SingleLanes<S>; 2],
     b_column: [SingleLanes<S>; 2],
@@ -62,7 +60,6 @@ impl<S: Simd> SpanLanes<S> {
             right: splat(row.right),
             b: row.b.map(splat),
             pivot: splat(row.pivot),
-            slope: splat(row.slope),
             offset: splat(row.offset),
             numerator: shape.numerator.map(splat),
             b_column: shape.b_column.map(splat),
@@ -94,25 +91,25 @@ impl<S: Simd> SpanLanes<S> {
     }
 
     /// The same for a sphere whose S is not small beside b: with whole numbers m and n of columns
-    /// from the first and to the last pixel, and K their sum,
+    /// from the first and to the last pixel,
     ///
     /// ```text
-    /// S^2 = (m + left) (n + right) = m n + ((right - left) m + left (K + right))
+    /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))
     /// ```
     ///
-    /// whose first term is exact, since `m + n < 2^12`. The root is corrected by
+    /// in which nothing cancels, and whose first term is exact, since `m + n < 2^12`. The root is corrected by
     /// `(S^2 - root^2) / (2 root)`. One reciprocal `i = 1 / (root sum)` serves both quotients, since
     /// `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they multiply is small.
     ///
-    /// What is left: the rounding of the second term of `S^2`, by 3 u of itself, which is at most
-    /// `2 w + 1`, so that S is off by less than `1.5 sqrt(2 w + 1) u`; and the square of the part of b
-    /// that stands in `rest`, `2^-13` of what b varies by.
+    /// What is left: the rounding of the second term of `S^2`, by 4 u of itself, which is at most
+    /// `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`; and the third power of the share of
+    /// the sum that stands in `rest`, at most `2^-12` of what b varies by.
     #[inline(always)]
     pub(crate) fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
         let (from_first, to_last) = (columns - self.first, self.last - columns);
         let whole = from_first * to_last;
-        let part = from_first * self.slope + self.offset;
+        let part = from_first * self.right + (to_last * self.left + self.offset);
         let square = whole + part;
         let square_rest = part - (square - whole);
         let root = square.sqrt();
@@ -133,7 +130,8 @@ impl<S: Simd> SpanLanes<S> {
         let rest = (b_rest + sum_rest) + root_rest;
         let quotient = self.numerator[0] * reciprocal;
         let residual = self.numerator[0].residual(quotient, sum) + self.numerator[1];
-        quotient + (residual - quotient * rest) * reciprocal
+        let share = rest * reciprocal;
+        quotient + (residual * reciprocal - quotient * (share - share * share))
     }
 }
 

@@ -22,7 +22,6 @@ pub(crate) struct SpanRows {
     right: Singles,
     b: [Singles; 2],
     pivot: Singles,
-    slope: Singles,
     offset: Singles,
     /// First and last column of the raster, as numbers.
     from: [f64; MOST_LANES],
@@ -71,12 +70,7 @@ impl SpanRows {
         let b = splat(b0) + splat(b_row) * j + splat(b_column) * pivot;
         let high = b.narrow(b);
         let (left, right) = (first - start, end - last);
-        let (slope, offset) = if is_wide {
-            let offset = left * ((last - first) + right);
-            (store_narrow::<S>(right - left), store_narrow::<S>(offset))
-        } else {
-            ([0.0; 2 * MOST_LANES], [0.0; 2 * MOST_LANES])
-        };
+        let offset = if is_wide { store_narrow::<S>(left * right) } else { [0.0; 2 * MOST_LANES] };
         let is_doubtful = if C::IS_CERTAIN {
             squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask()
         } else {
@@ -89,7 +83,6 @@ impl SpanRows {
             right: store_narrow::<S>(right),
             b: [store_narrow::<S>(b), store_narrow::<S>(b - high.widen().0)],
             pivot: store_narrow::<S>(pivot),
-            slope,
             offset,
             from: store::<S>(from),
             to: store::<S>(to),
@@ -108,7 +101,6 @@ impl SpanRows {
             right: self.right[lane],
             b: self.b.map(|b| b[lane]),
             pivot: self.pivot[lane],
-            slope: self.slope[lane],
             offset: self.offset[lane],
         }
     }

@@ -34,6 +34,59 @@ fn crowds_are_right() {
     assert!(failed.is_empty(), "{}", failed.join("\n"));
 }
 
+/// A camera at the origin that looks along -z, with square pixels of this size at distance 1.
+fn with_pixels(width: u32, height: u32, slope: f64) -> Camera {
+    let viewport = Viewport {
+        width: slope * f64::from(width),
+        height: slope * f64::from(height),
+        distance: 1.0,
+    };
+    Camera { viewport, image: ImageSize::new(width, height).unwrap(), ..Camera::CANONICAL }
+}
+
+fn assert_right(name: &str, spheres: Vec<Sphere>, camera: &Camera) {
+    let scene = Scene::new(spheres, vec![]).unwrap();
+    let posed = camera.posed().unwrap();
+    let raster = Raster::full(posed.image());
+    let frame = trace_as::<f32>(&scene, &posed, &raster, Outputs::default());
+    every_pixel_is_right(name, &scene, camera, &frame);
+}
+
+/// Rows of a large sphere that begin far outside a pixel's centre and end close to one: there, what
+/// is added up for `S^2` must not cancel. Pixel (118, 246) of the first camera is one; in it, another
+/// sphere is nearer by a few `f32::EPSILON`.
+#[test]
+fn a_wide_row_that_ends_at_a_pixels_centre_is_right() {
+    let camera = with_pixels(400, 300, 0.005291035911916648);
+    let large = Sphere::new([-0.31982593425559647, 0.032220910606067854, -1.0], 0.5605967098854855)
+        .unwrap();
+    assert_right("ends at a centre", vec![large], &camera);
+
+    let pixel = Pixel { row: 118, column: 246 };
+    let posed = camera.posed().unwrap();
+    let ray = posed.ray_of_pixel(pixel);
+    let t = large.roots(&ray).first_positive().unwrap();
+    for nearer in [1.5, 2.5, 3.5] {
+        let t = t * (1.0 - nearer * f64::from(f32::EPSILON));
+        let center = ray.at(t) + 0.02 * ray.direction.normalize();
+        let small = Sphere::new(center.to_array(), 0.02).unwrap();
+        for spheres in [vec![small, large], vec![large, small]] {
+            assert_right(&format!("nearer by {nearer}"), spheres, &camera);
+        }
+    }
+}
+
+/// Large spheres far beside the view: b falls along a row by almost all that it is.
+#[test]
+fn a_wide_row_along_which_b_falls_is_right() {
+    let camera = with_pixels(3840, 2160, 0.0010788974128933709);
+    for radius in [0.616430386754667, 0.6164303867543] {
+        let sphere =
+            Sphere::new([-0.47597771463472544, -0.02708509815350152, -1.0], radius).unwrap();
+        assert_right("b falls", vec![sphere], &camera);
+    }
+}
+
 #[test]
 fn the_checker_finds_what_is_wrong() {
     let few = |name| crowds::all().into_iter().find(|crowd| crowd.name == name).unwrap();
