@@ -109,8 +109,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Both factors with length 1, the parallelogram between them, and the product as long as that
-    /// is large: `sin(angle)`.
+    /// Both factors, the parallelogram between them, and the product as long as that is large:
+    /// `|first| sin(angle)`, the second being 1 long. A first factor too short or too long to be drawn
+    /// beside the second has length 1 here, too.
     fn light_cross(
         &mut self,
         eye: DVec3,
@@ -122,7 +123,9 @@ impl Sketch<'_> {
         let (Some(a), Some(b)) = (unit(cross.first.vector), unit(cross.second.vector)) else {
             return;
         };
-        let (a, b) = (arrow * a, arrow * b);
+        let own = cross.first.length;
+        let length = if (0.4..=2.0).contains(&own) { own } else { 1.0 };
+        let (a, b) = (arrow * length * a, arrow * b);
         let pen = self.lit_pen(lit, colors[2]);
         let fill = Pen { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
         self.polygon(&[eye, eye + a, eye + a + b, eye + b], fill);
@@ -136,11 +139,16 @@ impl Sketch<'_> {
         }
         let Some((angle, sine)) = cross.angle.zip(cross.sine) else { return };
         if let Some(product) = unit(cross.product) {
-            let tip = eye + arrow * sine * product;
+            let tip = eye + arrow * length * sine * product;
             self.lit_arrow(eye, tip, Head::Filled, pen, names[2], VECTOR_TEXT);
         }
         if let Some(spot) = self.screen.spot(eye + 0.5 * (a + b)) {
-            let text = format!("sin({}) = {}", lit.degrees(angle), lit.number(sine));
+            let sine_of = format!("sin({})", lit.degrees(angle));
+            let text = if lit.number(length) == lit.number(1.0) {
+                format!("{sine_of} = {}", lit.number(sine))
+            } else {
+                format!("{} · {sine_of} = {}", lit.number(length), lit.number(length * sine))
+            };
             self.label(pen, text, spot.at, DVec2::ZERO, (colors[2], POINT_TEXT, false));
         }
     }

@@ -96,7 +96,7 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
     let stage = Stage::seen_by(camera, Scene::default(), observer);
     let drawing = world_drawing(&stage, Thing::UpCrossW);
     let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
-    for text in ["up", "w", "up × w", "sin(45°) = 0.70711"] {
+    for text in ["up", "w", "up × w", "1.4142 · sin(45°) = 1"] {
         assert!(texts.contains(&text), "{text}: {texts:?}");
     }
     let fill = drawing.marks.iter().find(|mark| {
@@ -117,7 +117,7 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
     let seen = |point: DVec3| toward(eye, stage.place(point));
     assert!(toward(eye, a).distance(seen(0.1 * up)) < 0.05);
     assert!(toward(eye, b).distance(seen(0.1 * DVec3::Z)) < 0.05);
-    let together = 0.1 * (up / 2f64.sqrt() + DVec3::Z);
+    let together = 0.1 * (up + DVec3::Z);
     assert!(toward(eye, far).distance(seen(together)) < 0.05);
 }
 

@@ -89,11 +89,11 @@ pub(crate) fn verdict(s: &Substitution, digits: usize) -> String {
         Meeting::At(Crossing { t, point, ray_hits }) => {
             let (t_text, x, y) = (n(t), n(point.x), n(point.y));
             if ray_hits {
-                format!("They meet at t = {t_text}, in ({x}, {y}). t > 0: the ray hits.")
+                format!("They meet at t = {t_text}, at ({x}, {y}). t > 0: the ray hits.")
             } else if t.partial_cmp(&0.0) == Some(Ordering::Less) {
-                format!("Line met but ray missed: t = {t_text} < 0, in ({x}, {y}), behind p.")
+                format!("Line met but ray missed: t = {t_text} < 0, at ({x}, {y}), behind p.")
             } else {
-                format!("They meet in p itself, ({x}, {y}): t = 0 is no hit.")
+                format!("They meet at p itself, ({x}, {y}): t = 0 is no hit.")
             }
         }
         Meeting::TooFar { ray_hits } => {
@@ -129,12 +129,12 @@ mod tests {
                 "t = −(1) / 1 = −1",
             ]
         );
-        assert_eq!(verdict, "Line met but ray missed: t = −1 < 0, in (−1, −1), behind p.");
+        assert_eq!(verdict, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p.");
     }
 
     #[test]
     fn the_other_verdicts() {
-        assert_eq!(said(0).1, "They meet at t = 1, in (1, 1). t > 0: the ray hits.");
+        assert_eq!(said(0).1, "They meet at t = 1, at (1, 1). t > 0: the ray hits.");
         let (lines, verdict) = said(2);
         assert_eq!(lines[5], "0 t = −2: for no t");
         assert_eq!(verdict, "Parallel: f(p + t d) is 2 at every t, never 0. They never meet.");
