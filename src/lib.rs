@@ -26,6 +26,7 @@ pub mod inspection;
 mod label_text;
 pub mod ledger;
 pub mod lessons;
+mod letters;
 pub mod lines;
 mod machine;
 mod measuring;

@@ -80,6 +80,11 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// [`significant`] digits with the real minus sign, as people write numbers.
+pub(crate) fn written(value: f64, digits: usize) -> String {
+    significant(value, digits).replace('-', "−")
+}
+
 #[cfg(test)]
 mod tests {
     use super::{grouped, short};

@@ -1,7 +1,7 @@
 //! How the document is looked at: what a scene file does not hold.
 
 use pinhole_core::methods::{Formula, Method, Precision};
-use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera, Shade, Viewport};
+use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Shade, Viewport};
 use serde::{Deserialize, Serialize};
 
 use crate::exercises::Exercises;
@@ -266,6 +266,18 @@ impl Selection {
         match self {
             Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
             Selection::Uv(uv) => uv,
+        }
+    }
+
+    /// The selected view ray, with nothing of it rounded. A pixel must lie
+    /// [inside](Selection::inside) the image.
+    ///
+    /// # Errors
+    /// As [`PosedCamera::exact_ray_at`].
+    pub fn exact_ray(self, camera: &PosedCamera) -> Result<ExactRay<'_>, RayError> {
+        match self {
+            Selection::Pixel(pixel) => Ok(camera.exact_ray(pixel)),
+            Selection::Uv(uv) => camera.exact_ray_at(uv),
         }
     }
 

@@ -7,7 +7,7 @@ use pinhole_core::lecture::{NumberForm, VectorForm};
 use pinhole_core::{DVec2, DVec3, shortest};
 
 use super::Said;
-use crate::panels::significant;
+use crate::number::written;
 
 /// What the list calls an exercise.
 pub fn title(exercise: Exercise) -> &'static str {
@@ -223,7 +223,7 @@ pub fn solution(part: &Part, digits: usize) -> String {
         Answer::Yes(yes) => return if *yes { "= yes" } else { "= no" }.to_owned(),
         Answer::Numbers(numbers) => numbers,
     };
-    let decimals = |x: &f64| significant(*x, digits).replace('-', "−");
+    let decimals = |x: &f64| written(*x, digits);
     let decimals = listed(&numbers.iter().map(decimals).collect::<Vec<_>>());
     match exact(numbers) {
         Some(exact) if exact == decimals => format!("= {exact}"),
@@ -279,7 +279,7 @@ fn number(x: f64) -> String {
 
 /// For sentences: exact where it is short.
 fn short(x: f64) -> String {
-    NumberForm::of(x).map(form).unwrap_or_else(|| significant(x, 5).replace('-', "−"))
+    NumberForm::of(x).map(form).unwrap_or_else(|| written(x, 5))
 }
 
 fn pair(v: DVec2) -> String {

@@ -2,6 +2,7 @@
 //! them, without its refinements.
 
 use super::{Direction, Formula, Gap, Ink, Operator, gap};
+use crate::letters;
 
 /// The font of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -81,7 +82,10 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout
     match formula {
         Formula::Scalar(name) => {
             // A name of several letters is a word; italic letters would read as a product.
-            let text = if name.chars().count() == 1 { italic(name) } else { (*name).to_owned() };
+            let text = match name.len() {
+                1 => name.chars().map(letters::italic).collect(),
+                _ => (*name).to_owned(),
+            };
             text_box(text, Face::Italic, Ink::Text, size, measure)
         }
         Formula::Vector(name, ink) => text_box((*name).to_owned(), Face::Bold, *ink, size, measure),
@@ -116,18 +120,6 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout
             fenced(column(boxes, size), Fence::Bracket, size)
         }
     }
-}
-
-/// The italic letter of *Mathematical Alphanumeric Symbols*.
-fn italic(name: &str) -> String {
-    let letter = |c: char| match c {
-        // U+1D455 is not assigned: this one was there before.
-        'h' => Some('\u{210e}'),
-        'a'..='z' => char::from_u32(0x1d44e + (c as u32 - 'a' as u32)),
-        'A'..='Z' => char::from_u32(0x1d434 + (c as u32 - 'A' as u32)),
-        other => Some(other),
-    };
-    name.chars().filter_map(letter).collect()
 }
 
 fn text_box(text: String, face: Face, ink: Ink, size: f32, measure: &mut dyn Measure) -> Layout {

@@ -4,6 +4,7 @@
 use std::fmt::{self, Write as _};
 
 use super::{Formula, Gap, Operator, gap};
+use crate::letters;
 
 impl fmt::Display for Formula {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -37,12 +38,10 @@ const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆',
 
 /// A letter as the bold one of the block *Mathematical Alphanumeric Symbols*; a word as it is.
 fn bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let code = match name.as_bytes() {
-        [letter @ b'a'..=b'z'] => 0x1d41a + u32::from(letter - b'a'),
-        [letter @ b'A'..=b'Z'] => 0x1d400 + u32::from(letter - b'A'),
-        _ => return f.write_str(name),
-    };
-    f.write_char(char::from_u32(code).unwrap_or('?'))
+    match name.len() {
+        1 => name.chars().try_for_each(|letter| f.write_char(letters::bold(letter))),
+        _ => f.write_str(name),
+    }
 }
 
 fn row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {

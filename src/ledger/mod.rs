@@ -17,7 +17,7 @@ mod tests;
 use std::fmt;
 
 use pinhole_core::lecture::{ObjectDerivation, RayDerivation};
-use pinhole_core::{ExactRay, Object, PosedCamera, Scene};
+use pinhole_core::{ExactRay, PosedCamera, Scene};
 
 use self::numbers::Numbers;
 use crate::derive::Fault;
@@ -182,10 +182,12 @@ pub fn ledger(of: &Sources) -> Ledger {
 
 /// The selected ray, and how it comes about.
 fn exact_ray(posed: &PosedCamera, selection: Selection) -> Option<(ExactRay<'_>, RayDerivation)> {
-    Some(match selection.inside(posed.image()) {
-        Selection::Pixel(pixel) => (posed.exact_ray(pixel), RayDerivation::of_pixel(posed, pixel)),
-        Selection::Uv(uv) => (posed.exact_ray_at(uv).ok()?, RayDerivation::of_uv(posed, uv).ok()?),
-    })
+    let selection = selection.inside(posed.image());
+    let derived = match selection {
+        Selection::Pixel(pixel) => RayDerivation::of_pixel(posed, pixel),
+        Selection::Uv(uv) => RayDerivation::of_uv(posed, uv).ok()?,
+    };
+    Some((selection.exact_ray(posed).ok()?, derived))
 }
 
 fn fault_line(fault: &Fault) -> Line {
@@ -208,7 +210,7 @@ fn add_objects(
     let listed = listed(scene, inspection);
     ledger.left_out = scene.len() - listed.len();
     for object in listed {
-        let Some(shape) = object_at(scene, object as usize) else { continue };
+        let Some(shape) = scene.object(object) else { continue };
         let Ok(derivation) = ObjectDerivation::of(&shape, object, exact) else { continue };
         let lines = objects::lines(object, &derivation, derived.ray(), inspection, numbers);
         ledger.sections.push(Section {
@@ -237,12 +239,4 @@ fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
         }
     }
     listed
-}
-
-fn object_at(scene: &Scene, index: usize) -> Option<Object> {
-    let spheres = scene.spheres();
-    match spheres.get(index) {
-        Some(sphere) => Some(Object::Sphere(*sphere)),
-        None => scene.planes().get(index - spheres.len()).copied().map(Object::Plane),
-    }
 }

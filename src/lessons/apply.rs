@@ -17,6 +17,11 @@ pub fn apply(
     session: &mut Session,
 ) {
     document.clone_from(&step.document);
+    look(step, seen_from, session);
+}
+
+/// Sets how the step is looked at.
+fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.selection = step.selection;
     let looks = &step.looks;
     session.observer = looks.observer.or(seen_from).or(session.observer);
@@ -62,9 +67,12 @@ pub fn differs(
     document: &Document,
     session: &Session,
 ) -> bool {
-    let (mut said, mut looked_at) = (document.clone(), session.clone());
-    apply(step, seen_from, &mut said, &mut looked_at);
-    said != *document || looked_at != *session
+    if step.document != *document {
+        return true;
+    }
+    let mut looked_at = session.clone();
+    look(step, seen_from, &mut looked_at);
+    looked_at != *session
 }
 
 fn set<T>(value: &mut T, said: Option<T>) {

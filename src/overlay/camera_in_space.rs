@@ -6,7 +6,7 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, PosedCamera};
 
 use crate::inspection::Inspection;
-use crate::number::significant;
+use crate::number::written;
 use crate::overlay::items::Item;
 use crate::overlay::screen::unit;
 use crate::overlay::sketch::{Head, Pen, Sketch, Tip};
@@ -201,7 +201,7 @@ impl Sketch<'_> {
         let pen = Pen::new(Item::Ray, self.colors.hit, 2.0);
         self.point(at, 7.5, Pen { color, ..pen });
         if let Some(spot) = self.point(at, 4.5, pen) {
-            let text = format!("t = {}", significant(t, WALKED_DIGITS)).replace('-', "−");
+            let text = format!("t = {}", written(t, WALKED_DIGITS));
             let font = (color, POINT_TEXT, true);
             self.label(pen, text, spot.at, DVec2::new(-0.3, -1.0), font);
         }

@@ -6,7 +6,7 @@
 use egui::Color32;
 use pinhole_core::{Camera, DVec3, Scene, Sphere};
 
-use crate::number::significant;
+use crate::number::written;
 use crate::overlay::drawing::Drawing;
 use crate::overlay::labels::Request;
 use crate::overlay::objects::tangents;
@@ -29,7 +29,7 @@ pub struct Lit<'a> {
 impl Lit<'_> {
     /// A number for a label.
     pub(super) fn number(&self, x: f64) -> String {
-        significant(x, self.digits).replace('-', "−")
+        written(x, self.digits)
     }
 
     /// An angle in radians, in degrees for a label.

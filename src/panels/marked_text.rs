@@ -5,6 +5,7 @@ use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
 
 use super::number::vector_color;
+use crate::letters;
 use crate::present::fonts;
 
 /// A run of letters that are written alike.
@@ -60,26 +61,13 @@ fn runs(text: &str) -> Vec<Run> {
             }
             continue;
         }
-        let letter = if is_scalar { italic(letter) } else { letter };
+        let letter = if is_scalar { letters::italic(letter) } else { letter };
         match runs.last_mut().filter(|run| run.is_vector == is_vector) {
             Some(run) => run.text.push(letter),
             None => runs.push(Run { text: letter.to_string(), is_vector }),
         }
     }
     runs
-}
-
-/// The letter's own sign in Unicode's *Mathematical Alphanumeric Symbols*, which every family has.
-fn italic(letter: char) -> char {
-    let shifted = |first: char, to: u32| char::from_u32(to + letter as u32 - first as u32);
-    match letter {
-        // The block has a gap where this one was there before.
-        'h' => Some('ℎ'),
-        'a'..='z' => shifted('a', 0x1d44e),
-        'A'..='Z' => shifted('A', 0x1d434),
-        _ => None,
-    }
-    .unwrap_or(letter)
 }
 
 #[cfg(test)]

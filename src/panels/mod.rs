@@ -25,4 +25,3 @@ pub(crate) mod top_bar;
 pub(crate) mod views;
 mod walking;
 mod words;
-pub(crate) use number::significant;

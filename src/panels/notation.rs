@@ -4,6 +4,8 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId};
 
+use crate::letters;
+
 /// The letters that are vectors where they stand alone.
 const VECTORS: &str = "pdn";
 
@@ -41,15 +43,7 @@ pub(crate) fn plain(text: &str) -> String {
 
 /// A letter of the mathematical alphabets; a vector's coordinate is a scalar.
 fn letter(c: char, is_coordinate: bool) -> char {
-    let (bold, italic) = (0x1d41a, 0x1d44e);
-    if !c.is_ascii_lowercase() {
-        let capital = u32::from(c) - u32::from('A');
-        return char::from_u32(0x1d434 + capital).unwrap_or(c);
-    }
-    let start = if VECTORS.contains(c) && !is_coordinate { bold } else { italic };
-    // The italic h is Planck's constant, elsewhere in Unicode.
-    let place = start + u32::from(c) - u32::from('a');
-    if place == 0x1d455 { 'ℎ' } else { char::from_u32(place).unwrap_or(c) }
+    if VECTORS.contains(c) && !is_coordinate { letters::bold(c) } else { letters::italic(c) }
 }
 
 #[cfg(test)]

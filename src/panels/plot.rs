@@ -5,7 +5,6 @@ mod curve;
 mod drawing;
 
 use egui::{Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
-use pinhole_core::ExactRay;
 
 use self::curve::{Curve, curves, range};
 use super::lines::number;
@@ -37,15 +36,12 @@ pub(crate) fn ui(
     else {
         return;
     };
-    let ray: ExactRay = match selection.inside(posed.image()) {
-        Selection::Pixel(pixel) => posed.exact_ray(pixel),
-        Selection::Uv(uv) => match posed.exact_ray_at(uv) {
-            Ok(ray) => ray,
-            Err(error) => {
-                ui.label(error.to_string());
-                return;
-            }
-        },
+    let ray = match selection.inside(posed.image()).exact_ray(posed) {
+        Ok(ray) => ray,
+        Err(error) => {
+            ui.label(error.to_string());
+            return;
+        }
     };
     let (curves, left_out) = curves(scene, &ray, inspection, document);
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));

@@ -4,10 +4,11 @@
 use egui::{Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 
-use super::number::{error_color, significant, vector_color};
+use super::number::{error_color, vector_color};
 use crate::derive::Derived;
 use crate::document::Document;
 use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
+use crate::number::written;
 
 /// How numbers are written.
 #[derive(Clone, Copy)]
@@ -29,7 +30,7 @@ impl NumberStyle {
         if self.exact && x.is_finite() {
             return shortest(x);
         }
-        significant(x, self.digits).replace('-', "−")
+        written(x, self.digits)
     }
 
     pub(super) fn vector(self, v: DVec3) -> String {

@@ -69,3 +69,35 @@ pub(crate) fn assert_says(harness: &Harness<'_, App>, text: &str) {
     let near = text.split(' ').next().unwrap_or_default();
     assert!(says(harness, text), "no “{text}”; there is {:?}", texts_with(harness, near));
 }
+
+/// Fails unless something is there that a screen reader reads as exactly this text.
+#[track_caller]
+pub(crate) fn assert_reads(harness: &Harness<'_, App>, text: &str) {
+    let read = |value: Option<String>| value.is_some_and(|value| value == text);
+    let found = harness.root().children_recursive().any(|n| read(n.accesskit_node().value()));
+    assert!(found, "no “{text}”; there is {:?}", texts_with(harness, "t"));
+}
+
+/// Presses the mouse here and lets it go.
+pub(crate) fn click_at(harness: &mut Harness<'_, App>, at: egui::Pos2) {
+    harness.hover_at(at);
+    harness.run();
+    harness.drag_at(at);
+    harness.run();
+    harness.drop_at(at);
+    harness.run();
+}
+
+/// Drags the mouse from here by so much.
+pub(crate) fn drag_from(harness: &mut Harness<'_, App>, from: egui::Pos2, by: egui::Vec2) {
+    harness.hover_at(from);
+    harness.run();
+    harness.drag_at(from);
+    harness.run();
+    harness.hover_at(from + 0.5 * by);
+    harness.run();
+    harness.hover_at(from + by);
+    harness.run();
+    harness.drop_at(from + by);
+    harness.run();
+}

@@ -13,7 +13,7 @@ use pinhole::session::{Selection, Settings, ViewLayout};
 use pinhole::store::{Remembered, Store};
 use pinhole_core::{DVec3, Pixel};
 
-use super::harness::{assert_says, says, texts_with, type_into, window, window_with};
+use super::harness::{assert_says, drag_from, says, texts_with, type_into, window, window_with};
 use super::scene_files::drop_file;
 
 type Window = Harness<'static, App>;
@@ -499,14 +499,7 @@ fn r_puts_back_what_was_dragged_in_the_lines_lab() {
     let mut window = at_step(11, 1);
     let before = window.state().session().lines.clone();
     let handle = window.get_by_label("move p").rect().center();
-    window.hover_at(handle);
-    window.run();
-    window.drag_at(handle);
-    window.run();
-    window.hover_at(handle + egui::vec2(60.0, 30.0));
-    window.run();
-    window.drop_at(handle + egui::vec2(60.0, 30.0));
-    window.run();
+    drag_from(&mut window, handle, egui::vec2(60.0, 30.0));
     assert_ne!(window.state().session().lines, before);
     key(&mut window, Key::R);
     assert_eq!(window.state().session().lines, before);

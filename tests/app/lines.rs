@@ -2,12 +2,12 @@
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
 use pinhole::lines::LinesLab;
 use pinhole_core::DVec2;
 
-use super::harness::{assert_says, says, texts_with, type_into, window};
+use super::harness::{assert_reads, assert_says, drag_from, says, type_into, window};
 
 fn open() -> Harness<'static, App> {
     let mut window = window("canonical");
@@ -20,27 +20,10 @@ fn lab<'a>(window: &'a Harness<'_, App>) -> &'a LinesLab {
     &window.state().session().lines
 }
 
-/// The line of the substitution with exactly this text.
-#[track_caller]
-fn assert_reads(window: &Harness<'_, App>, text: &str) {
-    let read = |value: Option<String>| value.is_some_and(|value| value == text);
-    let found = window.root().children_recursive().any(|n| read(n.accesskit_node().value()));
-    assert!(found, "no “{text}”; there is {:?}", texts_with(window, "t"));
-}
-
 /// Drags a handle by so many points.
 fn drag(window: &mut Harness<'_, App>, handle: &str, by: egui::Vec2) {
     let from = window.get_by_role_and_label(Role::Slider, handle).rect().center();
-    window.hover_at(from);
-    window.run();
-    window.drag_at(from);
-    window.run();
-    window.hover_at(from + 0.5 * by);
-    window.run();
-    window.hover_at(from + by);
-    window.run();
-    window.drop_at(from + by);
-    window.run();
+    drag_from(window, from, by);
 }
 
 /// Points of the screen in a unit of the plane.

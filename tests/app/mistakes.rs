@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
 use pinhole_core::lecture::mistakes::{Mistake, NoWrongCamera};
 
-use super::harness::{assert_says, texts_with, type_into, window};
+use super::harness::{assert_says, click_at, texts_with, type_into, window};
 
 /// As a screen reader does, so that no entry of a list need be scrolled to.
 fn click(window: &mut Harness<'_, App>, label: &str) {
@@ -104,12 +104,7 @@ fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let before = window.state().derived().wrong_view.clone().unwrap();
     let rect = window.get_by_role_and_label(Role::Image, "Wrong camera").rect();
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
-    window.hover_at(at);
-    window.run();
-    window.drag_at(at);
-    window.run();
-    window.drop_at(at);
-    window.run();
+    click_at(&mut window, at);
     let pinhole::session::Selection::Pixel(pixel) = window.state().session().selection else {
         panic!("no pixel is selected")
     };

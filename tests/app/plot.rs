@@ -2,24 +2,17 @@
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
 use pinhole::overlay::{Item, world_position_of};
 
-use super::harness::{assert_says, texts_with, type_into, window};
+use super::harness::{assert_reads, assert_says, type_into, window};
 
 fn open(scene: &str) -> Harness<'static, App> {
     let mut window = window(scene);
     window.get_by_role_and_label(Role::Button, "Plot").click();
     window.run();
     window
-}
-
-#[track_caller]
-fn assert_reads(window: &Harness<'_, App>, text: &str) {
-    let read = |value: Option<String>| value.is_some_and(|value| value == text);
-    let found = window.root().children_recursive().any(|n| read(n.accesskit_node().value()));
-    assert!(found, "no “{text}”; there is {:?}", texts_with(window, "t"));
 }
 
 /// The t that the world view's label says.

@@ -5,7 +5,7 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::session::Selection;
 use pinhole_core::Pixel;
 
-use super::harness::{assert_says, type_into, window};
+use super::harness::{assert_says, click_at, type_into, window};
 
 #[test]
 fn the_warm_up_is_selected_at_first_and_read_off() {
@@ -32,12 +32,7 @@ fn a_click_in_the_camera_view_selects_the_pixel_under_it() {
     let mut window = window("canonical");
     let rect = window.get_by_role_and_label(Role::Image, "Camera view").rect();
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
-    window.hover_at(at);
-    window.run();
-    window.drag_at(at);
-    window.run();
-    window.drop_at(at);
-    window.run();
+    click_at(&mut window, at);
     assert_eq!(
         window.state().session().selection,
         Selection::Pixel(Pixel { row: 300, column: 100 })

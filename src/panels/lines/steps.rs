@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use pinhole_core::lecture::lines::{Crossing, Meeting, Substitution};
 
-use crate::panels::number::significant;
+use crate::number::written;
 
 /// One line of the substitution.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +17,7 @@ pub(crate) struct LabStep {
 
 /// A number as people write it.
 pub(crate) fn number(x: f64, digits: usize) -> String {
-    significant(x + 0.0, digits).replace('-', "−")
+    written(x + 0.0, digits)
 }
 
 /// The number behind a sign of multiplication: negative ones in parentheses.
