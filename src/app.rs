@@ -26,7 +26,7 @@ use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
-use crate::present::{FrameTimes, WindowGeometry, fonts};
+use crate::present::{FrameTimes, WindowGeometry, look};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::thing::Pointed;
@@ -102,22 +102,13 @@ impl App {
 
     /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
-        fonts::install(ctx);
+        look::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;
             // Bars that stay tell that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
-        // egui's greys are for one reader near the screen, not for the back row.
-        for (theme, text) in [(egui::Theme::Dark, 0xea), (egui::Theme::Light, 0x10)] {
-            ctx.style_mut_of(theme, |style| {
-                let visuals = &mut style.visuals;
-                visuals.widgets.noninteractive.fg_stroke.color = egui::Color32::from_gray(text);
-                visuals.widgets.inactive.fg_stroke.color = egui::Color32::from_gray(text);
-                visuals.weak_text_alpha = 0.75;
-            });
-        }
     }
 
     /// Says what draws the window.

@@ -5,7 +5,7 @@ use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace
 
 use super::CommandError;
 use crate::arguments::View;
-use crate::derive::{Deriver, ViewSizes};
+use crate::derive::{Deriver, Purpose, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
 use crate::observer::Observer;
@@ -100,6 +100,7 @@ fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> V
         wrong: None,
         scale,
         style: Style::Light,
+        purpose: Purpose::Window,
     };
     let derived = Deriver::default().derive(document, &session, &sizes);
     let Some(shown) = (if world { derived.world_view } else { derived.camera_view }) else {

@@ -22,6 +22,9 @@ const NOTE: f32 = 15.0;
 const PAD: egui::Vec2 = vec2(8.0, 4.0);
 /// How far the second and later lines of a formula are indented.
 const INDENT: f32 = 26.0;
+/// Above a section's title, and between two lines, in points.
+const BEFORE_SECTION: f32 = 6.0;
+const BETWEEN_LINES: f32 = 2.0;
 
 /// The ledger as it was laid out, and which sections are folded.
 #[derive(Default)]
@@ -87,14 +90,14 @@ impl LedgerPanel {
         self.scrolled_to = by_view.map(|pointed| pointed.thing);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, ledger);
-            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
             let inks = Inks::of(ui);
             let mut goal = goal;
             for (k, section) in ledger.sections.iter().enumerate() {
                 self.section(ui, k, section, inks, lit, &mut goal);
             }
             if ledger.left_out > 0 {
-                ui.add_space(6.0);
+                ui.add_space(BEFORE_SECTION);
                 ui.label(RichText::new(left_out(ledger.left_out)).size(NOTE));
             }
             ui.add_space(12.0);
@@ -153,7 +156,7 @@ impl LedgerPanel {
         let key = (section.section, section.object);
         let is_folded = self.folded.contains(&key);
         let is_lit = |line: &Line| lit.is_some_and(|thing| line.is_about(thing));
-        ui.add_space(6.0);
+        ui.add_space(BEFORE_SECTION);
         let head = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
@@ -262,6 +265,12 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     if is_lit {
         band(ui, rect);
     }
+    paint(ui, rect, line, place, inks);
+    response
+}
+
+/// A line's formula and what is said behind it.
+fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: Inks) {
     let origin = rect.min + PAD + vec2(0.0, place.layout.ascent);
     formula::paint(ui.painter(), origin, &place.layout, inks);
     if !line.note.is_empty() {
@@ -269,5 +278,44 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
         let galley = note_galley(ui, line, width);
         ui.painter().galley(rect.min + place.note, galley, ui.visuals().text_color());
     }
-    response
+}
+
+/// Draws the ledger as the panel shows it, from the upper left corner of a column on; how high it is.
+/// Of a section that `is_folded` only the title.
+pub(crate) fn draw(
+    ui: &Ui,
+    ledger: &Ledger,
+    column: Rect,
+    is_folded: impl Fn(&Section) -> bool,
+) -> f32 {
+    let (inks, painter) = (Inks::of(ui), ui.painter());
+    let mut at = column.min;
+    for (k, section) in ledger.sections.iter().enumerate() {
+        at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
+        let color = ui.visuals().strong_text_color();
+        let title = FontId::proportional(SIZE);
+        let title = painter.layout(section.title.clone(), title, color, column.width());
+        let height = title.size().y;
+        painter.galley(at, title, color);
+        at.y += height + BETWEEN_LINES;
+        if is_folded(section) {
+            continue;
+        }
+        for line in &section.lines {
+            let place = laid_line(ui, line, Id::NULL, column.width());
+            let rect = Rect::from_min_size(at, vec2(column.width(), place.height));
+            paint(ui, rect, line, &place, inks);
+            at.y += place.height + BETWEEN_LINES;
+        }
+    }
+    if ledger.left_out > 0 {
+        at.y += BEFORE_SECTION;
+        let color = ui.visuals().text_color();
+        let note = FontId::proportional(NOTE);
+        let note = painter.layout(left_out(ledger.left_out), note, color, column.width());
+        let height = note.size().y;
+        painter.galley(at, note, color);
+        at.y += height;
+    }
+    at.y - column.top()
 }

@@ -23,6 +23,11 @@ const NUMBERS: (f32, f32) = (400.0, 0.46);
 /// The slider of t goes from here to there.
 const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
 
+/// Draws the plane with both lines in it, with nothing to drag and on nothing.
+pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
+    drawing::draw(ui, rect, lab, digits);
+}
+
 /// Shows the lab.
 pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));

@@ -6,7 +6,7 @@ use egui::{
 use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::Action;
-use crate::derive::{Derived, Shown, ViewSizes};
+use crate::derive::{Derived, Purpose, Shown, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
 use crate::overlay;
@@ -41,6 +41,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         wrong: beside(ViewLayout::Mistakes),
         scale: per_point,
         style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
+        purpose: Purpose::Window,
     }
 }
 
