@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod figures;
 mod lessons;
 mod outputs;
 
@@ -231,6 +232,7 @@ impl App {
             (shifted, Action::AskSaveAs),
             (command(Key::S), Action::Save),
             (command(Key::O), Action::AskOpen),
+            (command(Key::E), Action::AskExport),
             (command(Key::Q), Action::Quit),
         ] {
             if pressed(shortcut) && self.dialog.is_none() {

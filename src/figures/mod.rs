@@ -5,11 +5,13 @@
 //! PNG is painted from both as the window is. For SVG and PDF, both become the same [`Part`]s: paths,
 //! text and one picture. So what is on the screen is what is in the file.
 //!
+//! - `order`: what is asked for;
 //! - `views`: figures of the two views; `sheets`: of the ledger and the lab of lines;
 //! - `shapes`: what egui was told to draw, as parts; `text`: its text, glyph by glyph;
 //! - `typeface`: the fonts that the letters come from; `subset`: those letters alone, as a font;
 //! - `svg`, `pdf`: parts as files.
 
+mod order;
 mod part;
 mod pdf;
 mod shapes;
@@ -27,8 +29,9 @@ use crate::formats::png;
 use crate::overlay::{Drawing, Style};
 use crate::present::headless::Sheet;
 
-pub use self::sheets::{ledger, lines};
-pub use self::views::{View, of_view};
+pub use self::order::{Content, Order, Subject, ledger_of};
+pub use self::sheets::MARGIN;
+pub use self::views::{View, of_view, scale_of};
 
 /// The formats of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

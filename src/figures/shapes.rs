@@ -40,9 +40,10 @@ impl Maker {
             Shape::Path(path) => self.path(path),
             Shape::Circle(CircleShape { center, radius, fill, stroke }) => {
                 let (center, radius) = (self.place(*center), radius * self.scale);
-                let outline = Outline::Circle { center, radius };
-                self.fill(outline.clone(), *fill);
-                self.stroke(outline, *stroke);
+                self.fill(Outline::Circle { center, radius }, *fill);
+                // egui draws a circle's stroke around it.
+                let radius = radius + 0.5 * stroke.width * self.scale;
+                self.stroke(Outline::Circle { center, radius }, *stroke);
             }
             Shape::Rect(rect) => self.rectangle(rect),
             other => debug_assert!(false, "figures have no {other:?}"),

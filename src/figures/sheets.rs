@@ -10,27 +10,27 @@ use crate::panels;
 use crate::present::headless::Sheet;
 use crate::present::look;
 
-/// Around the ledger, in points.
-const MARGIN: f32 = 12.0;
+/// Left and right of the ledger, and above and below it, in points.
+pub const MARGIN: f32 = 12.0;
 
 /// Nothing that is set on it is higher, in points.
 const HIGHEST: f32 = 1e6;
 
-/// The ledger in lines of at most so many points; of a section that `is_folded` only the title.
-pub fn ledger(
+/// The ledger, so many points wide with its margins; of a section that `is_folded` only the title.
+pub(super) fn ledger(
     ledger: &Ledger,
     width: f32,
     look: Look,
     is_folded: impl Fn(&Section) -> bool,
 ) -> Figure {
-    let ctx = context(look.style);
-    let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), vec2(width, HIGHEST));
+    let column = vec2((width - 2.0 * MARGIN).max(60.0), HIGHEST);
+    let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
     let mut height = 0.0;
     let mut draw = |ui: &mut Ui| height = panels::ledger::draw(ui, ledger, column, &is_folded);
     // How high it is shows when it is drawn.
-    Sheet::draw(&ctx, [1, 1], look.scale, &mut draw);
-    let page = vec2(width, height) + Vec2::splat(2.0 * MARGIN);
-    let size = dots(page, look.scale);
+    Sheet::draw(&context(look.style), [1, 1], look.scale, &mut draw);
+    let page = vec2(width, height + 2.0 * MARGIN);
+    let (ctx, size) = (context(look.style), dots(page, look.scale));
     let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
         panels::ledger::draw(ui, ledger, column, &is_folded);
     });
@@ -38,13 +38,8 @@ pub fn ledger(
     figure("Ledger", size, look, ground, sheet)
 }
 
-/// The width of a ledger's column, in points, that makes a figure so many dots wide.
-pub(super) fn column_of(width: u32, scale: f32) -> f32 {
-    (width as f32 / scale - 2.0 * MARGIN).max(60.0)
-}
-
 /// The plane of the lab of lines, so many points wide and high.
-pub fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -> Figure {
+pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -> Figure {
     let ctx = context(look.style);
     let page = Rect::from_min_size(Pos2::ZERO, size.into());
     let size = dots(page.size(), look.scale);

@@ -17,10 +17,10 @@ use crate::session::Session;
 /// Which of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
-    /// The scene with the camera in it.
-    World,
-    /// What the camera sees.
+    /// What the edited camera sees.
     Camera,
+    /// The scene with the camera in it, as the observer sees it.
+    World,
 }
 
 /// A view, `size` large, of the document as the session looks at it: its ray, items, colours and
@@ -48,7 +48,8 @@ pub fn of_view(
         purpose: Purpose::Figure { clear: transparent },
     };
     let derived = Deriver::default().derive(document, session, &sizes);
-    if let Some(fault) = derived.fault {
+    // A camera without a basis still stands in the world.
+    if let Some(fault) = derived.fault.filter(|f| !is_world || matches!(f, Fault::Scene(_))) {
         return Err(fault);
     }
     let shown = if is_world { derived.world_view } else { derived.camera_view };
@@ -74,6 +75,11 @@ pub fn of_view(
         drawing,
         sheet,
     })
+}
+
+/// Dots per point where no window says: as in a window of 720 points, and never less than one.
+pub fn scale_of([width, height]: [u32; 2]) -> f32 {
+    (width.min(height) as f32 / 720.0).max(1.0)
 }
 
 /// Whether there is anything in a picture at all.

@@ -12,7 +12,7 @@ use egui::{
 use super::formula::{self, Inks};
 use super::number::error_color;
 use crate::formula::{Column, Layout};
-use crate::ledger::{Ledger, LedgerSection, LedgerSections, Line, Section, left_out};
+use crate::ledger::{Ledger, LedgerSection, LedgerSections, Line, Markup, Section, left_out};
 use crate::thing::{Pointed, Pointing, Thing};
 
 /// The formulas' em, and that of what is said behind them, in points.
@@ -73,6 +73,16 @@ impl LedgerPanel {
         Some(Pointed { thing, by: Pointing::Ledger })
     }
 
+    /// How wide it was when it was last shown, in points.
+    pub(crate) fn width(&self) -> Option<f32> {
+        self.laid.as_ref().map(|laid| laid.width)
+    }
+
+    /// Whether only the title of a section is shown.
+    pub(crate) fn is_folded(&self, section: &Section) -> bool {
+        self.folded.contains(&(section.section, section.object))
+    }
+
     /// Shows the ledger.
     pub(crate) fn ui(
         &mut self,
@@ -112,6 +122,14 @@ impl LedgerPanel {
             ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label("Copy the ledger"));
             if copy.clicked() {
                 ui.ctx().copy_text(ledger.to_string());
+            }
+            for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
+                let copy = ui.small_button(name);
+                let label = format!("Copy the ledger as {name}");
+                ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label(label.as_str()));
+                if copy.on_hover_text(label).clicked() {
+                    ui.ctx().copy_text(ledger.written_in(markup));
+                }
             }
             for section in LedgerSection::ALL {
                 let mut shown = sections.shows(section);
@@ -154,7 +172,7 @@ impl LedgerPanel {
         goal: &mut Option<Thing>,
     ) {
         let key = (section.section, section.object);
-        let is_folded = self.folded.contains(&key);
+        let is_folded = self.is_folded(section);
         let is_lit = |line: &Line| lit.is_some_and(|thing| line.is_about(thing));
         ui.add_space(BEFORE_SECTION);
         let head = ui.horizontal(|ui| {

@@ -58,7 +58,8 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Runs one pass on a screen of so many pixels, of which there are so many to a point.
+    /// Runs the first pass of a context, on a screen of so many pixels, of which there are so many to a
+    /// point. Later passes would lack the letters that the first one has.
     pub fn draw(
         ctx: &egui::Context,
         size: [usize; 2],
