@@ -109,9 +109,13 @@ fn hidden_lines_are_dashed() {
 #[test]
 fn transparent_figures_have_no_ground() {
     let folder = tempfile::tempdir().unwrap();
+    let scene = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                 [[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n\
+                 [[plane]]\npoint = [0, -1, 0]\nnormal = [0, 1, 0]\n";
+    fs::write(folder.path().join("s.toml"), scene).unwrap();
     for view in VIEWS {
         let draw = |more: &str| {
-            let line = format!("roll --view {view} -o out.png --width 400{more}");
+            let line = format!("s.toml --view {view} -o out.png --width 400{more}");
             figure(folder.path(), &line).done();
             decode(&folder.path().join("out.png"))
         };
@@ -124,7 +128,9 @@ fn transparent_figures_have_no_ground() {
         assert!(count(0) > clear.len() / 5 || view == "lines", "{view}: {}", count(0));
         assert!(count(255) > 500, "{view}: {}", count(255));
         let same = whole.iter().zip(&clear).filter(|(_, c)| c[3] == 255);
-        assert!(same.clone().all(|(w, c)| w == c), "{view}: what is opaque is the same");
+        // A stroke's edge that covers a dot almost wholly counts as opaque.
+        let near = |(w, c): (&[u8; 4], &[u8; 4])| (0..3).all(|k| w[k].abs_diff(c[k]) <= 3);
+        assert!(same.clone().all(near), "{view}: what is opaque is the same");
     }
     for view in ["ledger", "lines"] {
         figure(folder.path(), &format!("roll --view {view} -o a.svg")).done();
