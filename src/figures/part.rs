@@ -95,3 +95,36 @@ impl Picture {
 fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A picture of `w` x `h` different pixels, each so many dots wide and high.
+    fn enlarged([w, h]: [usize; 2], [across, down]: [usize; 2]) -> ColorImage {
+        let dots = (0..h * down).flat_map(|k| (0..w * across).map(move |l| (k / down, l / across)));
+        let color = |(k, l): (usize, usize)| Color32::from_rgb(k as u8, l as u8, 9);
+        ColorImage::new([w * across, h * down], dots.map(color).collect())
+    }
+
+    #[test]
+    fn large_pixels_are_stored_once_each_where_they_are_many() {
+        let picture = Picture::of(&enlarged([700, 650], [3, 2]));
+        assert_eq!(picture.size, [700, 650]);
+        assert_eq!(picture.pixels, enlarged([700, 650], [1, 1]).pixels);
+        // Where they are few, as several, so that smoothing does not blur them.
+        let few = Picture::of(&enlarged([4, 3], [300, 400]));
+        assert_eq!(few.size, [800, 600]);
+        assert_eq!(few.pixels, enlarged([4, 3], [200, 200]).pixels);
+    }
+
+    #[test]
+    fn what_is_no_enlarged_picture_is_stored_dot_by_dot() {
+        for image in
+            [enlarged([40, 30], [1, 1]), enlarged([40, 30], [1, 5]), enlarged([4, 3], [5, 5])]
+        {
+            let picture = Picture::of(&image);
+            assert_eq!((picture.size, picture.pixels), (image.size, image.pixels));
+        }
+    }
+}

@@ -144,3 +144,115 @@ fn rounded(rect: Rect, radius: f32) -> Vec<Pos2> {
     };
     corners.into_iter().enumerate().flat_map(quarter).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use egui::{Align2, Context, FontFamily, FontId, Painter, Vec2, pos2};
+
+    use super::super::part::Part;
+    use super::*;
+    use crate::present::headless::Sheet;
+    use crate::present::{fonts, look};
+
+    fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Part<'static>> {
+        let ctx = Context::default();
+        look::install(&ctx);
+        let sheet = Sheet::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
+        parts(sheet.shapes(), scale)
+    }
+
+    fn text(part: &Part) -> Option<(String, Option<(Color32, f32)>)> {
+        let Part::Text(text) = part else { return None };
+        Some((text.runs.iter().map(|run| run.text.as_str()).collect(), text.halo))
+    }
+
+    #[test]
+    fn letters_are_where_egui_put_them() {
+        let font = FontId::proportional(20.0);
+        // With a kerned pair, two fonts, and what some fonts have ligatures for.
+        let written = "AV fi 𝑡 = ffi";
+        let parts = drawn(2.0, |painter| {
+            painter.text(pos2(10.0, 5.0), Align2::LEFT_TOP, written, font.clone(), Color32::RED);
+        });
+        let [Part::Text(text)] = parts.as_slice() else { panic!("{parts:?}") };
+        assert_eq!(text.runs.iter().map(|run| run.text.as_str()).collect::<String>(), written);
+        assert!(text.runs.len() > 1 && text.halo.is_none());
+        assert_eq!(text.runs[0].at[0], 20.0);
+        let ctx = Context::default();
+        look::install(&ctx);
+        let mut width = 0.0;
+        Sheet::draw(&ctx, [400, 300], 2.0, |ui| {
+            let galley =
+                ui.painter().layout_no_wrap(written.to_owned(), font.clone(), Color32::RED);
+            width = 2.0 * galley.size().x;
+        });
+        let last = text.runs.last().expect("a run");
+        assert!((last.at[0] + last.width() - 20.0 - width).abs() < 1.0, "{text:?} {width}");
+        for run in &text.runs {
+            assert_eq!((run.size, run.color), (40.0, Color32::RED));
+            assert!(run.advances.iter().all(|advance| *advance > 0.0), "{run:?}");
+        }
+    }
+
+    #[test]
+    fn text_drawn_around_itself_is_a_casing() {
+        let parts = drawn(1.5, |painter| {
+            let font = FontId::new(14.0, fonts::bold());
+            let galley = painter.layout_no_wrap("cased".to_owned(), font, Color32::BLACK);
+            let at = pos2(20.0, 20.0);
+            for k in 0..8 {
+                let away = 1.3 * Vec2::angled(k as f32);
+                painter.galley_with_override_text_color(at + away, galley.clone(), Color32::WHITE);
+            }
+            painter.galley(at, galley, Color32::BLACK);
+            let font = FontId::new(14.0, FontFamily::Proportional);
+            let galley =
+                painter.layout_no_wrap("in another colour".to_owned(), font, Color32::BLACK);
+            painter.galley_with_override_text_color(at, galley, Color32::BLUE);
+        });
+        let texts: Vec<_> = parts.iter().filter_map(text).collect();
+        let [(cased, Some((color, reach))), (other, None)] = texts.as_slice() else {
+            panic!("{texts:?}")
+        };
+        assert_eq!((cased.as_str(), *color), ("cased", Color32::WHITE));
+        assert!((reach - 1.95).abs() < 0.01);
+        assert_eq!(other, "in another colour");
+        let Some(Part::Text(last)) = parts.last() else { panic!("{parts:?}") };
+        assert_eq!(last.runs[0].color, Color32::BLUE);
+    }
+
+    #[test]
+    fn shapes_are_fills_and_strokes_in_dots() {
+        let stroke = Stroke::new(2.0, Color32::GREEN);
+        let parts = drawn(2.0, |painter| {
+            painter.circle(pos2(10.0, 20.0), 5.0, Color32::RED, stroke);
+            painter.line_segment([pos2(0.0, 0.0), pos2(3.0, 4.0)], stroke);
+            let square = Rect::from_min_size(pos2(1.0, 1.0), Vec2::splat(4.0));
+            painter.rect_filled(square, 0.0, Color32::BLUE);
+        });
+        let path = |outline, color, ink| Path { outline, color, ink };
+        let circle = |radius| Outline::Circle { center: [20.0, 40.0], radius };
+        let chain = |points: &[[f32; 2]], closed| Outline::Chain {
+            points: Cow::Owned(points.to_vec()),
+            closed,
+        };
+        let pen = Ink::Stroke { width: 4.0, round: false, dash: None };
+        let corners = [[2.0, 2.0], [10.0, 2.0], [10.0, 10.0], [2.0, 10.0]];
+        let paths: Vec<Path> = parts
+            .into_iter()
+            .map(|part| match part {
+                Part::Path(path) => path,
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert_eq!(
+            paths,
+            [
+                path(circle(10.0), Color32::RED, Ink::Fill),
+                path(circle(12.0), Color32::GREEN, pen),
+                path(chain(&[[0.0, 0.0], [6.0, 8.0]], false), Color32::GREEN, pen),
+                path(chain(&corners, true), Color32::BLUE, Ink::Fill),
+            ]
+        );
+    }
+}

@@ -84,8 +84,8 @@ fn spread(run: &mut Run) {
         let whole: f32 = own[first..first + count].iter().sum();
         if count > 1 && whole > 0.0 {
             let share = run.advances[first] / whole;
-            for k in first..first + count {
-                run.advances[k] = share * own[k];
+            for (laid, own) in run.advances[first..].iter_mut().zip(&own[first..first + count]) {
+                *laid = share * own;
             }
         }
         first += count;
