@@ -1,0 +1,177 @@
+//! Orbit and look round.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use pinhole_core::steering::*;
+use pinhole_core::*;
+use proptest::prelude::*;
+
+use crate::{angle, any_camera, assert_valid, config, given_up, is_calm, pole_gap, v_turn, vec3};
+
+/// Both turns.
+const TURNS: [fn(&Camera, f64, f64) -> Result<Camera, SteerError>; 2] =
+    [Camera::orbited, Camera::looked_round];
+
+fn small_or_large_angle() -> impl Strategy<Value = f64> {
+    prop_oneof![-7.0..7.0_f64, -0.05..0.05_f64, Just(0.0)]
+}
+
+fn by_view(view: DVec3, up: DVec3) -> Camera {
+    Camera { orientation: Orientation::View { view, up }, ..Camera::CANONICAL }
+}
+
+#[test]
+fn a_positive_yaw_orbits_to_the_right_and_looks_to_the_left() {
+    let orbited = Camera::CANONICAL.orbited(FRAC_PI_2, 0.0).unwrap();
+    assert!((orbited.eye - vec3(1.0, 0.0, -1.0)).length() < 1e-15);
+    assert_eq!(orbited.orientation, Camera::CANONICAL.orientation);
+    let looking = Camera::CANONICAL.looked_round(FRAC_PI_2, 0.0).unwrap();
+    assert!((looking.view() - DVec3::NEG_X).length() < 1e-15);
+    assert_eq!(looking.eye, DVec3::ZERO);
+}
+
+#[test]
+fn a_positive_pitch_orbits_down_and_looks_up() {
+    let down = Camera::CANONICAL.orbited(0.0, 0.5).unwrap().eye;
+    assert!((down - vec3(0.0, -0.5_f64.sin(), 0.5_f64.cos() - 1.0)).length() < 1e-15);
+    let up = Camera::CANONICAL.looked_round(0.0, 0.5).unwrap().view();
+    assert!((up - vec3(0.0, 0.5_f64.sin(), -0.5_f64.cos())).length() < 1e-15);
+}
+
+#[test]
+fn turns_stop_short_of_the_poles() {
+    for turn in TURNS {
+        for (pitch, expected) in [(3.0, POLE_GAP), (-3.0, PI - POLE_GAP)] {
+            let camera = turn(&Camera::CANONICAL, 0.0, pitch).unwrap();
+            assert!((camera.up_angle().unwrap().angle - expected).abs() < 1e-13);
+        }
+        // Nearer already: not nearer still, but away.
+        let steep = by_view(vec3(0.0, 1.0, -1e-3), DVec3::Y);
+        assert_eq!(turn(&steep, 0.0, 0.5).unwrap(), steep);
+        let away = turn(&steep, 0.0, -0.5).unwrap();
+        assert!((pole_gap(&away) - 0.5 - 1e-3_f64.atan()).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn the_pivot_is_at_or_ahead() {
+    let canonical = Camera::CANONICAL;
+    assert_eq!(canonical.pivot(), Ok(DVec3::NEG_Z));
+    assert_eq!(by_view(vec3(0.0, 0.0, -7.0), DVec3::Y).pivot(), Ok(vec3(0.0, 0.0, -7.0)));
+    let viewport = Viewport { distance: 3.0, ..canonical.viewport };
+    let by_hand =
+        Camera { orientation: Orientation::Basis(Basis::CANONICAL), viewport, ..canonical };
+    assert_eq!(by_hand.pivot(), Ok(vec3(0.0, 0.0, -3.0)));
+    let no_viewport = Camera { viewport: Viewport { distance: 0.0, ..viewport }, ..by_hand };
+    assert!(matches!(no_viewport.orbited(1.0, 0.0), Err(SteerError::Camera(_))));
+    assert!(no_viewport.looked_round(1.0, 0.0).is_ok());
+}
+
+#[test]
+fn what_cannot_be_turned_is_refused() {
+    for turn in TURNS {
+        let error = turn(&Camera::CANONICAL, f64::NAN, 0.0).unwrap_err();
+        assert_eq!(error.to_string(), "yaw is NaN: it must be a finite number");
+        let by_hand = Camera::CANONICAL.given_by(OrientationKind::Basis).unwrap();
+        assert!(turn(&by_hand, 1e308, 1.7e308).is_err());
+        let broken = by_view(DVec3::Y, DVec3::Y);
+        assert_eq!(turn(&broken, 0.1, 0.1), Err(broken.basis().unwrap_err().into()));
+    }
+    // A world unit away from at, 1e17 from the origin: the eye cannot turn by less than that.
+    let far = Camera {
+        eye: vec3(1e17, 0.0, 0.0),
+        orientation: Orientation::At { at: vec3(1e17, 0.0, -1.0), up: DVec3::Y },
+        ..Camera::CANONICAL
+    };
+    assert!(matches!(far.orbited(0.3, 0.0), Err(SteerError::Unsteady { .. })));
+    assert_eq!(far.orbited(0.0, 0.0), Ok(far));
+}
+
+proptest! {
+    #![proptest_config(config(10_000))]
+
+    #[test]
+    fn v_turns_by_no_more_than_the_hand(
+        camera in any_camera(),
+        yaw in small_or_large_angle(),
+        pitch in small_or_large_angle(),
+        kind in 0..2_usize,
+    ) {
+        let calm = is_calm(&camera);
+        let turned = match TURNS[kind](&camera, yaw, pitch) {
+            Ok(turned) => turned,
+            Err(error) => {
+                prop_assert!(!calm && matches!(error, SteerError::Unsteady { .. }), "{}", error);
+                return Ok(());
+            }
+        };
+        assert_valid(&turned);
+        let rounding = if calm { 1e-12 } else { ROUNDING_TURN };
+        prop_assert!(v_turn(&camera, &turned) <= yaw.abs() + pitch.abs() + rounding);
+        prop_assert_eq!(given_up(&camera).is_some(), given_up(&turned).is_some());
+        if let Some(up) = given_up(&camera) {
+            prop_assert_eq!(Some(up), given_up(&turned));
+            let least = pole_gap(&camera).min(POLE_GAP);
+            prop_assert!(pole_gap(&turned) >= least - rounding);
+        }
+        if kind == 1 {
+            prop_assert_eq!(camera.eye, turned.eye);
+        } else if let Orientation::At { .. } = camera.orientation {
+            prop_assert_eq!(camera.orientation, turned.orientation);
+        }
+    }
+
+    #[test]
+    fn an_orbit_keeps_its_distance(
+        camera in any_camera(), yaw in small_or_large_angle(), pitch in small_or_large_angle(),
+    ) {
+        let Ok(turned) = camera.orbited(yaw, pitch) else {
+            return Ok(());
+        };
+        let (before, after) = match camera.orientation {
+            Orientation::At { at, .. } => ((camera.eye - at).length(), (turned.eye - at).length()),
+            _ => (camera.view().length(), turned.view().length()),
+        };
+        let coordinates = match camera.orientation {
+            Orientation::At { .. } => turned.eye.abs().to_array().map(|x| 0.5 * x * f64::EPSILON),
+            _ => [0.0; 3],
+        };
+        let rounding = DVec3::from_array(coordinates).length();
+        prop_assert!((before - after).abs() <= 4.0 * f64::EPSILON * before + rounding);
+        let (from, to) = (camera.pivot().unwrap(), turned.pivot().unwrap());
+        let far = camera.eye.length() + before;
+        prop_assert!((from - to).length() <= 8.0 * f64::EPSILON * far);
+    }
+
+    #[test]
+    fn there_and_back_again(
+        camera in any_camera(), yaw in -3.0..3.0_f64, pitch in -3.0..3.0_f64, kind in 0..2_usize,
+    ) {
+        let angle = camera.up_angle().unwrap().angle;
+        let is_by_hand = given_up(&camera).is_none();
+        prop_assume!(is_calm(&camera));
+        prop_assume!(is_by_hand || (POLE_GAP..PI - POLE_GAP).contains(&(angle - pitch)));
+        let turn = TURNS[kind];
+        let back = turn(&turn(&camera, yaw, pitch).unwrap(), -yaw, -pitch).unwrap();
+        let far = camera.eye.length() + camera.eye.distance(camera.pivot().unwrap());
+        prop_assert!((back.eye - camera.eye).length() <= 1e-12 * far);
+        prop_assert!(v_turn(&back, &camera) < 1e-11);
+    }
+
+    #[test]
+    fn turns_that_differ_little_end_alike(
+        camera in any_camera(),
+        yaw in small_or_large_angle(),
+        pitch in small_or_large_angle(),
+        differ in (-1e-6..1e-6_f64, -1e-6..1e-6_f64),
+        kind in 0..2_usize,
+    ) {
+        prop_assume!(is_calm(&camera));
+        let a = TURNS[kind](&camera, yaw, pitch).unwrap();
+        let b = TURNS[kind](&camera, yaw + differ.0, pitch + differ.1).unwrap();
+        let most = differ.0.abs() + differ.1.abs() + 1e-11;
+        prop_assert!(v_turn(&a, &b) <= most);
+        prop_assert!(angle(a.view(), b.view()) <= most);
+        prop_assert!(a.eye.distance(b.eye) <= most * camera.eye.distance(camera.pivot().unwrap()));
+    }
+}
