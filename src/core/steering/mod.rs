@@ -1,14 +1,16 @@
 //! The camera taken in the hand: what a drag, a turn of the wheel or a key does to it, as functions
 //! from one camera to the next. How the camera is given (by at, by view, by hand) stays.
 //!
-//! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u.
+//! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u;
+//!   [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
+//!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag) say by how much.
 //! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`]; [`Camera::swung`] rolls,
 //!   [`Camera::scaled_picture`] is the d-lock.
 //! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_up_tip`],
 //!   [`Camera::with_viewport_corner`], [`Camera::with_viewport_through`]; spheres and planes have their
 //!   own.
 //! - *Pointer*: [`Drag`]: from a place in the observer's picture to a point of the world.
-//! - *Snapping*: [`snapped`], [`nice_step`], [`rounded_to`].
+//! - *Readable numbers*: [`snapped`], [`nice_step`], [`rounded_to`], by [`pixel_in_world`].
 //!
 //! Every result is a camera with a basis, or a typed error with the numbers; never NaN.
 //!
@@ -43,7 +45,7 @@ use std::fmt;
 use glam::DVec3;
 
 pub use handles::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
-pub use pointer::{Drag, DragAlong, DragError, FARTHEST, LEAST_ANGLE};
+pub use pointer::{Drag, DragAlong, DragError, FARTHEST, LEAST_ANGLE, pixel_in_world};
 pub use snap::{nice_step, rounded_point, rounded_to, snapped};
 
 use crate::basis::{Basis, BasisError};

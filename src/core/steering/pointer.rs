@@ -142,6 +142,17 @@ impl Drag {
     }
 }
 
+/// What a pixel of the observer's picture measures in the world at a point, in the plane parallel to
+/// the picture: `depth / distance * height / H`.
+///
+/// # Errors
+/// Where the point is not in front of the observer.
+pub fn pixel_in_world(observer: &PosedCamera, point: DVec3) -> Result<f64, DragError> {
+    let Seen { depth, distance, .. } = Seen::of(point, observer)?;
+    let height = observer.viewport().height / f64::from(observer.image().height());
+    Ok(depth / distance * height)
+}
+
 /// An anchor in the observer's coordinates.
 struct Seen<'a> {
     observer: &'a PosedCamera,

@@ -2,12 +2,14 @@
 
 use std::f64::consts::PI;
 
+use glam::{DVec2, DVec3};
+
 use super::{POLE_GAP, SteerError, Turn, check_finite, orthonormal, steady};
 use crate::basis::{Basis, BasisError};
 use crate::camera::{Camera, Orientation};
 use crate::error_free::difference_with_rest;
 use crate::scale::{ldexp, length, unit};
-use glam::DVec3;
+use crate::viewport::Viewport;
 
 impl Camera {
     /// The point that [`Camera::orbited`] turns round: `at`; by view `eye + view`; by hand the middle
@@ -141,5 +143,29 @@ impl Camera {
         let angle = self.up_angle()?.angle;
         let (nearest, farthest) = (angle.min(POLE_GAP), angle.max(PI - POLE_GAP));
         Ok(pitch.clamp(angle - farthest, angle - nearest))
+    }
+}
+
+impl Viewport {
+    /// Yaw and pitch by which [`Camera::looked_round`] takes the picture along when it is dragged from
+    /// one (u, v) to another:
+    ///
+    /// ```text
+    /// yaw = atan(u' / distance) - atan(u / distance)     pitch = atan(v / distance) - atan(v' / distance)
+    /// ```
+    ///
+    /// What is taken stays under the pointer exactly on the picture's middle lines (of a camera that is
+    /// level), and nearly elsewhere. Not finite where the viewport is none.
+    pub fn look_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
+        let angle = |x: f64| x.atan2(self.distance);
+        (angle(to.x) - angle(from.x), angle(from.y) - angle(to.y))
+    }
+
+    /// Yaw and pitch by which [`Camera::orbited`] follows a drag from one (u, v) to another: half a
+    /// turn for the viewport's height, so that the near side of what is orbited goes with the hand. Not
+    /// finite where the viewport is none.
+    pub fn orbit_of_drag(&self, from: DVec2, to: DVec2) -> (f64, f64) {
+        let share = (to - from) / self.height;
+        (-PI * share.x, PI * share.y)
     }
 }

@@ -4,7 +4,7 @@ use pinhole_core::steering::*;
 use pinhole_core::*;
 use proptest::prelude::*;
 
-use crate::{any_camera, config, direction, given_up, is_calm, vec3};
+use crate::{calm_camera, config, direction, given_up, vec3};
 
 /// Turned and off the origin.
 fn camera() -> Camera {
@@ -105,8 +105,10 @@ proptest! {
 
     /// v is the part of the new up across the view.
     #[test]
-    fn up_tips_roll_as_they_are_seen(camera in any_camera(), tip in direction(), scale in 0.01..100.0_f64) {
-        prop_assume!(is_calm(&camera) && given_up(&camera).is_some());
+    fn up_tips_roll_as_they_are_seen(camera in calm_camera(), tip in direction(), scale in 0.01..100.0_f64) {
+        if given_up(&camera).is_none() {
+            return Ok(());
+        }
         let reach = camera.eye.distance(camera.pivot().unwrap());
         let Basis { u, v, w } = camera.basis().unwrap();
         prop_assume!(tip.cross(w).length() > 1e-3);
@@ -120,9 +122,8 @@ proptest! {
 
     #[test]
     fn a_dragged_corner_is_under_the_hand(
-        camera in any_camera(), u in 0.01..10.0_f64, v in 0.01..10.0_f64, which in 0..4_usize,
+        camera in calm_camera(), u in 0.01..10.0_f64, v in 0.01..10.0_f64, which in 0..4_usize,
     ) {
-        prop_assume!(is_calm(&camera));
         let corner = ViewportCorner::ALL[which];
         let posed = camera.posed().unwrap();
         let uv = corner.signs() * DVec2::new(u, v) * camera.viewport.distance;

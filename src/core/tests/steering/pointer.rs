@@ -60,20 +60,29 @@ fn what_is_far_moves_farther() {
 }
 
 #[test]
+fn a_pixel_measures_more_far_away() {
+    let at = |z| pixel_in_world(&straight(), vec3(3.0, 1.0, z));
+    // 2 x 2 in 400 x 400 pixels.
+    assert_eq!(at(9.0), Ok(0.005));
+    assert_eq!(at(-10.0), Ok(0.1));
+    assert_eq!(at(10.0), Err(DragError::NotInFront { depth: 0.0 }));
+}
+
+#[test]
 fn nothing_jumps_to_infinity() {
     let drag = Drag { anchor: vec3(0.0, -1.0, 0.0), begun_at: DVec2::new(0.0, -0.1) };
     let to = |v, along| drag.to(&straight(), DVec2::new(0.0, v), along);
     // Along the floor, towards the horizon in the middle and past it.
     let away = DragAlong::Axis(DVec3::NEG_Z);
     assert!(to(-0.2, away).is_ok());
-    for v in [-1e-4, 0.0, 0.3] {
+    for v in [-9e-5, 0.0, 0.3] {
         assert_eq!(to(v, away), Err(DragError::PastHorizon));
     }
     assert!(to(-0.0875, DragAlong::Plane(DVec3::X, DVec3::Z)).is_ok());
     let on_edge = to(-0.08, DragAlong::Plane(DVec3::X, DVec3::Z));
     assert!(matches!(on_edge, Err(DragError::OnEdge { .. })));
     let wall = DragAlong::Plane(DVec3::X, vec3(0.0, 1.0, -1.0));
-    assert_eq!(to(1.1, wall), Err(DragError::PastHorizon));
+    assert_eq!(to(2.0, wall), Err(DragError::PastHorizon));
     let towards = DragAlong::Axis(vec3(0.0, 1.0, 10.0));
     assert!(matches!(to(0.3, towards), Err(DragError::OnEdge { angle }) if angle < 1e-9));
     for along in [DragAlong::Axis(DVec3::ZERO), DragAlong::Plane(DVec3::X, -3.0 * DVec3::X)] {
@@ -113,7 +122,10 @@ proptest! {
                 let off = a.cross(b).normalize().dot(moved);
                 prop_assert!(off.abs() <= 1e-9 * moved.length() + 1e-14 * observer.eye().length());
             }
-            prop_assert_eq!(drag.to(&observer, uv, along), Ok(anchor));
+            // Unless the plane is seen from its edge there.
+            let back = drag.to(&observer, uv, along);
+            let on_edge = matches!(back, Err(DragError::OnEdge { .. }));
+            prop_assert!(back == Ok(anchor) || on_edge);
         }
     }
 

@@ -5,10 +5,11 @@ use std::f64::consts::FRAC_PI_2;
 use pinhole_core::steering::*;
 use pinhole_core::*;
 use proptest::prelude::*;
+use proptest::strategy::ValueTree;
 
 use crate::{
-    any_camera, assert_valid, config, direction, given_up, is_calm, pole_gap, v_turn, vec3,
-    view_turn,
+    any_camera, assert_valid, calm_camera, config, direction, given_up, is_calm, pole_gap, v_turn,
+    vec3, view_turn,
 };
 
 /// The eye (about at) or at (about the eye), put to a place so many lengths of the way between them
@@ -85,10 +86,9 @@ fn in_one_go_or_in_many_steps_straight_over_the_top() {
     assert!(v_turn(&camera, &at_once.camera) < 1e-12);
     let (one, other) = (given_up(&camera).unwrap(), given_up(&at_once.camera).unwrap());
     assert!(one.distance(other) < 1e-12);
-    // Pushed from where the view came within 5 degrees of -up: by 65 - 10 degrees and 5 more.
-    let pushed = 115_f64.to_radians() - CONE;
-    let expected = 3.0 * vec3(0.0, pushed.cos(), -pushed.sin());
-    assert!(other.distance(expected) < 3.0 * 0.2, "{other} {expected}");
+    // Pushed from where the eye came within 5 degrees of the top: by 60 degrees and 5.
+    let (sin, cos) = 65_f64.to_radians().sin_cos();
+    assert!(other.distance(3.0 * vec3(0.0, cos, -sin)) < 1e-12);
     assert!((v_turn(&start, &camera) - 120_f64.to_radians()).abs() < 1e-12);
 }
 
@@ -162,6 +162,51 @@ fn a_camera_without_a_basis_is_led_out_of_it() {
     assert!(parallel.with_at(vec3(0.0, -7.0, 0.0)).is_err());
 }
 
+/// One drag of any kind, and the most that it may turn v, but for rounding.
+fn one_drag(camera: &Camera, kind: usize, offset: DVec3) -> Result<(Camera, f64), SteerError> {
+    let DVec3 { x: yaw, y: pitch, .. } = offset;
+    let hand = yaw.abs() + pitch.abs();
+    Ok(match kind {
+        0 => (camera.orbited(yaw, pitch)?, hand),
+        1 => (camera.looked_round(yaw, pitch)?, hand),
+        2 => (camera.dollied(yaw)?, 0.0),
+        3 => {
+            let reach = camera.eye.distance(camera.pivot()?);
+            (camera.with_eye_at(camera.eye + reach * offset, Keep::View)?.camera, 0.0)
+        }
+        _ => {
+            let after = dragged(camera, offset, kind == 4)?.camera;
+            let view = view_turn(camera, &after);
+            (after, if given_up(camera).is_some() { view / CONE.sin() } else { view })
+        }
+    })
+}
+
+/// One camera, dragged 10,000 times in succession.
+#[test]
+fn ten_thousand_drags_leave_a_valid_camera() {
+    let mut runner = proptest::test_runner::TestRunner::deterministic();
+    for kind in [OrientationKind::At, OrientationKind::View, OrientationKind::Basis] {
+        let mut camera = over_the_top(60.0, 10.0).given_by(kind).unwrap();
+        let mut refused = 0;
+        for _ in 0..10_000 {
+            let (which, offset) = (0..6_usize, offset()).new_tree(&mut runner).unwrap().current();
+            let Ok((after, most)) = one_drag(&camera, which, offset) else {
+                refused += 1;
+                continue;
+            };
+            assert_valid(&after);
+            assert!(v_turn(&camera, &after) <= most + 1e-8, "{which} {offset} {camera:?}");
+            let reach = after.eye.distance(after.pivot().unwrap());
+            // Not off into the distance, nor into at.
+            if (1e-2..1e2).contains(&reach) && after.eye.length() < 1e3 {
+                camera = after;
+            }
+        }
+        assert_eq!(refused, 0);
+    }
+}
+
 proptest! {
     #![proptest_config(config(10_000))]
 
@@ -220,27 +265,27 @@ proptest! {
     /// Where up stays, there and back again is where it began.
     #[test]
     fn outside_the_cone_there_and_back_again(
-        camera in any_camera(), offset in offset(), is_eye in any::<bool>(),
+        camera in calm_camera(), offset in offset(), is_eye in any::<bool>(),
     ) {
         let Ok(steered) = dragged(&camera, offset, is_eye) else {
             return Ok(());
         };
-        prop_assume!(given_up(&camera).is_some() && !steered.up_went_along);
+        if given_up(&camera).is_none() || steered.up_went_along {
+            return Ok(());
+        }
         let back = match (is_eye, camera.orientation) {
             (true, _) => steered.camera.with_eye_at(camera.eye, Keep::At),
             (false, Orientation::At { at, .. }) => steered.camera.with_at(at),
             (false, _) => steered.camera.with_at(camera.eye + camera.view()),
         }
         .unwrap();
-        prop_assume!(is_calm(&camera));
         prop_assert!(!back.up_went_along);
         prop_assert_eq!(back.camera.eye, camera.eye);
         prop_assert!(v_turn(&camera, &back.camera) < 1e-11);
     }
 
     #[test]
-    fn a_travelling_eye_turns_nothing(camera in any_camera(), offset in offset()) {
-        prop_assume!(is_calm(&camera));
+    fn a_travelling_eye_turns_nothing(camera in calm_camera(), offset in offset()) {
         let reach = camera.eye.distance(camera.pivot().unwrap());
         let eye = camera.eye + reach * offset;
         let Steered { camera: after, up_went_along } =
