@@ -173,7 +173,8 @@ proptest! {
         let angle = camera.up_angle().unwrap().angle;
         let is_by_hand = given_up(&camera).is_none();
         let is_between = |angle| (POLE_GAP..PI - POLE_GAP).contains(&angle);
-        if !is_by_hand && !(is_between(angle) && is_between(angle - pitch)) {
+        let goes_free = is_between(angle) && is_between(angle - pitch);
+        if !(is_by_hand || goes_free) {
             return Ok(());
         }
         let turn = TURNS[kind];
