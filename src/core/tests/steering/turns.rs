@@ -22,22 +22,32 @@ fn by_view(view: DVec3, up: DVec3) -> Camera {
     Camera { orientation: Orientation::View { view, up }, ..Camera::CANONICAL }
 }
 
+/// The canonical camera, given in all three ways.
+fn canonical() -> [Camera; 3] {
+    [OrientationKind::At, OrientationKind::View, OrientationKind::Basis]
+        .map(|kind| Camera::CANONICAL.given_by(kind).unwrap())
+}
+
 #[test]
 fn a_positive_yaw_orbits_to_the_right_and_looks_to_the_left() {
-    let orbited = Camera::CANONICAL.orbited(FRAC_PI_2, 0.0).unwrap();
-    assert!((orbited.eye - vec3(1.0, 0.0, -1.0)).length() < 1e-15);
-    assert_eq!(orbited.orientation, Camera::CANONICAL.orientation);
-    let looking = Camera::CANONICAL.looked_round(FRAC_PI_2, 0.0).unwrap();
-    assert!((looking.view() - DVec3::NEG_X).length() < 1e-15);
-    assert_eq!(looking.eye, DVec3::ZERO);
+    for camera in canonical() {
+        let orbited = camera.orbited(FRAC_PI_2, 0.0).unwrap();
+        assert!((orbited.eye - vec3(1.0, 0.0, -1.0)).length() < 1e-15);
+        assert!((orbited.view() - DVec3::NEG_X).length() < 1e-15);
+        let looking = camera.looked_round(FRAC_PI_2, 0.0).unwrap();
+        assert!((looking.view() - DVec3::NEG_X).length() < 1e-15);
+        assert_eq!(looking.eye, DVec3::ZERO);
+    }
 }
 
 #[test]
 fn a_positive_pitch_orbits_down_and_looks_up() {
-    let down = Camera::CANONICAL.orbited(0.0, 0.5).unwrap().eye;
-    assert!((down - vec3(0.0, -0.5_f64.sin(), 0.5_f64.cos() - 1.0)).length() < 1e-15);
-    let up = Camera::CANONICAL.looked_round(0.0, 0.5).unwrap().view();
-    assert!((up - vec3(0.0, 0.5_f64.sin(), -0.5_f64.cos())).length() < 1e-15);
+    for camera in canonical() {
+        let down = camera.orbited(0.0, 0.5).unwrap().eye;
+        assert!((down - vec3(0.0, -0.5_f64.sin(), 0.5_f64.cos() - 1.0)).length() < 1e-15);
+        let up = camera.looked_round(0.0, 0.5).unwrap().view();
+        assert!((up - vec3(0.0, 0.5_f64.sin(), -0.5_f64.cos())).length() < 1e-15);
+    }
 }
 
 #[test]
