@@ -82,14 +82,15 @@ impl Exercises {
 
     /// Looks at everything that was typed.
     pub(crate) fn check(&mut self) {
-        for (index, typed) in self.answers.iter_mut().enumerate() {
-            typed.spread();
-            typed.said = Some(match typed.answer() {
-                Ok(answer) => match self.question.judge(index, &answer) {
-                    Some(verdict) => Said::Judged(verdict),
-                    None => Said::NotAnswered,
-                },
-                Err(said) => said,
+        self.answers.iter_mut().for_each(Typed::spread);
+        let answers: Vec<Result<Answer, Said>> = self.answers.iter().map(Typed::answer).collect();
+        let known: Vec<Option<Answer>> =
+            answers.iter().map(|answer| answer.as_ref().ok().cloned()).collect();
+        let verdicts = self.question.judge(&known);
+        for ((typed, answer), verdict) in self.answers.iter_mut().zip(answers).zip(verdicts) {
+            typed.said = Some(match verdict {
+                Some(verdict) => Said::Judged(verdict),
+                None => answer.err().unwrap_or(Said::NotAnswered),
             });
         }
     }
