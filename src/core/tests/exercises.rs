@@ -231,7 +231,7 @@ fn otherwise_it_says_what_is_wrong() {
             Finding::NotOrthogonal { to: "u", dot: 0.8 }
         ]
     );
-    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[5.0]));
+    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[5.5]));
     assert_eq!(t, Verdict::Wrong(vec![Finding::Another]));
     // A point has no length and does not point anywhere.
     let of_point = |v: [f64; 3]| judged(Exercise::WarmUpPlane, Asked::Point, numbers(&v));
