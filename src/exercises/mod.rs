@@ -1,12 +1,15 @@
 //! The exercises: which one is open, what was typed, and what is said of it. The questions and their
 //! answers are the core's; nothing is counted, stored or sent.
 
+mod answers;
 mod texts;
+mod verdicts;
 
 use pinhole_core::lecture::exercises::{Answer, Exercise, Question, Verdict};
 
-pub use texts::{asked, question, solution, title};
-pub(crate) use texts::{is_good, said};
+pub use answers::solution;
+pub use texts::{asked, question, title};
+pub(crate) use verdicts::{is_good, said};
 
 use crate::document::{Document, Item};
 use crate::expression::evaluate;

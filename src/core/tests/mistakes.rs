@@ -262,9 +262,10 @@ fn the_largest_images_have_wrong_pictures_too() {
         for mistake in Mistake::ALL {
             let wrong = wrong(&camera, mistake);
             let picture = WrongPicture::trace(&scene, &wrong, &raster).unwrap();
-            let mut pixels = raster.rows().iter().flat_map(|&row| {
-                raster.columns().iter().map(move |&column| Pixel { row, column })
-            });
+            let mut pixels = raster
+                .rows()
+                .iter()
+                .flat_map(|&row| raster.columns().iter().map(move |&column| Pixel { row, column }));
             let ray_meets = |pixel: Pixel| {
                 scene.first_hit(&wrong.ray(pixel).unwrap()).map_or(NO_OBJECT, |hit| hit.object)
             };

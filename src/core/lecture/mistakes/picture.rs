@@ -191,7 +191,12 @@ impl WrongCamera {
             height: rows.extent,
             distance: self.distance() * self.scale.z.abs(),
         };
-        posed(self.right.eye(), basis, viewport, ImageSize::partly_traced(columns.count, rows.count))
+        posed(
+            self.right.eye(),
+            basis,
+            viewport,
+            ImageSize::partly_traced(columns.count, rows.count),
+        )
     }
 
     /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
