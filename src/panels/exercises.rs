@@ -1,6 +1,8 @@
 //! The exercises view: the list, the question, fields for the answer, and what is said of it.
 
-use egui::{Color32, Key, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2};
+use egui::{
+    Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
+};
 use pinhole_core::lecture::exercises::{Exercise, Part};
 
 use super::marked_text;
@@ -155,7 +157,9 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
         } else {
             text.color(color)
         };
-        ui.add_sized(wide, egui::Label::new(text).halign(egui::Align::RIGHT));
+        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
+            ui.label(text);
+        });
         if part.count() == 0 {
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {

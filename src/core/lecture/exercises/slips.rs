@@ -200,7 +200,7 @@ impl Slip {
             Slip::UAndWSwapped => "𝐮 and 𝐰 are exchanged: 𝐮 is right, 𝐰 is backwards.",
             Slip::UAndVSwapped => "𝐮 and 𝐯 are exchanged: 𝐮 is right, 𝐯 is up in the image.",
             Slip::BasisUnnormalized => {
-                "𝐮 and 𝐰 are not of length 1, nor is what is made of them right: normalize them."
+                "𝐮 and 𝐰 must be of length 1: normalize them before anything is made of them."
             }
             Slip::Unnormalized => "The direction is right, but its length is not 1: normalize it.",
             Slip::WIsView => {
