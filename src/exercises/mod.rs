@@ -11,7 +11,7 @@ pub(crate) use texts::{is_good, said};
 use crate::document::{Document, Item};
 use crate::expression::evaluate;
 
-/// The exercise at hand. A lesson's step sets it with [`Exercises::open`].
+/// The exercise at hand. A lesson's step sets it with [`Exercises::show`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exercises {
     /// The numbers, answers and wrong answers.
@@ -61,6 +61,13 @@ impl Exercises {
         let typed = |count| Typed { fields: vec![String::new(); count], ..Typed::default() };
         let answers = question.parts.iter().map(|part| typed(part.count())).collect();
         Exercises { question, seed, answers, is_solved: false }
+    }
+
+    /// Opens this question, unless it is the one at hand: what was typed for that stays.
+    pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
+        if (self.question.exercise, self.seed) != (exercise, seed) {
+            *self = Exercises::open(exercise, seed);
+        }
     }
 
     /// The question.
@@ -153,6 +160,19 @@ mod tests {
             Typed { fields: vec![root, String::new(), String::new()], ..Typed::default() };
         typed.spread();
         assert_eq!(typed.fields, ["1/sqrt(2)", "0", "-1/sqrt(2)"]);
+    }
+
+    #[test]
+    fn what_was_typed_stays_until_another_question_is_shown() {
+        let mut exercises = Exercises::open(Exercise::Sphere, Some(3));
+        exercises.answers[0].fields[0] = "4".to_owned();
+        exercises.show(Exercise::Sphere, Some(3));
+        assert_eq!(exercises.answers[0].fields[0], "4");
+        for (exercise, seed) in [(Exercise::Sphere, None), (Exercise::Lines, None)] {
+            exercises.answers[0].fields[0] = "4".to_owned();
+            exercises.show(exercise, seed);
+            assert_eq!(exercises, Exercises::open(exercise, seed));
+        }
     }
 
     #[test]

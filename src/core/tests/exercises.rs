@@ -98,6 +98,24 @@ fn seeds_are_kept_and_differ() {
 }
 
 #[test]
+fn lessons_name_exercises_by_ids_that_stay() {
+    let ids = Exercise::ALL.map(Exercise::id);
+    let known = [
+        "warm-up-ray",
+        "warm-up-plane",
+        "distance",
+        "turned-basis",
+        "view-up",
+        "eye-at-up",
+        "sphere",
+        "lines",
+    ];
+    assert_eq!(ids, known);
+    assert_eq!(ids.map(Exercise::from_id), Exercise::ALL.map(Some));
+    assert_eq!(Exercise::from_id("circle"), None);
+}
+
+#[test]
 fn each_classic_mistake_in_the_lectures_own_exercises_is_named() {
     use Asked::{Direction, Hits, Normal, Origin, Point, T, U, V, W};
     let (r74, r682) = (74f64.sqrt(), 682f64.sqrt());
