@@ -26,7 +26,8 @@ fn every_lesson_is_read_and_says_how_it_begins() {
                 && looks.keep_picture.is_some()
                 && looks.teaching.is_some()
                 && looks.ledger.is_some()
-                && looks.lit.is_some(),
+                && looks.lit.is_some()
+                && looks.observer.is_some(),
             "{}",
             file.name
         );

@@ -94,8 +94,8 @@ fn r_puts_back_what_a_step_sets_beside_the_scene() {
 
 #[test]
 fn what_the_texts_of_the_steps_ask_for_does_what_they_say() {
-    // 6.4: one number, and the reason is there.
-    let mut window = at_step(6, 4);
+    // 6.2: one number, and the reason is there.
+    let mut window = at_step(6, 2);
     type_into(&mut window, "u x", "1");
     assert!(window.state().derived().fault.is_some());
     // 3.3: locked, the point stays; d is 4 times the warm-up's, so t = 6/4.

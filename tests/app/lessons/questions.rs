@@ -26,7 +26,7 @@ const QUESTIONS: &[(usize, usize, Answers)] = &[
     // s = 1/√2, u = (-s, 0, -s), v = y, so w = u x v = (s, 0, -s); 0.2 u + 0.1 v - w; z = 0.8 s t = 4.
     (
         6,
-        5,
+        6,
         &[
             ("u", &["-1/sqrt(2)", "0", "-1/sqrt(2)"]),
             ("v", &["0", "1", "0"]),
