@@ -1,12 +1,15 @@
 //! The exercises: which one is open, what was typed, and what is said of it. The questions and their
 //! answers are the core's; nothing is counted, stored or sent.
 
+mod answers;
 mod texts;
+mod verdicts;
 
 use pinhole_core::lecture::exercises::{Answer, Exercise, Question, Verdict};
 
-pub use texts::{asked, question, solution, title};
-pub(crate) use texts::{is_good, said};
+pub use answers::solution;
+pub use texts::{asked, question, title};
+pub(crate) use verdicts::{is_good, said};
 
 use crate::document::{Document, Item};
 use crate::expression::evaluate;
@@ -82,14 +85,15 @@ impl Exercises {
 
     /// Looks at everything that was typed.
     pub(crate) fn check(&mut self) {
-        for (index, typed) in self.answers.iter_mut().enumerate() {
-            typed.spread();
-            typed.said = Some(match typed.answer() {
-                Ok(answer) => match self.question.judge(index, &answer) {
-                    Some(verdict) => Said::Judged(verdict),
-                    None => Said::NotAnswered,
-                },
-                Err(said) => said,
+        self.answers.iter_mut().for_each(Typed::spread);
+        let answers: Vec<Result<Answer, Said>> = self.answers.iter().map(Typed::answer).collect();
+        let known: Vec<Option<Answer>> =
+            answers.iter().map(|answer| answer.as_ref().ok().cloned()).collect();
+        let verdicts = self.question.judge(&known);
+        for ((typed, answer), verdict) in self.answers.iter_mut().zip(answers).zip(verdicts) {
+            typed.said = Some(match verdict {
+                Some(verdict) => Said::Judged(verdict),
+                None => answer.err().unwrap_or(Said::NotAnswered),
             });
         }
     }
