@@ -6,6 +6,7 @@
 # gone when the script ends.
 start_display() {
   local pipe number
+  display_width=${1%x*}
   work=$(mktemp -d)
   exec {pipe}<> <(:)
   Xvfb -displayfd "$pipe" -screen 0 "${1}x24" -nolisten tcp -noreset 2>/dev/null &
@@ -30,6 +31,12 @@ open_window() {
   process=$!
   until window=$(DISPLAY=$display xdotool search --onlyvisible --name ' - Pinhole'); do
     sleep 0.1
+  done
+  # It is maximised a little later; the borders may stay.
+  local WIDTH=0
+  until ((WIDTH > display_width - 10)); do
+    sleep 0.1
+    eval "$(DISPLAY=$display xdotool getwindowgeometry --shell "$window" | grep WIDTH)"
   done
 }
 

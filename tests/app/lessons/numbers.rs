@@ -51,13 +51,13 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         ],
     ),
     (2, 4, &[("t", "6"), ("hit", "(1.2, −0.6, −6)")]),
-    (2, 5, &[(SAYS, "What is the viewing ray 𝐩 + t 𝐝 through (𝑢, 𝑣) = (0.3, −0.2)?")]),
+    (2, 5, &[(SAYS, "What is the viewing ray p + t d through (u, v) = (0.3, −0.2)?")]),
     (
         2,
         6,
         &[(
             SAYS,
-            "The ray through (𝑢, 𝑣) = (0.4, −0.2), with 𝐝 as the lecture builds it, meets the plane z = −4. At which t, and where?",
+            "The ray through (u, v) = (0.4, −0.2), with d as the lecture builds it, meets the plane z = −4. At which t, and where?",
         )],
     ),
     // Twice those of 1.3.
@@ -74,7 +74,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
             (SAYS, "A canonical camera, but the viewport is at distance 2.5 from the eye."),
             (
                 SAYS,
-                "What is 𝐝 through (𝑢, 𝑣) = (0.3, 0.1), so that t = 1 is on the viewport? At which t is the plane z = −7.5?",
+                "What is d through (u, v) = (0.3, 0.1), so that t = 1 is on the viewport? At which t is the plane z = −7.5?",
             ),
         ],
     ),
@@ -136,7 +136,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         6,
         &[(
             SAYS,
-            "What are 𝐮, 𝐯 and 𝐰, and 𝐝 = 𝑢 𝐮 + 𝑣 𝐯 − 𝐰 for (𝑢, 𝑣) = (0.2, 0.1)? At which t does it meet the plane z = 4?",
+            "What are u, v and w, and d = u u + v v − w for (u, v) = (0.2, 0.1)? At which t does it meet the plane z = 4?",
         )],
     ),
     (7, 1, &[("swing up", "0°"), ("up from view", "90°"), ("d", "(0, 0, −1)")]),

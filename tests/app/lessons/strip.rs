@@ -42,11 +42,16 @@ fn keys_go_through_the_lessons_unless_a_view_wants_them() {
 #[test]
 fn contents_lead_everywhere() {
     let mut window = at_step(1, 1);
+    let size = egui::vec2(1280.0, 720.0);
+    window.set_size(size);
+    window.run();
     window.get_by_label("Contents").click();
     window.run();
+    let inside = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
     for lesson in builtin::all() {
         for (index, step) in lesson.steps.iter().enumerate() {
-            window.get_by_label(&format!("{}. {}", index + 1, step.title));
+            let entry = window.get_by_label(&format!("{}. {}", index + 1, step.title)).rect();
+            assert!(inside.contains_rect(entry), "{}: {entry}", step.title);
         }
     }
     window.get_by_label("2. Its basis").click();

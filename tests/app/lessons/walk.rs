@@ -84,12 +84,9 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
     assert_eq!(place(&window), (13, 2));
 }
 
-/// Drags the eye, another ray, another layout and the observer.
+/// Drags the eye, another layout and the observer.
 fn disturb(window: &mut Window) {
     type_into(window, "eye x", "0.125");
-    if window.query_by_role_and_label(Role::SpinButton, "uv u").is_some() {
-        type_into(window, "uv u", "0.0625");
-    }
     press(window, "World");
     let view = window.get_by_role_and_label(Role::Image, "World view").rect();
     drag_from(window, view.min + egui::vec2(60.0, 60.0), egui::vec2(50.0, 20.0));
@@ -98,6 +95,9 @@ fn disturb(window: &mut Window) {
 #[test]
 fn after_dragging_in_any_step_r_brings_back_all_of_it() {
     let mut window = at_step(1, 1);
+    // Small views are quickly traced.
+    window.set_size(egui::vec2(1280.0, 560.0));
+    window.run();
     for (index, lesson) in builtin::all().iter().enumerate() {
         for (k, step) in lesson.steps.iter().enumerate() {
             let now = (index + 1, k + 1);
