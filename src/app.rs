@@ -5,21 +5,23 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod history;
+mod inputs;
 mod lessons;
 mod outputs;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use egui::{CentralPanel, Context, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+use egui::{CentralPanel, Context, Panel, ScrollArea, Ui};
 use egui::{ThemePreference, ViewportCommand};
 
+use self::history::Changes;
 use self::lessons::Lessons;
 use crate::action::Action;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
-use crate::formats::scene_argument::SceneSource;
 use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
@@ -37,6 +39,7 @@ pub struct App {
     open: OpenDocument,
     session: Session,
     lessons: Lessons,
+    changes: Changes,
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
@@ -67,6 +70,7 @@ impl App {
     /// The program on this document, with what the last run remembered.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
         let mut app = App {
+            changes: Changes::of(&open.document),
             open,
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
@@ -194,6 +198,7 @@ impl App {
             }
             self.outputs(ui, &places);
         });
+        self.keep_history(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
         self.frames.end(&ctx, stopwatch);
@@ -228,57 +233,14 @@ impl App {
         }
     }
 
-    /// Keys, dropped files and the close button.
-    fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
-        actions.append(&mut self.waiting);
-        self.lesson_keys(ctx, actions);
-        let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
-        let shifted = KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
-        let pressed = |shortcut| ctx.input_mut(|i| i.consume_shortcut(&shortcut));
-        // The longer shortcut first: the shorter one would match it too.
-        for (shortcut, action) in [
-            (shifted, Action::AskSaveAs),
-            (command(Key::S), Action::Save),
-            (command(Key::O), Action::AskOpen),
-            (command(Key::Q), Action::Quit),
-        ] {
-            if pressed(shortcut) && self.dialog.is_none() {
-                self.after_typing(ctx, action, actions);
-            }
-        }
-        let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
-        // Not under a dialog: its answer would then be about another scene.
-        let dropped = dropped.filter(|_| self.dialog.is_none());
-        actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
-        if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
-            if self.open.has_changes() {
-                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-                self.ask_about_changes(Action::Quit);
-            } else {
-                self.may_close = true;
-            }
-        }
-        self.geometry.update(ctx);
-    }
-
-    /// Does it now; where something has the focus, in the next pass: a number that is being typed is
-    /// taken over when its field loses the focus.
-    fn after_typing(&mut self, ctx: &Context, action: Action, actions: &mut Vec<Action>) {
-        match ctx.memory(|memory| memory.focused()) {
-            Some(focused) => {
-                ctx.memory_mut(|memory| memory.surrender_focus(focused));
-                self.waiting.push(action);
-                ctx.request_repaint();
-            }
-            None => actions.push(action),
-        }
-    }
-
     fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let ctx = ui.ctx().clone();
         dialogs::ui(&ctx, &mut self.dialog, actions);
         Panel::top("top bar").show(ui, |ui| {
-            top_bar::ui(ui, &self.open, &self.recent, &mut self.session.settings, actions);
+            let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
+            let steps = top_bar::Steps { undo, redo };
+            let settings = &mut self.session.settings;
+            top_bar::ui(ui, &self.open, &self.recent, steps, settings, actions);
         });
         self.lesson_strip(ui, actions);
         let panel =

@@ -15,9 +15,9 @@ use crate::panels::lesson_strip;
 use crate::session::{Session, Settings};
 
 /// The lesson that is open, and what is needed to leave it without a trace.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Lessons {
-    open: Option<OpenLesson>,
+    pub(super) open: Option<OpenLesson>,
     /// The lesson that was opened from a file.
     file: Option<Arc<Lesson>>,
     /// Where the step was first looked at from, if it does not say so itself.
@@ -84,6 +84,7 @@ impl App {
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         self.lessons.seen_from = self.session.observer;
         self.lessons.open = Some(next);
+        self.settled();
     }
 
     /// The lesson that is open.

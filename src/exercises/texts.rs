@@ -153,10 +153,13 @@ fn place(uv: DVec2) -> String {
     format!("(*u*, *v*) = {}", pair(uv))
 }
 
+/// A space at which no line is broken: a vector stays in one piece.
+const SPACE: char = '\u{a0}';
+
 fn pair(v: DVec2) -> String {
-    format!("({}, {})", number(v.x), number(v.y))
+    format!("({},{SPACE}{})", number(v.x), number(v.y))
 }
 
 fn triple(v: DVec3) -> String {
-    format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))
+    format!("({},{SPACE}{},{SPACE}{})", number(v.x), number(v.y), number(v.z))
 }

@@ -9,6 +9,7 @@ mod exercises;
 mod faults;
 mod frame;
 mod harness;
+mod history;
 mod ledger;
 mod lessons;
 mod lines;

@@ -100,7 +100,8 @@ fn every_mistake_that_gives_an_answer_is_named() {
         for (index, part) in question.parts.iter().enumerate() {
             for (slip, answer) in &part.slips {
                 let verdict = alone(&question, index, answer.clone());
-                let named = matches!(&verdict, Verdict::Slips(slips) if slips.contains(slip));
+                let tells = |named: &Slip| named == slip || named.is_part_of(*slip);
+                let named = matches!(&verdict, Verdict::Slips(slips) if slips.iter().any(tells));
                 // The same line, backwards, is told so first.
                 let backwards = part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. });
                 let given = question.given;

@@ -67,7 +67,8 @@ impl Verdict {
 
 /// What is to be said of each answer. The answers are looked at together: a mistake that would have
 /// spoilt a part which is right was not made, and of the mistakes that give an answer, those that
-/// explain most of the wrong parts are named.
+/// explain most of the wrong parts are named; of two that explain as much, not the one that holds
+/// the other and more.
 pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
     let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
     let plain: Vec<Option<Verdict>> =
@@ -89,7 +90,10 @@ pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Ve
     let explains = |slip: &Slip| named.iter().filter(|slips| slips.contains(slip)).count();
     let most = |slips: &[Slip]| {
         let most = slips.iter().map(explains).max().unwrap_or_default();
-        slips.iter().copied().filter(|slip| explains(slip) == most).collect()
+        let mut best: Vec<Slip> = slips.iter().copied().filter(|s| explains(s) == most).collect();
+        let all = best.clone();
+        best.retain(|slip| !all.iter().any(|other| other.is_part_of(*slip)));
+        best
     };
     plain
         .into_iter()

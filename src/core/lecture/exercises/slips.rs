@@ -111,6 +111,15 @@ pub enum Slip {
 }
 
 impl Slip {
+    /// Whether this mistake is made in the other, too, with one more.
+    pub fn is_part_of(self, other: Slip) -> bool {
+        matches!(
+            (self, other),
+            (Slip::Camera(Mistake::WNotNormalized), Slip::NothingNormalized)
+                | (Slip::Camera(Mistake::UIsWCrossUp), Slip::Camera(Mistake::LeftHanded))
+        )
+    }
+
     /// Whether what is said of it is about this answer itself, and not about another one from which
     /// this follows.
     pub(super) fn is_told_by(self, asked: Asked) -> bool {

@@ -279,6 +279,17 @@ fn eye_at_and_up() {
     }
 }
 
+/// With nothing else to tell them apart, the mistake that holds another and more is not named.
+#[test]
+fn one_vector_alone() {
+    let camera = Slip::Camera;
+    let w: Line<'_> = (W, &[21.0, 4.0, 15.0], &[camera(Mistake::WNotNormalized)]);
+    sheet(Exercise::EyeAtUp, &[w]);
+    let left = [camera(Mistake::WAsPrinted), camera(Mistake::UIsWCrossUp), Slip::WIsView];
+    sheet(Exercise::ViewUp, &[(U, &[0.0, 0.0, -1.0], &left)]);
+    sheet(Exercise::ViewUp, &[(W, &[0.0, 1.0, 0.0], &[]), (U, &[0.0, 0.0, -1.0], &[left[1]])]);
+}
+
 #[test]
 fn a_sphere() {
     // t^2 - 10 t + 24 = 0, or with half of b = -5: 5 -+ sqrt(25 - 24).
