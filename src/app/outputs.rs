@@ -4,6 +4,7 @@ use egui::{Rect, Ui, UiBuilder};
 
 use super::App;
 use crate::derive::Fault;
+use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
 use crate::panels::{accuracy, exercises, frame, lines, mistakes, plot, readouts, views};
@@ -35,7 +36,7 @@ impl App {
             views::drawn_by(ui, rect, &text);
         }
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
-            views::reason(ui, rect, &fault.to_string());
+            views::reason(ui, rect, &told(fault));
         }
         let lit = self.session.lit();
         let settings = &self.session.settings;

@@ -7,6 +7,7 @@ use pinhole_core::{
 
 use super::number::{NumberField, error_color, vector_color, vector_row};
 use super::teaching;
+use crate::letters::told;
 use crate::session::Settings;
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
@@ -29,7 +30,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
     if let Err(fault) = camera.viewport.check() {
         // Below the grid, where it wraps: in a cell it would widen the panel.
-        ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
+        ui.label(RichText::new(told(fault)).color(error_color(ui)));
     }
     let hint = "Editing width, height, W or H takes another of them along";
     ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
@@ -53,7 +54,7 @@ fn given_by(ui: &mut Ui, camera: &mut Camera) {
                 ui.selectable_label(kind == present, text).on_hover_text(hint)
             });
             if let Err(reason) = converted {
-                button.inner.on_disabled_hover_text(reason.to_string());
+                button.inner.on_disabled_hover_text(told(reason));
             } else if button.inner.clicked()
                 && let Ok(converted) = converted
             {
@@ -71,7 +72,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         ui.vertical(|ui| {
             ui.horizontal(|ui| vector_row(ui, name, value));
             if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
-                ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
+                ui.label(RichText::new(told(fault)).color(error_color(ui)));
             }
         });
         ui.end_row();

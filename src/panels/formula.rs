@@ -35,7 +35,6 @@ pub(crate) struct Inks {
     basis: [Color32; 3],
     given: Color32,
     ray: Color32,
-    wrong: Color32,
 }
 
 impl Inks {
@@ -47,7 +46,6 @@ impl Inks {
             basis: colors.basis,
             given: colors.given,
             ray: colors.ray,
-            wrong: super::number::error_color(ui),
         }
     }
 
@@ -59,7 +57,6 @@ impl Inks {
             Ink::W => self.basis[2],
             Ink::Given => self.given,
             Ink::Ray => self.ray,
-            Ink::Wrong => self.wrong,
         }
     }
 }

@@ -8,10 +8,11 @@ use egui::{Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2}
 
 use self::curve::{Curve, curves, range};
 use super::lines::number;
-use super::notation::{formula, plain};
+use super::notation;
 use super::number::{NumberField, error_color};
 use crate::derive::Derived;
 use crate::document::Document;
+use crate::letters::told;
 use crate::session::Selection;
 
 /// Size of the text, in points: for the back row.
@@ -29,7 +30,7 @@ pub(crate) fn ui(
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
+        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
     }
     let (Some(posed), Some(scene), Some(inspection)) =
         (&derived.posed, &derived.scene, &derived.inspection)
@@ -39,7 +40,7 @@ pub(crate) fn ui(
     let ray = match selection.inside(posed.image()).exact_ray(posed) {
         Ok(ray) => ray,
         Err(error) => {
-            ui.label(error.to_string());
+            ui.label(told(error));
             return;
         }
     };
@@ -74,10 +75,8 @@ pub(crate) fn ui(
     });
 }
 
-/// Text with its formulas set.
 fn text(ui: &mut Ui, text: &str) {
-    let response = ui.label(formula(text, TEXT, ui.visuals().text_color()));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+    notation::label(ui, text, TEXT, ui.visuals().text_color());
 }
 
 /// The t of the point that walks, as a number and as a slider.

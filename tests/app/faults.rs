@@ -64,7 +64,7 @@ fn a_sphere_without_a_radius_is_a_fault_too() {
     let mut window = window("canonical");
     type_into(&mut window, "radius", "-1");
     assert!(matches!(window.state().derived().fault, Some(Fault::Scene(_))));
-    assert_says(&window, "radius is -1: it must be finite and greater than 0");
+    assert_says(&window, "radius is −1: it must be finite and greater than 0");
 }
 
 #[test]
