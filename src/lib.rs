@@ -39,6 +39,7 @@ pub mod present;
 pub mod report;
 pub mod session;
 pub mod store;
+mod symbols;
 pub mod thing;
 mod view_texture;
 pub mod window;

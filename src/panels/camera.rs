@@ -9,6 +9,7 @@ use super::number::{NumberField, error_color, vector_color, vector_row};
 use super::teaching;
 use crate::letters::told;
 use crate::session::Settings;
+use crate::symbols::{Kind, words};
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
 /// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
@@ -68,7 +69,11 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
     let fault = camera.basis().err();
     let row = |ui: &mut Ui, field: &'static str, name: &str, value| {
         let color = vector_color(ui, name);
-        ui.label(RichText::new(name).strong().color(color.unwrap_or(ui.visuals().text_color())));
+        let color = color.unwrap_or(ui.visuals().text_color());
+        let label = ui.label(RichText::new(name).strong().color(color));
+        if let Some(words) = words(Kind::Vector, name) {
+            label.on_hover_text(words);
+        }
         ui.vertical(|ui| {
             ui.horizontal(|ui| vector_row(ui, name, value));
             if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {

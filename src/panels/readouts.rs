@@ -13,6 +13,7 @@ use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::letters::told;
 use crate::number::written;
 use crate::present::fonts;
+use crate::symbols::words_of_readout;
 
 /// How numbers are written.
 #[derive(Clone, Copy)]
@@ -119,7 +120,10 @@ fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
 
 /// One line `name = value`.
 fn line(ui: &mut Ui, name: &str, value: String) {
-    ui.label(name_of(ui, name, true));
+    let label = ui.label(name_of(ui, name, true));
+    if let Some(words) = words_of_readout(name) {
+        label.on_hover_text(words);
+    }
     let response = ui.label(RichText::new(format!("= {value}")));
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
@@ -261,6 +265,9 @@ impl RootLines {
                 let response = ui.add(Label::new(job).extend());
                 let read = format!("{name} = {value}");
                 ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(read));
+                if let Some(words) = words_of_readout(name) {
+                    response.on_hover_text(words);
+                }
             }
         });
     }
