@@ -322,12 +322,14 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// What the mouse or the focus is on: a mark in a view, or a line of the ledger.
+    /// What the mouse or the focus is on: something in a view, or a line of the ledger.
     fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
-        if self.session.settings.layout != ViewLayout::Ledger || self.dialog.is_some() {
+        if self.dialog.is_some() {
             return None;
         }
-        views::pointed(ui, places, &self.derived).or_else(|| self.ledger.pointed(ui.ctx()))
+        let is_ledger = self.session.settings.layout == ViewLayout::Ledger;
+        let at_line = || self.ledger.pointed(ui.ctx()).filter(|_| is_ledger);
+        views::pointed(ui, places, &self.derived).or_else(at_line)
     }
 
     /// Where everything can be seen from.

@@ -6,6 +6,7 @@ mod ledgers;
 mod memo;
 mod objects;
 mod picture;
+mod plots;
 mod watch;
 mod world;
 mod wrong;
@@ -22,6 +23,7 @@ use self::memo::Memo;
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
+use self::plots::Plots;
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::WorldPictures;
@@ -45,6 +47,7 @@ pub struct Deriver {
     world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
     ledgers: Ledgers,
+    plots: Plots,
     wrong: WrongPictures,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
@@ -124,6 +127,8 @@ impl Deriver {
         self.wrong_view(&mut derived, document, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
+        let generation = self.objects.good().map_or(0, |good| good.generation);
+        derived.plot = self.plots.of(document, session, &derived, generation);
         derived
     }
 

@@ -35,6 +35,7 @@ mod number;
 pub mod observer;
 pub mod overlay;
 pub mod panels;
+pub mod plot;
 pub mod present;
 pub mod report;
 pub mod session;

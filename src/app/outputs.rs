@@ -55,8 +55,7 @@ impl App {
                 ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
                 ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
                 ViewLayout::Plot => {
-                    let walk = (self.session.selection, &mut self.session.walked);
-                    plot::ui(ui, walk, &self.derived, document, style.digits);
+                    plot::ui(ui, &mut self.session.walked, &self.derived, style.digits);
                 }
                 ViewLayout::Ledger => {
                     let Session { sections, pointed, .. } = &mut self.session;

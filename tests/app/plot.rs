@@ -1,5 +1,7 @@
 //! The plot of f(p + t d), and walking along the ray.
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -46,6 +48,22 @@ fn every_object_s_curve_says_what_it_does() {
         &window,
         "f < 0 at t = 0: the eye is inside; −0.5 is behind, 1.5 is its first root ahead",
     );
+}
+
+#[test]
+fn an_idle_window_keeps_its_curves_and_walking_keeps_their_shape() {
+    let mut window = open("canonical");
+    let plot = |window: &Harness<'_, App>| window.state().derived().plot.clone().unwrap();
+    let before = plot(&window);
+    window.step();
+    window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
+    window.run();
+    type_into(&mut window, "walked t", "4.5");
+    let after = plot(&window);
+    assert!(Arc::ptr_eq(&before.curves, &after.curves));
+    assert!(Arc::ptr_eq(&before.samples, &after.samples));
+    select(&mut window, "0", "0");
+    assert!(!Arc::ptr_eq(&before.curves, &plot(&window).curves));
 }
 
 #[test]
