@@ -3,8 +3,7 @@
 use egui::Color32;
 use pinhole_core::lecture::{BasisDerivation, Cross};
 use pinhole_core::{
-    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, PosedCamera, Raster, Scene,
-    Sphere, trace,
+    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, PosedCamera, Raster, Scene, trace,
 };
 
 use crate::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
@@ -21,7 +20,7 @@ const ARROW: f64 = 0.3;
 
 /// From one stroke of a plane's hatching to the next, and how finely its border is followed, in
 /// points.
-const HATCH: f64 = 11.0;
+const HATCH: f64 = 20.0;
 const CELL: f64 = 3.0;
 
 impl Sheet<'_> {
@@ -29,6 +28,11 @@ impl Sheet<'_> {
     /// the picture as it is.
     pub(super) fn light(&mut self, lit: Lit) {
         let (shown, before) = (self.items, self.requests.len());
+        if let Thing::Object(index) = lit.thing
+            && let Some(Object::Plane(_)) = lit.scene.object(index)
+        {
+            return self.light_plane(lit, index);
+        }
         let others = std::mem::take(&mut self.drawing.marks);
         self.items = OverlayItems::ALL;
         self.light_given(lit);
@@ -242,21 +246,14 @@ impl Sheet<'_> {
         }
     }
 
-    fn light_object(&mut self, lit: Lit, index: u32) {
-        match lit.scene.object(index) {
-            Some(Object::Sphere(sphere)) => self.light_sphere(lit, &sphere),
-            Some(Object::Plane(_)) => self.light_plane(lit, index),
-            None => {}
-        }
-    }
-
     /// A sphere's outline.
-    fn light_sphere(&mut self, lit: Lit, sphere: &Sphere) {
+    fn light_object(&mut self, lit: Lit, index: u32) {
+        let Some(Object::Sphere(sphere)) = lit.scene.object(index) else { return };
         let posed = self.view.posed;
         let unit = (sphere.center - posed.eye()).length();
         let screen = Screen::of_size(posed, self.view.extent(), unit);
         let pen = Pen { width: 4.0, ..Self::pen(lit, self.colors.hit) };
-        let outline = silhouette(sphere, posed.eye()).unwrap_or_default();
+        let outline = silhouette(&sphere, posed.eye()).unwrap_or_default();
         for pen in cased(pen, self.colors.halo) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
                 self.line(&[cut.from.at, cut.to.at], pen);
@@ -264,15 +261,20 @@ impl Sheet<'_> {
         }
     }
 
-    /// Hatches the pixels at which a plane is seen.
+    /// Hatches the pixels at which a plane is seen, below all else: it may be all of the picture,
+    /// and what lies on it can still be seen and pointed at.
     fn light_plane(&mut self, lit: Lit, index: u32) {
-        let pen = Pen { width: 2.0, ..Self::pen(lit, self.colors.hit) };
+        let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
         let cells = Cells::of(self.view.posed, lit.scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);
-        for pen in cased(pen, self.colors.halo) {
+        let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
+        let mut others = std::mem::take(&mut self.drawing.marks);
+        for pen in cased(pen, self.colors.halo.gamma_multiply(0.6)) {
             strokes.iter().for_each(|stroke| self.line(stroke, pen));
         }
+        self.drawing.marks.append(&mut others);
+        self.items = shown;
     }
 }
 

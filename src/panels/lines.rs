@@ -143,7 +143,7 @@ fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     }
     ui.add_space(6.0);
     let verdict = verdict(&substitution, digits);
-    ui.label(RichText::new(verdict).size(TEXT + 3.0).strong());
+    notation::label(ui, &verdict, TEXT + 3.0, ui.visuals().strong_text_color());
     ui.add_space(4.0);
     let (f, sign) = substitution.f(lab.t);
     let compared = match sign {

@@ -239,3 +239,32 @@ fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
     let texts = said(line, 80.0);
     assert!(!has(&texts, u) && !has(&texts, scalar), "{texts:?}");
 }
+
+#[test]
+fn things_are_pointed_at_in_the_views_of_every_layout() {
+    for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Frame, ViewLayout::Mistakes] {
+        let settings = Settings { layout, ..Settings::default() };
+        let remembered = Remembered { settings, ..Remembered::default() };
+        let mut window = window_with("canonical", remembered, None);
+        let views = [("World view", Thing::W), ("Camera view", Thing::Pixel)];
+        for (view, thing) in views {
+            if window.query_by_role_and_label(Role::Image, view).is_none() {
+                continue;
+            }
+            hover_mark(&mut window, view, thing);
+            assert_eq!(pointed(&window), Some(Pointed { thing, by: Pointing::View }), "{layout:?}");
+            point_at_nothing(&mut window);
+        }
+        let picture =
+            |window: &Harness<'_, App>| window.state().derived().camera_view.clone().unwrap().image;
+        // A plane has no outline of its own: its pixels are hatched.
+        let wall = Thing::Object(2);
+        let view = window.get_by_role_and_label(Role::Image, "Camera view").rect();
+        window.hover_at(view.min + egui::vec2(0.15, 0.8) * view.size());
+        window.run();
+        assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(wall), "{layout:?}");
+        let lit = picture(&window);
+        point_at_nothing(&mut window);
+        assert_ne!(lit, picture(&window), "{layout:?}");
+    }
+}
