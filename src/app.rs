@@ -25,7 +25,7 @@ use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
-use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
+use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
@@ -322,13 +322,16 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// What the mouse or the focus is on: something in a view, or a line of the ledger.
+    /// What the mouse or the focus is on: something in a view, or a line about it.
     fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
         if self.dialog.is_some() {
             return None;
         }
-        let is_ledger = self.session.settings.layout == ViewLayout::Ledger;
-        let at_line = || self.ledger.pointed(ui.ctx()).filter(|_| is_ledger);
+        let at_line = || match self.session.settings.layout {
+            ViewLayout::Ledger => self.ledger.pointed(ui.ctx()),
+            ViewLayout::Plot => plot::pointed(ui.ctx(), &self.derived),
+            _ => None,
+        };
         views::pointed(ui, places, &self.derived).or_else(at_line)
     }
 

@@ -68,7 +68,7 @@ pub struct Pointed {
 pub enum Pointing {
     /// In a view: the ledger scrolls to its line.
     View,
-    /// At a line of the ledger.
+    /// At a line of the ledger, or in the words beside the plot.
     Ledger,
 }
 

@@ -3,7 +3,7 @@
 
 mod drawing;
 
-use egui::{Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
+use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
 
 use super::lines::number;
 use super::notation;
@@ -11,6 +11,7 @@ use super::number::{NumberField, error_color};
 use crate::derive::Derived;
 use crate::letters::told;
 use crate::plot::{Curve, Plot};
+use crate::thing::{Pointed, Pointing, Thing};
 
 /// Size of the text, in points: for the back row.
 const TEXT: f32 = 15.5;
@@ -98,11 +99,24 @@ fn inside(plot: &Plot, values: &[f64]) -> String {
     }
 }
 
+/// What the mouse is on in the words of the last frame's plot.
+pub(crate) fn pointed(ctx: &Context, derived: &Derived) -> Option<Pointed> {
+    let curves = &derived.plot.as_ref()?.curves;
+    let is_hovered =
+        |object: u32| ctx.read_response(said_id(object)).is_some_and(|said| said.hovered());
+    let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
+    Some(Pointed { thing: Thing::Object(object), by: Pointing::Ledger })
+}
+
+fn said_id(object: u32) -> Id {
+    Id::unique(("said of a curve", object))
+}
+
 /// One curve's line sample, title and words, and f where one walks.
 fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
     let curve: &Curve = &plot.curves[k];
     let object = curve.named.object;
-    ui.horizontal_wrapped(|ui| {
+    let title = ui.horizontal_wrapped(|ui| {
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
         drawing::sample(ui, sample, curve);
         ui.label(RichText::new(&curve.named.title).strong());
@@ -111,7 +125,7 @@ fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: u
             ui.label(RichText::new("the first hit").strong());
         }
     });
-    ui.indent(("said", object), |ui| {
+    let words = ui.indent(("said", object), |ui| {
         text(ui, &curve.words(digits));
         if let Some((t, values)) = &plot.walked {
             text(
@@ -120,4 +134,5 @@ fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: u
             );
         }
     });
+    ui.interact(title.response.rect | words.response.rect, said_id(object), Sense::hover());
 }

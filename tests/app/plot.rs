@@ -7,6 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
 use pinhole::overlay::{Item, world_position_of};
+use pinhole::thing::Thing;
 
 use super::harness::{assert_reads, assert_says, type_into, window};
 
@@ -64,6 +65,19 @@ fn an_idle_window_keeps_its_curves_and_walking_keeps_their_shape() {
     assert!(Arc::ptr_eq(&before.samples, &after.samples));
     select(&mut window, "0", "0");
     assert!(!Arc::ptr_eq(&before.curves, &plot(&window).curves));
+}
+
+#[test]
+fn what_is_said_of_a_curve_lights_its_object() {
+    let mut window = open("canonical");
+    let line = window.get_by_label("straight line, 0 at t = 6").rect();
+    window.hover_at(line.center());
+    window.run();
+    let thing = window.state().session().pointed.map(|pointed| pointed.thing);
+    assert_eq!(thing, Some(Thing::Object(2)));
+    window.remove_cursor();
+    window.run();
+    assert_eq!(window.state().session().pointed, None);
 }
 
 #[test]
