@@ -21,6 +21,9 @@ const FAR: f64 = 8.0;
 /// Values at this many times from one end of the plot to the other.
 const SAMPLES: usize = 160;
 
+/// Of each curve t and height, by ascending t.
+pub type Samples = Vec<Vec<(f64, f64)>>;
+
 /// Everything that the plot shows.
 #[derive(Clone, Debug)]
 pub struct Plot {
@@ -30,8 +33,8 @@ pub struct Plot {
     pub left_out: usize,
     /// From which t to which one.
     pub range: RangeInclusive<f64>,
-    /// Of each curve t and height, see [`Curve::height`], by ascending t.
-    pub samples: Arc<Vec<Vec<(f64, f64)>>>,
+    /// Its curves within that range; heights are values of f in the curve's unit, compressed.
+    pub samples: Arc<Samples>,
     /// The t of the point that walks, and there each curve's f.
     pub walked: Option<(f64, Arc<Vec<f64>>)>,
 }
@@ -112,7 +115,7 @@ pub fn samples(
     scene: &Scene,
     ray: &ExactRay,
     range: &RangeInclusive<f64>,
-) -> Vec<Vec<(f64, f64)>> {
+) -> Samples {
     let of = |curve: &Curve| {
         let along = along(scene, ray, curve.named.object);
         along.map_or_else(Vec::new, |along| curve.samples(&along, range))

@@ -7,7 +7,7 @@ use pinhole_core::PosedCamera;
 use super::Derived;
 use super::memo::Memo;
 use crate::document::Document;
-use crate::plot::{Curve, Named, Plot, curves, range, samples, shown, values};
+use crate::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 use crate::session::{Selection, Session, ViewLayout};
 
 /// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
@@ -17,7 +17,7 @@ type Key = (PosedCamera, u64, Selection, Vec<Named>);
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<Key, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2]), Arc<Vec<Vec<(f64, f64)>>>>,
+    samples: Memo<(u64, [f64; 2]), Arc<Samples>>,
     walked: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// How often curves were made, which tells some from the next.
     made: u64,
