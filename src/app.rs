@@ -27,7 +27,7 @@ use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
-use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
+use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
@@ -284,12 +284,17 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// What the mouse or the focus is on: a mark in a view, or a line of the ledger.
+    /// What the mouse or the focus is on: something in a view, or a line about it.
     fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
-        if self.session.settings.layout != ViewLayout::Ledger || self.dialog.is_some() {
+        if self.dialog.is_some() {
             return None;
         }
-        views::pointed(ui, places, &self.derived).or_else(|| self.ledger.pointed(ui.ctx()))
+        let at_line = || match self.session.settings.layout {
+            ViewLayout::Ledger => self.ledger.pointed(ui.ctx()),
+            ViewLayout::Plot => plot::pointed(ui.ctx(), &self.derived),
+            _ => None,
+        };
+        views::pointed(ui, places, &self.derived).or_else(at_line)
     }
 
     /// Where everything can be seen from.
