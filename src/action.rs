@@ -65,6 +65,10 @@ pub enum Action {
     Discard(Box<Action>),
     /// Save, then go on with this if that worked.
     SaveThen(Box<Action>),
+    /// Undo the last step of the history.
+    Undo,
+    /// Redo the step that was undone last.
+    Redo,
     /// Put the observer where everything can be seen.
     FrameAll,
     /// Move the selected pixel that many rows down and columns right.

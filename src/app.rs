@@ -6,27 +6,29 @@
 
 mod actions;
 mod figures;
+mod history;
+mod inputs;
 mod lessons;
 mod outputs;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use egui::{CentralPanel, Context, Key, KeyboardShortcut, Modifiers, Panel, ScrollArea, Ui};
+use egui::{CentralPanel, Context, Panel, ScrollArea, Ui};
 use egui::{ThemePreference, ViewportCommand};
 
+use self::history::Changes;
 use self::lessons::Lessons;
 use crate::action::Action;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
-use crate::formats::scene_argument::SceneSource;
 use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
-use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
+use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry, look};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
@@ -38,6 +40,7 @@ pub struct App {
     open: OpenDocument,
     session: Session,
     lessons: Lessons,
+    changes: Changes,
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
@@ -68,6 +71,7 @@ impl App {
     /// The program on this document, with what the last run remembered.
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
         let mut app = App {
+            changes: Changes::of(&open.document),
             open,
             session: Session {
                 selection: remembered.selection.map_or(Session::default().selection, Into::into),
@@ -186,6 +190,7 @@ impl App {
             }
             self.outputs(ui, &places);
         });
+        self.keep_history(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
         self.frames.end(&ctx, stopwatch);
@@ -220,58 +225,14 @@ impl App {
         }
     }
 
-    /// Keys, dropped files and the close button.
-    fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
-        actions.append(&mut self.waiting);
-        self.lesson_keys(ctx, actions);
-        let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
-        let shifted = KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
-        let pressed = |shortcut| ctx.input_mut(|i| i.consume_shortcut(&shortcut));
-        // The longer shortcut first: the shorter one would match it too.
-        for (shortcut, action) in [
-            (shifted, Action::AskSaveAs),
-            (command(Key::S), Action::Save),
-            (command(Key::O), Action::AskOpen),
-            (command(Key::E), Action::AskExport),
-            (command(Key::Q), Action::Quit),
-        ] {
-            if pressed(shortcut) && self.dialog.is_none() {
-                self.after_typing(ctx, action, actions);
-            }
-        }
-        let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
-        // Not under a dialog: its answer would then be about another scene.
-        let dropped = dropped.filter(|_| self.dialog.is_none());
-        actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
-        if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
-            if self.open.has_changes() {
-                ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-                self.ask_about_changes(Action::Quit);
-            } else {
-                self.may_close = true;
-            }
-        }
-        self.geometry.update(ctx);
-    }
-
-    /// Does it now; where something has the focus, in the next pass: a number that is being typed is
-    /// taken over when its field loses the focus.
-    fn after_typing(&mut self, ctx: &Context, action: Action, actions: &mut Vec<Action>) {
-        match ctx.memory(|memory| memory.focused()) {
-            Some(focused) => {
-                ctx.memory_mut(|memory| memory.surrender_focus(focused));
-                self.waiting.push(action);
-                ctx.request_repaint();
-            }
-            None => actions.push(action),
-        }
-    }
-
     fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let ctx = ui.ctx().clone();
         dialogs::ui(&ctx, &mut self.dialog, actions);
         Panel::top("top bar").show(ui, |ui| {
-            top_bar::ui(ui, &self.open, &self.recent, &mut self.session.settings, actions);
+            let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
+            let steps = top_bar::Steps { undo, redo };
+            let settings = &mut self.session.settings;
+            top_bar::ui(ui, &self.open, &self.recent, steps, settings, actions);
         });
         self.lesson_strip(ui, actions);
         let panel =
@@ -315,12 +276,17 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// What the mouse or the focus is on: a mark in a view, or a line of the ledger.
+    /// What the mouse or the focus is on: something in a view, or a line about it.
     fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
-        if self.session.settings.layout != ViewLayout::Ledger || self.dialog.is_some() {
+        if self.dialog.is_some() {
             return None;
         }
-        views::pointed(ui, places, &self.derived).or_else(|| self.ledger.pointed(ui.ctx()))
+        let at_line = || match self.session.settings.layout {
+            ViewLayout::Ledger => self.ledger.pointed(ui.ctx()),
+            ViewLayout::Plot => plot::pointed(ui.ctx(), &self.derived),
+            _ => None,
+        };
+        views::pointed(ui, places, &self.derived).or_else(at_line)
     }
 
     /// Where everything can be seen from.

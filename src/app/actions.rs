@@ -54,6 +54,8 @@ impl App {
                 let ledger = ledger_of(&self.open.document, &self.session);
                 ctx.copy_text(ledger.written_in(markup));
             }
+            Action::Undo => self.undo(ctx),
+            Action::Redo => self.redo(ctx),
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
                 self.session.observer = None;
@@ -70,6 +72,7 @@ impl App {
 
     /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
     fn proceed(&mut self, ctx: &Context, action: Action) {
+        let before = self.whereabouts(ctx);
         match action {
             Action::Open(source) => self.load(ctx, source),
             Action::Show(made_up) => self.show(ctx, *made_up),
@@ -80,6 +83,7 @@ impl App {
                 ctx.send_viewport_cmd(ViewportCommand::Close);
             }
         }
+        self.went_elsewhere(before);
     }
 
     /// Saves to the scene's own file, or asks for one.
@@ -156,7 +160,10 @@ impl App {
 
     pub(super) fn save_to(&mut self, path: &Path) {
         match self.open.save_to(path) {
-            Ok(()) => remember(&mut self.recent, path),
+            Ok(()) => {
+                self.settled();
+                remember(&mut self.recent, path);
+            }
             Err(reason) => self.tell("The scene was not saved", reason),
         }
     }

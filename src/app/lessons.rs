@@ -15,9 +15,9 @@ use crate::panels::lesson_strip;
 use crate::session::{Session, Settings};
 
 /// The lesson that is open, and what is needed to leave it without a trace.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Lessons {
-    open: Option<OpenLesson>,
+    pub(super) open: Option<OpenLesson>,
     /// The lesson that was opened from a file.
     file: Option<Arc<Lesson>>,
     /// Where the step was first looked at from, if it does not say so itself.
@@ -84,6 +84,7 @@ impl App {
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         self.lessons.seen_from = self.session.observer;
         self.lessons.open = Some(next);
+        self.settled();
     }
 
     /// The lesson that is open.
@@ -100,6 +101,7 @@ impl App {
     pub(super) fn back_to_step(&mut self, ctx: &Context) {
         if let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) {
             let seen_from = self.lessons.seen_from;
+            apply::clear_answers(open.step(), &mut self.session);
             self.open_lesson(open.place(), None);
             self.session.observer = open.step().looks.observer.or(seen_from);
             self.lessons.seen_from = seen_from;

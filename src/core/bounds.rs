@@ -94,7 +94,7 @@ fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
 
 /// The cells, `count` of which span the viewport, whose centres can lie between two slopes.
 fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
-    /// Of a cell, for the rounding of cell centres (below 1e-11 of 16384 cells).
+    /// Of a cell, for the rounding of cell centres (below 1e-10 of 65536 cells).
     const MARGIN: f64 = 1e-6;
     /// For the rounding of slopes. Where one tangent is steep and the other is not, the steep one's
     /// rounding is in both.

@@ -54,6 +54,18 @@ impl ImageSize {
         Ok(ImageSize { width, height })
     }
 
+    /// An image of which only some rows and columns are ever traced, [`ImageSize::MAX`] of each at
+    /// most: it may be up to four times as large. The margins of [`crate::bounds`] allow for that.
+    pub(crate) const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
+        if width == 0 || width > 4 * ImageSize::MAX {
+            return Err(ImageError { field: "width", value: width });
+        }
+        if height == 0 || height > 4 * ImageSize::MAX {
+            return Err(ImageError { field: "height", value: height });
+        }
+        Ok(ImageSize { width, height })
+    }
+
     /// W, in pixels.
     pub fn width(self) -> u32 {
         self.width

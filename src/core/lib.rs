@@ -42,7 +42,7 @@
 //! directions and radii are refused at the door, by [`Ray::check`], [`Scene::new`] and
 //! [`Camera::posed`], with typed errors.
 //!
-//! [`methods`] holds the known formulas beside it, to compare.
+//! [`methods`] holds the known formulas beside it, to compare; [`steering`] takes a camera in the hand.
 //!
 //! # A picture in ten lines
 //!
@@ -193,6 +193,7 @@ mod sphere_order;
 mod sphere_seen;
 mod spheres;
 mod srgb;
+pub mod steering;
 mod steps;
 mod surd;
 mod surface;

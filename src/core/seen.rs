@@ -8,7 +8,7 @@ use crate::big_ray::BigRoot;
 use crate::double_double::DoubleDouble;
 use crate::exact_ray::ExactRay;
 use crate::plane_seen::PlaneSeen;
-use crate::precise::{Precise, T_DOUBT};
+use crate::precise::{Precise, T_DOUBT, is_noise};
 use crate::roots::Roots;
 use crate::scale::{exponent, ldexp, split};
 use crate::scene::{Object, Root};
@@ -126,7 +126,8 @@ impl ObjectSeen {
 
     /// The root with its point and normal.
     ///
-    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once.
+    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where the
+    /// terms cancel but for the rounding of t, a coordinate is 0.
     pub(crate) fn root(&self, index: u32, ray: &ExactRay, end: End) -> Root {
         let t = self.t(ray, end);
         let (point, normal) = match self {
@@ -159,7 +160,13 @@ fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
         let (step, k) = (d * t.value / DoubleDouble::from(ray.stretch), t.scale + k);
         let step = step.scaled(k);
         let sum = (step + DoubleDouble::from(ray.origin()[i])).hi;
-        if sum.is_finite() { sum } else { (ray.origin()[i] + step.hi).clamp(f64::MIN, f64::MAX) }
+        if is_noise(sum, ray.origin()[i]) {
+            0.0
+        } else if sum.is_finite() {
+            sum
+        } else {
+            (ray.origin()[i] + step.hi).clamp(f64::MIN, f64::MAX)
+        }
     };
     DVec3::from_array(std::array::from_fn(coordinate))
 }

@@ -9,7 +9,7 @@ use crate::double_double::{DoubleDouble, U2};
 use crate::error_free::difference_with_rest;
 use crate::exact_ray::{ExactRay, PLAIN, scaled};
 use crate::power::Power;
-use crate::precise::{Precise, T_DOUBT};
+use crate::precise::{Precise, T_DOUBT, is_noise};
 use crate::scale::ldexp;
 use crate::sphere::Sphere;
 use crate::steps::{Step, Steps};
@@ -288,7 +288,11 @@ impl SphereSeen {
             }
             _ => return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end)),
         };
-        DVec3::from_array(sphere_normal(self.fine.q, &ray.fine, t))
+        let normal = sphere_normal(self.fine.q, &ray.fine, t);
+        DVec3::from_array(std::array::from_fn(|i| {
+            let is_noise = is_noise(normal[i] * self.fine.radius.hi, self.fine.q[i].hi);
+            if is_noise { 0.0 } else { normal[i] }
+        }))
     }
 
     /// The normal by the step after which the ray's ladder is cut off.

@@ -1,17 +1,20 @@
 //! The exercises: which one is open, what was typed, and what is said of it. The questions and their
 //! answers are the core's; nothing is counted, stored or sent.
 
+mod answers;
 mod texts;
+mod verdicts;
 
 use pinhole_core::lecture::exercises::{Answer, Exercise, Question, Verdict};
 
-pub use texts::{asked, question, solution, title};
-pub(crate) use texts::{is_good, said};
+pub use answers::solution;
+pub use texts::{asked, question, title};
+pub(crate) use verdicts::{is_good, said};
 
 use crate::document::{Document, Item};
 use crate::expression::evaluate;
 
-/// The exercise at hand. A lesson's step sets it with [`Exercises::open`].
+/// The exercise at hand. A lesson's step sets it with [`Exercises::show`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exercises {
     /// The numbers, answers and wrong answers.
@@ -63,6 +66,13 @@ impl Exercises {
         Exercises { question, seed, answers, is_solved: false }
     }
 
+    /// Opens this question, unless it is the one at hand: what was typed for that stays.
+    pub fn show(&mut self, exercise: Exercise, seed: Option<u64>) {
+        if (self.question.exercise, self.seed) != (exercise, seed) {
+            *self = Exercises::open(exercise, seed);
+        }
+    }
+
     /// The question.
     pub fn question(&self) -> &Question {
         &self.question
@@ -75,14 +85,15 @@ impl Exercises {
 
     /// Looks at everything that was typed.
     pub(crate) fn check(&mut self) {
-        for (index, typed) in self.answers.iter_mut().enumerate() {
-            typed.spread();
-            typed.said = Some(match typed.answer() {
-                Ok(answer) => match self.question.judge(index, &answer) {
-                    Some(verdict) => Said::Judged(verdict),
-                    None => Said::NotAnswered,
-                },
-                Err(said) => said,
+        self.answers.iter_mut().for_each(Typed::spread);
+        let answers: Vec<Result<Answer, Said>> = self.answers.iter().map(Typed::answer).collect();
+        let known: Vec<Option<Answer>> =
+            answers.iter().map(|answer| answer.as_ref().ok().cloned()).collect();
+        let verdicts = self.question.judge(&known);
+        for ((typed, answer), verdict) in self.answers.iter_mut().zip(answers).zip(verdicts) {
+            typed.said = Some(match verdict {
+                Some(verdict) => Said::Judged(verdict),
+                None => answer.err().unwrap_or(Said::NotAnswered),
             });
         }
     }
@@ -153,6 +164,19 @@ mod tests {
             Typed { fields: vec![root, String::new(), String::new()], ..Typed::default() };
         typed.spread();
         assert_eq!(typed.fields, ["1/sqrt(2)", "0", "-1/sqrt(2)"]);
+    }
+
+    #[test]
+    fn what_was_typed_stays_until_another_question_is_shown() {
+        let mut exercises = Exercises::open(Exercise::Sphere, Some(3));
+        exercises.answers[0].fields[0] = "4".to_owned();
+        exercises.show(Exercise::Sphere, Some(3));
+        assert_eq!(exercises.answers[0].fields[0], "4");
+        for (exercise, seed) in [(Exercise::Sphere, None), (Exercise::Lines, None)] {
+            exercises.answers[0].fields[0] = "4".to_owned();
+            exercises.show(exercise, seed);
+            assert_eq!(exercises, Exercises::open(exercise, seed));
+        }
     }
 
     #[test]

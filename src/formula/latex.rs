@@ -8,7 +8,7 @@ pub(crate) fn math(formula: &Formula) -> String {
         Formula::Scalar(name) => named("mathit", name),
         Formula::Vector(name, _) => format!(r"\mathbf{{{name}}}"),
         Formula::Word(text) => word(text),
-        Formula::Number(digits) => number(digits),
+        Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
         Formula::Operator(operator) => sign(*operator).to_owned(),
         Formula::Row(parts) => row(parts),
         Formula::Root(of) => format!(r"\sqrt{{{}}}", math(of)),
@@ -115,15 +115,10 @@ fn sign(operator: Operator) -> &'static str {
     match operator {
         Operator::Equals => "=",
         Operator::Approximately => r"\approx",
-        Operator::Less => "<",
-        Operator::Greater => ">",
-        Operator::Arrow => r"\to",
         Operator::Plus => "+",
         Operator::Minus | Operator::Negative => "-",
-        Operator::PlusMinus => r"\pm",
         Operator::Times => r"\times",
         Operator::Dot => r"\cdot",
-        Operator::Divided => "/",
         Operator::Comma => ",",
     }
 }

@@ -1,8 +1,11 @@
 //! The exercises view: the list, the question, fields for the answer, and what is said of it.
 
-use egui::{Color32, Key, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2};
+use egui::{
+    Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
+};
 use pinhole_core::lecture::exercises::{Exercise, Part};
 
+use super::marked_text;
 use super::number::{error_color, vector_color};
 use super::readouts::NumberStyle;
 use super::sign::sign;
@@ -20,6 +23,9 @@ const INDENT: f32 = 96.0;
 
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
+
+/// A vector's coordinates: for screen readers, and as they are written.
+const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
 
 /// Shows the exercise at hand; opening its camera goes into `actions`.
 pub(crate) fn ui(
@@ -62,7 +68,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
     source(ui, exercises);
     ui.add_space(8.0);
     for paragraph in exercises::question(&question.given) {
-        ui.label(RichText::new(paragraph).size(TEXT));
+        marked_text::label(ui, &paragraph, TEXT);
     }
     ui.add_space(10.0);
     let mut wants_check = false;
@@ -151,7 +157,9 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
         } else {
             text.color(color)
         };
-        ui.add_sized(wide, egui::Label::new(text).halign(egui::Align::RIGHT));
+        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
+            ui.label(text);
+        });
         if part.count() == 0 {
             for (yes, text) in [(true, "yes"), (false, "no")] {
                 if ui.radio(typed.yes == Some(yes), text).clicked() {
@@ -162,13 +170,13 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
         }
         let width = FIELD.min((ui.available_width() - 24.0) / part.count() as f32 - 12.0).max(60.0);
         let (mut changed, mut left) = (false, false);
-        for (axis, text) in ["x", "y", "z"].into_iter().zip(&mut typed.fields) {
+        for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
             let label = if part.count() == 1 {
                 format!("answer {name}")
             } else {
                 format!("answer {name} {axis}")
             };
-            let hint = if part.count() == 1 { "" } else { axis };
+            let hint = if part.count() == 1 { "" } else { hint };
             let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
             let response = ui.add(field.font(egui::FontId::proportional(TEXT)));
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui::{
     Align, Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense,
-    Ui, pos2, vec2,
+    Tooltip, Ui, pos2, vec2,
 };
 
 use super::formula::{self, Inks};
@@ -123,14 +123,15 @@ impl LedgerPanel {
             if copy.clicked() {
                 ui.ctx().copy_text(ledger.to_string());
             }
-            for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
-                let copy = ui.small_button(name);
-                let label = format!("Copy the ledger as {name}");
-                ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label(label.as_str()));
-                if copy.on_hover_text(label).clicked() {
-                    ui.ctx().copy_text(ledger.written_in(markup));
+            let menu = ui.menu_button("Copy as", |ui| {
+                for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
+                    if ui.button(name).clicked() {
+                        ui.ctx().copy_text(ledger.written_in(markup));
+                    }
                 }
-            }
+            });
+            let label = "Copy the ledger as";
+            ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label(label));
             for section in LedgerSection::ALL {
                 let mut shown = sections.shows(section);
                 let response = ui.checkbox(&mut shown, section.label());
@@ -284,13 +285,26 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
         band(ui, rect);
     }
     paint(ui, rect, line, place, inks);
+    let hovered = response.hover_pos().filter(|_| response.hovered());
+    let symbol = hovered
+        .and_then(|at| formula::words_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
+    if let Some(words) = symbol {
+        Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
+            let words = egui::Label::new(RichText::new(words).size(NOTE));
+            ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
+        });
+    }
     response
+}
+
+/// Where a line's first baseline begins.
+fn baseline_of(rect: Rect, place: &LaidLine) -> egui::Pos2 {
+    rect.min + PAD + vec2(0.0, place.layout.ascent)
 }
 
 /// A line's formula and what is said behind it.
 fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: Inks) {
-    let origin = rect.min + PAD + vec2(0.0, place.layout.ascent);
-    formula::paint(ui.painter(), origin, &place.layout, inks);
+    formula::paint(ui.painter(), baseline_of(rect, place), &place.layout, inks);
     if !line.note.is_empty() {
         let width = (rect.width() - place.note.x).max(20.0);
         let galley = note_galley(ui, line, width);

@@ -187,16 +187,15 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
         ("v", "𝐯", right.v, camera.v()),
         ("w", "𝐰", right.w, camera.w()),
     ];
-    for (name, letter, right, wrong) in rows {
+    for ((name, letter, right, wrong), is_wrong) in rows.into_iter().zip(camera.wrong_vectors()) {
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
         let letter = RichText::new(letter).size(TEXT).color(color);
-        let is_same = (right - wrong).length() <= 1e-12 * right.length();
         ui.horizontal_top(|ui| {
             cell(ui, LETTER, |ui| ui.label(letter));
             sign(ui, true);
             ui.add(Label::new(style.vector(right)).wrap());
         });
-        if is_same {
+        if !is_wrong {
             continue;
         }
         ui.horizontal_top(|ui| {

@@ -14,16 +14,26 @@ use crate::lessons::{self, Place, Which};
 use crate::overlay::Item;
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 
+/// What the history would undo and redo.
+pub(crate) struct Steps<'a> {
+    /// The name of the last step.
+    pub(crate) undo: Option<&'a str>,
+    /// The name of the step that was undone last.
+    pub(crate) redo: Option<&'a str>,
+}
+
 /// Shows the bar; what was chosen in it goes into `actions` and `settings`.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
+    steps: Steps,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
 ) {
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button("File", |ui| file_menu(ui, recent, actions));
+        ui.menu_button("Edit", |ui| edit_menu(ui, steps, actions));
         ui.menu_button("Scenes", |ui| {
             for scene in builtin::all() {
                 if ui.button(scene.name).on_hover_text(scene.summary()).clicked() {
@@ -84,6 +94,18 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     if ui.add(egui::Button::new("Quit").shortcut_text("Ctrl+Q")).clicked() {
         actions.push(Action::Quit);
     }
+}
+
+fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
+    let mut entry = |verb: &str, step: Option<&str>, keys: &str, action: Action| {
+        let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
+        let button = egui::Button::new(text).shortcut_text(keys);
+        if ui.add_enabled(step.is_some(), button).clicked() {
+            actions.push(action);
+        }
+    };
+    entry("Undo", steps.undo, "Ctrl+Z", Action::Undo);
+    entry("Redo", steps.redo, "Ctrl+Shift+Z", Action::Redo);
 }
 
 fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {

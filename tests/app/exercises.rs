@@ -6,10 +6,10 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
 use pinhole::exercises::title;
 use pinhole::session::{Selection, ViewLayout};
-use pinhole_core::lecture::exercises::{Exercise, Given};
+use pinhole_core::lecture::exercises::{Exercise, Given, Question};
 use pinhole_core::{DVec2, Orientation};
 
-use super::harness::{assert_says, texts_with, type_into, window};
+use super::harness::{assert_reads, assert_says, texts_with, type_into, window};
 
 fn click(window: &mut Harness<'_, App>, label: &str) {
     window.get_by_role_and_label(Role::Button, label).click();
@@ -42,7 +42,7 @@ fn answer_on(window: &mut Harness<'_, App>, text: &str) {
     window.run();
 }
 
-fn answers(window: &mut Harness<'_, App>, part: &str, texts: &[&str]) {
+pub(crate) fn answers(window: &mut Harness<'_, App>, part: &str, texts: &[&str]) {
     if let [one] = texts {
         return answer(window, part, one);
     }
@@ -131,9 +131,9 @@ fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
             ["0.195", "-0.0976", "-0.976"],
             "Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",
         ),
-        (["0.2", "-0.1", "1"], "Wrong: z has the wrong sign: the camera looks along −z."),
+        (["0.2", "-0.1", "1"], "Wrong: 𝑧 has the wrong sign: the camera looks along −𝑧."),
         (["-0.1", "0.2", "-1"], "Wrong: 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),
-        (["0.2", "-0.3", "-1"], "Wrong: y is another number."),
+        (["0.2", "-0.3", "-1"], "Wrong: 𝑦 is another number."),
     ] {
         answers(&mut window, "d", &texts);
         window.key_press(egui::Key::Enter);
@@ -163,6 +163,60 @@ fn classic_mistakes_and_bad_input_are_named() {
 }
 
 #[test]
+fn a_part_that_is_right_is_not_blamed_for_another() {
+    let mut window = open(Exercise::ViewUp);
+    let question = "A camera looks along view = (0, −2, 0), with up = (2, 2, 0).";
+    // Vectors are not broken at the end of a line.
+    assert_reads(
+        &window,
+        &question.replace(", −2, 0", ",\u{a0}−2,\u{a0}0").replace(", 2, 0", ",\u{a0}2,\u{a0}0"),
+    );
+    answers(&mut window, "w", &["0", "1", "0"]);
+    answers(&mut window, "u", &["0", "0", "-1"]);
+    answers(&mut window, "v", &["-1", "0", "0"]);
+    click(&mut window, "Check");
+    assert_eq!(said(&window, "w"), "Right.");
+    let left = "Wrong: 𝐮 = 𝐰 × up points left: the factors are exchanged.";
+    assert_eq!((said(&window, "u"), said(&window, "v")), (left.to_owned(), left.to_owned()));
+    // The same u, but with a w that it follows from.
+    answers(&mut window, "w", &["0", "-1", "0"]);
+    answers(&mut window, "v", &["1", "0", "0"]);
+    click(&mut window, "Check");
+    assert_eq!(said(&window, "v"), "Right.");
+    assert_eq!(said(&window, "u"), said(&window, "w"));
+    assert!(said(&window, "u").starts_with("Wrong: 𝐰 is made of view without the minus"));
+    // up × w as it is, which is of length 2 here.
+    answers(&mut window, "w", &["0", "1", "0"]);
+    answers(&mut window, "u", &["0", "0", "2"]);
+    answers(&mut window, "v", &["2", "0", "0"]);
+    click(&mut window, "Check");
+    let long = "Wrong: 𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.";
+    assert_eq!((said(&window, "u"), said(&window, "v")), (long.to_owned(), long.to_owned()));
+}
+
+#[test]
+fn scalars_are_italic_and_a_question_is_read_without_marks() {
+    let mut window = open(Exercise::WarmUpRay);
+    assert_reads(&window, "What is the viewing ray p + t d through (u, v) = (0.2,\u{a0}−0.1)?");
+    let shown = "What is the viewing ray p + 𝑡 d through (𝑢, 𝑣) = (0.2,\u{a0}−0.1)?";
+    assert_eq!(texts_with(&window, shown), [shown]);
+    click(&mut window, title(Exercise::Lines));
+    let shown = "The line 𝑥 + 𝑦 − 2 = 0 and the ray (0,\u{a0}0) + 𝑡 (1,\u{a0}1).";
+    assert_eq!(texts_with(&window, shown), [shown]);
+    assert_says(&window, "𝑡 =");
+    for exercise in Exercise::ALL {
+        for paragraph in pinhole::exercises::question(&Question::new(exercise, None).given) {
+            assert_eq!(paragraph.matches('*').count() % 2, 0, "{paragraph}");
+            let words =
+                paragraph.replace(|c: char| !c.is_ascii_alphabetic() && !"*'".contains(c), " ");
+            let bare = words.split(' ').filter(|word| word.len() == 1 && *word != "a");
+            let bare: Vec<_> = bare.filter(|word| !["A", "*"].contains(word)).collect();
+            assert_eq!(bare, Vec::<&str>::new(), "a letter without a mark in {paragraph}");
+        }
+    }
+}
+
+#[test]
 fn a_pasted_vector_fills_all_fields() {
     let mut window = open(Exercise::WarmUpRay);
     // Letter by letter, the field is left alone until it is left.
@@ -182,7 +236,7 @@ fn another_one_like_it_has_a_seed_that_can_be_typed() {
     let exercises = &window.state().session().exercises;
     assert_eq!(exercises.seed(), Some(42));
     let Given::Uv(uv) = exercises.question().given else { panic!() };
-    let text = format!("{:?}", (uv.x, uv.y)).replace('-', "−");
+    let text = format!("{:?}", (uv.x, uv.y)).replace('-', "−").replace(' ', "\u{a0}");
     assert!(!texts_with(&window, &text).is_empty(), "{text}: {:?}", texts_with(&window, "ray"));
     click(&mut window, "The lecture's");
     assert_eq!(window.state().session().exercises.seed(), None);
@@ -192,7 +246,7 @@ fn another_one_like_it_has_a_seed_that_can_be_typed() {
 fn the_solution_is_exact_where_it_can_be_and_is_hidden_again() {
     let mut window = open(Exercise::Turned);
     click(&mut window, "Show the solution");
-    assert_says(&window, "t = 5√2 ≈ 7.0711");
+    assert_says(&window, "𝑡 = 5√2 ≈ 7.0711");
     assert_says(&window, "𝐮 = (1/√2, 0, −1/√2) ≈ (0.70711, 0, −0.70711)");
     click(&mut window, "Hide the solution");
     assert_eq!(texts_with(&window, "5√2"), Vec::<String>::new());

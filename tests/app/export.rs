@@ -115,7 +115,9 @@ fn the_ledger_is_copied_as_latex_and_as_markdown() {
     window.get_by_label("Ledger").click();
     window.run();
     for (name, part) in [("LaTeX", r"\begin{align*}"), ("Markdown", "### Basis")] {
-        window.get_by_label(&format!("Copy the ledger as {name}")).click();
+        window.get_by_label("Copy the ledger as").click();
+        window.run();
+        window.get_by_label(name).click();
         let mut copied = String::new();
         for _ in 0..4 {
             window.step();

@@ -10,6 +10,7 @@ mod export;
 mod faults;
 mod frame;
 mod harness;
+mod history;
 mod ledger;
 mod lessons;
 mod lines;

@@ -99,6 +99,22 @@ fn a_distance_of_one_says_what_to_change_and_then_it_shows() {
 }
 
 #[test]
+fn no_image_is_too_large_for_a_wrong_picture() {
+    let mut window = open("look-at");
+    // Rows for columns: 9000 of them to the right, where there are 400.
+    click(&mut window, Mistake::RowsColumnsSwapped.name());
+    type_into(&mut window, "H", "9000");
+    assert!(window.state().derived().wrong_view.is_some());
+    assert!(wrong_says(&window).starts_with(Mistake::RowsColumnsSwapped.name()));
+    // A corner more than the widest image has.
+    click(&mut window, Mistake::PixelCorner.name());
+    type_into(&mut window, "H", "300");
+    type_into(&mut window, "W", "16384");
+    assert!(window.state().derived().wrong_view.is_some());
+    assert_eq!(texts_with(&window, "must be 1 to 16384"), Vec::<String>::new());
+}
+
+#[test]
 fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let mut window = open("look-at");
     let before = window.state().derived().wrong_view.clone().unwrap();

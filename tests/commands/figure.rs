@@ -87,9 +87,9 @@ fn strokes_are_strokes_and_text_is_text() {
     let colors = Style::Light.colors();
     for color in colors.basis.into_iter().chain([colors.ray]) {
         let [r, g, b, _] = color.to_array();
-        let stroke = format!("<polyline points=");
+        let stroke = "<polyline points=";
         let ink = format!("stroke=\"#{r:02x}{g:02x}{b:02x}\"");
-        assert!(svg.lines().any(|line| line.starts_with(&stroke) && line.contains(&ink)), "{ink}");
+        assert!(svg.lines().any(|line| line.starts_with(stroke) && line.contains(&ink)), "{ink}");
     }
     assert_eq!(svg.matches("<image ").count(), 1);
     assert!(svg.contains("@font-face{font-family:\"Noto Sans\";font-weight:bold;"));

@@ -1,6 +1,8 @@
 //! Figures read back by other programs, and compared with the PNG: SVG by resvg, with no fonts but
 //! those in the file; PDF by poppler's pdftoppm and pdftotext, where they are installed.
 
+#![allow(clippy::print_stdout, reason = "CI shows how far the pictures are apart, and what ran")]
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,11 @@
 //! The lecture's exercises, and others of the same kind: what is given, the right answers, the
 //! answers that classic mistakes give, and what is to be said of an answer.
 
+mod bases;
 mod judge;
+mod objects;
 mod pick;
+mod rays;
 mod slips;
 mod solve;
 
@@ -233,9 +236,9 @@ impl Question {
         Question { exercise, given, parts: solve::parts(&given) }
     }
 
-    /// What is to be said of an answer to a part.
-    pub fn judge(&self, part: usize, answer: &Answer) -> Option<Verdict> {
-        Some(judge::judge(self.parts.get(part)?, answer))
+    /// What is to be said of the answers, one a part; nothing of a part that was not answered.
+    pub fn judge(&self, answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
+        judge::judge(&self.parts, answers)
     }
 
     /// The camera of the question, where there is one.

@@ -133,3 +133,25 @@ fn the_planet_under_the_eye() {
     let hit = roots_on(planet, &down)[0];
     assert_eq!((hit.t, hit.point, hit.normal), (1.0, DVec3::NEG_Y, DVec3::Y));
 }
+
+/// Where the middle ray of a camera meets what lies at its `at`, the coordinates are 0, not what the
+/// digits of t leave.
+#[test]
+fn coordinates_that_cancel_are_zero() {
+    let orientation = Orientation::At { at: DVec3::ZERO, up: DVec3::Y };
+    let camera = Camera { eye: vec3(0.0, 6.0, 4.0), orientation, ..Camera::CANONICAL };
+    let posed = camera.posed().unwrap();
+    let ray = posed.exact_ray_at(DVec2::ZERO).unwrap();
+    let objects = (vec![sphere([0.0, 0.3, 0.0], 0.3)], vec![plane([0.0; 3], [0.0, 1.0, 1.0])]);
+    let roots = Scene::new(objects.0, objects.1).unwrap().roots_of(&ray);
+    let at_origin: Vec<_> = roots.iter().filter(|root| root.t > 7.0).collect();
+    assert_eq!(at_origin.len(), 2);
+    for root in at_origin {
+        assert_ulps(root.t, 52_f64.sqrt(), 0);
+        assert_eq!(root.point, DVec3::ZERO);
+    }
+    assert_eq!(
+        roots.iter().find(|root| root.t > 7.0 && root.object == 0).unwrap().normal,
+        -DVec3::Y
+    );
+}

@@ -78,6 +78,8 @@ fn the_construction_mistakes_have_the_vectors_found_by_hand() {
         let camera = wrong(&exercise(), mistake);
         assert_near(camera.u(), wu);
         assert_near(camera.v(), wv);
+        let is_wrong = [wu != u, wv != v, ww != w];
+        assert_eq!(camera.wrong_vectors(), is_wrong, "{mistake}");
         assert!((camera.w() - ww).length() < 1e-13 * ww.length(), "{mistake}");
         let uv = DVec2::new(0.2, -0.1);
         assert_near(camera.direction_at(uv) / far, (0.2 * wu - 0.1 * wv - ww) / far);
@@ -248,6 +250,32 @@ fn the_picture_is_what_the_wrong_rays_meet() {
     }
 }
 
+/// Rows for columns of a tall image, and a pixel more than the widest one: far outside of it, and
+/// wider than any image may be.
+#[test]
+fn the_largest_images_have_wrong_pictures_too() {
+    let scene = balls();
+    for (width, height) in [(400, 9000), (16_384, 40), (1, 16_384)] {
+        let image = ImageSize::new(width, height).unwrap();
+        let camera = Camera { image, ..general() };
+        let raster = Raster::shown_on(image, 61, 67);
+        for mistake in Mistake::ALL {
+            let wrong = wrong(&camera, mistake);
+            let picture = WrongPicture::trace(&scene, &wrong, &raster).unwrap();
+            let mut pixels = raster
+                .rows()
+                .iter()
+                .flat_map(|&row| raster.columns().iter().map(move |&column| Pixel { row, column }));
+            let ray_meets = |pixel: Pixel| {
+                scene.first_hit(&wrong.ray(pixel).unwrap()).map_or(NO_OBJECT, |hit| hit.object)
+            };
+            let is_other = |object: &&u32| pixels.next().map(ray_meets) != Some(**object);
+            let differing = picture.object.iter().filter(is_other).count();
+            assert!(differing <= 2, "{width} x {height}, {mistake}: {differing}");
+        }
+    }
+}
+
 #[test]
 fn a_wrong_picture_is_coloured_as_a_right_one_is() {
     let (scene, camera) = (balls(), general());
@@ -292,6 +320,11 @@ proptest! {
         prop_assume!(camera.up_angle().is_ok_and(|angle| angle.conditioning < 1e6));
         let right = WrongCamera::right(&camera).unwrap();
         prop_assert_eq!(failing(&right), Vec::<Check>::new());
+        prop_assert_eq!(right.wrong_vectors(), [false; 3]);
+        for check in [Check::UDotV, Check::VDotW, Check::WDotU] {
+            prop_assert_eq!(right.check(check).value, Value::Number(0.0), "no rounding is shown");
+        }
+        prop_assert_eq!(right.check(Check::CornersBalance).value, Value::Uv(DVec2::ZERO));
         let pixel = Pixel { row: rows / 2, column: columns / 3 };
         let known = camera.posed().unwrap().ray_of_pixel(pixel).direction;
         prop_assert!((right.ray(pixel).unwrap().direction - known).length() < 1e-14 * known.length());

@@ -76,13 +76,9 @@ fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {
     }
 }
 
-/// What rounding leaves of a 0.
-const NOTHING: f64 = 1e-12;
-
 fn text_of(value: Value, style: NumberStyle) -> String {
-    let number = |x: f64| style.number(if x.abs() < NOTHING { 0.0 } else { x });
     match value {
-        Value::Number(x) => number(x),
-        Value::Uv(uv) => format!("({}, {})", number(uv.x), number(uv.y)),
+        Value::Number(x) => style.number(x),
+        Value::Uv(uv) => format!("({}, {})", style.number(uv.x), style.number(uv.y)),
     }
 }

@@ -32,7 +32,7 @@ pub enum Verdict {
         /// Above 0: how many times ours.
         times: f64,
     },
-    /// These mistakes, each alone, give the answer.
+    /// Each of these mistakes gives the answer, and agrees with the answers to the other parts.
     Slips(Vec<Slip>),
     /// No mistake that is known gives it; what is wrong with it.
     Wrong(Vec<Finding>),
@@ -65,10 +65,63 @@ impl Verdict {
     }
 }
 
-/// Judges an answer to a part.
-pub(super) fn judge(part: &Part, answer: &Answer) -> Verdict {
+/// What is to be said of each answer. The answers are looked at together: a mistake that would have
+/// spoilt a part which is right was not made, and of the mistakes that give an answer, those that
+/// explain most of the wrong parts are named; of two that explain as much, not the one that holds
+/// the other and more.
+pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
+    let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
+    let plain: Vec<Option<Verdict>> =
+        (0..parts.len()).map(|k| Some(without_slips(&parts[k], answer(k)?))).collect();
+    let right: Vec<&Part> = parts
+        .iter()
+        .zip(&plain)
+        .filter(|(_, plain)| plain.as_ref().is_some_and(is_the_truth))
+        .map(|(part, _)| part)
+        .collect();
+    let named: Vec<Vec<Slip>> = (0..parts.len())
+        .map(|k| match (answer(k), &plain[k]) {
+            (Some(answer), Some(plain)) if !is_settled(plain, &parts[k]) => {
+                fitting(&parts[k], answer, &right)
+            }
+            _ => Vec::new(),
+        })
+        .collect();
+    let explains = |slip: &Slip| named.iter().filter(|slips| slips.contains(slip)).count();
+    let most = |slips: &[Slip]| {
+        let most = slips.iter().map(explains).max().unwrap_or_default();
+        let mut best: Vec<Slip> = slips.iter().copied().filter(|s| explains(s) == most).collect();
+        let all = best.clone();
+        best.retain(|slip| !all.iter().any(|other| other.is_part_of(*slip)));
+        best
+    };
+    plain
+        .into_iter()
+        .zip(&named)
+        .map(
+            |(plain, slips)| {
+                if slips.is_empty() { plain } else { Some(Verdict::Slips(most(slips))) }
+            },
+        )
+        .collect()
+}
+
+/// Whether the answer shows that the part was understood.
+fn is_the_truth(verdict: &Verdict) -> bool {
+    verdict.is_right() || matches!(verdict, Verdict::Rounded { .. })
+}
+
+/// Whether no mistake has to be looked for.
+fn is_settled(verdict: &Verdict, part: &Part) -> bool {
+    // Where only the line counts, that it points backwards says all.
+    is_the_truth(verdict) || part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. })
+}
+
+/// What is said where no known mistake gives the answer.
+fn without_slips(part: &Part, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
-        return if part.truth == *answer { Verdict::Right } else { named(part, answer) };
+        let another = || Verdict::Wrong(vec![Finding::Another]);
+        return if part.truth == *answer { Verdict::Right } else { another() };
     };
     if truth.len() != given.len() || !given.iter().all(|x| x.is_finite()) {
         return Verdict::Wrong(vec![Finding::Another]);
@@ -77,32 +130,41 @@ pub(super) fn judge(part: &Part, answer: &Answer) -> Verdict {
         return Verdict::Right;
     }
     let times = multiple(given, truth);
-    if let Some(times) = times.filter(|_| part.may_be_scaled) {
-        return if times > 0.0 {
-            Verdict::Multiple { times }
-        } else {
-            Verdict::Backwards { times }
-        };
+    if let Some(times) = times.filter(|times| part.may_be_scaled && *times > 0.0) {
+        return Verdict::Multiple { times };
     }
     if let Some(digits) = rounded(given, truth, part.may_be_scaled) {
         return Verdict::Rounded { digits };
     }
-    let named = named(part, answer);
-    match times.filter(|_| !matches!(named, Verdict::Slips(_))) {
-        Some(_) if !part.asked.is_vector() => named,
+    match times.filter(|_| part.asked.is_vector()) {
         Some(times) if times > 0.0 => Verdict::OtherLength { times },
         Some(times) => Verdict::Backwards { times },
-        None => named,
+        None => Verdict::Wrong(findings(part, truth, given)),
     }
 }
 
-/// The mistakes that give the answer, or what is wrong with it.
-fn named(part: &Part, answer: &Answer) -> Verdict {
+/// The mistakes that give the answer and agree with what is right; where none does, those that
+/// are told by this answer alone.
+fn fitting(part: &Part, answer: &Answer, right: &[&Part]) -> Vec<Slip> {
+    let all = giving(part, answer);
+    let spoils = |slip: &Slip, part: &&Part| part.slips.iter().any(|(other, _)| other == slip);
+    let agrees = |slip: &Slip| !right.iter().any(|part| spoils(slip, part));
+    let agreeing: Vec<Slip> = all.iter().copied().filter(agrees).collect();
+    if agreeing.is_empty() {
+        return all.into_iter().filter(|slip| slip.is_told_by(part.asked)).collect();
+    }
+    agreeing
+}
+
+/// The mistakes that give the answer, each alone.
+fn giving(part: &Part, answer: &Answer) -> Vec<Slip> {
     let gives = |wrong: &Answer| match (wrong, answer) {
         (Answer::Numbers(wrong), Answer::Numbers(given)) => {
-            is_near(given, wrong)
-                || (part.may_be_scaled && multiple(given, wrong).is_some_and(|times| times > 0.0))
-                || rounded(given, wrong, part.may_be_scaled).is_some()
+            wrong.len() == given.len()
+                && given.iter().all(|x| x.is_finite())
+                && (is_near(given, wrong)
+                    || (part.may_be_scaled && multiple(given, wrong).is_some_and(|n| n > 0.0))
+                    || rounded(given, wrong, part.may_be_scaled).is_some())
         }
         (wrong, answer) => wrong == answer,
     };
@@ -112,13 +174,10 @@ fn named(part: &Part, answer: &Answer) -> Verdict {
             slips.push(*slip);
         }
     }
-    if slips.is_empty() { Verdict::Wrong(findings(part, answer)) } else { Verdict::Slips(slips) }
+    slips
 }
 
-fn findings(part: &Part, answer: &Answer) -> Vec<Finding> {
-    let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
-        return vec![Finding::Another];
-    };
+fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     if given.len() == 1 {
         return vec![Finding::Another];
     }

@@ -8,7 +8,8 @@ use super::{Exercise, Given};
 use crate::ray::Ray;
 use crate::sphere::Sphere;
 
-/// The lecture's numbers.
+/// The lecture's numbers. Its view and up are twice as long here, which changes no answer, so that
+/// it shows who normalizes.
 pub(super) fn lecture(exercise: Exercise) -> Given {
     let uv = DVec2::new(0.2, -0.1);
     let z = -6.0;
@@ -17,7 +18,9 @@ pub(super) fn lecture(exercise: Exercise) -> Given {
         Exercise::WarmUpPlane => Given::UvAndWall { uv, z },
         Exercise::Distance => Given::Distance { uv, distance: 2.0, z },
         Exercise::Turned => Given::Turned { right: midway(1.0, -1.0), uv, z },
-        Exercise::ViewUp => Given::ViewUp { view: DVec3::NEG_Y, up: DVec3::new(1.0, 1.0, 0.0) },
+        Exercise::ViewUp => {
+            Given::ViewUp { view: 2.0 * DVec3::NEG_Y, up: DVec3::new(2.0, 2.0, 0.0) }
+        }
         Exercise::EyeAtUp => Given::EyeAtUp {
             eye: DVec3::new(20.0, 4.0, 10.0),
             at: DVec3::new(-1.0, 0.0, -5.0),

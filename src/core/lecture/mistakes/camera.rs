@@ -115,7 +115,9 @@ pub struct WrongCamera {
     pub(super) up: DVec3,
 }
 
-/// How different a wrong camera's numbers have to be, relative to their size.
+/// How different a wrong camera's numbers have to be, relative to their size. A mistake of sign or
+/// order changes them by as much as they are; a length that is 1 but for rounding is found within
+/// 1e-15, and one that differs by less than this changes no pixel of any image.
 const DIFFERENT: f64 = 1e-12;
 
 impl WrongCamera {
@@ -262,6 +264,13 @@ impl WrongCamera {
         self.scale.z * self.right.basis().w
     }
 
+    /// Which of u, v and w are other vectors than the right ones, and not by rounding alone.
+    pub fn wrong_vectors(&self) -> [bool; 3] {
+        let right = self.right.basis();
+        let is_wrong = |a: DVec3, b: DVec3| !is_near(a, b);
+        [is_wrong(self.u(), right.u), is_wrong(self.v(), right.v), is_wrong(self.w(), right.w)]
+    }
+
     /// The distance that the rays are made with.
     pub fn distance(&self) -> f64 {
         if self.distance_dropped { 1.0 } else { self.right.viewport().distance }
@@ -333,16 +342,16 @@ impl WrongCamera {
 
     /// Whether basis and rays are the right ones but for rounding.
     fn is_right(&self) -> bool {
-        let right = self.right.basis();
-        let is_near = |a: DVec3, b: DVec3| (a - b).length() <= DIFFERENT * length(b);
-        is_near(self.u(), right.u)
-            && is_near(self.v(), right.v)
-            && is_near(self.w(), right.w)
+        self.wrong_vectors() == [false; 3]
             && corners(self.image()).into_iter().all(|pixel| {
                 let wrong = self.direction_at(self.uv_of_pixel(pixel));
                 is_near(wrong, self.right.ray_of_pixel(pixel).direction)
             })
     }
+}
+
+fn is_near(a: DVec3, b: DVec3) -> bool {
+    (a - b).length() <= DIFFERENT * length(b)
 }
 
 impl Mapping {

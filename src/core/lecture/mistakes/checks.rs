@@ -66,7 +66,7 @@ pub enum Wanted {
 pub struct Checked {
     /// Which one.
     pub check: Check,
-    /// What the camera has.
+    /// What the camera has; exactly 0 where it is 0 but for rounding.
     pub value: Value,
     /// What a right camera has.
     pub wanted: Wanted,
@@ -209,5 +209,6 @@ fn dot(a: DVec3, b: DVec3) -> f64 {
     if cosine.abs() <= ROUNDING { 0.0 } else { length(a) * length(b) * cosine }
 }
 
-/// More than rounding makes of a cosine.
+/// More than rounding makes of the cosine between two vectors of a basis, which is a few times
+/// 1e-16; mistakes that tilt a vector by less than this change no pixel.
 const ROUNDING: f64 = 1e-12;

@@ -32,7 +32,8 @@ pub struct WrongPicture {
 
 /// Which places of a stand-in camera's image the wrong camera's columns (or rows) are.
 struct Line {
-    /// How many pixels the stand-in has, so that all places lie in it.
+    /// How many pixels the stand-in has, so that all places lie in it: where rows stand for columns
+    /// that can be almost three times as many as the image has.
     count: u32,
     /// Its extent, of the same pixels.
     extent: f64,
@@ -190,7 +191,12 @@ impl WrongCamera {
             height: rows.extent,
             distance: self.distance() * self.scale.z.abs(),
         };
-        posed(self.right.eye(), basis, viewport, ImageSize::new(columns.count, rows.count))
+        posed(
+            self.right.eye(),
+            basis,
+            viewport,
+            ImageSize::partly_traced(columns.count, rows.count),
+        )
     }
 
     /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
@@ -202,7 +208,7 @@ impl WrongCamera {
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
         let basis = Basis { u, v: w.cross(u), w };
-        posed(self.right.eye(), basis, viewport, ImageSize::new(columns.count, 1))
+        posed(self.right.eye(), basis, viewport, ImageSize::partly_traced(columns.count, 1))
     }
 }
 

@@ -1,0 +1,299 @@
+//! The camera's handles: each put to a point of the world.
+
+use glam::{DVec2, DVec3};
+
+use super::pole::{frame_carried, up_carried};
+use super::{SteerError, Steered, check_positive, orthonormal, steady};
+use crate::basis::{Aim, Basis, BasisError};
+use crate::camera::{Camera, Orientation};
+use crate::error_free::difference_with_rest;
+use crate::scale::{ldexp3, split, unit};
+use crate::viewport::Viewport;
+
+/// What stays when the eye is moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Keep {
+    /// What it looks at, the [pivot](Camera::pivot): the view turns.
+    At,
+    /// The view direction: at moves along, the camera travels.
+    View,
+}
+
+/// A corner of the viewport, as the camera sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ViewportCorner {
+    /// At `(-width/2, height/2)`.
+    TopLeft,
+    /// At `(width/2, height/2)`.
+    TopRight,
+    /// At `(-width/2, -height/2)`.
+    BottomLeft,
+    /// At `(width/2, -height/2)`.
+    BottomRight,
+}
+
+/// What stays when a corner of the viewport is moved, besides its middle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CornerKeeps {
+    /// Nothing: width and height follow the corner.
+    Nothing,
+    /// The ratio of width to height, and so the shape of a pixel.
+    Ratio,
+    /// Pixels are square: the ratio is that of the image.
+    SquarePixels,
+}
+
+/// What stays when the viewport's distance changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DistanceKeeps {
+    /// Width and height: the field of view changes.
+    Size,
+    /// The picture: width and height grow with the distance.
+    Picture,
+}
+
+impl ViewportCorner {
+    /// All four, row by row.
+    pub const ALL: [ViewportCorner; 4] = [
+        ViewportCorner::TopLeft,
+        ViewportCorner::TopRight,
+        ViewportCorner::BottomLeft,
+        ViewportCorner::BottomRight,
+    ];
+
+    /// The signs of its u and v.
+    pub fn signs(self) -> DVec2 {
+        match self {
+            ViewportCorner::TopLeft => DVec2::new(-1.0, 1.0),
+            ViewportCorner::TopRight => DVec2::new(1.0, 1.0),
+            ViewportCorner::BottomLeft => DVec2::new(-1.0, -1.0),
+            ViewportCorner::BottomRight => DVec2::new(1.0, -1.0),
+        }
+    }
+
+    /// Where it is in the viewport.
+    pub fn uv(self, viewport: &Viewport) -> DVec2 {
+        0.5 * self.signs() * DVec2::new(viewport.width, viewport.height)
+    }
+}
+
+impl Camera {
+    /// The camera with its eye at a point of the world.
+    ///
+    /// With [`Keep::At`] the pivot stays and the view turns, the short way; by view, its length becomes
+    /// that from the eye to the pivot; a basis set by hand turns by the least turn that aims it at the
+    /// pivot. With [`Keep::View`] the basis stays, and `at` keeps its place before the eye.
+    ///
+    /// A camera without a basis is led out of that: its fields are set and nothing else.
+    ///
+    /// # Errors
+    /// Where there is no basis afterwards (the eye is put to the pivot), or rounding would turn it
+    /// ([`SteerError::Unsteady`]).
+    pub fn with_eye_at(&self, point: DVec3, keep: Keep) -> Result<Steered, SteerError> {
+        check_point("eye", point)?;
+        let moved = Camera { eye: point, ..*self };
+        if keep == Keep::View {
+            return self.travelled_to(point);
+        }
+        match self.orientation {
+            Orientation::At { .. } => self.led_to(moved),
+            Orientation::View { view, up } => {
+                let orientation = Orientation::View { view: view + (self.eye - point), up };
+                self.led_to(Camera { orientation, ..moved })
+            }
+            Orientation::Basis(basis) => {
+                let view = (self.eye - point) - self.reach()? * basis.w;
+                self.frame_led_to(moved, &basis, view)
+            }
+        }
+    }
+
+    /// The camera that looks at a point of the world from where it stands: `at`, or by view
+    /// `view = point - eye`; a basis set by hand turns by the least turn that aims it there.
+    ///
+    /// A camera without a basis is led out of that: its fields are set and nothing else.
+    ///
+    /// # Errors
+    /// Where the point is the eye, or there is no basis.
+    pub fn with_at(&self, point: DVec3) -> Result<Steered, SteerError> {
+        check_point("at", point)?;
+        let view = difference_with_rest(point, self.eye).0;
+        let orientation = match self.orientation {
+            Orientation::At { up, .. } => Orientation::At { at: point, up },
+            Orientation::View { up, .. } => Orientation::View { view, up },
+            Orientation::Basis(basis) if view == DVec3::ZERO => {
+                Basis::by_hand(basis.u, basis.v, basis.w)?;
+                return Err(BasisError::EyeIsAt { point }.into());
+            }
+            Orientation::Basis(basis) => return self.frame_led_to(*self, &basis, view),
+        };
+        self.led_to(Camera { orientation, ..*self })
+    }
+
+    /// The camera whose up, drawn from the eye and `scale` times as long as it is, ends in a point:
+    ///
+    /// ```text
+    /// up = (point - eye) / scale
+    /// ```
+    ///
+    /// The view stays; v and u turn about it by the angle between the old up and the new, as the camera
+    /// sees them.
+    ///
+    /// # Errors
+    /// Where the scale is not positive and finite, up is zero or parallel to the view, or the basis is
+    /// set by hand.
+    pub fn with_up_tip(&self, point: DVec3, scale: f64) -> Result<Camera, SteerError> {
+        check_positive("scale", scale)?;
+        check_point("up", point)?;
+        let new = (point - self.eye) / scale;
+        let orientation = match self.orientation {
+            Orientation::At { at, .. } => Orientation::At { at, up: new },
+            Orientation::View { view, .. } => Orientation::View { view, up: new },
+            Orientation::Basis(_) => return Err(SteerError::NoUp),
+        };
+        let camera = Camera { orientation, ..*self };
+        camera.basis()?;
+        Ok(camera)
+    }
+
+    /// The camera with a corner of its viewport moved, in the viewport's plane, to (or nearest to) a
+    /// point of the world; the viewport's middle stays. With `p = point - eye`
+    ///
+    /// ```text
+    /// width/2 = |u| where u = p.U is on the corner's side     height/2 likewise with v = p.V
+    /// ```
+    ///
+    /// With a ratio to keep, the corner is the point nearest to (u, v) on the line of that ratio.
+    ///
+    /// # Errors
+    /// Where there is no basis, or the corner is dragged to or past the middle: width or height is 0 or
+    /// negative. With a ratio to keep also where there is none.
+    pub fn with_viewport_corner(
+        &self,
+        corner: ViewportCorner,
+        point: DVec3,
+        keeps: CornerKeeps,
+    ) -> Result<Camera, SteerError> {
+        check_point("corner", point)?;
+        let Basis { u, v, .. } = self.basis()?;
+        let p = point - self.eye;
+        let half = corner.signs() * DVec2::new(p.dot(u), p.dot(v));
+        let Viewport { width, height, distance } = self.viewport;
+        let ratio = match keeps {
+            CornerKeeps::Nothing => None,
+            CornerKeeps::Ratio => {
+                self.viewport.check()?;
+                Some(width / height)
+            }
+            CornerKeeps::SquarePixels => Some(self.image.aspect()),
+        };
+        let size = match ratio {
+            None => 2.0 * half,
+            Some(ratio) => {
+                // The nearest point (r y, y) to (x, y0) is at y = (r x + y0) / (r^2 + 1).
+                let height = 2.0 * (ratio * half.x + half.y) / (ratio * ratio + 1.0);
+                DVec2::new(ratio * height, height)
+            }
+        };
+        let viewport = Viewport { width: size.x, height: size.y, distance };
+        viewport.check()?;
+        Ok(Camera { viewport, ..*self })
+    }
+
+    /// The camera with its viewport's plane put through a point of the world:
+    /// `distance = -(point - eye).W`.
+    ///
+    /// # Errors
+    /// Where there is no basis, the point is not in front of the eye (the distance is 0 or negative), or
+    /// the viewport is none.
+    pub fn with_viewport_through(
+        &self,
+        point: DVec3,
+        keeps: DistanceKeeps,
+    ) -> Result<Camera, SteerError> {
+        check_point("viewport", point)?;
+        let distance = (self.eye - point).dot(self.basis()?.w);
+        let viewport = Viewport { distance, ..self.viewport };
+        viewport.check()?;
+        Ok(match keeps {
+            DistanceKeeps::Size => Camera { viewport, ..*self },
+            DistanceKeeps::Picture => self.scaled_picture(distance)?,
+        })
+    }
+
+    /// Eye and at moved together.
+    fn travelled_to(&self, eye: DVec3) -> Result<Steered, SteerError> {
+        let orientation = match self.orientation {
+            Orientation::At { at, up } if eye != self.eye => {
+                Orientation::At { at: at + (eye - self.eye), up }
+            }
+            given => given,
+        };
+        let moved = Camera { eye, orientation, ..*self };
+        let camera = match self.basis() {
+            Ok(basis) => steady(moved, &basis)?,
+            Err(_) => moved.basis().map(|_| moved)?,
+        };
+        Ok(Steered { camera, up_went_along: false })
+    }
+
+    /// The camera after eye, at or view have been set by hand, up as it was: it goes along where the
+    /// view comes near it.
+    fn led_to(&self, moved: Camera) -> Result<Steered, SteerError> {
+        let stays = |camera: Camera| Steered { camera, up_went_along: false };
+        let (aim, up) = match moved.orientation {
+            Orientation::At { at, up } => (Aim::from_to(moved.eye, at, up)?, up),
+            Orientation::View { view, up } => (Aim::along(view, up)?, up),
+            Orientation::Basis(_) => return Ok(stays(moved)),
+        };
+        let Ok(basis) = self.basis() else {
+            moved.basis()?;
+            return Ok(stays(moved));
+        };
+        if moved == *self {
+            return Ok(stays(moved));
+        }
+        let to = unit(aim.view.rounded());
+        let Some((direction, v)) = up_carried(&basis, self.up_angle()?.angle, to) else {
+            moved.basis()?;
+            return Ok(stays(moved));
+        };
+        let (m, k) = split(up);
+        let up = ldexp3(m.length() * unit(direction), k);
+        let orientation = match moved.orientation {
+            Orientation::At { at, .. } => Orientation::At { at, up },
+            _ => Orientation::View { view: moved.view(), up },
+        };
+        let meant = Basis { u: to.cross(v), v, w: -to };
+        let camera = steady(Camera { orientation, ..moved }, &meant)?;
+        Ok(Steered { camera, up_went_along: true })
+    }
+
+    /// The camera with a basis set by hand turned to look along `view`.
+    fn frame_led_to(
+        &self,
+        moved: Camera,
+        basis: &Basis,
+        view: DVec3,
+    ) -> Result<Steered, SteerError> {
+        let basis = Basis::by_hand(basis.u, basis.v, basis.w)?;
+        if !view.is_finite() {
+            return Err(BasisError::NotFinite { field: "view", value: view }.into());
+        }
+        if view == DVec3::ZERO {
+            return Err(BasisError::EyeIsAt { point: moved.eye }.into());
+        }
+        let straight = orthonormal(&basis);
+        let turned = orthonormal(&frame_carried(&straight, unit(view)));
+        let camera = Camera { orientation: Orientation::Basis(turned), ..moved };
+        camera.basis()?;
+        Ok(Steered { camera, up_went_along: false })
+    }
+}
+
+fn check_point(field: &'static str, value: DVec3) -> Result<(), SteerError> {
+    match value.is_finite() {
+        true => Ok(()),
+        false => Err(BasisError::NotFinite { field, value }.into()),
+    }
+}

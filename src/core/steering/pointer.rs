@@ -1,0 +1,228 @@
+//! From where the pointer is in the observer's picture to a point of the world.
+
+use std::fmt;
+
+use glam::{DVec2, DVec3};
+
+use crate::number::{shortest, triple};
+use crate::posed::PosedCamera;
+use crate::scale::unit;
+
+/// An axis nearer than this to the line of sight, or a plane nearer to containing it, is not dragged
+/// along: a pixel would be more than ten times as long there as across. In radians, 5 degrees.
+pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
+
+/// Nothing is dragged farther away than so many times the depth that the drag began at: there, at the
+/// horizon of its axis or plane, a pixel goes to infinity.
+pub const FARTHEST: f64 = 1000.0;
+
+/// Along what something is dragged. Vectors are directions in the world, of any length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DragAlong {
+    /// The plane through the anchor that is parallel to the observer's picture.
+    ViewPlane,
+    /// The line through the anchor in this direction.
+    Axis(DVec3),
+    /// The plane through the anchor with these two directions in it.
+    Plane(DVec3, DVec3),
+}
+
+/// Why the pointer is nowhere in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DragError {
+    /// What is dragged is not in front of the observer.
+    NotInFront {
+        /// Its depth, 0 or negative.
+        depth: f64,
+    },
+    /// A coordinate of the named field is NaN or infinite.
+    NotFinite {
+        /// `anchor`, `axis`, `pointer`, or `point` for the result.
+        field: &'static str,
+        /// The value; a pointer's third coordinate is 0.
+        value: DVec3,
+    },
+    /// The axis is zero, or the two axes of a plane are parallel.
+    NoDirection,
+    /// The axis points at the observer, or the plane is seen from its edge.
+    OnEdge {
+        /// The angle to the line of sight, in radians, less than [`LEAST_ANGLE`].
+        angle: f64,
+    },
+    /// The pointer is past the horizon of the axis or plane, or nearly there.
+    PastHorizon,
+}
+
+impl fmt::Display for DragError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DragError::NotInFront { depth } => {
+                write!(f, "the handle is at depth {}: not in front", shortest(*depth))
+            }
+            DragError::NotFinite { field, value } => {
+                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
+            }
+            DragError::NoDirection => write!(f, "the axes are zero or parallel"),
+            DragError::OnEdge { angle } => write!(
+                f,
+                "seen along the axis or plane of the drag, {:.1} degrees from it: look from aside",
+                angle.to_degrees()
+            ),
+            DragError::PastHorizon => write!(f, "past the horizon of the drag's axis or plane"),
+        }
+    }
+}
+
+impl std::error::Error for DragError {}
+
+/// A drag in the observer's picture: what has been taken, and where the pointer took it.
+///
+/// The pointer keeps its distance from the handle, in the picture: taken 3 pixels beside its middle, a
+/// handle stays 3 pixels beside the pointer. Dragged to where it began, the anchor is as it was to the
+/// bit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drag {
+    /// The handle's point in the world.
+    pub anchor: DVec3,
+    /// Where in the observer's viewport the pointer took it.
+    pub begun_at: DVec2,
+}
+
+impl Drag {
+    /// The point of the world to which the pointer at `uv`, in the observer's viewport, has dragged the
+    /// anchor. Observer and anchor have stayed since it began.
+    ///
+    /// With the anchor at `(x, y, -z)` in the observer's coordinates, its image at
+    /// `p = (x, y) distance / z`, the pointer's way `m = uv - begun_at`, and the ray
+    /// `r = (p + m, -distance)`:
+    ///
+    /// ```text
+    /// view plane   anchor + (m.u U + m.v V) z / distance
+    /// plane        where the ray eye + t r meets it
+    /// axis         the point whose image is nearest to p + m on the axis' image
+    /// ```
+    ///
+    /// The image of `anchor + s a`, with `a = (a_x, a_y, -a_z)` of length 1, is
+    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`: a line along g, on
+    /// which the nearest point is `l = m . g / |g|` away from p, and so
+    ///
+    /// ```text
+    /// s = l z / (|g| z - l a_z)
+    /// ```
+    ///
+    /// Projected again by the observer, the point is where the pointer is, less its distance from the
+    /// handle (axis: nearest to that), but for rounding.
+    ///
+    /// # Errors
+    /// See [`DragError`]: rather than jump to infinity, the drag is refused.
+    pub fn to(
+        &self,
+        observer: &PosedCamera,
+        uv: DVec2,
+        along: DragAlong,
+    ) -> Result<DVec3, DragError> {
+        let seen = Seen::of(self.anchor, observer)?;
+        let way = uv - self.begun_at;
+        if !way.is_finite() {
+            return Err(DragError::NotFinite { field: "pointer", value: uv.extend(0.0) });
+        }
+        let offset = match along {
+            DragAlong::ViewPlane => seen.in_view_plane(way),
+            DragAlong::Axis(axis) => seen.along_axis(way, direction(axis)?)?,
+            DragAlong::Plane(a, b) => {
+                let (a, b) = (direction(a)?, direction(b)?);
+                let normal = a.cross(b);
+                if normal.length() < 1e-12 {
+                    return Err(DragError::NoDirection);
+                }
+                seen.in_plane(way, unit(normal))?
+            }
+        };
+        finite("point", self.anchor + offset)
+    }
+}
+
+/// What a pixel of the observer's picture measures in the world at a point, in the plane parallel to
+/// the picture: `depth / distance * height / H`.
+///
+/// # Errors
+/// Where the point is not in front of the observer.
+pub fn pixel_in_world(observer: &PosedCamera, point: DVec3) -> Result<f64, DragError> {
+    let Seen { depth, distance, .. } = Seen::of(point, observer)?;
+    let height = observer.viewport().height / f64::from(observer.image().height());
+    Ok(depth / distance * height)
+}
+
+/// An anchor in the observer's coordinates.
+struct Seen<'a> {
+    observer: &'a PosedCamera,
+    /// `(x, y, -z)`
+    place: DVec3,
+    /// z
+    depth: f64,
+    distance: f64,
+}
+
+impl Seen<'_> {
+    fn of(anchor: DVec3, observer: &PosedCamera) -> Result<Seen<'_>, DragError> {
+        finite("anchor", anchor)?;
+        let place = finite("anchor", anchor - observer.eye())?;
+        let place = observer.basis().to_camera_from_world(place);
+        let depth = -place.z;
+        if depth > 0.0 {
+            return Ok(Seen { observer, place, depth, distance: observer.viewport().distance });
+        }
+        Err(DragError::NotInFront { depth })
+    }
+
+    fn in_view_plane(&self, way: DVec2) -> DVec3 {
+        let moved = (self.depth / self.distance) * way;
+        self.observer.basis().to_world_from_camera(moved.extend(0.0))
+    }
+
+    fn along_axis(&self, way: DVec2, axis: DVec3) -> Result<DVec3, DragError> {
+        let a = self.observer.basis().to_camera_from_world(axis);
+        let sight = unit(self.place);
+        let sine = sight.cross(a).length();
+        check_angle(sine.atan2(sight.dot(a).abs()))?;
+        // g z / distance: the axis as it is seen at the anchor's depth, per length of the axis.
+        let seen = a.truncate() + self.place.truncate() * (a.z / self.depth);
+        let length = seen.length();
+        // l z / distance, in the world; 0 where the axis' image is a point, which the angle excludes.
+        let moved = way.dot(seen) / length * (self.depth / self.distance);
+        let deeper = 1.0 + moved * a.z / (length * self.depth);
+        if deeper * FARTHEST <= 1.0 {
+            return Err(DragError::PastHorizon);
+        }
+        Ok(moved / (length * deeper) * axis)
+    }
+
+    fn in_plane(&self, way: DVec2, normal: DVec3) -> Result<DVec3, DragError> {
+        // At the anchor's depth; from there along the ray to the plane.
+        let beside = self.in_view_plane(way);
+        let image = self.place.truncate() * (self.distance / self.depth) + way;
+        let ray = self.observer.basis().to_world_from_camera(image.extend(-self.distance));
+        let sight = unit(ray);
+        let steep = normal.dot(sight);
+        check_angle(steep.abs().clamp(0.0, 1.0).asin())?;
+        let back = normal.dot(beside) / normal.dot(ray);
+        let t = self.depth / self.distance - back;
+        if t <= 0.0 || t >= FARTHEST * self.depth / self.distance {
+            return Err(DragError::PastHorizon);
+        }
+        Ok(beside - back * ray)
+    }
+}
+
+fn check_angle(angle: f64) -> Result<(), DragError> {
+    if angle >= LEAST_ANGLE { Ok(()) } else { Err(DragError::OnEdge { angle }) }
+}
+
+fn direction(axis: DVec3) -> Result<DVec3, DragError> {
+    finite("axis", axis)?;
+    if axis == DVec3::ZERO { Err(DragError::NoDirection) } else { Ok(unit(axis)) }
+}
+
+fn finite(field: &'static str, value: DVec3) -> Result<DVec3, DragError> {
+    if value.is_finite() { Ok(value) } else { Err(DragError::NotFinite { field, value }) }
+}

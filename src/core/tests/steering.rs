@@ -1,0 +1,115 @@
+//! The camera in the hand: whatever is dragged, a camera comes out whose v turned no more than the drag
+//! did, or a typed error.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "steering/handles.rs"]
+mod handles;
+#[path = "steering/moves.rs"]
+mod moves;
+#[path = "steering/pointer.rs"]
+mod pointer;
+#[path = "steering/poles.rs"]
+mod poles;
+#[path = "steering/snap.rs"]
+mod snap;
+#[path = "steering/turns.rs"]
+mod turns;
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use pinhole_core::*;
+use proptest::prelude::*;
+
+/// No file of failures: the seeds are in the message.
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, failure_persistence: None, ..Default::default() }
+}
+
+fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+/// A direction of length 1; every one can be.
+fn direction() -> impl Strategy<Value = DVec3> {
+    (-1.0..1.0_f64, 0.0..TAU).prop_map(|(z, azimuth)| {
+        let across = (1.0 - z * z).sqrt();
+        vec3(across * azimuth.cos(), across * azimuth.sin(), z)
+    })
+}
+
+/// The angle between up or -up and the view, half of the time logarithmic down to 1e-9.
+fn gap() -> impl Strategy<Value = f64> {
+    prop_oneof![1e-3..FRAC_PI_2, (-9.0..0.0_f64).prop_map(|power| 10_f64.powf(power))]
+}
+
+/// Given by at, by view, by hand; eye and at 1e-6 to 1e9 apart, as far from the origin as that or up to
+/// a thousand times farther; up of any length, near to the view or to its opposite or not.
+fn any_camera() -> impl Strategy<Value = Camera> {
+    let aim = (direction(), direction(), gap(), any::<bool>());
+    let sizes = (-6.0..9.0_f64, -1.0..3.0_f64, -6.0..6.0_f64, direction());
+    (aim, sizes, 0..3_usize).prop_filter_map(
+        "a basis",
+        |((view, side, gap, is_behind), (size, out, length, place), kind)| {
+            let across = (side - side.dot(view) * view).try_normalize()?;
+            let pole = if is_behind { -view } else { view };
+            let up = 10_f64.powf(length) * (gap.cos() * pole + gap.sin() * across);
+            let size = 10_f64.powf(size);
+            let eye = size * 10_f64.powf(out) * place;
+            let orientation = Orientation::View { view: size * view, up };
+            let viewport = Viewport { width: 0.4 * size, height: 0.3 * size, distance: size };
+            let camera = Camera { eye, orientation, viewport, ..Camera::CANONICAL };
+            let kinds = [OrientationKind::At, OrientationKind::View, OrientationKind::Basis];
+            camera.given_by(kinds[kind]).ok().filter(|camera| camera.basis().is_ok())
+        },
+    )
+}
+
+/// Of those, the calm ones.
+fn calm_camera() -> impl Strategy<Value = Camera> {
+    any_camera().prop_filter("calm", is_calm)
+}
+
+/// Whether rounding is far below what a test of the drag asks for: eye and at not much nearer to each
+/// other than to the origin, up not nearly parallel to the view.
+fn is_calm(camera: &Camera) -> bool {
+    let reach = camera.eye.distance(camera.pivot().unwrap());
+    camera.eye.length() < 100.0 * reach
+        && camera.up_angle().is_ok_and(|up| up.conditioning < 1000.0)
+}
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    let (a, b) = (a.normalize(), b.normalize());
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+fn v_turn(a: &Camera, b: &Camera) -> f64 {
+    angle(a.basis().unwrap().v, b.basis().unwrap().v)
+}
+
+/// The view's own turn.
+fn view_turn(a: &Camera, b: &Camera) -> f64 {
+    angle(a.basis().unwrap().w, b.basis().unwrap().w)
+}
+
+/// The angle between the view and up or -up, whichever is nearer.
+fn pole_gap(camera: &Camera) -> f64 {
+    let angle = camera.up_angle().unwrap().angle;
+    angle.min(PI - angle)
+}
+
+fn assert_valid(camera: &Camera) {
+    let Basis { u, v, w } = camera.basis().unwrap();
+    for (a, b) in [(u, v), (v, w), (w, u)] {
+        assert!(a.dot(b).abs() < 1e-15, "{camera:?}");
+        assert!((a.length() - 1.0).abs() < 1e-15, "{camera:?}");
+    }
+    assert!((u.cross(v) - w).length() < 1e-15, "{camera:?}");
+    assert!(w.dot(camera.view().normalize()) < -1.0 + 1e-15, "{camera:?}");
+}
+
+fn given_up(camera: &Camera) -> Option<DVec3> {
+    match camera.orientation {
+        Orientation::At { up, .. } | Orientation::View { up, .. } => Some(up),
+        Orientation::Basis(_) => None,
+    }
+}

@@ -1,0 +1,148 @@
+//! The handles of up, of the viewport, of spheres and planes.
+
+use pinhole_core::steering::*;
+use pinhole_core::*;
+use proptest::prelude::*;
+
+use crate::{calm_camera, config, direction, given_up, vec3};
+
+/// Turned and off the origin.
+fn camera() -> Camera {
+    Camera {
+        eye: vec3(2.0, 1.0, 3.0),
+        orientation: Orientation::At { at: vec3(0.0, 1.0, 3.0), up: DVec3::Y },
+        viewport: Viewport { width: 4.0, height: 2.0, distance: 1.0 },
+        image: ImageSize::new(300, 100).unwrap(),
+    }
+}
+
+#[test]
+fn the_tip_of_up_is_put_to_a_point() {
+    // u is -z.
+    let tipped = camera().with_up_tip(vec3(2.0, 2.0, 2.0), 0.5).unwrap();
+    assert_eq!(given_up(&tipped), Some(vec3(0.0, 2.0, -2.0)));
+    let roll = tipped.basis().unwrap().v.dot(camera().basis().unwrap().u);
+    assert!((roll - 0.5_f64.sqrt()).abs() < 1e-15);
+    let error = camera().with_up_tip(camera().eye, 0.5).unwrap_err();
+    assert_eq!(error, BasisError::UpIsZero.into());
+    let parallel = camera().with_up_tip(vec3(-7.0, 1.0, 3.0), 3.0).unwrap_err();
+    assert!(matches!(
+        parallel,
+        SteerError::Camera(CameraError::Basis(BasisError::UpParallelToView { .. }))
+    ));
+    let by_hand = camera().given_by(OrientationKind::Basis).unwrap();
+    assert_eq!(by_hand.with_up_tip(DVec3::ONE, 1.0), Err(SteerError::NoUp));
+    assert!(camera().with_up_tip(DVec3::ONE, 0.0).is_err());
+}
+
+#[test]
+fn a_corner_makes_width_and_height() {
+    let corner = |keeps, corner: ViewportCorner, u: f64, v: f64| {
+        let basis = camera().basis().unwrap();
+        let point = camera().eye + u * basis.u + v * basis.v - basis.w;
+        camera().with_viewport_corner(corner, point, keeps).map(|camera| camera.viewport)
+    };
+    let sized = |width, height| Ok(Viewport { width, height, distance: 1.0 });
+    use CornerKeeps::{Nothing, Ratio, SquarePixels};
+    assert_eq!(corner(Nothing, ViewportCorner::TopRight, 1.0, 3.0), sized(2.0, 6.0));
+    assert_eq!(corner(Nothing, ViewportCorner::BottomLeft, -1.5, -0.5), sized(3.0, 1.0));
+    assert_eq!(corner(Ratio, ViewportCorner::TopLeft, -4.0, 2.0), sized(8.0, 4.0));
+    // Across the diagonal: nothing changes.
+    assert_eq!(corner(Ratio, ViewportCorner::BottomRight, 1.5, -2.0), sized(4.0, 2.0));
+    assert_eq!(corner(SquarePixels, ViewportCorner::TopRight, 3.0, 1.0), sized(6.0, 2.0));
+    let past = corner(Nothing, ViewportCorner::TopRight, -0.5, 1.0).unwrap_err();
+    let expected = "viewport width is -1: it must be finite and greater than 0";
+    assert_eq!(past.to_string(), expected);
+    assert!(corner(Ratio, ViewportCorner::TopRight, -1.0, -1.0).is_err());
+    let none = Camera { viewport: Viewport { width: 0.0, ..camera().viewport }, ..camera() };
+    assert!(none.with_viewport_corner(ViewportCorner::TopLeft, DVec3::ZERO, Ratio).is_err());
+}
+
+#[test]
+fn corners_are_where_they_are_drawn() {
+    let posed = camera().posed().unwrap();
+    for corner in ViewportCorner::ALL {
+        let uv = corner.uv(posed.viewport());
+        assert_eq!(uv.abs(), DVec2::new(2.0, 1.0));
+        let point = posed.viewport_point(uv);
+        let same = camera().with_viewport_corner(corner, point, CornerKeeps::Nothing).unwrap();
+        assert_eq!(same, camera());
+    }
+}
+
+#[test]
+fn the_viewport_is_put_through_a_point() {
+    let through = |x: f64, keeps| camera().with_viewport_through(vec3(x, 7.0, 8.0), keeps);
+    let size = through(-1.0, DistanceKeeps::Size).unwrap().viewport;
+    assert_eq!(size, Viewport { width: 4.0, height: 2.0, distance: 3.0 });
+    let picture = through(-1.0, DistanceKeeps::Picture).unwrap().viewport;
+    assert_eq!(picture, Viewport { width: 12.0, height: 6.0, distance: 3.0 });
+    let error = through(2.0, DistanceKeeps::Size).unwrap_err();
+    assert_eq!(error, ViewportError { field: "distance", value: 0.0 }.into());
+    assert!(through(2.5, DistanceKeeps::Picture).is_err());
+}
+
+#[test]
+fn spheres_and_planes_have_handles() {
+    let ball = Sphere { center: DVec3::X, radius: 2.0 };
+    assert_eq!(ball.with_center(DVec3::Y), Ok(Sphere { center: DVec3::Y, ..ball }));
+    assert_eq!(ball.with_surface_through(vec3(1.0, 3.0, 4.0)).unwrap().radius, 5.0);
+    assert_eq!(ball.with_surface_through(DVec3::X), Err(ObjectError::Radius { value: 0.0 }));
+    assert!(ball.with_center(vec3(f64::NAN, 0.0, 0.0)).is_err());
+
+    let wall = Plane { point: vec3(1.0, 1.0, -6.0), normal: vec3(0.0, 0.0, 2.0) };
+    assert_eq!(wall.with_point(DVec3::X), Ok(Plane { point: DVec3::X, ..wall }));
+    let moved = wall.moved_through(vec3(9.0, 9.0, -4.0)).unwrap();
+    assert_eq!(moved, Plane { point: vec3(1.0, 1.0, -4.0), ..wall });
+    let tilted = wall.with_normal_tip(vec3(1.0, 2.0, -5.0), 0.5).unwrap();
+    assert_eq!(tilted.normal, vec3(0.0, 2.0, 2.0));
+    assert_eq!(wall.with_normal_tip(wall.point, 0.5), Err(ObjectError::NormalIsZero));
+    assert!(wall.with_normal_tip(DVec3::X, 0.0).is_err());
+}
+
+proptest! {
+    #![proptest_config(config(2000))]
+
+    /// v is the part of the new up across the view.
+    #[test]
+    fn up_tips_roll_as_they_are_seen(camera in calm_camera(), tip in direction(), scale in 0.01..100.0_f64) {
+        if given_up(&camera).is_none() {
+            return Ok(());
+        }
+        let reach = camera.eye.distance(camera.pivot().unwrap());
+        let Basis { u, v, w } = camera.basis().unwrap();
+        prop_assume!(tip.cross(w).length() > 1e-3);
+        let point = camera.eye + reach * tip;
+        let after = camera.with_up_tip(point, scale).unwrap();
+        let expected = (tip - tip.dot(w) * w).normalize();
+        prop_assert!((after.basis().unwrap().v - expected).length() < 1e-10);
+        prop_assert!((after.basis().unwrap().w - w).length() < 1e-15);
+        prop_assert!((expected.dot(u).powi(2) + expected.dot(v).powi(2) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_dragged_corner_is_under_the_hand(
+        camera in calm_camera(), u in 0.01..10.0_f64, v in 0.01..10.0_f64, which in 0..4_usize,
+    ) {
+        let corner = ViewportCorner::ALL[which];
+        let posed = camera.posed().unwrap();
+        let uv = corner.signs() * DVec2::new(u, v) * camera.viewport.distance;
+        let point = posed.viewport_point(uv);
+        let after = camera.with_viewport_corner(corner, point, CornerKeeps::Nothing).unwrap();
+        let found = corner.uv(&after.viewport);
+        prop_assert!(found.distance(uv) <= 1e-12 * (uv.length() + camera.eye.length()));
+        // With a ratio to keep, the hand is straight across the diagonal from the corner.
+        for keeps in [CornerKeeps::Ratio, CornerKeeps::SquarePixels] {
+            let after = camera.with_viewport_corner(corner, point, keeps).unwrap();
+            let found = corner.uv(&after.viewport);
+            let off = (uv - found).dot(found) / found.length();
+            prop_assert!(off.abs() <= 1e-12 * (uv.length() + camera.eye.length()));
+            let ratio = after.viewport.width / after.viewport.height;
+            let kept = match keeps {
+                CornerKeeps::Ratio => camera.viewport.width / camera.viewport.height,
+                _ => camera.image.aspect(),
+            };
+            prop_assert!((ratio / kept - 1.0).abs() < 1e-14);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Right answers and single numbers, exactly where they are recognised.
+
+use pinhole_core::lecture::exercises::{Answer, Part};
+use pinhole_core::lecture::{NumberForm, VectorForm};
+use pinhole_core::{DVec3, shortest};
+
+use crate::number::written;
+
+/// The right answer, exactly if it can be recognised, and in decimals where that is another text.
+pub fn solution(part: &Part, digits: usize) -> String {
+    let numbers = match &part.truth {
+        Answer::Yes(yes) => return if *yes { "= yes" } else { "= no" }.to_owned(),
+        Answer::Numbers(numbers) => numbers,
+    };
+    let decimals = |x: &f64| written(*x, digits);
+    let decimals = listed(&numbers.iter().map(decimals).collect::<Vec<_>>());
+    match exact(numbers) {
+        Some(exact) if exact == decimals => format!("= {exact}"),
+        Some(exact) => format!("= {exact} ≈ {decimals}"),
+        None => format!("≈ {decimals}"),
+    }
+}
+
+/// `5√2`, `(5, 0, −7)/√74`, `(0.2, −0.1, −1)`.
+fn exact(numbers: &[f64]) -> Option<String> {
+    if let [x, y, z] = *numbers
+        && let VectorForm::Common { whole, factor } = VectorForm::of(DVec3::new(x, y, z))?
+        && factor.root() > 1
+        && factor.is_root_below()
+    {
+        let whole = whole.map(|n| number(n as f64));
+        return Some(format!("{}/√{}", listed(&whole), factor.root()));
+    }
+    let each: Option<Vec<String>> =
+        numbers.iter().map(|x| Some(form(NumberForm::of(*x)?))).collect();
+    Some(listed(&each?))
+}
+
+fn listed(texts: &[String]) -> String {
+    match texts {
+        [one] => one.clone(),
+        many => format!("({})", many.join(", ")),
+    }
+}
+
+/// `5√2`, `−1/√2`, `3/7`. Decimals stay decimals.
+fn form(form: NumberForm) -> String {
+    if form.decimals().is_some() {
+        return number(form.value());
+    }
+    let (n, k, m) = (form.numerator(), form.root(), form.denominator());
+    let sign = if n < 0 { "−" } else { "" };
+    let above = match (n.unsigned_abs(), k) {
+        (n, k) if k == 1 || form.is_root_below() => n.to_string(),
+        (1, k) => format!("√{k}"),
+        (n, k) => format!("{n}√{k}"),
+    };
+    match (form.is_root_below(), m) {
+        (true, _) => format!("{sign}{above}/√{k}"),
+        (false, 1) => format!("{sign}{above}"),
+        (false, m) => format!("{sign}{above}/{m}"),
+    }
+}
+
+/// As short as it can be, with the real minus.
+pub(super) fn number(x: f64) -> String {
+    shortest(x).replace('-', "−")
+}
+
+/// For sentences: exact where it is short.
+pub(super) fn short(x: f64) -> String {
+    NumberForm::of(x).map(form).unwrap_or_else(|| written(x, 5))
+}

@@ -1,0 +1,79 @@
+//! What is said of an answer, in words.
+
+use pinhole_core::lecture::exercises::{Finding, Part, Slip, Verdict};
+
+use super::Said;
+use super::answers::short;
+
+/// Whether what is said is that the answer is right.
+pub(crate) fn is_good(said: &Said) -> bool {
+    matches!(said, Said::Judged(verdict) if verdict.is_right())
+}
+
+/// What is said of an answer.
+pub(crate) fn said(said: &Said, part: &Part) -> String {
+    match said {
+        Said::NotAnswered => "Not answered yet.".to_owned(),
+        Said::Missing => "One of the numbers is missing.".to_owned(),
+        Said::NoNumber(why) => format!("{why}."),
+        Said::Judged(verdict) => judged(verdict, part),
+    }
+}
+
+fn judged(verdict: &Verdict, part: &Part) -> String {
+    match verdict {
+        Verdict::Right => "Right.".to_owned(),
+        Verdict::Multiple { times } => {
+            format!("Right: yours is {} times ours, the same ray.", short(*times))
+        }
+        Verdict::Rounded { digits } => format!(
+            "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
+        ),
+        Verdict::Backwards { times } => {
+            format!("Wrong: it points the opposite way, and is {} times ours.", short(*times))
+        }
+        Verdict::OtherLength { times } if part.asked.is_unit() => {
+            format!(
+                "Wrong: the direction is right, but the length is {}: it must be 1.",
+                short(*times)
+            )
+        }
+        Verdict::OtherLength { times } => format!(
+            "Wrong: the direction is right, but it is {} times ours: here its length matters, because 𝑡 \
+             counts in it.",
+            short(*times)
+        ),
+        Verdict::Slips(slips) => format!("Wrong: {}", named(slips)),
+        Verdict::Wrong(findings) => {
+            let texts: Vec<String> = findings.iter().map(|finding| found(finding, part)).collect();
+            format!("Wrong: {}.", texts.join("; "))
+        }
+    }
+}
+
+fn named(slips: &[Slip]) -> String {
+    let texts: Vec<&str> = slips.iter().map(|slip| slip.look_at()).collect();
+    texts.join(" Or: ")
+}
+
+fn found(finding: &Finding, part: &Part) -> String {
+    match finding {
+        Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
+        Finding::Coordinate(k) => format!("{} is another number", ["𝑥", "𝑦", "𝑧"][(*k).min(2)]),
+        Finding::Length(length) => format!("its length is {}, not 1", short(*length)),
+        Finding::NotOrthogonal { to, dot } => {
+            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(*dot))
+        }
+        Finding::Another if part.count() == 1 => "it is another number".to_owned(),
+        Finding::Another => "every coordinate is another one".to_owned(),
+    }
+}
+
+fn bold(name: &str) -> &str {
+    match name {
+        "u" => "𝐮",
+        "v" => "𝐯",
+        "w" => "𝐰",
+        other => other,
+    }
+}

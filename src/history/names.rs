@@ -1,0 +1,289 @@
+//! What a change of the document is called: `move eye`, `add sphere 2`.
+
+use pinhole_core::{Camera, Orientation, Plane, Sphere, Viewport};
+
+use crate::document::{Document, Item};
+
+/// A step's name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StepName {
+    /// As it stands in the menu after *Undo*.
+    pub text: String,
+    /// Numbers or letters alone were changed, so that more of the same goes on with the step.
+    pub gradual: bool,
+}
+
+/// What was done to get from one document to the other.
+pub fn name_of(before: &Document, after: &Document) -> StepName {
+    let camera =
+        (before.camera != after.camera).then(|| camera_name(&before.camera, &after.camera));
+    let objects = objects_name(before, after);
+    match (camera, objects) {
+        (Some(text), None) => {
+            let same_kind = before.camera.orientation.kind() == after.camera.orientation.kind();
+            StepName { text, gradual: same_kind }
+        }
+        (None, Some(name)) => name,
+        _ => StepName { text: "change the scene".to_owned(), gradual: false },
+    }
+}
+
+fn camera_name(before: &Camera, after: &Camera) -> String {
+    let is_other = [
+        before.eye != after.eye,
+        before.orientation != after.orientation,
+        before.viewport != after.viewport,
+        before.image != after.image,
+    ];
+    let text = match is_other {
+        _ if *after == Camera::CANONICAL => "canonical camera",
+        [true, false, false, false] => "move eye",
+        [false, true, false, false] => orientation_name(&before.orientation, &after.orientation),
+        [true, true, false, false] => match (&before.orientation, &after.orientation) {
+            (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
+                "move eye and at"
+            }
+            _ => "move and turn the camera",
+        },
+        [false, false, true, false] => viewport_name(&before.viewport, &after.viewport),
+        [false, false, false, true] => "change the image's size",
+        [false, false, true, true] => "change viewport and image",
+        _ => "change the camera",
+    };
+    text.to_owned()
+}
+
+fn orientation_name(before: &Orientation, after: &Orientation) -> &'static str {
+    match (before, after) {
+        (Orientation::At { at: a, up: b }, Orientation::At { at: c, up: d }) => {
+            part_name(a != c, "move at", b != d, "turn up", "move at and turn up")
+        }
+        (Orientation::View { view: a, up: b }, Orientation::View { view: c, up: d }) => {
+            part_name(a != c, "turn view", b != d, "turn up", "turn view and up")
+        }
+        (Orientation::Basis(a), Orientation::Basis(b)) => {
+            match (a.u != b.u, a.v != b.v, a.w != b.w) {
+                (true, false, false) => "set u",
+                (false, true, false) => "set v",
+                (false, false, true) => "set w",
+                _ => "turn u, v, w",
+            }
+        }
+        (_, Orientation::At { .. }) => "give the camera by eye, at, up",
+        (_, Orientation::View { .. }) => "give the camera by eye, view, up",
+        (_, Orientation::Basis(_)) => "give the camera by u, v, w",
+    }
+}
+
+fn part_name<'a>(
+    first: bool,
+    first_name: &'a str,
+    second: bool,
+    second_name: &'a str,
+    both: &'a str,
+) -> &'a str {
+    match (first, second) {
+        (true, false) => first_name,
+        (false, true) => second_name,
+        _ => both,
+    }
+}
+
+fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
+    let is_other = [
+        before.width != after.width,
+        before.height != after.height,
+        before.distance != after.distance,
+    ];
+    match is_other {
+        [true, false, false] => "change width",
+        [false, true, false] => "change height",
+        [false, false, true] => "change distance",
+        [true, true, false] => "change the field of view",
+        [true, true, true] => "scale distance, width and height",
+        _ => "change the viewport",
+    }
+}
+
+/// `None` where the objects are the same.
+fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
+    if before.spheres == after.spheres
+        && before.planes == after.planes
+        && before.csv_spheres == after.csv_spheres
+    {
+        return None;
+    }
+    let whole = |text: String| Some(StepName { text, gradual: false });
+    let spheres = added_or_removed(&before.spheres, &after.spheres);
+    let planes = added_or_removed(&before.planes, &after.planes);
+    match (spheres, planes) {
+        (Some(Count::Added(k)), None) => return whole(format!("add {}", after.title_of(k))),
+        (Some(Count::Removed(k)), None) => return whole(format!("remove {}", before.title_of(k))),
+        (None, Some(Count::Added(k))) => {
+            return whole(format!("add {}", after.title_of(after.sphere_count() + k)));
+        }
+        (None, Some(Count::Removed(k))) => {
+            return whole(format!("remove {}", before.title_of(before.sphere_count() + k)));
+        }
+        _ => {}
+    }
+    let spheres = only_other(&before.spheres, &after.spheres);
+    let planes = only_other(&before.planes, &after.planes);
+    let text = match (spheres, planes) {
+        (Some(k), None) => {
+            let title = before.title_of(k);
+            item_name(&before.spheres[k], &after.spheres[k], &title, sphere_name)
+        }
+        (None, Some(k)) => {
+            let title = before.title_of(before.sphere_count() + k);
+            item_name(&before.planes[k], &after.planes[k], &title, plane_name)
+        }
+        _ => return whole("change the scene".to_owned()),
+    };
+    Some(StepName { text, gradual: true })
+}
+
+/// An object more or less, and at which place.
+enum Count {
+    Added(usize),
+    Removed(usize),
+}
+
+fn added_or_removed<S: PartialEq>(before: &[Item<S>], after: &[Item<S>]) -> Option<Count> {
+    let place = before.iter().zip(after).take_while(|(a, b)| a == b).count();
+    match after.len().checked_sub(before.len()) {
+        Some(1) => Some(Count::Added(place)),
+        None if before.len() - after.len() == 1 => Some(Count::Removed(place)),
+        _ => None,
+    }
+}
+
+/// The one object that is not as it was, where there is exactly one.
+fn only_other<S: PartialEq>(before: &[Item<S>], after: &[Item<S>]) -> Option<usize> {
+    if before.len() != after.len() {
+        return None;
+    }
+    let mut others = (0..before.len()).filter(|k| before[*k] != after[*k]);
+    let first = others.next()?;
+    others.next().is_none().then_some(first)
+}
+
+fn item_name<S: PartialEq>(
+    before: &Item<S>,
+    after: &Item<S>,
+    title: &str,
+    shape: impl Fn(&S, &S) -> &'static str,
+) -> String {
+    let what = if before.shape != after.shape {
+        shape(&before.shape, &after.shape)
+    } else if before.name != after.name {
+        "rename"
+    } else {
+        "colour"
+    };
+    format!("{what} {title}")
+}
+
+fn sphere_name(before: &Sphere, after: &Sphere) -> &'static str {
+    if before.radius == after.radius {
+        "move"
+    } else if before.center == after.center {
+        "resize"
+    } else {
+        "change"
+    }
+}
+
+fn plane_name(before: &Plane, after: &Plane) -> &'static str {
+    if before.normal == after.normal {
+        "move"
+    } else if before.point == after.point {
+        "turn"
+    } else {
+        "change"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+    use pinhole_core::{DVec3, ImageSize, OrientationKind};
+
+    use super::*;
+
+    fn scene() -> Document {
+        let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+        let mut named = Item::plain(ball);
+        named.name = Some("ball".to_owned());
+        let floor = Plane { point: DVec3::NEG_Y, normal: DVec3::Y };
+        Document {
+            spheres: vec![named, Item::plain(ball)],
+            planes: vec![Item::plain(floor)],
+            camera: Camera { eye: DVec3::Z, ..Camera::CANONICAL },
+            ..Document::default()
+        }
+    }
+
+    #[track_caller]
+    fn assert_name(expected: &str, gradual: bool, change: impl FnOnce(&mut Document)) {
+        let before = scene();
+        let mut after = before.clone();
+        change(&mut after);
+        let name = name_of(&before, &after);
+        assert_eq!((name.text.as_str(), name.gradual), (expected, gradual));
+    }
+
+    #[test]
+    fn changes_of_the_camera() {
+        assert_name("move eye", true, |d| d.camera.eye.x = 2.0);
+        assert_name("move at", true, |d| {
+            d.camera.orientation = Orientation::At { at: DVec3::ONE, up: DVec3::Y };
+        });
+        assert_name("turn up", true, |d| {
+            d.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::X };
+        });
+        assert_name("move eye and at", true, |d| {
+            d.camera = d.camera.travelled(DVec3::X).unwrap();
+        });
+        assert_name("change distance", true, |d| d.camera.viewport.distance = 2.0);
+        assert_name("change the field of view", true, |d| {
+            d.camera.viewport.width = 2.0;
+            d.camera.viewport.height = 2.0;
+        });
+        assert_name("scale distance, width and height", true, |d| {
+            d.camera = d.camera.scaled_picture(3.0).unwrap();
+        });
+        assert_name("change the image's size", true, |d| {
+            d.camera.image = ImageSize::new(10, 10).unwrap();
+        });
+        assert_name("give the camera by u, v, w", false, |d| {
+            let given = d.camera.given_by(OrientationKind::Basis).unwrap();
+            d.camera = given;
+        });
+        assert_name("canonical camera", true, |d| d.camera = Camera::CANONICAL);
+    }
+
+    #[test]
+    fn changes_of_the_objects() {
+        assert_name("move sphere 0 “ball”", true, |d| d.spheres[0].shape.center.x = 1.0);
+        assert_name("resize sphere 1", true, |d| d.spheres[1].shape.radius = 2.0);
+        assert_name("rename sphere 1", true, |d| d.spheres[1].name = Some("b".to_owned()));
+        assert_name("colour plane 2", true, |d| d.planes[0].color = Some([1, 2, 3]));
+        assert_name("turn plane 2", true, |d| d.planes[0].shape.normal = DVec3::X);
+        assert_name("remove sphere 0 “ball”", false, |d| drop(d.spheres.remove(0)));
+        assert_name("add sphere 2", false, |d| {
+            let more = d.spheres[1].clone();
+            d.spheres.push(more);
+        });
+        assert_name("add plane 3", false, |d| {
+            let more = d.planes[0].clone();
+            d.planes.push(more);
+        });
+        assert_name("change the scene", false, |d| d.spheres.clear());
+        assert_name("change the scene", false, |d| {
+            d.camera.eye.x = 2.0;
+            d.spheres[0].shape.radius = 2.0;
+        });
+    }
+}
