@@ -334,8 +334,8 @@ fn as_latex_and_as_markdown() {
           v \mathbf{v} &= -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right) \\
           -\mathit{distance} \mathbf{w} &= -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( -0.70711, 0, -0.70711 \right) \\
           \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \approx \left( -0.56569, -0.1, -0.84853 \right) \\
-          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \approx 1.0247 && \text{how long a step of t = 1 is} \\
-          \mathbf{p} + t \mathbf{d} &\approx \left( 0, 0, 0 \right) + t \left( -0.56569, -0.1, -0.84853 \right) && \text{p = eye; t = 1 is on the viewport}
+          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \approx 1.0247 && \text{how long a step of $t$ = 1 is} \\
+          \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) && \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
         \end{align*}
         1 more object is not listed
     "#]].assert_eq(&ledger.written_in(Markup::Latex));
@@ -361,8 +361,8 @@ fn as_latex_and_as_markdown() {
         - $v \mathbf{v} = -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right)$
         - $-\mathit{distance} \mathbf{w} = -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( -0.70711, 0, -0.70711 \right)$
         - $\mathbf{d} = u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \approx \left( -0.56569, -0.1, -0.84853 \right)$
-        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10} \approx 1.0247$ (how long a step of t = 1 is)
-        - $\mathbf{p} + t \mathbf{d} \approx \left( 0, 0, 0 \right) + t \left( -0.56569, -0.1, -0.84853 \right)$ (p = eye; t = 1 is on the viewport)
+        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10} \approx 1.0247$ (how long a step of 𝑡 = 1 is)
+        - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$ (𝐩 = eye; 𝑡 = 1 is on the viewport)
 
         1 more object is not listed
     "#]].assert_eq(&ledger.written_in(Markup::Markdown));
