@@ -303,7 +303,7 @@ fn is_balanced(latex: &str) -> bool {
     count("{") - escaped("{") == count("}") - escaped("}")
         && count(r"\left") == count(r"\right")
         && count(r"\begin") == count(r"\end")
-        && latex.replace(r"\$", "").matches('$').count() % 2 == 0
+        && latex.replace(r"\$", "").matches('$').count().is_multiple_of(2)
 }
 
 #[test]

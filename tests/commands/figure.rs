@@ -126,7 +126,8 @@ fn transparent_figures_have_no_ground() {
         let count = |alpha: u8| clear.iter().filter(|pixel| pixel[3] == alpha).count();
         // The lab's half planes are tinted all over.
         assert!(count(0) > clear.len() / 5 || view == "lines", "{view}: {}", count(0));
-        assert!(count(255) > 500, "{view}: {}", count(255));
+        // Small letters cover few dots as a whole.
+        assert!(count(255) > 50, "{view}: {}", count(255));
         let same = whole.iter().zip(&clear).filter(|(_, c)| c[3] == 255);
         // A stroke's edge that covers a dot almost wholly counts as opaque.
         let near = |(w, c): (&[u8; 4], &[u8; 4])| (0..3).all(|k| w[k].abs_diff(c[k]) <= 3);
