@@ -74,20 +74,21 @@ fn goes_on(open: &Run, next: &Run) -> bool {
         && (open.at[1] - next.at[1]).abs() < 1e-3
 }
 
-/// A ligature is laid out as its first letter, with all of its width; each letter gets its own.
+/// A ligature is laid out as its first letter, with all of its width, and the others with none but for
+/// rounding; each letter gets its own.
 fn spread(run: &mut Run) {
-    let own: Vec<f32> = run.text.chars().map(|c| run.face.advance(c)).collect();
+    let own: Vec<f32> = run.text.chars().map(|c| run.size * run.face.advance(c)).collect();
     let mut first = 0;
     while first < own.len() {
-        let joined = own[first + 1..].iter().zip(&run.advances[first + 1..]);
-        let count = 1 + joined.take_while(|(own, laid)| **laid == 0.0 && **own > 0.0).count();
-        let whole: f32 = own[first..first + count].iter().sum();
-        if count > 1 && whole > 0.0 {
-            let share = run.advances[first] / whole;
-            for (laid, own) in run.advances[first..].iter_mut().zip(&own[first..first + count]) {
+        let others = own[first + 1..].iter().zip(&run.advances[first + 1..]);
+        let end = first + 1 + others.take_while(|(own, laid)| **laid < 0.2 * **own).count();
+        let whole: f32 = own[first..end].iter().sum();
+        if end > first + 1 && whole > 0.0 {
+            let share = run.advances[first..end].iter().sum::<f32>() / whole;
+            for (laid, own) in run.advances[first..end].iter_mut().zip(&own[first..end]) {
                 *laid = share * own;
             }
         }
-        first += count;
+        first = end;
     }
 }
