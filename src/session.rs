@@ -10,6 +10,7 @@ use crate::lines::LinesLab;
 use crate::mistakes::Gallery;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
+use crate::plot::Heights;
 use crate::thing::{Pointed, Thing};
 
 /// Everything about the window that is not the document. Changing it never marks the document as
@@ -80,6 +81,8 @@ pub struct Settings {
     pub frame_height: f32,
     /// The height of the plot of f(p + t d), in points.
     pub plot_height: f32,
+    /// In that plot, values beyond 1 unit are compressed.
+    pub plot_compressed: bool,
     /// The height of what is said of a wrong camera, in points.
     pub mistakes_height: f32,
     /// The ledger's share of the width.
@@ -179,6 +182,7 @@ impl Default for Settings {
             accuracy_height: 370.0,
             frame_height: 350.0,
             plot_height: 300.0,
+            plot_compressed: false,
             mistakes_height: 330.0,
             ledger_split: 0.5,
             stack_split: 0.55,
@@ -191,6 +195,11 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// How the plot of f(p + t d) shows values.
+    pub fn plot_heights(&self) -> Heights {
+        if self.plot_compressed { Heights::Compressed } else { Heights::Even }
+    }
+
     /// The same with every value in the range that the window works with; what is remembered comes
     /// from a file that anyone may have edited.
     #[must_use]

@@ -66,7 +66,7 @@ impl App {
             ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
             ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
             ViewLayout::Plot => {
-                plot::ui(ui, &mut self.session.walked, &self.derived, style.digits);
+                plot::ui(ui, &mut self.session, &self.derived, style.digits);
             }
             ViewLayout::Ledger => {
                 let Session { sections, pointed, .. } = &mut self.session;

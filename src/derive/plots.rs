@@ -7,7 +7,7 @@ use pinhole_core::PosedCamera;
 use super::Derived;
 use super::memo::Memo;
 use crate::document::Document;
-use crate::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
+use crate::plot::{Curve, Heights, Named, Plot, Samples, curves, range, samples, shown, values};
 use crate::session::{Selection, Session, ViewLayout};
 
 /// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
@@ -17,7 +17,7 @@ type Key = (PosedCamera, u64, Selection, Vec<Named>);
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<Key, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2]), Arc<Samples>>,
+    samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
     walked: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// How often curves were made, which tells some from the next.
     made: u64,
@@ -52,13 +52,15 @@ impl Plots {
         });
         let range = range(&curves, session.walked);
         let ends = [*range.start(), *range.end()];
-        let samples =
-            self.samples.get((*made, ends), |_| Arc::new(samples(&curves, scene, &ray, &range)));
+        let heights = session.settings.plot_heights();
+        let samples = self.samples.get((*made, ends, heights), |_| {
+            Arc::new(samples(&curves, scene, &ray, &range, heights))
+        });
         let walked = session.walked.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
             (t, self.walked.get((*made, t), make))
         });
         let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, samples, walked })
+        Some(Plot { curves, left_out, range, heights, samples, walked })
     }
 }
