@@ -101,7 +101,7 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
-        let world = self.objects.update(document).map(|()| self.objects.good().cloned());
+        let world = self.objects.update(document, sizes.style.scheme()).map(|()| self.objects.good().cloned());
         let posed = document.camera.posed();
         let fault = match (&posed, &world) {
             (Err(e), _) => Some(Fault::Camera(*e)),
@@ -170,6 +170,7 @@ impl Deriver {
                 watched(watch, Work::Overlay, || {
                     let mut pixels = blank(size);
                     let drawing = view(&good.picture, key, &mut pixels);
+                    key.style.finish(&mut pixels);
                     shown(size, pixels, drawing)
                 })
             })
@@ -182,6 +183,7 @@ impl Deriver {
                     let drawing = view(map, key, &mut pixels);
                     let (comparison, width) = (&compared.comparison, size[0] as usize);
                     accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
+                    key.style.finish(&mut pixels);
                     shown(size, pixels, drawing)
                 },
             );
@@ -272,6 +274,7 @@ impl Deriver {
                 walked: key.walked,
             };
             let drawing = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
+            key.style.finish(&mut pixels);
             shown(size, pixels, drawing)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));

@@ -36,7 +36,7 @@ pub use items::{Item, OverlayItems};
 pub use lit::Lit;
 pub use loupe::{Loupe, loupe_window};
 pub use picture::Picture;
-pub use style::{Colors, Style};
+pub use style::{Colors, Scheme, Style};
 pub use world_view::{WorldView, pick, t_towards, world, world_position_of};
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use egui::epaint::text::{LayoutJob, TextFormat};
 use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, pos2, vec2};
 
 use crate::formula::{Column, Face, Formula, Ink, Layout, Measure, lines};
-use crate::overlay::Style;
+use crate::panels::look;
 use crate::present::fonts;
 
 /// Sets a formula in lines as wide as `column` says, with the window's fonts.
@@ -40,7 +40,7 @@ pub(crate) struct Inks {
 
 impl Inks {
     pub(crate) fn of(ui: &Ui) -> Inks {
-        let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+        let style = look::style(ui);
         let colors = style.colors();
         Inks {
             text: ui.visuals().text_color(),

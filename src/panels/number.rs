@@ -11,7 +11,7 @@ use pinhole_core::{DVec3, shortest};
 
 use crate::expression::evaluate;
 pub(crate) use crate::number::significant;
-use crate::overlay::Style;
+use crate::panels::look;
 
 /// Significant digits shown in a field that is not being typed in.
 const FIELD_DIGITS: usize = 5;
@@ -172,7 +172,7 @@ pub(super) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
 
 /// The colour that a vector has in the views; `None` for the other names.
 pub(super) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
-    let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+    let style = look::style(ui);
     let colors = style.colors();
     Some(match name {
         "u" => colors.basis[0],

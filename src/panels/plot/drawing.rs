@@ -8,7 +8,7 @@ use egui::{
 };
 
 use super::curve::{Curve, compressed};
-use crate::overlay::Style;
+use crate::panels::look;
 use crate::panels::lines::{number, round_step};
 use crate::panels::notation::formula;
 use crate::panels::words::{Font, Words};
@@ -59,7 +59,7 @@ pub(super) fn ui(
     range: &RangeInclusive<f64>,
     walked: &mut Option<f64>,
 ) {
-    let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+    let style = look::style(ui);
     let colors = style.colors();
     let planes = curves.iter().any(|curve| curve.along.vertex().is_none());
     let bottom = if planes { BOTTOM.0 } else { BOTTOM.1 };
