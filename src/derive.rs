@@ -6,6 +6,7 @@ mod ledgers;
 mod memo;
 mod objects;
 mod picture;
+mod plots;
 mod watch;
 mod world;
 mod wrong;
@@ -22,6 +23,7 @@ use self::memo::Memo;
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
+use self::plots::Plots;
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::WorldPictures;
@@ -45,6 +47,7 @@ pub struct Deriver {
     world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
     ledgers: Ledgers,
+    plots: Plots,
     wrong: WrongPictures,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
@@ -79,6 +82,28 @@ struct WorldViewKey {
     style: Style,
 }
 
+impl CameraViewKey {
+    /// What this is the key of.
+    fn view<'a>(
+        &'a self,
+        picture: &'a Picture,
+        good: &'a GoodPicture,
+        lit: Option<Lit<'a>>,
+    ) -> CameraView<'a> {
+        CameraView {
+            picture,
+            posed: &good.posed,
+            inspection: Some(&good.inspection),
+            items: self.items,
+            size: self.size.map(|n| n as usize),
+            scale: self.scale,
+            style: self.style,
+            lit,
+            loupe: self.loupe.as_deref(),
+        }
+    }
+}
+
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
@@ -101,7 +126,10 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
-        let world = self.objects.update(document, sizes.style.scheme()).map(|()| self.objects.good().cloned());
+        let world = self
+            .objects
+            .update(document, sizes.style.scheme())
+            .map(|()| self.objects.good().cloned());
         let posed = document.camera.posed();
         let fault = match (&posed, &world) {
             (Err(e), _) => Some(Fault::Camera(*e)),
@@ -124,6 +152,8 @@ impl Deriver {
         self.wrong_view(&mut derived, document, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
+        let generation = self.objects.good().map_or(0, |good| good.generation);
+        derived.plot = self.plots.of(document, session, &derived, generation, sizes.style.scheme());
         derived
     }
 
@@ -151,43 +181,30 @@ impl Deriver {
             scale: sizes.scale,
             style: sizes.style,
         };
-        let view = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
-            let view = CameraView {
-                picture,
-                posed: &good.posed,
-                inspection: Some(&good.inspection),
-                items: key.items,
-                size: key.size.map(|n| n as usize),
-                scale: key.scale,
-                style: key.style,
-                lit: scene.and_then(|scene| key.lit.map(|lit| lit_of(lit, document, scene))),
-                loupe: key.loupe.as_deref(),
-            };
-            overlay::camera(&view, pixels)
+        let draw = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
+            let lit = scene.zip(key.lit).map(|(scene, lit)| lit_of(lit, document, scene));
+            overlay::camera(&key.view(picture, &good, lit), pixels)
         };
         derived.camera_view = sizes.camera.map(|size| {
             self.camera_view.get(key(size), |key| {
                 watched(watch, Work::Overlay, || {
                     let mut pixels = blank(size);
-                    let drawing = view(&good.picture, key, &mut pixels);
+                    let drawing = draw(&good.picture, key, &mut pixels);
                     key.style.finish(&mut pixels);
                     shown(size, pixels, drawing)
                 })
             })
         });
         if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
-            let shown = self.error_map.get(
-                (compared.method, CameraViewKey { loupe: None, ..key(size) }),
-                |(_, key)| {
-                    let mut pixels = blank(size);
-                    let drawing = view(map, key, &mut pixels);
-                    let (comparison, width) = (&compared.comparison, size[0] as usize);
-                    accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
-                    key.style.finish(&mut pixels);
-                    shown(size, pixels, drawing)
-                },
-            );
-            derived.error_map = Some(shown);
+            let key = (compared.method, CameraViewKey { loupe: None, ..key(size) });
+            derived.error_map = Some(self.error_map.get(key, |(_, key)| {
+                let mut pixels = blank(size);
+                let drawing = draw(map, key, &mut pixels);
+                let (comparison, width) = (&compared.comparison, size[0] as usize);
+                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
+                key.style.finish(&mut pixels);
+                shown(size, pixels, drawing)
+            }));
             derived.compared = Some(Arc::clone(compared));
         }
         derived.drawn_by.clone_from(&good.drawn_by);

@@ -11,6 +11,7 @@ use crate::inspection::Inspection;
 use crate::ledger::Ledger;
 use crate::mistakes::Wrong;
 use crate::overlay::{Label, Style, Target};
+use crate::plot::Plot;
 
 /// How large the views are, in physical pixels; `None` where one is not shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -81,6 +82,8 @@ pub struct Derived {
     pub error_map: Option<Shown>,
     /// How every number comes about, where the layout shows it.
     pub ledger: Option<Arc<Ledger>>,
+    /// Every object's f(p + t d), where the layout shows it.
+    pub plot: Option<Plot>,
     /// The wrong camera beside the right one, or why there is none.
     pub wrong: Option<Arc<Wrong>>,
     /// What it sees.

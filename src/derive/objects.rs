@@ -52,11 +52,7 @@ impl Objects {
     ///
     /// # Errors
     /// The first object that is none; the good world is then the one before.
-    pub(super) fn update(
-        &mut self,
-        document: &Document,
-        scheme: Scheme,
-    ) -> Result<(), SceneError> {
+    pub(super) fn update(&mut self, document: &Document, scheme: Scheme) -> Result<(), SceneError> {
         check(document)?;
         let is_same_scheme = std::mem::replace(&mut self.scheme, scheme) == scheme;
         let changed = self.good.as_ref().and_then(|good| self.changed(good, document));

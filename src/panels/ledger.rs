@@ -6,10 +6,11 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui::{
     Align, Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense,
-    Ui, pos2, vec2,
+    Tooltip, Ui, pos2, vec2,
 };
 
 use super::formula::{self, Inks};
+use super::look;
 use super::number::error_color;
 use crate::formula::{Column, Layout};
 use crate::ledger::{Ledger, LedgerSection, LedgerSections, Line, Section, left_out};
@@ -79,7 +80,9 @@ impl LedgerPanel {
         pointed: Option<Pointed>,
         lit: Option<Thing>,
     ) {
-        self.head(ui, ledger, sections);
+        if !look::installed(ui.ctx()).presenting {
+            self.head(ui, ledger, sections);
+        }
         // Where a view points, the panel goes once.
         let by_view = pointed.filter(|pointed| pointed.by == Pointing::View);
         let goal = by_view.map(|pointed| pointed.thing);
@@ -264,6 +267,14 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     }
     let origin = rect.min + PAD + vec2(0.0, place.layout.ascent);
     formula::paint(ui.painter(), origin, &place.layout, inks);
+    let hovered = response.hover_pos().filter(|_| response.hovered());
+    let symbol = hovered.and_then(|at| formula::words_at(ui.ctx(), &place.layout, at - origin));
+    if let Some(words) = symbol {
+        Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
+            let words = egui::Label::new(RichText::new(words).size(NOTE));
+            ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
+        });
+    }
     if !line.note.is_empty() {
         let width = (rect.width() - place.note.x).max(20.0);
         let galley = note_galley(ui, line, width);

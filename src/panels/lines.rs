@@ -12,8 +12,9 @@ use pinhole_core::lecture::lines::{LineError, Substitution};
 pub(super) use self::sheet::round_step;
 pub(super) use self::steps::number;
 use self::steps::{steps, verdict};
-use super::notation::{formula, plain};
+use super::notation;
 use super::number::{NumberField, error_color};
+use crate::letters::told;
 use crate::lines::{LARGEST, LinesLab};
 
 /// Size of the text, in points: for the back row.
@@ -56,9 +57,7 @@ fn examples(ui: &mut Ui, lab: &mut LinesLab) {
 
 /// A line of text and fields, the text as a formula.
 fn text(ui: &mut Ui, text: &str) {
-    let color = ui.visuals().text_color();
-    let response = ui.label(formula(text, TEXT + 1.0, color));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+    notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
 fn field(ui: &mut Ui, name: &str, value: &mut f64) -> bool {
@@ -144,7 +143,7 @@ fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     }
     ui.add_space(6.0);
     let verdict = verdict(&substitution, digits);
-    ui.label(RichText::new(verdict).size(TEXT + 3.0).strong());
+    notation::label(ui, &verdict, TEXT + 3.0, ui.visuals().strong_text_color());
     ui.add_space(4.0);
     let (f, sign) = substitution.f(lab.t);
     let compared = match sign {
@@ -157,6 +156,6 @@ fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
 }
 
 fn no_line(ui: &mut Ui, error: &LineError) {
-    let text = RichText::new(error.to_string()).size(TEXT + 2.0).strong();
+    let text = RichText::new(told(error)).size(TEXT + 2.0).strong();
     ui.label(text.color(error_color(ui)));
 }

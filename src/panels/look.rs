@@ -9,6 +9,7 @@ use pinhole_core::Rgb;
 use crate::document::Document;
 use crate::overlay::{Scheme, Style};
 use crate::presenter::WRITTEN;
+use crate::session::Settings;
 
 /// What the window's look depends on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -19,6 +20,14 @@ pub(crate) struct Look {
     pub(crate) presenting: bool,
     /// Nothing moves by itself.
     pub(crate) reduced_motion: bool,
+}
+
+impl Look {
+    /// As the settings say.
+    pub(crate) fn of(settings: &Settings, presenting: bool) -> Look {
+        let Settings { scheme, reduced_motion, .. } = *settings;
+        Look { scheme, presenting, reduced_motion }
+    }
 }
 
 fn key() -> Id {

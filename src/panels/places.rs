@@ -33,11 +33,20 @@ pub(crate) struct Places {
 }
 
 /// Lays out views and readouts, with handles between them that change `settings`.
-pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> Places {
+pub(crate) fn places(
+    ui: &mut Ui,
+    settings: &mut Settings,
+    image: ImageSize,
+    presenting: bool,
+) -> Places {
     let area = ui.available_rect_before_wrap();
     let (views, rest) = match settings.layout {
-        ViewLayout::Lines | ViewLayout::Exercises => {
-            return Places::of([None; 3], area, image, 1.0);
+        ViewLayout::Lines | ViewLayout::Exercises | ViewLayout::LedgerAlone => {
+            return Places::of([None; 3], area, image, 1.0, 0.0);
+        }
+        // Nothing but the views.
+        ViewLayout::Both | ViewLayout::World | ViewLayout::Camera if presenting => {
+            (area, Rect::from_min_size(area.left_bottom(), Vec2::ZERO))
         }
         ViewLayout::Ledger => split_across(ui, area, &mut settings.ledger_split, "ledger handle"),
         _ => split_at_bottom(ui, area, settings),
@@ -64,14 +73,21 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
             [Some(left), Some(right), None]
         }
     };
-    Places::of(parts, rest, image, ui.ctx().pixels_per_point())
+    let strip = if presenting { 0.0 } else { STRIP };
+    Places::of(parts, rest, image, ui.ctx().pixels_per_point(), strip)
 }
 
 impl Places {
     /// World view, camera view and what is beside it in these parts of the window, strips included.
-    fn of(parts: [Option<Rect>; 3], rest: Rect, image: ImageSize, per_point: f32) -> Places {
+    fn of(
+        parts: [Option<Rect>; 3],
+        rest: Rect,
+        image: ImageSize,
+        per_point: f32,
+        strip: f32,
+    ) -> Places {
         let below_strip = |rect: Rect| {
-            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + STRIP), rect.max), per_point)
+            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
         };
         let [world, camera_area, beside_area] = parts.map(|part| part.map(below_strip));
         let fitted = |area| fitted(area, image, per_point);

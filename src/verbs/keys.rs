@@ -64,7 +64,8 @@ impl Keys {
     fn is_held(self, now: Modifiers) -> bool {
         // A sign's place on the keyboard differs: some need Shift or AltGr to be typed at all.
         let mut letters = name(self.key).chars();
-        let is_sign = letters.next().is_some_and(|c| !c.is_alphabetic()) && letters.next().is_none();
+        let is_sign =
+            letters.next().is_some_and(|c| !c.is_alphabetic()) && letters.next().is_none();
         let same = |now: bool, wanted: bool| now == wanted || (is_sign && !wanted);
         now.command == self.modifiers.command
             && same(now.shift, self.modifiers.shift)

@@ -117,6 +117,12 @@ pub fn shortcut(action: &Action) -> String {
     verb.and_then(|verb| verb.keys.first()).map(Keys::text).unwrap_or_default()
 }
 
+/// All keys of this action, such as `Page Down, Right`; nothing where it has none.
+pub fn keys_text(action: &Action) -> String {
+    let verb = all().iter().find(|verb| verb.action == *action);
+    verb.map(Verb::keys_text).unwrap_or_default()
+}
+
 /// The commands that have keys, and the gestures, by groups.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();

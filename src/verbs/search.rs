@@ -22,9 +22,10 @@ pub fn score(typed: &str, title: &str) -> Option<u32> {
     let typed = typed.to_lowercase();
     // Of two that fit alike, the shorter one is fitted better.
     let brevity = 60_u32.saturating_sub(title.len() as u32);
-    typed.split_whitespace().map(|word| of_word(word, &title)).try_fold(brevity, |sum, word| {
-        Some(sum + 64 * word?)
-    })
+    typed
+        .split_whitespace()
+        .map(|word| of_word(word, &title))
+        .try_fold(brevity, |sum, word| Some(sum + 64 * word?))
 }
 
 /// One word's letters in a title, in order; the best of all ways to begin.

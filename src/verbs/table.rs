@@ -169,9 +169,9 @@ fn verb(
 }
 
 fn layouts() -> impl Iterator<Item = Verb> {
-    ViewLayout::LISTED.into_iter().map(|layout| {
-        verb(Group::Layout, layout.label(), layout.about(), Action::Layout(layout))
-    })
+    ViewLayout::LISTED
+        .into_iter()
+        .map(|layout| verb(Group::Layout, layout.label(), layout.about(), Action::Layout(layout)))
 }
 
 fn switches() -> Vec<Verb> {

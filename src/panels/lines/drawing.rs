@@ -18,7 +18,7 @@ const SMALL: f32 = 15.0;
 pub(super) const NAMES: f32 = 19.0;
 const REGIONS: f32 = 23.0;
 
-/// More points than this are not left behind.
+/// More points than this are not drawn.
 const MOST_POINTS: usize = 400;
 
 /// Colours of the drawing.
@@ -75,7 +75,8 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     meeting(&sheet, lab, &ink, &mut words, digits);
     handles::names(&sheet, lab, &ink, &mut words, digits);
     if is_ray {
-        trail(&sheet, lab, &ink, &mut words);
+        let seen = trail(&sheet, lab, &ink, &mut words);
+        ui.ctx().accesskit_node_builder(ui.scope_id().with("plane"), |node| node.set_value(seen));
         sides(&sheet, lab, &ink, &mut words);
     }
     if is_line {
@@ -208,9 +209,7 @@ fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut Words) {
 /// The line behind p dashed, from p on whole; the points that t has generated; d.
 fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
     let ParametricLine { p, d } = lab.ray;
-    let middle = lab.ray.nearest_t(sheet.center());
-    let reach = sheet.reach() / d.length();
-    let (first, last) = (middle - reach, middle + reach);
+    let (first, last) = seen_of(sheet, &lab.ray);
     if first < 0.0 {
         let stroke = Stroke::new(2.0, ink.ray.gamma_multiply(0.75));
         sheet.line(lab.ray.at(last.min(0.0)), lab.ray.at(first), stroke, 9.0);
@@ -219,15 +218,25 @@ fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
         let stroke = Stroke::new(3.0, ink.ray);
         sheet.line(lab.ray.at(first.max(0.0)), lab.ray.at(last), stroke, 0.0);
     }
-    for (_, at) in generated(lab) {
+    for (_, at) in generated(sheet, lab) {
         sheet.painter.circle(sheet.place(at), 5.5, ink.ray, Stroke::new(1.5, sheet.halo));
     }
     sheet.arrow(p, p + d, Stroke::new(6.0, ink.ray));
 }
 
-fn generated(lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
-    let trail = lab.trail;
-    lab.ray.generated(trail.step, trail.first, trail.last, MOST_POINTS)
+/// The points of the trail that are in sight; of too many every second one, or third, and so on.
+fn generated(sheet: &Sheet, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
+    let (trail, (low, high)) = (lab.trail, seen_of(sheet, &lab.ray));
+    let (first, last) = (trail.first.max(low), trail.last.min(high));
+    let every = ((last - first) / trail.step / MOST_POINTS as f64).ceil().max(1.0);
+    lab.ray.generated(every * trail.step, first, last, MOST_POINTS)
+}
+
+/// From which t to which one the line may be in sight.
+fn seen_of(sheet: &Sheet, ray: &ParametricLine) -> (f64, f64) {
+    let middle = ray.nearest_t(sheet.center());
+    let reach = sheet.reach() / ray.d.length();
+    (middle - reach, middle + reach)
 }
 
 /// To the left of d on the screen, where y grows downwards.
@@ -236,16 +245,24 @@ fn left_of(d: DVec2) -> Vec2 {
     -vec2(d.y as f32, d.x as f32)
 }
 
-/// t at the points that it has generated, as far as there is room.
-fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) {
+/// t at the points that it has generated, as far as there is room; which ones there are, in words.
+fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) -> String {
     let font = Font { size: SMALL, color: ink.ray, bold: false };
     let left = left_of(lab.ray.d);
-    let points: Vec<(f64, DVec2)> = generated(lab).collect();
+    let points: Vec<(f64, DVec2)> = generated(sheet, lab).collect();
+    let seen = match points.as_slice() {
+        [] => "no points".to_owned(),
+        [(t, _)] => format!("a point at t = {}", number(*t, 5)),
+        [(from, _), .., (to, _)] => {
+            format!("points from t = {} to t = {}", number(*from, 5), number(*to, 5))
+        }
+    };
     let whole = |t: f64| t.fract() == 0.0;
     let (first, then): (Vec<_>, Vec<_>) = points.into_iter().partition(|(t, _)| whole(*t));
     for (t, at) in first.into_iter().chain(then) {
         words.write(&number(t, 5), font, around(sheet.place(at), left, 10.0).take(1));
     }
+    seen
 }
 
 /// Which part of the line is which.

@@ -57,9 +57,7 @@ fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<R
         let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
         let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
         if (right, up) != (0.0, 0.0) {
-            let step = if lab.snap { LinesLab::GRID } else { 0.1 };
-            let to = lab.place_of(handle)? + step * DVec2::new(right, up);
-            lab.drag(handle, to, fineness);
+            lab.nudge(handle, DVec2::new(right, up), fineness);
         }
     }
     let place = lab.place_of(handle)?;
