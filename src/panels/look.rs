@@ -54,27 +54,23 @@ pub(crate) fn install(ctx: &Context, look: Look) {
     if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
         return;
     }
+    let before = installed(ctx);
     ctx.data_mut(|data| data.insert_temp(key(), look));
     for theme in [Theme::Dark, Theme::Light] {
         ctx.style_mut_of(theme, |style| {
-            style.visuals = visuals(theme, look);
+            let cursor = style.visuals.text_cursor.clone();
+            style.visuals = Visuals { text_cursor: cursor, ..visuals(theme, look) };
             style.text_styles = text_styles(look.presenting);
-            let usual = egui::Style::default();
-            // Tests stand still already.
             if look.reduced_motion {
                 style.animation_time = 0.0;
                 style.scroll_animation = egui::style::ScrollAnimation::none();
-            } else if style.animation_time == 0.0 && was_reduced(ctx) {
+            } else if before.reduced_motion {
+                let usual = egui::Style::default();
                 style.animation_time = usual.animation_time;
                 style.scroll_animation = usual.scroll_animation;
             }
         });
     }
-    ctx.data_mut(|data| data.insert_temp(key().with("reduced"), look.reduced_motion));
-}
-
-fn was_reduced(ctx: &Context) -> bool {
-    ctx.data(|data| data.get_temp(key().with("reduced"))).unwrap_or_default()
 }
 
 /// While presenting nothing is written in less than what the zoom is reckoned from.
