@@ -1,6 +1,6 @@
 //! Where the views and what stands beside them lie, for every layout of the window.
 
-use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Key, Rect, Sense, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::panels::accuracy;
@@ -10,6 +10,8 @@ use crate::session::{Settings, ViewLayout};
 pub(crate) const STRIP: f32 = 26.0;
 /// Width of the handle between two areas.
 const HANDLE: f32 = 8.0;
+/// How far an arrow key pushes a handle, in points.
+const PUSH: f32 = 16.0;
 /// No view gets smaller than this.
 const SMALLEST: f32 = 120.0;
 
@@ -157,6 +159,10 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     };
     let response =
         ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(egui::accesskit::Role::Splitter);
+        node.set_label(name);
+    });
     let visuals = ui.style().interact(&response);
     let line = if vertical {
         Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
@@ -164,7 +170,27 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
         Rect::from_center_size(rect.center(), vec2(36.0, 2.0))
     };
     ui.painter().rect_filled(line, 1.0, visuals.fg_stroke.color.gamma_multiply(0.5));
-    response.drag_delta()
+    response.drag_delta() + pushed(ui, &response, vertical)
+}
+
+/// How far the arrow keys push a handle that has the focus.
+fn pushed(ui: &Ui, response: &egui::Response, vertical: bool) -> Vec2 {
+    if !response.has_focus() {
+        return Vec2::ZERO;
+    }
+    let arrows = egui::EventFilter {
+        horizontal_arrows: vertical,
+        vertical_arrows: !vertical,
+        ..Default::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
+    let along = |back, forth| PUSH * (presses(forth) - presses(back));
+    if vertical {
+        vec2(along(Key::ArrowLeft, Key::ArrowRight), 0.0)
+    } else {
+        vec2(0.0, along(Key::ArrowUp, Key::ArrowDown))
+    }
 }
 
 /// The rectangle with its corners on physical pixels, so that pictures stay sharp.
