@@ -1,6 +1,8 @@
 //! The command palette: every command, found by a few of its letters.
 
-use egui::{Align, Button, Context, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui};
+use egui::{
+    Align, Button, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+};
 
 use crate::action::Action;
 use crate::session::Session;
@@ -93,7 +95,10 @@ fn list(
         ui,
         |ui| {
             for (k, verb) in fitting.iter().enumerate() {
-                let response = ui.add(entry(verb, k == chosen, session, row));
+                // As wide as the palette, with the keys at the right edge.
+                let layout = Layout::top_down_justified(Align::Min);
+                let entry = entry(verb, k == chosen, session, row);
+                let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
                 ui.ctx().accesskit_node_builder(response.id, |node| {
                     node.set_label(verb.title());
                     node.set_selected(k == chosen);
@@ -102,7 +107,7 @@ fn list(
                 if follow && k == chosen {
                     response.scroll_to_me(Some(Align::Center));
                 }
-                if response.on_hover_text(&*verb.about).clicked() {
+                if response.clicked() {
                     clicked = Some(k);
                 }
             }

@@ -8,6 +8,9 @@ use super::Verb;
 
 /// The commands that fit what was typed, best first; all of them, in their order, where nothing was.
 pub fn found<'a>(typed: &str, verbs: impl Iterator<Item = &'a Verb>) -> Vec<&'a Verb> {
+    if typed.trim().is_empty() {
+        return verbs.collect();
+    }
     let scored = verbs.filter_map(|verb| Some((score(typed, &verb.title())?, verb)));
     let mut scored: Vec<(u32, &Verb)> = scored.collect();
     // Stable: equally good ones stay in the table's order.
