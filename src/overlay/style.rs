@@ -212,10 +212,13 @@ impl Scheme {
         }
     }
 
-    /// The colour of the object with this index whose own colour is `own`.
+    /// The colour of the object with this index whose own colour is `own`. What is grey stays so:
+    /// floors and walls are no objects to be told apart.
     pub fn object(self, index: u32, own: Rgb) -> Rgb {
+        let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
         match self {
             Scheme::Standard => own,
+            _ if hue < 0x18 => own,
             Scheme::ColourBlind => default_color(index as usize),
             Scheme::Grey => [GREYS[index as usize % GREYS.len()]; 3],
         }

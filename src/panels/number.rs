@@ -11,6 +11,7 @@ use pinhole_core::{DVec3, shortest};
 
 use crate::expression::evaluate;
 pub(crate) use crate::number::significant;
+use crate::overlay::Scheme;
 use crate::panels::look;
 
 /// Significant digits shown in a field that is not being typed in.
@@ -186,7 +187,10 @@ pub(super) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
 
 /// The colour of what is wrong, legible on the theme's background.
 pub(super) fn error_color(ui: &Ui) -> Color32 {
-    if ui.visuals().dark_mode {
+    if look::style(ui).scheme() == Scheme::Grey {
+        // What is wrong is also said.
+        ui.visuals().strong_text_color()
+    } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
     } else {
         Color32::from_rgb(0xb0, 0x20, 0x00)

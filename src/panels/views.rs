@@ -178,12 +178,18 @@ const ASKED_OBJECTS: usize = 4096;
 
 /// What the mouse points at in a view: the nearest mark, or else the object under it.
 pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Pointed> {
+    // The pointer rests somewhere while one speaks: a floor or wall under it would dim all else.
+    let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
+    let presenting = look::installed(ui.ctx()).presenting;
+    let is_ground = |thing: &Thing| {
+        presenting && matches!(thing, Thing::Object(index) if *index as usize >= planes_from)
+    };
     let thing = ui.input(|i| !i.pointer.any_down()).then(|| {
         in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
             .or_else(|| {
                 let rect = places.camera?;
-                let seen =
-                    |at| object_in_picture(shown, rect.size() * ui.ctx().pixels_per_point(), at);
+                let size = rect.size() * ui.ctx().pixels_per_point();
+                let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
                 in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
             })
     })??;

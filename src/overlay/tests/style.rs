@@ -116,9 +116,10 @@ fn greys_have_no_hue_and_their_vectors_differ_in_lightness() {
 fn neighbouring_objects_differ_in_every_scheme() {
     for scheme in [Scheme::ColourBlind, Scheme::Grey] {
         for index in 0..12 {
-            let own = [0x11, 0x22, 0x33];
+            let own = [0x11, 0x22, 0x93];
             assert_ne!(scheme.object(index, own), scheme.object(index + 1, own));
         }
     }
-    assert_eq!(Scheme::Standard.object(3, [1, 2, 3]), [1, 2, 3]);
+    assert_eq!(Scheme::Standard.object(3, [1, 200, 3]), [1, 200, 3]);
+    assert_eq!(Scheme::ColourBlind.object(3, [0x80, 0x80, 0x88]), [0x80, 0x80, 0x88]);
 }
