@@ -7,8 +7,9 @@ use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
 use crate::document::Document;
+use crate::figures::Order;
 use crate::formats::scene_argument::SceneSource;
-use crate::ledger::LedgerSection;
+use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::Place;
 use crate::overlay::{Item, Scheme};
 use crate::presenter::Full;
@@ -43,6 +44,17 @@ pub enum Action {
         /// What to go on with if that worked.
         then: Option<Box<Action>>,
     },
+    /// Ask which figure to export.
+    AskExport,
+    /// Write a figure.
+    Export {
+        /// Which.
+        order: Order,
+        /// Where to.
+        path: PathBuf,
+    },
+    /// Put the ledger on the clipboard.
+    CopyLedger(Markup),
     /// Close the window, asking first if there are unsaved changes.
     Quit,
     /// Show this step of a lesson, asking first if there are unsaved changes of a scene.

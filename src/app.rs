@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod figures;
 mod history;
 mod inputs;
 mod lessons;
@@ -31,7 +32,7 @@ use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::look::{self, Look};
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
-use crate::present::{FrameTimes, WindowGeometry, fonts};
+use crate::present::{FrameTimes, WindowGeometry};
 use crate::session::{Session, Settings, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::thing::Pointed;
@@ -115,7 +116,7 @@ impl App {
 
     /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
-        fonts::install(ctx);
+        crate::present::look::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;

@@ -13,11 +13,11 @@ mod wrong;
 
 use std::sync::Arc;
 
-use egui::{Color32, ColorImage};
+use egui::Color32;
 use pinhole_core::methods::Method;
 use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
-pub use self::derived::{Derived, Fault, Shown, ViewSizes};
+pub use self::derived::{Derived, Fault, Purpose, Shown, ViewSizes};
 use self::ledgers::Ledgers;
 use self::memo::Memo;
 use self::objects::Objects;
@@ -31,9 +31,7 @@ use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
 use crate::document::Document;
 use crate::observer::Observer;
-use crate::overlay::{
-    self, CameraView, Drawing, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
-};
+use crate::overlay::{self, CameraView, Lit, Loupe, OverlayItems, Picture, Style, WorldView};
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
 
@@ -64,6 +62,7 @@ struct CameraViewKey {
     loupe: Option<Arc<Loupe>>,
     scale: f32,
     style: Style,
+    purpose: Purpose,
 }
 
 #[derive(Debug, PartialEq)]
@@ -80,6 +79,7 @@ struct WorldViewKey {
     walked: Option<f64>,
     scale: f32,
     style: Style,
+    purpose: Purpose,
 }
 
 impl CameraViewKey {
@@ -180,10 +180,15 @@ impl Deriver {
             loupe: good.loupe.clone(),
             scale: sizes.scale,
             style: sizes.style,
+            purpose: sizes.purpose,
         };
         let draw = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
             let lit = scene.zip(key.lit).map(|(scene, lit)| lit_of(lit, document, scene));
-            overlay::camera(&key.view(picture, &good, lit), pixels)
+            let view = key.view(picture, &good, lit);
+            match key.purpose {
+                Purpose::Window => overlay::camera(&view, pixels),
+                Purpose::Figure { .. } => overlay::camera_apart(&view, pixels),
+            }
         };
         derived.camera_view = sizes.camera.map(|size| {
             self.camera_view.get(key(size), |key| {
@@ -191,7 +196,7 @@ impl Deriver {
                     let mut pixels = blank(size);
                     let drawing = draw(&good.picture, key, &mut pixels);
                     key.style.finish(&mut pixels);
-                    shown(size, pixels, drawing)
+                    Shown::new(size, pixels, drawing)
                 })
             })
         });
@@ -203,7 +208,7 @@ impl Deriver {
                 let (comparison, width) = (&compared.comparison, size[0] as usize);
                 accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
                 key.style.finish(&mut pixels);
-                shown(size, pixels, drawing)
+                Shown::new(size, pixels, drawing)
             }));
             derived.compared = Some(Arc::clone(compared));
         }
@@ -270,6 +275,7 @@ impl Deriver {
             walked: session.walked,
             scale: sizes.scale,
             style: sizes.style,
+            purpose: sizes.purpose,
         };
         let (posed, inspection) = (derived.posed, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
@@ -289,10 +295,14 @@ impl Deriver {
                 style: key.style,
                 lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
                 walked: key.walked,
+                is_clear: key.purpose.is_clear(),
             };
-            let drawing = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
+            let drawing = watched(watch, Work::Overlay, || match key.purpose {
+                Purpose::Window => overlay::world(&view, &mut pixels),
+                Purpose::Figure { .. } => overlay::world_apart(&view, &mut pixels),
+            });
             key.style.finish(&mut pixels);
-            shown(size, pixels, drawing)
+            Shown::new(size, pixels, drawing)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);
@@ -318,13 +328,4 @@ fn lit_of<'a>(
     scene: &'a Scene,
 ) -> Lit<'a> {
     Lit { thing, camera: &document.camera, scene, digits }
-}
-
-fn shown(size: [u32; 2], pixels: Vec<Color32>, drawing: Drawing) -> Shown {
-    let size = size.map(|n| n as usize);
-    Shown {
-        image: Arc::new(ColorImage::new(size, pixels)),
-        targets: Arc::new(drawing.targets()),
-        labels: Arc::new(drawing.labels),
-    }
 }

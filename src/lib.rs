@@ -17,6 +17,7 @@ pub mod derive;
 pub mod document;
 pub mod exercises;
 pub mod expression;
+pub mod figures;
 pub mod files;
 pub mod formats;
 pub mod formula;

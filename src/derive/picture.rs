@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{Counts, Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps};
+use pinhole_core::{Counts, Depth, Frame, NO_OBJECT, Outputs, PosedCamera, Raster, Shade, Steps};
 
 use super::ViewSizes;
 use super::memo::Memo;
@@ -88,8 +88,9 @@ pub(super) struct GoodPicture {
 /// What is seen from where: a camera, the generation of the objects, and the pixels.
 type Seen = (PosedCamera, u64, Raster);
 
-/// What colours a picture has: by which method, of what, in which mode, and the palette's number.
-type PictureKey = (Method, Seen, Shade, u64);
+/// What colours a picture has: by which method, of what, in which mode, the palette's number, and
+/// whether it is transparent where nothing is hit.
+type PictureKey = (Method, Seen, Shade, u64, bool);
 
 /// A picture, how far up the ladder it had to go, and what it left out.
 type Made = (Arc<Picture>, Steps, Counts);
@@ -139,7 +140,9 @@ impl Pictures {
         let seen = (posed, world.generation, Raster::shown_on(posed.image(), size[0], size[1]));
         let settings = &session.settings;
         let beside = self.beside(&seen, world, settings, sizes.map.is_some(), watch);
-        let key = (beside.method, seen, Shade::from(settings.shade), world.palette);
+        // On the viewport in the world view, it hides what is behind.
+        let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
+        let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
         let compared = beside.compared.map(|compared| {
             let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
@@ -151,8 +154,9 @@ impl Pictures {
         let place = inspection.place.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = place.map(|place| {
             let [rows, columns] = loupe_window(&place, posed.image());
-            let (method, (posed, generation, _), mode, palette) = key;
-            let key = (method, (posed, generation, Raster::part(rows, columns)), mode, palette);
+            let (method, (posed, generation, _), mode, palette, _) = key;
+            let seen = (posed, generation, Raster::part(rows, columns));
+            let key = (method, seen, mode, palette, false);
             self.loupe.get((key, settings.count_from_one), |key| Arc::new(loupe(key, world, watch)))
         });
         GoodPicture {
@@ -223,14 +227,14 @@ impl Pictures {
         beside: &Beside,
         watch: Watch<'_>,
     ) -> Made {
-        let (scene, mode) = (&world.scene, key.2);
+        let (scene, mode, clear) = (&world.scene, key.2, key.4);
         let colors = (mode, |i: u32| world.colors[i as usize]);
         let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
         self.picture.get(key.clone(), |(_, seen, ..)| {
             *made += 1;
             if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
                 let pixels = watch::repainted(&by.frame, scene, colors, watch);
-                return (picture_of(&by.frame, pixels), truth.steps, truth.counts);
+                return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
             }
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
@@ -241,7 +245,7 @@ impl Pictures {
                 Arc::new(traced.0)
             });
             let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
-            (picture_of(&frame, pixels), frame.steps, frame.counts)
+            (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
         })
     }
 }
@@ -255,14 +259,18 @@ struct Beside {
     compared: Option<Arc<Compared>>,
 }
 
-fn picture_of<T: Depth>(frame: &Frame<T>, pixels: Vec<Color32>) -> Arc<Picture> {
+fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
+    if clear {
+        let missed = pixels.iter_mut().zip(&frame.object).filter(|(_, hit)| **hit == NO_OBJECT);
+        missed.for_each(|(pixel, _)| *pixel = Color32::TRANSPARENT);
+    }
     let (raster, image) = (frame.raster().clone(), frame.camera().image());
     Arc::new(Picture { raster, image, pixels })
 }
 
 /// The pixels under the loupe, by the method that draws the picture.
 fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
-    let ((method, (posed, _, raster), mode, _), count_from_one) = key;
+    let ((method, (posed, _, raster), mode, ..), count_from_one) = key;
     let mut frame = watch::truth(&world.scene, posed, raster, watch);
     if *method != Method::Ladder {
         let traced = trace_by(*method, &world.scene, posed, raster);

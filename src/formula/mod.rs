@@ -2,6 +2,7 @@
 //!
 //! - this file: the tree, free of fonts and colours;
 //! - `text`: the tree in one line of plain text, for screen readers, the clipboard and tests;
+//! - `latex`: the tree as LaTeX writes it;
 //! - `layout`: the tree as text and strokes with places, given what measures text; `breaking`: the
 //!   same in lines of a given width.
 //!
@@ -9,6 +10,7 @@
 //! that it has in the views, a [`Formula::Scalar`] is italic. Nothing here paints.
 
 mod breaking;
+pub(crate) mod latex;
 mod layout;
 mod text;
 

@@ -5,6 +5,7 @@
 //! [`Line`]s. All that is calculated here comes from [`pinhole_core::lecture`].
 
 mod basis;
+mod export;
 mod names;
 mod numbers;
 mod objects;
@@ -28,6 +29,7 @@ use crate::letters;
 use crate::session::Selection;
 use crate::thing::Thing;
 
+pub use export::Markup;
 pub use sections::{LedgerSection, LedgerSections};
 
 /// Of so many objects, all are listed; of more, as many: those that the ray hits first.

@@ -295,3 +295,90 @@ fn digits_follow_the_setting() {
     "#]]
         .assert_eq(&text(3).lines().take(9).map(|line| format!("{line}\n")).collect::<String>());
 }
+
+/// Whether what is opened in LaTeX is closed.
+fn is_balanced(latex: &str) -> bool {
+    let count = |part: &str| latex.matches(part).count();
+    let escaped = |brace: &str| count(&format!("\\{brace}"));
+    count("{") - escaped("{") == count("}") - escaped("}")
+        && count(r"\left") == count(r"\right")
+        && count(r"\begin") == count(r"\end")
+        && latex.replace(r"\$", "").matches('$').count().is_multiple_of(2)
+}
+
+#[test]
+fn as_latex_and_as_markdown() {
+    let ledger = of(&document("forty-five"), WARM_UP, 5, false);
+    let sections = ledger.sections.iter().filter(|s| s.section != LedgerSection::Objects).cloned();
+    let ledger = Ledger { sections: sections.collect(), left_out: 1 };
+    expect![[r#"
+        % needs \usepackage{amsmath}
+        \subsection*{Basis}
+        \begin{align*}
+          \mathbf{eye} &= \left( 0, 0, 0 \right) \\
+          \mathbf{u} &= \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, -0.70711 \right) && \text{set by hand} \\
+          \mathbf{v} &= \left( 0, 1, 0 \right) && \text{set by hand} \\
+          \mathbf{w} &= \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, 0.70711 \right) && \text{set by hand} \\
+          \left| \mathbf{u} \right| &= 1 && \text{of length 1} \\
+          \left| \mathbf{v} \right| &= 1 && \text{of length 1} \\
+          \left| \mathbf{w} \right| &= 1 && \text{of length 1} \\
+          \mathbf{u} \cdot \mathbf{v} &= 0 && \text{at right angles} \\
+          \mathbf{v} \cdot \mathbf{w} &= 0 && \text{at right angles} \\
+          \mathbf{w} \cdot \mathbf{u} &= 0 && \text{at right angles} \\
+          \left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} &= 1 && \text{right-handed}
+        \end{align*}
+        \subsection*{Pixel to ray}
+        \begin{align*}
+          \left( u, v \right) &= \left( 0.2, -0.1 \right) && \text{the corner of four pixels, no pixel's centre} \\
+          u \mathbf{u} &= 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) \approx \left( 0.14142, 0, -0.14142 \right) \\
+          v \mathbf{v} &= -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right) \\
+          -\mathit{distance} \mathbf{w} &= -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( -0.70711, 0, -0.70711 \right) \\
+          \mathbf{d} &= u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \approx \left( -0.56569, -0.1, -0.84853 \right) \\
+          \left| \mathbf{d} \right| &= \frac{\sqrt{105}}{10} \approx 1.0247 && \text{how long a step of $t$ = 1 is} \\
+          \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) && \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
+        \end{align*}
+        1 more object is not listed
+    "#]].assert_eq(&ledger.written_in(Markup::Latex));
+    expect![[r#"
+        ### Basis
+
+        - $\mathbf{eye} = \left( 0, 0, 0 \right)$
+        - $\mathbf{u} = \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, -0.70711 \right)$ (set by hand)
+        - $\mathbf{v} = \left( 0, 1, 0 \right)$ (set by hand)
+        - $\mathbf{w} = \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) \approx \left( 0.70711, 0, 0.70711 \right)$ (set by hand)
+        - $\left| \mathbf{u} \right| = 1$ (of length 1)
+        - $\left| \mathbf{v} \right| = 1$ (of length 1)
+        - $\left| \mathbf{w} \right| = 1$ (of length 1)
+        - $\mathbf{u} \cdot \mathbf{v} = 0$ (at right angles)
+        - $\mathbf{v} \cdot \mathbf{w} = 0$ (at right angles)
+        - $\mathbf{w} \cdot \mathbf{u} = 0$ (at right angles)
+        - $\left( \mathbf{u} \times \mathbf{v} \right) \cdot \mathbf{w} = 1$ (right-handed)
+
+        ### Pixel to ray
+
+        - $\left( u, v \right) = \left( 0.2, -0.1 \right)$ (the corner of four pixels, no pixel's centre)
+        - $u \mathbf{u} = 0.2 \left( \frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) \approx \left( 0.14142, 0, -0.14142 \right)$
+        - $v \mathbf{v} = -0.1 \left( 0, 1, 0 \right) = \left( 0, -0.1, 0 \right)$
+        - $-\mathit{distance} \mathbf{w} = -1 \left( \frac{1}{\sqrt{2}}, 0, \frac{1}{\sqrt{2}} \right) = \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) \approx \left( -0.70711, 0, -0.70711 \right)$
+        - $\mathbf{d} = u \mathbf{u} + v \mathbf{v} - \mathit{distance} \mathbf{w} = \left( \frac{\sqrt{2}}{10}, 0, -\frac{\sqrt{2}}{10} \right) + \left( 0, -0.1, 0 \right) + \left( -\frac{1}{\sqrt{2}}, 0, -\frac{1}{\sqrt{2}} \right) = \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) \approx \left( -0.56569, -0.1, -0.84853 \right)$
+        - $\left| \mathbf{d} \right| = \frac{\sqrt{105}}{10} \approx 1.0247$ (how long a step of 𝑡 = 1 is)
+        - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$ (𝐩 = eye; 𝑡 = 1 is on the viewport)
+
+        1 more object is not listed
+    "#]].assert_eq(&ledger.written_in(Markup::Markdown));
+}
+
+#[test]
+fn every_ledger_is_balanced_and_has_all_its_lines() {
+    for scene in ["canonical", "look-at", "almost-parallel-up", "inside", "tiny-far", "grazing"] {
+        let ledger = of(&document(scene), WARM_UP, 17, true);
+        let lines: usize = ledger.sections.iter().map(|section| section.lines.len()).sum();
+        let latex = ledger.written_in(Markup::Latex);
+        assert!(is_balanced(&latex), "{scene}: {latex}");
+        let breaks = latex.matches(" \\\\\n").count();
+        assert_eq!(breaks + latex.matches(r"\begin{align*}").count(), lines, "{scene}: {latex}");
+        let markdown = ledger.written_in(Markup::Markdown);
+        assert!(is_balanced(&markdown), "{scene}: {markdown}");
+        assert_eq!(markdown.matches("\n- $").count(), lines, "{scene}: {markdown}");
+    }
+}

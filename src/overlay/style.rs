@@ -157,6 +157,11 @@ impl Style {
         }
     }
 
+    /// Whether it has light lines on a dark background.
+    pub fn is_dark(self) -> bool {
+        matches!(self, Style::Dark | Style::ColourBlindDark | Style::GreyDark)
+    }
+
     /// Its colours.
     pub fn colors(self) -> &'static Colors {
         match self {

@@ -6,7 +6,7 @@ mod handles;
 mod sheet;
 mod steps;
 
-use egui::{Grid, Rect, RichText, ScrollArea, Slider, Ui, UiBuilder, pos2};
+use egui::{Context, Grid, Id, Rect, RichText, ScrollArea, Slider, Ui, UiBuilder, Vec2, pos2};
 use pinhole_core::lecture::lines::{LineError, Substitution};
 
 pub(super) use self::sheet::round_step;
@@ -24,6 +24,20 @@ const NUMBERS: (f32, f32) = (400.0, 0.46);
 /// The slider of t goes from here to there.
 const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
 
+fn plane() -> Id {
+    Id::unique("the lab's plane")
+}
+
+/// Width and height of the plane when it was last shown, in points.
+pub(crate) fn plane_size(ctx: &Context) -> Option<[f32; 2]> {
+    ctx.data(|data| data.get_temp::<Vec2>(plane())).map(Into::into)
+}
+
+/// Draws the plane with both lines in it, with nothing to drag and on nothing.
+pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
+    drawing::draw(ui, rect, lab, digits);
+}
+
 /// Shows the lab.
 pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
@@ -40,6 +54,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
             substitution(ui, lab, digits);
         });
     });
+    ui.data_mut(|data| data.insert_temp(plane(), left.size()));
     drawing::ui(ui, left, lab, digits);
 }
 

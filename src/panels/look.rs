@@ -23,6 +23,11 @@ pub(crate) struct Look {
 }
 
 impl Look {
+    /// As in a window where nothing else is set.
+    pub(crate) fn in_scheme(scheme: Scheme) -> Look {
+        Look { scheme, ..Look::default() }
+    }
+
     /// As the settings say.
     pub(crate) fn of(settings: &Settings, presenting: bool) -> Look {
         let Settings { scheme, reduced_motion, .. } = *settings;
@@ -86,20 +91,16 @@ fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId
 }
 
 fn visuals(theme: Theme, look: Look) -> Visuals {
-    let mut visuals = theme.default_visuals();
+    let mut visuals = crate::present::look::visuals(theme);
     let is_dark = theme == Theme::Dark;
-    // egui's greys are for one reader near the screen, not for the back row.
-    let text = match (is_dark, look.presenting) {
-        (true, false) => 0xea,
-        (false, false) => 0x10,
-        (true, true) => 0xff,
-        (false, true) => 0x00,
-    };
-    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(text);
-    visuals.widgets.inactive.fg_stroke.color = Color32::from_gray(text);
-    visuals.weak_text_alpha = if look.presenting { 0.88 } else { 0.75 };
     if look.presenting {
-        let ground = if is_dark { Color32::BLACK } else { Color32::WHITE };
+        let (text, ground) = match is_dark {
+            true => (Color32::WHITE, Color32::BLACK),
+            false => (Color32::BLACK, Color32::WHITE),
+        };
+        visuals.widgets.noninteractive.fg_stroke.color = text;
+        visuals.widgets.inactive.fg_stroke.color = text;
+        visuals.weak_text_alpha = 0.88;
         visuals.panel_fill = ground;
         visuals.window_fill = ground;
     }

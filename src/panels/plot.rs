@@ -1,6 +1,7 @@
 //! The plot of f(p + t d) against t, and walking along the ray: below both views, with every object
 //! on one axis of t, and beside it what each curve says.
 
+mod captions;
 mod drawing;
 
 use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};

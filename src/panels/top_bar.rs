@@ -9,6 +9,7 @@ use crate::action::Action;
 use crate::files::{OpenDocument, title_of};
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
+use crate::ledger::Markup;
 use crate::lessons::{self, Place, Which};
 use crate::overlay::{Item, Scheme};
 use crate::presenter::{Range, SMALLEST_TEXT};
@@ -71,6 +72,10 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     entry(ui, "Open…", Action::AskOpen, actions);
     entry(ui, "Save", Action::Save, actions);
     entry(ui, "Save as…", Action::AskSaveAs, actions);
+    ui.separator();
+    entry(ui, "Export a figure…", Action::AskExport, actions);
+    entry(ui, "Copy the ledger as LaTeX", Action::CopyLedger(Markup::Latex), actions);
+    entry(ui, "Copy the ledger as Markdown", Action::CopyLedger(Markup::Markdown), actions);
     ui.separator();
     ui.menu_button("Recent", |ui| {
         if recent.is_empty() {

@@ -6,7 +6,7 @@ use egui::{
 use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::Action;
-use crate::derive::{Derived, Shown, ViewSizes};
+use crate::derive::{Derived, Purpose, Shown, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
 use crate::letters::told;
@@ -44,6 +44,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         wrong: beside(ViewLayout::Mistakes),
         scale: per_point,
         style: look::style(ui),
+        purpose: Purpose::Window,
     }
 }
 

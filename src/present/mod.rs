@@ -15,6 +15,8 @@ mod display;
 pub mod fonts;
 mod gpu;
 pub mod headless;
+pub(crate) mod look;
+pub(crate) mod motion;
 mod open;
 pub mod painter;
 mod start;

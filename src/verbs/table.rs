@@ -13,7 +13,7 @@ use crate::action::{Action, Switch};
 use crate::exercises;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
-use crate::ledger::LedgerSection;
+use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::{self, Lesson, Place, Which, title_of};
 use crate::overlay::{Item, Scheme};
 use crate::presenter::Full;
@@ -85,6 +85,12 @@ fn program() -> Vec<Verb> {
             [key(Anywhere, CTRL_SHIFT, Key::S)], Action::AskSaveAs;
         File, "Save", "Saves the scene to its file.",
             [key(Anywhere, CTRL, Key::S)], Action::Save;
+        File, "Export a figure…", "Asks which figure to write to which file.",
+            [key(Anywhere, CTRL, Key::E)], Action::AskExport;
+        File, "Copy the ledger as LaTeX", "Puts the ledger on the clipboard as LaTeX.",
+            [], Action::CopyLedger(Markup::Latex);
+        File, "Copy the ledger as Markdown", "Puts the ledger on the clipboard as Markdown.",
+            [], Action::CopyLedger(Markup::Markdown);
         File, "Quit", "Closes the window.",
             [key(Anywhere, CTRL, Key::Q)], Action::Quit;
         Edit, "Undo", "Takes back the last change of the scene.",

@@ -9,8 +9,9 @@ use pinhole_core::lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substi
 use super::handles;
 use super::sheet::{Sheet, round_step};
 use super::steps::number;
-use crate::lines::LinesLab;
+use crate::lines::{Handle, LinesLab};
 use crate::overlay::Style;
+use crate::panels::look;
 use crate::panels::words::{Font, Words, around};
 
 /// Sizes of text, in points: coordinates, names, regions.
@@ -32,8 +33,8 @@ pub(super) struct Ink {
 }
 
 impl Ink {
-    fn of(dark: bool) -> (Ink, Color32, Color32) {
-        let colors = if dark { Style::Dark } else { Style::Light }.colors();
+    fn of(style: Style) -> (Ink, Color32, Color32) {
+        let colors = style.colors();
         let ink = Ink {
             text: colors.ink,
             implicit: colors.mark,
@@ -49,40 +50,66 @@ impl Ink {
 /// Shows the drawing and takes what is dragged in it.
 pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
-    let (ink, background, halo) = Ink::of(ui.visuals().dark_mode);
+    let (ink, background, halo) = Ink::of(look::style(ui));
     let sheet = |lab: &LinesLab| Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
     let grabbed = handles::inputs(ui, &sheet(lab), lab);
     let sheet = sheet(lab);
+    sheet.painter.rect_filled(rect, 0.0, background);
+    let held = |handle| grabbed.iter().any(|(held, by)| *held == handle && handles::is_held(by));
+    if let Some(seen) = paint(&sheet, lab, &ink, held, digits) {
+        ui.ctx().accesskit_node_builder(ui.scope_id().with("plane"), |node| node.set_value(seen));
+    }
+    for (handle, response) in grabbed {
+        response.on_hover_text(handle.name());
+    }
+}
+
+/// Draws the plane without its background and with nothing to drag.
+pub(super) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
+    let (ink, _, halo) = Ink::of(look::style(ui));
+    let sheet = Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
+    paint(&sheet, lab, &ink, |_| false, digits);
+}
+
+/// Paints everything but the background; which points the ray has generated, in words.
+fn paint(
+    sheet: &Sheet,
+    lab: &LinesLab,
+    ink: &Ink,
+    held: impl Fn(Handle) -> bool,
+    digits: usize,
+) -> Option<String> {
+    let (rect, halo) = (sheet.rect, sheet.halo);
     let line = lab.line();
     let is_line = line.check().is_ok();
-    sheet.painter.rect_filled(rect, 0.0, background);
     if is_line {
         sheet.half_plane(&line, true, ink.positive.gamma_multiply(0.13));
         sheet.half_plane(&line, false, ink.negative.gamma_multiply(0.13));
     }
-    grid(&sheet, &ink);
+    grid(sheet, ink);
     if is_line {
-        signs(&sheet, &line, &ink);
-        implicit(&sheet, &line, &ink);
+        signs(sheet, &line, ink);
+        implicit(sheet, &line, ink);
     }
     let mut words = Words::new(sheet.painter.clone(), halo, rect.shrink(3.0));
-    handles::keep_free(&sheet, lab, &mut words);
+    handles::keep_free(sheet, lab, &mut words);
     let is_ray = lab.ray.check().is_ok();
     if is_ray {
-        parametric(&sheet, lab, &ink);
+        parametric(sheet, lab, ink);
     }
-    handles::draw(&sheet, lab, &ink, &grabbed);
-    meeting(&sheet, lab, &ink, &mut words, digits);
-    handles::names(&sheet, lab, &ink, &mut words, digits);
-    if is_ray {
-        let seen = trail(&sheet, lab, &ink, &mut words);
-        ui.ctx().accesskit_node_builder(ui.scope_id().with("plane"), |node| node.set_value(seen));
-        sides(&sheet, lab, &ink, &mut words);
-    }
+    handles::draw(sheet, lab, ink, held);
+    meeting(sheet, lab, ink, &mut words, digits);
+    handles::names(sheet, lab, ink, &mut words, digits);
+    let seen = is_ray.then(|| {
+        let seen = trail(sheet, lab, ink, &mut words);
+        sides(sheet, lab, ink, &mut words);
+        seen
+    });
     if is_line {
-        regions(&sheet, &line, &ink, &mut words);
+        regions(sheet, &line, ink, &mut words);
     }
-    coordinates(&sheet, &ink, &mut words);
+    coordinates(sheet, ink, &mut words);
+    seen
 }
 
 /// Dragging beside all handles moves the window, the wheel zooms about the pointer.

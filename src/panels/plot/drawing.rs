@@ -7,6 +7,7 @@ use egui::{
     pos2, vec2,
 };
 
+use super::captions::Captions;
 use crate::panels::lines::{number, round_step};
 use crate::panels::look;
 use crate::panels::notation::formula;
@@ -14,7 +15,7 @@ use crate::panels::words::{Font, Words};
 use crate::plot::{Curve, Plot, compressed};
 
 /// Size of text, in points.
-const TEXT: f32 = 15.0;
+pub(super) const TEXT: f32 = 15.0;
 
 /// f, in units, at the upper edge, and at the lower one with and without planes.
 const TOP: f64 = 45.0;
@@ -80,7 +81,7 @@ pub(super) fn ui(
         let x = axes.x(t);
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, inner.y_range()));
     }
-    verticals(&inside, &axes, &mut words, colors.ink);
+    let captions = verticals(&inside, &axes, &mut words, colors.ink);
     let drawn: Vec<Strokes> = plot.samples.iter().map(|samples| strokes(&axes, samples)).collect();
     for (curve, strokes) in plot.curves.iter().zip(&drawn) {
         for points in &strokes.points {
@@ -93,6 +94,7 @@ pub(super) fn ui(
             arrowhead(&inside, *at, *upwards, color_of(curve));
         }
     }
+    captions.write(&drawn, &mut words);
     zeros(&inside, &axes, &plot.curves, first, &mut words, colors);
     if plot.walked.is_some() {
         point_that_walks(&inside, &axes, plot, &mut words, colors);
@@ -175,9 +177,9 @@ fn scales(painter: &Painter, axes: &Axes, ink: Color32, planes: bool) {
     painter.galley(pos2(rect.right() - 14.0, rect.bottom() + 2.0), name, ink);
 }
 
-/// The eye and the viewport.
-fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) {
-    let (rect, font) = (axes.rect, Font { size: TEXT, color: ink, bold: false });
+/// The eye and the viewport; their names are written when the curves are there.
+fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) -> Captions {
+    let rect = axes.rect;
     let [eye, viewport] = [0.0, 1.0].map(|t| axes.x(t));
     for (x, dash) in [(eye, 0.0), (viewport, 6.0)] {
         let ends = [pos2(x, rect.top()), pos2(x, rect.bottom())];
@@ -189,23 +191,27 @@ fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) {
         }
         words.keep_free(Rect::from_x_y_ranges(x - 1.0..=x + 1.0, rect.y_range()));
     }
-    let rows = |x: f32, align: Align2| {
-        (0..5).map(move |k| (pos2(x, rect.bottom() - 4.0 - 20.0 * k as f32), align))
-    };
-    let left = || rows(eye - 5.0, Align2::RIGHT_BOTTOM);
-    let _ = ["behind the eye", "behind\nthe eye"]
-        .iter()
-        .any(|text| words.write(text, font, left()).is_some());
-    words.write("viewport: t = 1", font, rows(viewport + 5.0, Align2::LEFT_BOTTOM));
-    words.write("eye: t = 0", font, rows(eye + 5.0, Align2::LEFT_BOTTOM).chain(left()));
+    Captions { rect, eye, viewport, zero: axes.y(0.0), color: ink }
 }
 
 /// A curve on the screen.
-struct Strokes {
+pub(super) struct Strokes {
     /// Its parts within the plot.
     points: Vec<Vec<Pos2>>,
     /// Where it leaves the plot, and whether upwards.
     leaves: Vec<(Pos2, bool)>,
+}
+
+impl Strokes {
+    /// Points of the curve that are at most a few points of the screen from the next.
+    pub(super) fn closely(&self) -> impl Iterator<Item = Pos2> {
+        self.points.iter().flat_map(|part| {
+            part.windows(2).flat_map(|ends| {
+                let count = (ends[0].distance(ends[1]) / 4.0).ceil().max(1.0) as usize;
+                (0..=count).map(move |k| ends[0].lerp(ends[1], k as f32 / count as f32))
+            })
+        })
+    }
 }
 
 fn strokes(axes: &Axes, samples: &[(f64, f64)]) -> Strokes {
