@@ -7,6 +7,7 @@ use pinhole_core::PosedCamera;
 use super::Derived;
 use super::memo::Memo;
 use crate::document::Document;
+use crate::overlay::Scheme;
 use crate::plot::{Curve, Heights, Named, Plot, Samples, curves, range, samples, shown, values};
 use crate::session::{Selection, Session, ViewLayout};
 
@@ -31,6 +32,7 @@ impl Plots {
         session: &Session,
         derived: &Derived,
         generation: u64,
+        scheme: Scheme,
     ) -> Option<Plot> {
         if session.settings.layout != ViewLayout::Plot {
             return None;
@@ -42,7 +44,8 @@ impl Plots {
         let named = |object: u32| {
             let title = document.title_of(object as usize);
             let name = document.name_of(object).map_or_else(|| title.clone(), str::to_owned);
-            Named { object, title, name, color: document.color_of(object) }
+            let color = scheme.object(object, document.color_of(object));
+            Named { object, title, name, color }
         };
         let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
         let made = &mut self.made;

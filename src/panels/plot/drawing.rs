@@ -8,8 +8,8 @@ use egui::{
 };
 
 use super::captions::Captions;
-use crate::overlay::Style;
 use crate::panels::lines::{number, round_step};
+use crate::panels::look;
 use crate::panels::notation::formula;
 use crate::panels::words::{Font, Words};
 use crate::plot::{Curve, Heights, Plot};
@@ -60,7 +60,7 @@ pub(super) fn ui(
     first: Option<(u32, f64)>,
     walked: &mut Option<f64>,
 ) {
-    let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+    let style = look::style(ui);
     let colors = style.colors();
     let planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if planes { BOTTOM.0 } else { BOTTOM.1 };
