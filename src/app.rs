@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod hand;
 mod history;
 mod inputs;
 mod lessons;
@@ -26,7 +27,9 @@ use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
+use crate::panels::handles::HandInput;
 use crate::panels::ledger::LedgerPanel;
+use crate::panels::navigation::Navigation;
 use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
@@ -54,6 +57,8 @@ pub struct App {
     beside_texture: ViewTexture,
     measuring: Measuring,
     frames: FrameHistory,
+    hand: HandInput,
+    navigation: Navigation,
     store: Option<Store>,
     geometry: WindowGeometry,
     title: String,
@@ -90,6 +95,8 @@ impl App {
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
+            hand: HandInput::default(),
+            navigation: Navigation::default(),
             store,
             geometry: remembered.window,
             title: String::new(),
@@ -169,6 +176,7 @@ impl App {
         let ctx = ui.ctx().clone();
         let mut stopwatch = None;
         let mut actions = Vec::new();
+        self.hand_inputs(&ctx);
         self.window_inputs(&ctx, &mut actions);
         self.panels(ui, &mut actions);
         CentralPanel::default().show(ui, |ui| {
@@ -222,6 +230,8 @@ impl App {
                     as_drawn.camera.orientation = camera.orientation;
                 }
                 looked_at.observer = session.observer;
+                // Nor do handles, which are taken before anything is drawn.
+                looked_at.hand.clone_from(&session.hand);
                 // Nor does pointing, which is known before anything is drawn.
                 looked_at.pointed = session.pointed;
                 (document, session, *had_changes) != (&as_drawn, &looked_at, now.2)

@@ -1,10 +1,12 @@
 //! How the document is looked at: what a scene file does not hold.
 
 use pinhole_core::methods::{Formula, Method, Precision};
+use pinhole_core::steering::Keep;
 use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Shade, Viewport};
 use serde::{Deserialize, Serialize};
 
 use crate::exercises::Exercises;
+use crate::handles::Hand;
 use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
 use crate::mistakes::Gallery;
@@ -34,6 +36,8 @@ pub struct Session {
     pub gallery: Gallery,
     /// The exercise at hand, and what was answered.
     pub exercises: Exercises,
+    /// What is taken in the hand, or could be.
+    pub hand: Hand,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -68,6 +72,8 @@ pub struct Settings {
     pub keep_pixel_shape: bool,
     /// Changing distance, width or height takes the other two along: the picture stays.
     pub keep_picture: bool,
+    /// What stays when the eye is moved in the world view.
+    pub eye_keeps: EyeKeeps,
     /// The camera panel's part for teaching is unfolded.
     pub teaching: bool,
     /// The world view's share of the width.
@@ -151,6 +157,35 @@ pub enum ShadeName {
     Object,
 }
 
+/// [`Keep`], in a form that is written to disk.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the same names as pinhole_core::steering::Keep, explained there")]
+pub enum EyeKeeps {
+    #[default]
+    At,
+    View,
+}
+
+impl EyeKeeps {
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> EyeKeeps {
+        match self {
+            EyeKeeps::At => EyeKeeps::View,
+            EyeKeeps::View => EyeKeeps::At,
+        }
+    }
+}
+
+impl From<EyeKeeps> for Keep {
+    fn from(keeps: EyeKeeps) -> Keep {
+        match keeps {
+            EyeKeeps::At => Keep::At,
+            EyeKeeps::View => Keep::View,
+        }
+    }
+}
+
 /// The window's colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ThemeName {
@@ -173,6 +208,7 @@ impl Default for Settings {
             count_from_one: false,
             keep_pixel_shape: true,
             keep_picture: false,
+            eye_keeps: EyeKeeps::At,
             teaching: false,
             views_split: 0.54,
             readouts_height: 200.0,
@@ -248,6 +284,7 @@ impl Default for Session {
             sections: LedgerSections::default(),
             gallery: Gallery::default(),
             exercises: Exercises::default(),
+            hand: Hand::default(),
             settings: Settings::default(),
         }
     }

@@ -23,7 +23,9 @@ impl App {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
             views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
         }
-        views::tell_pointed(ui, self.session.pointed, &self.open.document);
+        if self.session.hand.over.is_none() {
+            views::tell_pointed(ui, self.session.pointed, &self.open.document);
+        }
         if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {
             match self.session.settings.layout {
                 ViewLayout::Mistakes => self.wrong_camera(ui, area, rect, dimmed),
@@ -37,6 +39,7 @@ impl App {
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &fault.to_string());
         }
+        self.tell_hand(ui, places);
         let lit = self.session.lit();
         let settings = &self.session.settings;
         let style = NumberStyle {

@@ -82,7 +82,9 @@ fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> V
     let scale = (size[0].min(size[1]) as f32 / 720.0).max(1.0);
     let world = options.view == View::World;
     let items = if options.overlay {
-        OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false)
+        let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
+        // Nobody can take hold of a picture in a file.
+        items.with(Item::Handles, false)
     } else {
         // A plane has no end: the world view draws a patch of it.
         OverlayItems::NONE.with(Item::Planes, true)

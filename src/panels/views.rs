@@ -12,7 +12,7 @@ use crate::label_text;
 use crate::overlay;
 use crate::panels::places::{Places, STRIP};
 use crate::panels::walking;
-use crate::session::{Selection, Session, Settings, ViewLayout};
+use crate::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::thing::{Pointed, Pointing, Thing};
 use crate::view_texture::ViewTexture;
 
@@ -134,6 +134,9 @@ fn keys(ui: &Ui, actions: &mut Vec<Action>) {
 }
 
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    if session.hand.is_busy {
+        return;
+    }
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
     let (Some(pointer), Some(posed), true) =
         (response.interact_pointer_pos(), &shown.posed, pressed)
@@ -150,6 +153,9 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
 }
 
 fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    if session.hand.is_busy {
+        return;
+    }
     let per_point = ui.ctx().pixels_per_point();
     if let (true, Some(pointer), Some(frame), Some(posed)) =
         (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.posed)
@@ -267,6 +273,9 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
                     if ui.small_button(text).clicked() {
                         settings.layout = to;
                     }
+                    if own == ViewLayout::World {
+                        eye_keeps(ui, &mut settings.eye_keeps);
+                    }
                 });
             });
         });
@@ -277,6 +286,19 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
     if let Some(rect) = places.camera_area {
         let text = format!("{CAMERA}, {} × {} pixels", image.width(), image.height());
         strip(rect, text, ViewLayout::Camera);
+    }
+}
+
+/// What stays when the eye is moved in the world view, and the other choice.
+fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
+    let text = match keeps {
+        EyeKeeps::At => "Eye orbits at",
+        EyeKeeps::View => "Eye travels",
+    };
+    let hint = "Whether a moved eye goes round what it looks at, or takes the view along (K, or Alt while \
+                dragging, for the other)";
+    if ui.small_button(text).on_hover_text(hint).clicked() {
+        *keeps = keeps.other();
     }
 }
 
