@@ -8,6 +8,7 @@ mod edits;
 mod exercises;
 mod faults;
 mod frame;
+mod handles;
 mod harness;
 mod history;
 mod ledger;
