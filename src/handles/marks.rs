@@ -32,13 +32,22 @@ pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
         },
     });
     let grasp = hand.held;
+    let beyond = stage.beyond(stage.document.camera.eye);
+    let stems = grips.iter().filter_map(|grip| {
+        let Handle::Normal(k) = grip.handle else { return None };
+        let point = stage.place(Handle::Point(k), stage.grasp(Handle::Point(k))?)?;
+        let way = grip.at - point;
+        let length = way.length();
+        (length > 0.0).then(|| [point, point + (1.0 - stage.beyond(point) / length) * way])
+    });
     Handles {
         marks: marks.collect(),
+        stems: stems.collect(),
         guides: over.map_or(Vec::new(), |grip| guides(stage, grip, hand)),
-        arrow: grasp.filter(|g| g.handle == Handle::Dolly).map(|g| g.length),
+        arrow: grasp.filter(|g| g.handle == Handle::Dolly).map(|g| g.length - beyond),
         up: grasp
             .filter(|g| g.handle == Handle::Up)
-            .map(|g| g.length * stage.document.camera.up().length()),
+            .map(|g| g.length * stage.document.camera.up().length() - beyond),
     }
 }
 

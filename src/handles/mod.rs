@@ -78,12 +78,14 @@ impl Handle {
         }
     }
 
+    /// Whether it lies on the viewport's rectangle.
+    pub fn is_on_viewport(self) -> bool {
+        matches!(self, Handle::Corner(_) | Handle::Distance | Handle::Pixel)
+    }
+
     /// Whether it goes wherever it is dragged, and so along x, y, z too; the others know one way.
     pub fn is_free(self) -> bool {
-        !matches!(
-            self,
-            Handle::Roll | Handle::Dolly | Handle::Corner(_) | Handle::Distance | Handle::Pixel
-        )
+        !self.is_on_viewport() && !matches!(self, Handle::Roll | Handle::Dolly)
     }
 }
 

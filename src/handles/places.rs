@@ -8,6 +8,12 @@ use crate::document::Document;
 use crate::overlay::{self, Item, OverlayItems};
 use crate::session::Selection;
 
+/// On a viewport that is seen smaller than this, in points, handles would lie over each other.
+const LEAST_VIEWPORT: f64 = 52.0;
+
+/// From an arrow's tip to the handle there, in points.
+const BEYOND: f64 = 10.0;
+
 /// What is on the stage, and who looks at it.
 #[derive(Clone, Copy)]
 pub struct Stage<'a> {
@@ -52,7 +58,12 @@ pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
     });
     let handles = of_camera.into_iter().chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(of_objects).chain([Handle::Pixel]);
-    let shown = handles.filter(|handle| stage.items.shows(handle.item()));
+    let is_held = |handle| hand.held.is_some_and(|grasp| grasp.handle == handle);
+    let is_small = stage.viewport_is_small();
+    let shown = handles.filter(|handle| {
+        let in_the_way = is_small && handle.is_on_viewport() && !is_held(*handle);
+        stage.items.shows(handle.item()) && !in_the_way
+    });
     let in_place = shown.filter_map(|handle| {
         let held = hand.held.filter(|grasp| grasp.handle == handle);
         let at = stage.place(handle, held.or_else(|| stage.grasp(handle))?)?;
@@ -66,10 +77,28 @@ impl Stage<'_> {
         &self.document.camera
     }
 
+    /// Whether there is no room for handles on the viewport.
+    fn viewport_is_small(&self) -> bool {
+        let Some(posed) = self.posed else { return false };
+        let corner = |corner: ViewportCorner| {
+            let uv = corner.uv(posed.viewport());
+            self.spot(posed.viewport_point(uv))
+        };
+        let [Some(a), Some(b), Some(c), Some(d)] = ViewportCorner::ALL.map(corner) else {
+            return false;
+        };
+        a.distance(d).max(b.distance(c)) < LEAST_VIEWPORT * f64::from(self.scale)
+    }
+
     /// The length of the arrows at the eye; `None` where it is not seen.
     pub(super) fn arrow(&self) -> Option<f64> {
         let arrow = overlay::arrow_length(self.observer, self.camera().eye, self.scale);
         (arrow > 0.0 && arrow.is_finite()).then_some(arrow)
+    }
+
+    /// Handles of arrows lie so far beyond their tips, in the world, and leave the heads to be seen.
+    pub(super) fn beyond(&self, base: DVec3) -> f64 {
+        overlay::length_of_points(self.observer, base, BEYOND, self.scale)
     }
 
     /// How a handle is taken when it is taken now; `None` where it is not there.
@@ -78,15 +107,17 @@ impl Stage<'_> {
             let length = vector.length();
             (length > 0.0 && length.is_finite()).then_some(drawn / length)
         };
+        let beyond = |at: DVec3| self.beyond(at);
+        let eye = self.camera().eye;
         let length = match handle {
-            Handle::Up => per_length(overlay::UP_LENGTH * self.arrow()?, self.camera().up())?,
-            Handle::Roll | Handle::Dolly => self.arrow()?,
+            Handle::Up => {
+                per_length(overlay::UP_LENGTH * self.arrow()? + beyond(eye), self.camera().up())?
+            }
+            Handle::Roll | Handle::Dolly => self.arrow()? + beyond(eye),
             Handle::Normal(k) => {
                 let plane = self.plane(k)?;
-                per_length(
-                    overlay::normal_length(self.observer, plane.point, self.scale),
-                    plane.normal,
-                )?
+                let arrow = overlay::normal_length(self.observer, plane.point, self.scale);
+                per_length(arrow + beyond(plane.point), plane.normal)?
             }
             _ => 1.0,
         };

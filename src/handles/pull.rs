@@ -52,6 +52,8 @@ pub struct Pulled {
     pub up_went_along: bool,
     /// The step that values were snapped to.
     pub step: Option<f64>,
+    /// By how many degrees the camera was rolled, where it was.
+    pub rolled: Option<f64>,
 }
 
 /// A drag under way: who looks, and how it is held.
@@ -108,7 +110,8 @@ impl Pull<'_> {
     /// Why it cannot be there, in words.
     pub fn put(&self, point: DVec3) -> Result<Pulled, String> {
         let Start { before, grasp, at, .. } = *self.start;
-        let unchanged = Pulled { part: before, grasp, up_went_along: false, step: None };
+        let unchanged =
+            Pulled { part: before, grasp, up_went_along: false, step: None, rolled: None };
         if point == at {
             return Ok(unchanged);
         }
@@ -117,7 +120,11 @@ impl Pull<'_> {
             Handle::Eye => self.eye(self.readable(at, point, 1.0)?),
             Handle::At => self.look_at(self.readable(at, point, 1.0)?),
             Handle::Up => self.up(point).map(|camera| (camera, false)),
-            Handle::Roll => self.roll(point).map(|camera| (camera, false)),
+            Handle::Roll => {
+                let (rolled, degrees) = self.roll(point)?;
+                let rolled = Pulled { rolled: Some(degrees), ..camera(rolled) };
+                return Ok(self.snapped_by(rolled));
+            }
             Handle::Dolly => self.dolly(point).map(|camera| (camera, false)),
             Handle::Corner(corner) => self.corner(corner, point).map(|camera| (camera, false)),
             Handle::Distance => self.distance(point).map(|camera| (camera, false)),
@@ -265,14 +272,15 @@ impl Pull<'_> {
         Ok(Camera { orientation, ..camera })
     }
 
-    /// The camera rolled until v points to where the tip is.
-    fn roll(&self, tip: DVec3) -> Result<Camera, String> {
+    /// The camera rolled until v points to where the tip is, and by how many degrees.
+    fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
         let Start { before, posed, grasp, .. } = self.start;
         let basis = *posed.as_ref().ok_or("the camera has no basis")?.basis();
         let along = tip - before.camera.eye;
         let degrees = (-along.dot(basis.u)).atan2(along.dot(basis.v)).to_degrees();
         let per = 180.0 / (PI * grasp.length);
-        before.camera.swung(self.number(degrees, per)?).map_err(|e| e.to_string())
+        let degrees = self.number(degrees, per)?;
+        Ok((before.camera.swung(degrees).map_err(|e| e.to_string())?, degrees))
     }
 
     /// The camera moved along w by as much as the tip of w is.
@@ -353,7 +361,8 @@ impl Pull<'_> {
     /// A sphere or a plane.
     fn solid(&self, point: DVec3) -> Result<Pulled, String> {
         let Start { before, grasp, at, .. } = *self.start;
-        let mut now = Pulled { part: before, grasp, up_went_along: false, step: None };
+        let mut now =
+            Pulled { part: before, grasp, up_went_along: false, step: None, rolled: None };
         let Some((k, solid)) = before.object else { return Ok(now) };
         let solid = match (solid, grasp.handle) {
             (Solid::Sphere(mut sphere), Handle::Radius(_)) => {

@@ -7,13 +7,15 @@ use crate::overlay::camera_in_space::{ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, V
 use crate::overlay::drawing::{Mark, Shape, dot};
 use crate::overlay::items::Item;
 use crate::overlay::screen::Screen;
-use crate::overlay::sketch::{Pen, Sketch};
+use crate::overlay::sketch::{Head, Pen, Sketch};
 
 /// What there is to take in the hand, and how it is drawn while it is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
     /// Later ones lie over earlier ones.
     pub marks: Vec<HandleMark>,
+    /// Arrows that are there for their handles alone: the normals of planes.
+    pub stems: Vec<[DVec3; 2]>,
     /// Along what the one that is pointed at goes.
     pub guides: Vec<Guide>,
     /// The length in the world of the basis arrows, where a hand holds one.
@@ -83,11 +85,11 @@ pub enum Guide {
 const AXES: [&str; 6] = ["x", "y", "z", "u", "v", "w"];
 
 /// How large handles are from middle to edge, in points: plain ones, and others.
-const PLAIN: f64 = 6.5;
+const PLAIN: f64 = 6.0;
 const LARGE: f64 = 10.0;
 
 /// From the edge to the empty middle, in points.
-const RIM: f64 = 2.6;
+const RIM: f64 = 2.4;
 
 /// The length in the world of what is so many points long at a place; 0 where it is not seen.
 pub fn length_of_points(observer: &PosedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
@@ -116,6 +118,11 @@ impl Sketch<'_> {
     pub(crate) fn handles(&mut self, handles: &Handles) {
         if !self.items.shows(Item::Handles) {
             return;
+        }
+        for [from, to] in &handles.stems {
+            let pen = Pen::new(Item::Handles, self.colors.hit, 2.2).on_top();
+            let tip = self.arrow(*from, *to, Head::Filled, pen);
+            self.label_tip(pen, "normal", tip, (self.colors.hit, POINT_TEXT, false));
         }
         for guide in &handles.guides {
             self.guide(*guide);

@@ -37,6 +37,8 @@ pub(crate) struct HandInput {
     refused: Option<String>,
     /// What the last move did.
     last: Option<Pulled>,
+    /// Since when the pointer or the focus is on what it is on, in seconds.
+    over_since: f64,
 }
 
 #[derive(Debug)]
@@ -152,9 +154,13 @@ impl HandInput {
         if ctx.input(|i| i.pointer.any_down()) {
             return;
         }
-        session.hand.over = found.map(|hit| hit.handle).or_else(|| Some(focused()?.handle));
+        let over = found.map(|hit| hit.handle).or_else(|| Some(focused()?.handle));
+        if over != session.hand.over {
+            self.over_since = ctx.input(|i| i.time);
+        }
+        session.hand.over = over;
         session.hand.together = found.map_or(0, |hit| hit.together);
-        let over = session.hand.over.and_then(Handle::object);
+        let over = over.and_then(Handle::object);
         if over.is_none() {
             let pointed = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
             let pointed = pointed.filter(|k| *k < document.spheres.len() && chosen != Some(*k));

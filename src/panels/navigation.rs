@@ -187,7 +187,8 @@ impl Navigation {
         };
         let lines = lines(way, before, now, session.settings.digits.min(5));
         let refused = self.refused.map(|reason| reason.to_string());
-        say(ui, id, None, &lines, refused.as_deref());
+        let Some(pointer) = ui.input(|i| i.pointer.latest_pos()) else { return };
+        say(ui, id, pointer, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
     }
 }
 

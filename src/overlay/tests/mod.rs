@@ -31,7 +31,7 @@ struct Stage {
 }
 
 static NO_HANDLES: Handles =
-    Handles { marks: Vec::new(), guides: Vec::new(), arrow: None, up: None };
+    Handles { marks: Vec::new(), stems: Vec::new(), guides: Vec::new(), arrow: None, up: None };
 
 const SIZE: (u32, u32) = (240, 180);
 

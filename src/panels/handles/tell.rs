@@ -1,7 +1,11 @@
 //! What is said of handles: beside the pointer, and to screen readers.
 
 use egui::accesskit::Role;
-use egui::{CursorIcon, Id, Rect, RichText, Sense, Ui, vec2};
+use egui::{
+    Align, Align2, CursorIcon, Id, PopupAnchor, Pos2, Rect, RectAlign, RichText, Sense, Ui, Vec2,
+    vec2,
+};
+use pinhole_core::DVec2;
 use pinhole_core::steering::Keep;
 
 use super::{HandInput, View, id_of, keys};
@@ -15,6 +19,12 @@ use crate::session::Session;
 /// Sizes of what is said, in points: the value, and the rest.
 const VALUE: f32 = 19.0;
 const REST: f32 = 15.0;
+
+/// From the pointer to what is said, in points, across and down.
+const GAP: f32 = 20.0;
+
+/// So long one looks at a handle until it is said how it is dragged, in seconds.
+const HINT: f64 = 0.7;
 
 impl HandInput {
     /// What there is to say of the handles in the world view, which is at `place` now.
@@ -33,27 +43,32 @@ impl HandInput {
         nodes(ui, &view, shown, document, session);
         let hand = &session.hand;
         let Some(handle) = hand.over else { return };
-        let Some(grip) = grips(&view.stage(document, shown.posed.as_ref(), session), hand)
-            .into_iter()
-            .find(|grip| grip.handle == handle)
-        else {
-            // What is held may be nowhere for a while: the viewport has no area.
-            if hand.held.is_some() {
-                say(ui, id, None, &self.lines(handle, document, session), self.refused.as_deref());
-            }
-            return;
-        };
-        let spot = rect.min + vec2(grip.spot.x as f32, grip.spot.y as f32) / scale;
         let by_pointer = hand.held.is_some() || hand.together > 0;
         if by_pointer {
             let held = hand.held.is_some();
             ui.ctx().set_cursor_icon(if held { CursorIcon::Grabbing } else { CursorIcon::Grab });
         }
-        let place = (!by_pointer).then_some(spot);
-        say(ui, id, place, &self.lines(handle, document, session), self.refused.as_deref());
+        let all = grips(&view.stage(document, shown.posed.as_ref(), session), hand);
+        let point = |spot: DVec2| rect.min + vec2(spot.x as f32, spot.y as f32) / scale;
+        let own = all.iter().find(|grip| grip.handle == handle).map(|grip| point(grip.spot));
+        // What is held may be nowhere for a while: the viewport has no area.
+        let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| by_pointer);
+        let Some(spot) = pointer.or(own) else { return };
+        let others: Vec<_> = all.iter().filter(|g| g.handle.object().is_none()).collect();
+        let middle =
+            others.iter().map(|grip| grip.spot).sum::<DVec2>() / others.len().max(1) as f64;
+        let lines = self.lines(ui, handle, document, session);
+        // Away from the camera, which one looks at.
+        say(ui, id, spot, spot - point(middle), &lines, self.refused.as_deref());
     }
 
-    fn lines(&self, handle: Handle, document: &Document, session: &Session) -> Vec<String> {
+    fn lines(
+        &self,
+        ui: &Ui,
+        handle: Handle,
+        document: &Document,
+        session: &Session,
+    ) -> Vec<String> {
         let settings = &session.settings;
         let part = Part::of(handle, document, session.selection);
         let text = value(handle, &part, settings.digits.min(6), settings.count_from_one);
@@ -64,7 +79,13 @@ impl HandInput {
         if session.hand.held.is_some() {
             self.say_held(&mut lines, handle, session);
         } else {
-            say_hint(&mut lines, handle, session);
+            let rested = ui.input(|i| i.time) - self.over_since;
+            if rested >= HINT {
+                say_hint(&mut lines, handle, session);
+            } else {
+                let left = std::time::Duration::from_secs_f64(HINT - rested);
+                ui.ctx().request_repaint_after(left);
+            }
         }
         lines
     }
@@ -80,6 +101,9 @@ impl HandInput {
                     lines.push(format!("in the plane of {a} and {b}"));
                 }
             }
+        }
+        if let Some(degrees) = last.and_then(|last| last.rolled) {
+            lines.push(format!("rolled by {}°", written(degrees, 4)));
         }
         if let Some(step) = last.and_then(|last| last.step) {
             let unit = if handle == Handle::Roll { "°" } else { "" };
@@ -128,19 +152,28 @@ fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
     }
 }
 
-/// Beside the pointer, or a place.
+/// Beside a place, on the side where `away` points.
 pub(in crate::panels) fn say(
     ui: &Ui,
     id: Id,
-    place: Option<egui::Pos2>,
+    place: Pos2,
+    away: Vec2,
     lines: &[String],
     refused: Option<&str>,
 ) {
-    let anchor = place.map_or(egui::PopupAnchor::Pointer, |at| {
-        egui::PopupAnchor::Position(at + vec2(14.0, 14.0))
-    });
+    let side = |right: bool, below: bool| {
+        let of = |far: bool| if far { Align::Max } else { Align::Min };
+        let parent = Align2([of(right), of(below)]);
+        RectAlign { parent, child: Align2([of(!right), of(!below)]) }
+    };
+    let (right, below) = (away.x >= 0.0, away.y >= 0.0);
+    let anchor = PopupAnchor::ParentRect(Rect::from_center_size(place, Vec2::splat(2.0 * GAP)));
     let id = id.with("said");
-    egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, anchor).gap(16.0).show(|ui| {
+    let mut tooltip =
+        egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, anchor).gap(0.0);
+    let others = [side(right, !below), side(!right, below), side(!right, !below)];
+    tooltip.popup = tooltip.popup.align(side(right, below)).align_alternatives(&others);
+    tooltip.show(|ui| {
         let mut line = |text: RichText| {
             ui.add(egui::Label::new(text).wrap_mode(egui::TextWrapMode::Extend));
         };
@@ -162,7 +195,7 @@ fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &S
     let settings = &session.settings;
     for grip in grips(&view.stage(document, shown.posed.as_ref(), session), &session.hand) {
         let spot = view.rect.min + vec2(grip.spot.x as f32, grip.spot.y as f32) / view.scale;
-        let rect = Rect::from_center_size(spot, egui::Vec2::splat(2.0 * super::REACH as f32));
+        let rect = Rect::from_center_size(spot, Vec2::splat(2.0 * super::REACH as f32));
         let id = id_of(view.id, grip.handle);
         ui.interact(rect, id, Sense::focusable_noninteractive());
         ui.memory_mut(|memory| memory.set_focus_lock_filter(id, keys::filter()));
