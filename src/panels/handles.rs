@@ -115,6 +115,9 @@ impl HandInput {
             if ctx.input(|i| i.pointer.button_pressed(PointerButton::Primary)) {
                 self.press(ctx, &view, &response, edited, shown);
             }
+            if self.start.is_none() && response.clicked() {
+                self.click(&view, &response, edited, shown);
+            }
         }
         if self.start.is_some() {
             self.hold(ctx, &view, edited);
@@ -220,6 +223,20 @@ impl HandInput {
         }
         let hand = &mut session.hand;
         (hand.held, hand.over, hand.is_busy) = (Some(grasp), Some(found.handle), true);
+    }
+
+    /// A click so short that press and release are seen at once.
+    fn click(&mut self, view: &View, response: &Response, edited: &mut Edited, shown: &Derived) {
+        let Edited { document, session, chosen_object } = edited;
+        let Some(at) = response.interact_pointer_pos() else { return };
+        let posed = document.camera.posed().ok();
+        let all = grips(&view.stage(document, posed.as_ref(), session), &session.hand);
+        let Some(found) = self.hit(&all, view, at, session, shown) else { return };
+        if let Some(object) = found.handle.object() {
+            **chosen_object = object;
+        }
+        self.clicked = Some(found.handle);
+        session.hand.is_busy = true;
     }
 
     /// A handle is held: it goes with the pointer.

@@ -261,11 +261,11 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
 
 /// Titles above the views, with a button that gives one all the room.
 pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
-    let mut strip = |rect: Rect, text: String, own: ViewLayout| {
+    let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         let above = Rect::from_min_max(pos2(rect.left(), rect.top() - STRIP), rect.right_top());
         ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
             ui.horizontal_centered(|ui| {
-                ui.strong(text);
+                ui.strong(text).on_hover_text(hint);
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     let alone = settings.layout == own;
                     let (text, to) =
@@ -281,11 +281,15 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
         });
     };
     if let Some(rect) = places.world {
-        strip(rect, WORLD.to_owned(), ViewLayout::World);
+        let hint = "Drag: orbit; Shift or the right button: pan; wheel: zoom; F: everything in sight. \
+                    Handles are dragged.";
+        strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
     if let Some(rect) = places.camera_area {
         let text = format!("{CAMERA}, {} × {} pixels", image.width(), image.height());
-        strip(rect, text, ViewLayout::Camera);
+        let hint = "Click: a pixel. Right drag: look round; with Shift, or middle drag: orbit round at; \
+                    wheel: field of view; Ctrl and wheel: dolly.";
+        strip(rect, text, hint, ViewLayout::Camera);
     }
 }
 

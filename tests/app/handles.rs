@@ -9,6 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
 use pinhole::document::Document;
+use pinhole::handles::Handle;
 use pinhole::session::{Selection, Settings};
 use pinhole::store::Remembered;
 use pinhole_core::{Camera, DVec3, Orientation};
@@ -344,11 +345,10 @@ fn an_eye_that_is_put_to_at_shows_the_fault_and_is_led_out_of_it() {
 }
 
 #[test]
-fn a_drag_across_the_pole_turns_v_smoothly_and_says_that_up_goes_along() {
+fn a_drag_past_the_pole_turns_v_without_a_jump() {
     let mut harness = window("look-at");
     let at = node_at(&harness, "at handle");
     let from = take(&mut harness, "eye handle");
-    let mut told = false;
     let mut v = camera(&harness).basis().unwrap().v;
     // Over what it looks at, from one side to the other, a little at a time.
     let to = at + 2.0 * (at - from).normalized() * 40.0 + vec2(0.0, -90.0);
@@ -358,10 +358,27 @@ fn a_drag_across_the_pole_turns_v_smoothly_and_says_that_up_goes_along() {
         let turn = basis.v.dot(v).clamp(-1.0, 1.0).acos().to_degrees();
         assert!(turn < 35.0, "v jumps by {turn} degrees in step {step}");
         v = basis.v;
-        told |= says(&harness, "up turns along");
     }
     drop_it(&mut harness, to);
-    let _ = told;
+}
+
+#[test]
+fn at_dragged_to_the_tip_of_up_takes_up_along_and_says_so() {
+    let mut harness = window("canonical");
+    let pole = node_at(&harness, "up handle");
+    take(&mut harness, "at handle");
+    with_modifiers(&mut harness, Modifiers::SHIFT);
+    harness.key_down(Key::X);
+    pull(&mut harness, pole);
+    let above = camera(&harness);
+    let (view, v) = (above.view().normalize(), above.basis().unwrap().v);
+    assert!(view.y > 0.999, "{view:?}");
+    assert!(v.z > 0.999, "the view was pitched up, and v with it: {v:?}");
+    assert_ne!(above.up(), DVec3::Y);
+    assert_says(&harness, "up turns along");
+    harness.key_up(Key::X);
+    with_modifiers(&mut harness, Modifiers::NONE);
+    drop_it(&mut harness, pole);
 }
 
 #[test]
@@ -561,4 +578,49 @@ fn looking_up_stops_short_of_the_pole() {
         assert!(camera.up_angle().unwrap().angle.to_degrees() > 0.9);
     }
     assert!(camera(&harness).up_angle().unwrap().angle.to_degrees() < 1.1);
+}
+
+#[test]
+fn handles_that_lie_together_take_turns_with_each_click() {
+    // The orange ball's centre is the point at.
+    let mut harness = window("look-at");
+    let at = node_at(&harness, "at handle");
+    assert_near(at, node_at(&harness, "sphere 0 “target”: center handle"));
+    let before = document(&harness);
+    let selected = harness.state().session().selection;
+    for expected in [Handle::At, Handle::Center(0), Handle::At] {
+        harness.hover_at(at);
+        harness.run();
+        assert_eq!(harness.state().session().hand.over, Some(expected));
+        crate::harness::click_at(&mut harness, at);
+    }
+    assert_eq!((document(&harness), harness.state().session().selection), (before, selected));
+    // Press and release in one frame are a click too.
+    harness.hover_at(at);
+    harness.run();
+    assert_eq!(harness.state().session().hand.over, Some(Handle::Center(0)));
+}
+
+#[test]
+fn a_sphere_that_is_pointed_at_has_handles_and_is_chosen_by_them() {
+    let mut harness = window("canonical");
+    let handle = "sphere 1 “marble”: radius handle";
+    assert!(harness.query_by_role_and_label(Role::Slider, handle).is_none());
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    // Somewhere in the view is the marble.
+    let places = (0..20).flat_map(|row| (0..20).map(move |column| (row, column)));
+    let found = places.into_iter().any(|(row, column)| {
+        let share = vec2(column as f32 + 0.5, row as f32 + 0.5) / 20.0;
+        harness.hover_at(view.min + share * view.size());
+        harness.step();
+        harness.step();
+        harness.query_by_role_and_label(Role::Slider, handle).is_some()
+    });
+    assert!(found);
+    harness.run();
+    let before = document(&harness).spheres[1].shape;
+    drag(&mut harness, handle, vec2(12.0, 0.0));
+    let after = document(&harness).spheres[1].shape;
+    assert!(after.radius > before.radius && after.center == before.center);
+    assert!(harness.query_all_by_value("marble").next().is_some(), "its fields are shown");
 }
