@@ -1,37 +1,24 @@
 #!/usr/bin/env bash
 # Takes the README's pictures of the real window anew, into assets/screenshots.
-# Needs Xvfb, openbox, xdotool and ImageMagick; builds the release binary first.
+# Builds the release binary first; what else it needs is in support/display.sh.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tests/support/display.sh
 cargo build --locked --release
 out=$PWD/assets/screenshots
-work=$(mktemp -d)
 mkdir -p "$out"
-
-exec {display_pipe}<> <(:)
-Xvfb -displayfd "$display_pipe" -screen 0 1280x800x24 -nolisten tcp -noreset 2>/dev/null &
-server=$!
-trap 'kill "$server" 2>/dev/null; rm -rf "$work"' EXIT
-read -r number <&"$display_pipe"
-export DISPLAY=:$number WINIT_X11_SCALE_FACTOR=1 XDG_STATE_HOME=$work
-unset WAYLAND_DISPLAY
-openbox 2>/dev/null &
-until xdotool get_num_desktops >/dev/null 2>&1; do sleep 0.1; done
+start_display 1280x800
+export DISPLAY=$display
 
 # shot NAME SCENE|--lesson=N SETTINGS [SECONDS [ACTION]]: the window without its frame, on the whole
 # screen, after an action of the mouse.
 shot() {
-  mkdir -p "$work/pinhole"
-  printf '{"settings": %s, "window": {"maximized": true}}' "$3" >"$work/pinhole/state.json"
-  target/release/pinhole "$2" 2>/dev/null &
-  local program=$! window=
-  until window=$(xdotool search --onlyvisible --name ' - Pinhole'); do sleep 0.1; done
+  open_window target/release/pinhole "$3" "$2"
   if [ $# -ge 5 ]; then sleep 2; "$5"; fi
   xdotool mousemove 1279 799
   sleep "${4:-2}"
   import -window "$window" "$out/$1.png"
-  kill "$program"
-  wait "$program" 2>/dev/null || true
+  close_window
 }
 
 # Orbits the world view, a step a frame.

@@ -101,6 +101,7 @@ impl App {
     pub(super) fn back_to_step(&mut self, ctx: &Context) {
         if let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) {
             let seen_from = self.lessons.seen_from;
+            apply::clear_answers(open.step(), &mut self.session);
             self.open_lesson(open.place(), None);
             self.session.observer = open.step().looks.observer.or(seen_from);
             self.lessons.seen_from = seen_from;

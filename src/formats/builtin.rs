@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::assets::embedded;
 use super::{FileError, scene_file, suggest};
 use crate::document::Document;
 
@@ -14,31 +15,26 @@ pub struct Builtin {
     pub text: &'static str,
 }
 
-macro_rules! builtins {
-    ($($name:literal),* $(,)?) => {
-        &[$(Builtin {
-            name: $name,
-            text: include_str!(concat!("../../assets/scenes/", $name, ".toml")),
-        }),*]
-    };
-}
-
 /// In the lecture's order: the canonical camera, what may change about it, then where numbers get
 /// difficult.
-const ALL: &[Builtin] = builtins![
-    "canonical",
-    "distance-two",
-    "moved-eye",
-    "forty-five",
-    "look-at",
-    "roll",
-    "almost-parallel-up",
-    "planet",
-    "grazing",
-    "tiny-far",
-    "inside",
-    "non-square",
-];
+const ALL: &[Builtin] = embedded!(
+    Builtin,
+    "scenes",
+    [
+        "canonical",
+        "distance-two",
+        "moved-eye",
+        "forty-five",
+        "look-at",
+        "roll",
+        "almost-parallel-up",
+        "planet",
+        "grazing",
+        "tiny-far",
+        "inside",
+        "non-square",
+    ]
+);
 
 /// All of them.
 pub fn all() -> &'static [Builtin] {

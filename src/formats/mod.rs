@@ -3,6 +3,7 @@
 //! Nothing here knows a window. Whatever is wrong with a file is a [`FileError`], which says where
 //! and what would be right.
 
+pub(crate) mod assets;
 pub mod atomic;
 pub mod builtin;
 pub mod color;
@@ -16,5 +17,6 @@ pub mod rays;
 pub mod scene_argument;
 pub mod scene_file;
 mod suggest;
+pub(crate) mod svg;
 
 pub use error::{FileError, Place};

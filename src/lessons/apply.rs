@@ -3,12 +3,14 @@
 
 use super::lesson::Step;
 use crate::document::Document;
+use crate::exercises::Exercises;
 use crate::mistakes::Gallery;
 use crate::observer::Observer;
 use crate::overlay::Item;
 use crate::session::Session;
 
-/// Sets what the step says and leaves alone what it does not.
+/// Sets what the step says and leaves alone what it does not, and what was typed in answer to its
+/// question.
 ///
 /// `seen_from` is the observer that the step was first looked at from, where it says none.
 pub fn apply(
@@ -19,6 +21,13 @@ pub fn apply(
 ) {
     document.clone_from(&step.document);
     look(step, seen_from, session);
+}
+
+/// Takes away what was typed in answer to the step's question.
+pub fn clear_answers(step: &Step, session: &mut Session) {
+    if let Some(asked) = step.looks.exercise {
+        session.exercises = Exercises::open(asked.exercise, asked.seed);
+    }
 }
 
 /// Sets how the step is looked at.
@@ -32,6 +41,9 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut session.lines, looks.lines.clone());
     if let Some(chosen) = looks.mistake {
         session.gallery = Gallery { chosen, ..Gallery::default() };
+    }
+    if let Some(asked) = looks.exercise {
+        session.exercises.show(asked.exercise, asked.seed);
     }
     let settings = &mut session.settings;
     set(&mut settings.layout, looks.layout);
@@ -55,6 +67,7 @@ pub fn give_back(before: &Session, session: &mut Session) {
     session.walked = before.walked;
     session.lines = before.lines.clone();
     session.gallery = before.gallery;
+    session.exercises = before.exercises.clone();
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;
     settings.items = before.items;
@@ -76,6 +89,7 @@ pub fn differs(
         return true;
     }
     let mut looked_at = session.clone();
+    clear_answers(step, &mut looked_at);
     look(step, seen_from, &mut looked_at);
     looked_at != *session
 }

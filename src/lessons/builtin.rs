@@ -6,6 +6,7 @@ use std::sync::{Arc, LazyLock};
 use super::lesson::Lesson;
 use super::read;
 use crate::formats::FileError;
+use crate::formats::assets::embedded;
 
 /// A lesson that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,31 +17,26 @@ pub struct Builtin {
     pub text: &'static str,
 }
 
-macro_rules! builtins {
-    ($($name:literal),* $(,)?) => {
-        &[$(Builtin {
-            name: $name,
-            text: include_str!(concat!("../../assets/lessons/", $name, ".toml")),
-        }),*]
-    };
-}
-
 /// The lessons' files, in the lecture's order.
-pub const FILES: &[Builtin] = builtins![
-    "01-canonical-camera",
-    "02-warm-up",
-    "03-viewport-and-distance",
-    "04-eye-moved",
-    "05-orientation",
-    "06-forty-five-degrees",
-    "07-view-and-up",
-    "08-eye-at-up",
-    "09-when-it-breaks",
-    "10-as-printed",
-    "11-parametric-and-implicit",
-    "12-ray-and-objects",
-    "13-many-rays",
-];
+pub const FILES: &[Builtin] = embedded!(
+    Builtin,
+    "lessons",
+    [
+        "01-canonical-camera",
+        "02-warm-up",
+        "03-viewport-and-distance",
+        "04-eye-moved",
+        "05-orientation",
+        "06-forty-five-degrees",
+        "07-view-and-up",
+        "08-eye-at-up",
+        "09-when-it-breaks",
+        "10-as-printed",
+        "11-parametric-and-implicit",
+        "12-ray-and-objects",
+        "13-many-rays",
+    ]
+);
 
 impl Builtin {
     /// The lesson.

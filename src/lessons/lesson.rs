@@ -1,5 +1,6 @@
 //! What a lesson's file says, read.
 
+use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
 use crate::document::Document;
@@ -37,6 +38,15 @@ pub struct Step {
     pub looks: Looks,
 }
 
+/// A question: the lecture's own of its kind, or the one of a seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AskedExercise {
+    /// The kind.
+    pub exercise: Exercise,
+    /// The seed; the lecture's own numbers without one.
+    pub seed: Option<u64>,
+}
+
 /// How a step is looked at; `None` is left alone.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Looks {
@@ -66,4 +76,6 @@ pub struct Looks {
     pub t: Option<f64>,
     /// The lab of lines in two dimensions.
     pub lines: Option<LinesLab>,
+    /// The question of the exercises layout.
+    pub exercise: Option<AskedExercise>,
 }

@@ -3,12 +3,13 @@
 use std::fs;
 use std::path::Path;
 
+use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 use toml_edit::Document as Toml;
 
-use super::lesson::{Lesson, Looks, Step};
+use super::lesson::{AskedExercise, Lesson, Looks, Step};
 use crate::document::Document;
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
@@ -28,7 +29,7 @@ pub const VERSION: i64 = 1;
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// What a step may say, beside the tables of a scene.
-const STEP: [&str; 18] = [
+const STEP: [&str; 20] = [
     "title",
     "text",
     "scene",
@@ -47,6 +48,8 @@ const STEP: [&str; 18] = [
     "mistake",
     "t",
     "lines",
+    "exercise",
+    "seed",
 ];
 
 /// The layouts that a step can ask for, by name.
@@ -229,7 +232,26 @@ fn read_looks(section: &Section, looks: &mut Looks) -> Result<(), FileError> {
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
     })?;
     say(section, "t", &mut looks.t, Field::number)?;
-    say(section, "lines", &mut looks.lines, |field| lines(&field.section()?))
+    say(section, "lines", &mut looks.lines, |field| lines(&field.section()?))?;
+    looks.exercise = exercise(section)?.or(looks.exercise);
+    Ok(())
+}
+
+/// The question that is asked. A seed goes with the kind that stands beside it: that of another step
+/// would ask for other numbers.
+fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
+    let seed = section.get("seed");
+    let Some(field) = section.get("exercise") else {
+        return match seed {
+            Some(seed) => Err(seed.refuse("without exercise: say which, or leave the seed out")),
+            None => Ok(None),
+        };
+    };
+    let id = field.one_of(&Exercise::ALL.map(Exercise::id))?;
+    let exercise = Exercise::from_id(id)
+        .ok_or_else(|| field.error("it must be an exercise of the exercises layout"))?;
+    let seed = seed.map(|seed| seed.whole(0..=i64::MAX, "a whole number")).transpose()?;
+    Ok(Some(AskedExercise { exercise, seed: seed.map(i64::unsigned_abs) }))
 }
 
 fn observer(section: &Section) -> Result<Observer, FileError> {

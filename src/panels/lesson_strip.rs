@@ -85,9 +85,11 @@ const COLUMN: f32 = 330.0;
 
 /// All lessons with their steps, a teacher's own above the program's.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
-    let most = ui.ctx().content_rect().size() - vec2(40.0, 120.0);
-    ScrollArea::both().max_height(most.y.max(120.0)).max_width(most.x).show(ui, |ui| {
-        ui.set_width(COLUMNS as f32 * COLUMN);
+    let width = COLUMNS as f32 * COLUMN;
+    // A menu's own limit is smaller than all lessons.
+    ui.set_max_size((ui.ctx().content_rect().size() - vec2(40.0, 120.0)).max(vec2(200.0, 120.0)));
+    ScrollArea::both().show(ui, |ui| {
+        ui.set_width(width);
         if let Some(lesson) = file {
             entries(ui, Which::File, lesson, open, actions);
             ui.separator();

@@ -5,6 +5,7 @@ pub(crate) mod accuracy;
 pub(crate) mod camera;
 pub mod dialogs;
 pub(crate) mod exercises;
+pub mod export;
 pub(crate) mod formula;
 pub(crate) mod frame;
 pub(crate) mod handles;

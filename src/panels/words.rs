@@ -42,11 +42,23 @@ impl Words {
         font: Font,
         places: impl IntoIterator<Item = (Pos2, Align2)>,
     ) -> Option<Rect> {
+        self.write_clear_of(&[], text, font, places)
+    }
+
+    /// The same at the first of the places that none of these points of the drawing is in.
+    pub(super) fn write_clear_of(
+        &mut self,
+        points: &[Pos2],
+        text: &str,
+        font: Font,
+        places: impl IntoIterator<Item = (Pos2, Align2)>,
+    ) -> Option<Rect> {
         let galley = self.galley(text, font);
         for (at, align) in places {
             let rect = align.anchor_size(at, galley.size());
             let free = self.taken.iter().all(|taken| !taken.intersects(rect));
-            if free && self.within.contains_rect(rect) {
+            let clear = !points.iter().any(|point| rect.contains(*point));
+            if free && clear && self.within.contains_rect(rect) {
                 self.put(galley, rect, font.color);
                 return Some(rect);
             }

@@ -42,7 +42,7 @@ fn answer_on(window: &mut Harness<'_, App>, text: &str) {
     window.run();
 }
 
-fn answers(window: &mut Harness<'_, App>, part: &str, texts: &[&str]) {
+pub(crate) fn answers(window: &mut Harness<'_, App>, part: &str, texts: &[&str]) {
     if let [one] = texts {
         return answer(window, part, one);
     }

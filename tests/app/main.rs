@@ -6,6 +6,7 @@
 mod accuracy;
 mod edits;
 mod exercises;
+mod export;
 mod faults;
 mod frame;
 mod handles;

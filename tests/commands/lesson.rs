@@ -6,7 +6,7 @@ use super::{run, run_in};
 fn a_lesson_that_is_not_there_is_refused() {
     run("--lesson 14").refused("there is no lesson 14: there are lessons 1 to 13");
     run("--lesson 0").refused("there is no lesson 0: there are lessons 1 to 13");
-    run("--lesson 2.9").refused("lesson 2 has no step 9: it has steps 1 to 4");
+    run("--lesson 2.9").refused("lesson 2 has no step 9: it has steps 1 to 6");
     run("--lesson first").refused("a number from 1 to 13, or the path of a .toml file");
     run("canonical --lesson 2").refused("cannot be used with '--lesson");
 }

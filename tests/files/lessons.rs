@@ -4,9 +4,10 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole::lessons::{LessonArgument, Place, Which, builtin, load, parse};
+use pinhole::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
 use pinhole::overlay::{Item, OverlayItems};
 use pinhole::session::{Selection, ViewLayout};
+use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
 
 #[test]
@@ -14,7 +15,7 @@ fn every_lesson_is_read_and_says_how_it_begins() {
     assert_eq!(builtin::all().len(), 13);
     for file in builtin::FILES {
         let lesson = file.load().unwrap_or_else(|error| panic!("{error}"));
-        assert!((1..=5).contains(&lesson.steps.len()), "{}", file.name);
+        assert!((1..=6).contains(&lesson.steps.len()), "{}", file.name);
         // Whatever was shown before, a lesson begins in the same way.
         let looks = &lesson.steps[0].looks;
         assert!(
@@ -25,7 +26,8 @@ fn every_lesson_is_read_and_says_how_it_begins() {
                 && looks.keep_picture.is_some()
                 && looks.teaching.is_some()
                 && looks.ledger.is_some()
-                && looks.lit.is_some(),
+                && looks.lit.is_some()
+                && looks.observer.is_some(),
             "{}",
             file.name
         );
@@ -66,6 +68,8 @@ ledger = ["basis"]
 mistake = "w-as-printed"
 t = 2
 lines = { implicit = [1, 1, -2], p = [0, 0], d = [1, 1] }
+exercise = "eye-at-up"
+seed = 3
 [step.viewport]
 distance = 2
 [[step]]
@@ -80,6 +84,7 @@ radius = 2
 title = "D"
 text = "E."
 scene = "planet"
+exercise = "lines"
 "#
     );
     let lesson = parse(&text, Path::new("mine.toml"), None).unwrap();
@@ -92,6 +97,10 @@ scene = "planet"
     let observer = a.looks.observer.unwrap();
     assert_eq!((observer.target(), observer.distance()), (DVec3::new(0.0, 0.0, -3.0), 12.0));
     assert_eq!(a.looks.lines.as_ref().unwrap().ray.d, DVec2::ONE);
+    let asked = |exercise, seed| Some(AskedExercise { exercise, seed });
+    assert_eq!(a.looks.exercise, asked(Exercise::EyeAtUp, Some(3)));
+    assert_eq!(c.looks.exercise, a.looks.exercise);
+    assert_eq!(d.looks.exercise, asked(Exercise::Lines, None), "the seed was another question's");
     assert_eq!((a.looks.shade, a.looks.digits), (None, None), "left alone");
     assert_eq!(c.text, "Two lines.");
     assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
@@ -244,6 +253,22 @@ const STEPS: Cases = &[
         "7:12: step[0].observer.azimuth is missing: write azimuth = 40.0 (degrees, from +z towards +x)",
     ),
     (
+        "scene = \"canonical\"\nexercise = \"sfere\"\n",
+        "7:12: step[0].exercise is \"sfere\": did you mean \"sphere\"?",
+    ),
+    (
+        "scene = \"canonical\"\nexercise = \"circle\"\n",
+        "7:12: step[0].exercise is \"circle\": it must be one of warm-up-ray, warm-up-plane, distance, turned-basis, view-up, eye-at-up, sphere, lines",
+    ),
+    (
+        "scene = \"canonical\"\nseed = 3\n",
+        "7:8: step[0].seed is there without exercise: say which, or leave the seed out",
+    ),
+    (
+        "scene = \"canonical\"\nexercise = \"lines\"\nseed = -1\n",
+        "8:8: step[0].seed is -1: it must be a whole number, 0 to 9223372036854775807",
+    ),
+    (
         "scene = \"canonical\"\nlines = { implicit = [1, 2], p = [0, 0], d = [1, 1] }\n",
         "7:22: step[0].lines.implicit is [1, 2]: it must be a, b and c, such as [1.0, 1.0, -2.0]",
     ),
@@ -290,8 +315,8 @@ fn an_argument_is_a_number_a_step_or_a_file() {
             "99999999999999999999999",
             "there is no lesson 99999999999999999999999: there are lessons 1 to 13",
         ),
-        ("7.9", "lesson 7 has no step 9: it has steps 1 to 5"),
-        ("7.0", "lesson 7 has no step 0: it has steps 1 to 5"),
+        ("7.9", "lesson 7 has no step 9: it has steps 1 to 6"),
+        ("7.0", "lesson 7 has no step 0: it has steps 1 to 6"),
         ("-1", "\"-1\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
         ("basis", "\"basis\" is no lesson: a number from 1 to 13, or the path of a .toml file"),
     ] {

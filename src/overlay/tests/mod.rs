@@ -90,6 +90,7 @@ impl Stage {
             lit: None,
             walked: None,
             handles: &NO_HANDLES,
+            is_clear: false,
         }
     }
 

@@ -1,0 +1,102 @@
+//! From a scene of one's own into the lessons and back: nothing is lost, and nothing stays behind.
+
+use std::path::Path;
+
+use egui::Key;
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::formats::scene_file;
+use pinhole::lessons::{Place, Which};
+use pinhole::session::{Settings, ViewLayout};
+use pinhole::store::{Remembered, Store};
+
+use super::{Window, at_step, key, place, press};
+use crate::harness::{assert_says, type_into, window, window_with};
+
+#[test]
+fn lessons_open_from_the_bar_and_close_without_a_trace() {
+    let settings = Settings { layout: ViewLayout::Camera, digits: 9, ..Settings::default() };
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let mut window = window_with("planet", remembered, None);
+    let before = window.state().session().settings.clone();
+    window.get_by_label("Lessons").click();
+    window.run();
+    window.get_by_label("Lesson 9: When it breaks").click();
+    window.run();
+    assert_eq!(place(&window), (9, 1));
+    assert_ne!(window.state().session().settings, before);
+    press(&mut window, "Close the lesson");
+    assert!(window.state().lesson().is_none());
+    assert_eq!(window.state().session().settings, before);
+    assert_says(&window, "Lesson 9, step 1");
+    type_into(&mut window, "eye x", "1");
+    assert_says(&window, "Lesson 9, step 1 (changed)");
+}
+
+#[test]
+fn a_scenes_changes_are_asked_about_and_a_steps_are_not() {
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "7");
+    let open = |window: &mut Window| {
+        window.get_by_label("Lessons").click();
+        window.run();
+        window.get_by_label("Lesson 2: Warm-up").click();
+        window.run();
+    };
+    open(&mut window);
+    assert_says(&window, "Save the changes to canonical?");
+    press(&mut window, "Cancel");
+    assert_eq!(window.state().document().camera.eye.x, 7.0);
+    assert!(window.state().lesson().is_none());
+    open(&mut window);
+    press(&mut window, "Discard");
+    assert_eq!(place(&window), (2, 1));
+    // Saved, a step's scene is a file like any other.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    type_into(&mut window, "eye x", "3");
+    window.key_press_modifiers(egui::Modifiers::COMMAND, Key::S);
+    window.run();
+    window.get_by_role_and_label(Role::TextInput, "path").focus();
+    window.run();
+    window.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
+    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
+    window.run();
+    key(&mut window, Key::Enter);
+    assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 3.0);
+    type_into(&mut window, "eye x", "4");
+    press(&mut window, "Next");
+    assert_says(&window, "Save the changes to mine.toml?");
+    press(&mut window, "Save");
+    assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 4.0);
+    assert_eq!(place(&window), (2, 2));
+}
+
+#[test]
+fn the_next_run_goes_on_at_the_step_and_has_the_settings_from_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    let mut window = window_with("planet", Remembered::default(), Some(store.clone()));
+    window.state_mut().open_lesson(Place { lesson: Which::Builtin(8), step: 1 }, None);
+    window.run();
+    type_into(&mut window, "eye x", "7");
+    window.state_mut().on_exit();
+    let remembered = store.load();
+    assert_eq!(remembered.lesson_place(), Some(Place { lesson: Which::Builtin(8), step: 1 }));
+    assert_eq!(remembered.last.as_deref(), Some(Path::new("planet")));
+    assert_eq!(remembered.settings, Settings::default());
+    assert!(!store.unsaved().exists(), "a step's changes are nobody's loss");
+}
+
+#[test]
+fn another_scene_ends_the_lesson() {
+    let mut window = at_step(2, 1);
+    window.get_by_label("Scenes").click();
+    window.run();
+    window.get_by_label("planet").click();
+    window.run();
+    assert!(window.state().lesson().is_none());
+    let radii: Vec<f64> =
+        window.state().document().spheres.iter().map(|item| item.shape.radius).collect();
+    assert!(radii.contains(&5000.0), "{radii:?}");
+}

@@ -1,0 +1,360 @@
+//! The numbers of every step, as they are read on the screen and by screen readers.
+//!
+//! What is expected is written by hand: DESIGN's exact answers, or what follows from them in the head,
+//! as the comments say.
+
+use std::collections::BTreeSet;
+
+use egui_kittest::kittest::NodeT as _;
+use pinhole::lessons::builtin;
+
+use super::{Window, at_step, go_to};
+
+/// What is there, and how it reads.
+type Reads = (&'static str, &'static str);
+
+/// In place of a name: a text that stands for itself.
+const SAYS: &str = "";
+
+/// Lesson, step, and what is read in it.
+const NUMBERS: &[(usize, usize, &[Reads])] = &[
+    // The canonical camera: eye at the origin, along -z, 1 x 1 at distance 1.
+    (
+        1,
+        1,
+        &[
+            ("p", "(0, 0, 0)"),
+            ("d", "(0, 0, −1)"),
+            ("width", "1"),
+            ("height", "1"),
+            ("distance", "1"),
+            ("u", "(1, 0, 0)"),
+            ("v", "(0, 1, 0)"),
+            ("w", "(0, 0, 1)"),
+        ],
+    ),
+    // u = 5.5/8 - 1/2 and v = 1/2 - 2.5/8.
+    (1, 2, &[("pixel", "row 2, column 5"), ("(u, v)", "(0.1875, 0.1875)")]),
+    // -1/800 and 201/800.
+    (1, 3, &[("row i", "100, column j = 200"), ("u", "−0.00125"), ("v", "0.25125")]),
+    (1, 4, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (−0.00125, 0.25125, −1)")]),
+    (2, 1, &[("𝐩 + t 𝐝", "(0, 0, 0) + t (0.2, −0.1, −1)")]),
+    (2, 2, &[("(u, v)", "(0.2, −0.1)"), ("pixel", "the corner of four pixels")]),
+    // (0.5 + 0.2) 10 = 7 columns from the left and (0.5 + 0.1) 10 = 6 rows from the top.
+    (
+        2,
+        3,
+        &[
+            (SAYS, "Camera view, 10 × 10 pixels"),
+            ("pixel", "the corner of four pixels"),
+            ("d", "(0.2, −0.1, −1)"),
+        ],
+    ),
+    (2, 4, &[("t", "6"), ("hit", "(1.2, −0.6, −6)")]),
+    (2, 5, &[(SAYS, "What is the viewing ray p + t d through (u, v) = (0.3, −0.2)?")]),
+    (
+        2,
+        6,
+        &[(
+            SAYS,
+            "The ray through (u, v) = (0.4, −0.2), with d as the lecture builds it, meets the plane z = −4. At which t, and where?",
+        )],
+    ),
+    // Twice those of 1.3.
+    (3, 1, &[("(u, v)", "(−0.0025, 0.5025)"), ("width", "2"), ("height", "2")]),
+    (3, 2, &[("d", "(0.2, −0.1, −2)"), ("t", "3"), ("point", "(0.6, −0.3, −6)")]),
+    // The warm-up's point, reached in half as many steps of twice the length.
+    (3, 3, &[("d", "(0.4, −0.2, −2)"), ("t", "3"), ("point", "(1.2, −0.6, −6)")]),
+    // 1.5/400 over 1/400.
+    (3, 4, &[(SAYS, "Pixels are 1.5 times as wide as high: spheres look stretched")]),
+    (
+        3,
+        5,
+        &[
+            (SAYS, "A canonical camera, but the viewport is at distance 2.5 from the eye."),
+            (
+                SAYS,
+                "What is d through (u, v) = (0.3, 0.1), so that t = 1 is on the viewport? At which t is the plane z = −7.5?",
+            ),
+        ],
+    ),
+    (4, 1, &[("𝐩 + t 𝐝", "(0.5, 0.4, 1) + t (0.2, −0.1, −1)")]),
+    // at - eye = (-0.5, -0.4, -6), ten times which is (-5, -4, -60): 25 + 16 + 3600 = 3641.
+    (4, 2, &[("−distance 𝐰", "(−5, −4, −60)/√3641")]),
+    // 0.2, -0.1 and -1 in three bases.
+    (
+        5,
+        1,
+        &[
+            ("u 𝐮", "0.2 (1, 0, 0) = (0.2, 0, 0)"),
+            ("v 𝐯", "−0.1 (0, 1, 0) = (0, −0.1, 0)"),
+            ("−distance 𝐰", "−1 (0, 0, 1) = (0, 0, −1)"),
+            ("𝐝", "(0.2, −0.1, −1)"),
+        ],
+    ),
+    // With s = 1/√2: (0.2 s, 0, -0.2 s), and (-0.8 s, -0.1, -1.2 s).
+    (
+        5,
+        2,
+        &[
+            ("u 𝐮", "0.2 (1/√2, 0, −1/√2) = (√2/10, 0, −√2/10)"),
+            ("v 𝐯", "−0.1 (0, 1, 0) = (0, −0.1, 0)"),
+            ("−distance 𝐰", "−1 (1/√2, 0, 1/√2) = (−1/√2, 0, −1/√2)"),
+            ("𝐝", "(−2 √2/5, −0.1, −3 √2/5)"),
+        ],
+    ),
+    (
+        5,
+        3,
+        &[
+            ("u 𝐮", "0.2 (0, 0, 1) = (0, 0, 0.2)"),
+            ("v 𝐯", "−0.1 (1, 0, 0) = (−0.1, 0, 0)"),
+            ("−distance 𝐰", "−1 (0, 1, 0) = (0, −1, 0)"),
+            ("𝐝", "(−0.1, −1, 0.2)"),
+        ],
+    ),
+    (6, 1, &[("u", "(0.70711, 0, −0.70711)"), ("v", "(0, 1, 0)"), ("w", "(0.70711, 0, 0.70711)")]),
+    (
+        6,
+        2,
+        &[
+            ("|𝐮|", "1"),
+            ("|𝐯|", "1"),
+            ("|𝐰|", "1"),
+            ("𝐮 · 𝐯", "0"),
+            ("𝐯 · 𝐰", "0"),
+            ("𝐰 · 𝐮", "0"),
+            ("(𝐮 × 𝐯) · 𝐰", "1"),
+        ],
+    ),
+    (6, 3, &[("𝐝", "(−2 √2/5, −0.1, −3 √2/5)")]),
+    // -w has an x, too.
+    (6, 4, &[("−distance 𝐰", "(−1/√2, 0, −1/√2)"), ("𝐝", "(−2 √2/5, −0.1, −3 √2/5)")]),
+    (6, 5, &[("t", "5 √2"), ("hit", "(−4, −1/√2, −6)")]),
+    (
+        6,
+        6,
+        &[(
+            SAYS,
+            "What are u, v and w, and d = u u + v v − w for (u, v) = (0.2, 0.1)? At which t does it meet the plane z = 4?",
+        )],
+    ),
+    (7, 1, &[("swing up", "0°"), ("up from view", "90°"), ("d", "(0, 0, −1)")]),
+    (7, 2, &[("−view", "(0, 1, 0)"), ("𝐰", "(0, 1, 0)")]),
+    // √2 sin(45°) = 1.
+    (7, 3, &[("up × 𝐰", "(0, 0, 1)"), ("|up × 𝐰|", "1"), ("𝐮", "(0, 0, 1)")]),
+    (7, 4, &[("𝐯", "(1, 0, 0)")]),
+    // Up is (1, 1, 0), view (0, -1, 0): 135 degrees, and 1/sin(135°) = √2.
+    (
+        7,
+        5,
+        &[
+            ("u", "(0, 0, 1)"),
+            ("v", "(1, 0, 0)"),
+            ("w", "(0, 1, 0)"),
+            ("angle(up, view)", "135°"),
+            ("conditioning", "1.4142"),
+        ],
+    ),
+    (7, 6, &[(SAYS, "A camera looks along view = (3, 0, 0), with up = (−1, 3, 4).")]),
+    (8, 1, &[("view", "(−21, −4, −15)")]),
+    (8, 2, &[("𝐰", "(21, 4, 15)/√682"), ("𝐮", "(5, 0, −7)/√74")]),
+    // At is √682 = 26.115 away; the ball around it has radius 3.
+    (8, 3, &[("(u, v)", "(0, 0)"), ("d", "(−0.80413, −0.15317, −0.57438)"), ("t", "23.115")]),
+    (
+        8,
+        4,
+        &[(
+            SAYS,
+            "A camera at eye = (−4, 3, −3) looks at the point at = (−3, 2, −5), with up = (0, 1, 0).",
+        )],
+    ),
+    // The eye is √52 from at, and 4 off the vertical through it: √52/4.
+    (9, 1, &[("conditioning", "1.8° of roll per 1° of up"), ("conditioning", "1.8028")]),
+    // √(8² + 0.05²)/0.05, and 180° less atan(0.05/8).
+    (9, 2, &[("conditioning", "160° of roll per 1° of up"), ("angle(up, view)", "179.64°")]),
+    (
+        9,
+        3,
+        &[
+            ("up × 𝐰", "(0, 0, 0)"),
+            (SAYS, "up (0, 1, 0) is parallel to the view direction (0, −8, 0): turn one of them"),
+        ],
+    ),
+    (
+        9,
+        4,
+        &[
+            ("view", "(0, 0, 0)"),
+            (SAYS, "eye and at are the same point (0, 0, 0): move one of them"),
+        ],
+    ),
+    (9, 5, &[("up × 𝐰", "(0, 0, 0)"), (SAYS, "up is (0, 0, 0): it must point somewhere")]),
+    // Normalize(view) for its opposite; u = up x w turns with it, v = w x u does not.
+    (10, 1, &[("wrong w", "(0, 0, −1)"), (SAYS, "(0, 0, 1)")]),
+    (
+        10,
+        2,
+        &[
+            ("wrong u", "(−1, 0, 0)"),
+            ("|𝐮|", "1 passes"),
+            ("|𝐯|", "1 passes"),
+            ("|𝐰|", "1 passes"),
+            ("𝐮 · 𝐯", "0 passes"),
+            ("(𝐮 × 𝐯) · 𝐰", "1 passes"),
+        ],
+    ),
+    (10, 3, &[("𝐰 · view / |view|", "1 finds it"), (SAYS, "right: −1 < 0")]),
+    (11, 1, &[("f(x, y)", "1 x + 1 y − 2"), (SAYS, "at t = 0:  f = −2 < 0")]),
+    // 0.5 + 0.5 - 2.
+    (11, 2, &[("slide t", "(0.5, 0.5)"), (SAYS, "at t = 0.5:  f = −1 < 0")]),
+    (
+        11,
+        3,
+        &[
+            (SAYS, "= 2 t − 2"),
+            ("t", "1"),
+            (SAYS, "They meet at t = 1, at (1, 1). t > 0: the ray hits."),
+        ],
+    ),
+    // 2 t - t + 1.
+    (
+        11,
+        4,
+        &[
+            (SAYS, "= 1 t + 1"),
+            (SAYS, "Line met but ray missed: t = −1 < 0, at (−1, −1), behind p."),
+        ],
+    ),
+    // t - t + 1.
+    (
+        11,
+        5,
+        &[
+            (SAYS, "= 0 t + 1"),
+            (SAYS, "Parallel: f(p + t d) is 1 at every t, never 0. They never meet."),
+        ],
+    ),
+    (11, 6, &[(SAYS, "The line x − 3y + 11 = 0 and the ray (1, 3) + t (−3, −2).")]),
+    (12, 1, &[(SAYS, "straight line, 0 at t = 6"), ("p + t d", "(1.2, −0.6, −6)")]),
+    (12, 2, &[(SAYS, "D > 0: in at t = 4, out at t = 6"), ("p + t d", "(0, 0, −4)")]),
+    // At (1, -0.5, -5): 1 + 0.25 - 1.
+    (12, 3, &[(SAYS, "D < 0: f is never 0: missed"), (SAYS, "at t = 5: f = 0.25 > 0: outside")]),
+    (12, 4, &[(SAYS, "D = 0: f touches 0 once, at t = 5: tangent: hit")]),
+    // 1 - 4 and 1 + 4; -2 - 1/2 and -2 + 1/2.
+    (
+        12,
+        5,
+        &[
+            (SAYS, "f < 0 at t = 0: the eye is inside; −3 is behind, 5 is its first root ahead"),
+            (SAYS, "0 only at t = −2.5 and −1.5, not ahead of the eye: no hit"),
+        ],
+    ),
+    (
+        12,
+        6,
+        &[(
+            SAYS,
+            "The ray (0, −2, 1) + t (0, 0, −2) and the sphere around (4, −2, −10) of radius 5.",
+        )],
+    ),
+    // 10 - 2 and 10 + 2; 5 - 1 and 5 + 1; the wall.
+    (
+        13,
+        1,
+        &[
+            ("Camera view", "u 0, v 0: hits object 1 at t = 4"),
+            (SAYS, "D > 0: in at t = 4, out at t = 6"),
+            (SAYS, "D > 0: in at t = 8, out at t = 12"),
+            (SAYS, "straight line, 0 at t = 14"),
+        ],
+    ),
+    // -5 - 1 and -5 + 1.
+    (
+        13,
+        2,
+        &[
+            ("Camera view", "u 0, v 0: hits object 1 at t = 4"),
+            (SAYS, "0 only at t = −6 and −4, not ahead of the eye: no hit"),
+        ],
+    ),
+    // Half a pixel off the middle; the ball's surface is √682 - 3 away, as in 8.3.
+    (13, 3, &[("(u, v)", "(0.00125, −0.00125)"), ("t", "23.115")]),
+];
+
+/// What a text says of what: `𝐮 = normalize(…) = (1, 0, 0)/1 = (1, 0, 0)   (a remark)` reads
+/// `(1, 0, 0)` for 𝐮, and so does all that stands between; `|𝐮|: 1 passes` reads `1 passes`.
+fn reads(text: &str, (name, reading): Reads) -> bool {
+    if name == SAYS {
+        return text == reading;
+    }
+    let text = text.split("   (").next().unwrap_or_default();
+    let Some(rest) = text.strip_prefix(name) else { return false };
+    if rest.strip_prefix(": ") == Some(reading) {
+        return true;
+    }
+    let Some(rest) = rest.strip_prefix(" = ") else { return false };
+    let exact = |text: &str| text.split(" ≈ ").next() == Some(reading);
+    exact(rest) || rest.rsplit(" = ").next().is_some_and(exact)
+}
+
+/// Every text on the screen, and every value with its label.
+fn texts(window: &Window) -> Vec<(String, Option<String>)> {
+    let nodes = window.root().children_recursive();
+    // A space that breaks no line reads like any other.
+    let plain = |text: Option<String>| text.map(|text| text.replace('\u{a0}', " "));
+    let texts =
+        nodes.map(|node| node.accesskit_node()).map(|n| (plain(n.label()), plain(n.value())));
+    texts
+        .filter_map(|texts| match texts {
+            (Some(label), value) => Some((label, value)),
+            (None, value) => Some((value?, None)),
+        })
+        .collect()
+}
+
+fn check(window: &Window, (lesson, step): (usize, usize), wanted: Reads) {
+    let texts = texts(window);
+    let found = texts.iter().any(|(text, value)| match value {
+        Some(value) => text == wanted.0 && value == wanted.1 || reads(value, wanted),
+        None => reads(text, wanted),
+    });
+    let alike =
+        || -> Vec<_> { texts.iter().filter(|(text, _)| text.starts_with(wanted.0)).collect() };
+    assert!(found, "{lesson}.{step}: no {wanted:?}; there is {:?}", alike());
+}
+
+#[test]
+fn every_step_reads_what_it_is_about() {
+    let mut window = at_step(1, 1);
+    for &(lesson, step, wanted) in NUMBERS {
+        go_to(&mut window, lesson, step);
+        for reads in wanted {
+            check(&window, (lesson, step), *reads);
+        }
+    }
+}
+
+#[test]
+fn no_step_is_without_a_number() {
+    let steps = |(index, lesson): (usize, &std::sync::Arc<pinhole::lessons::Lesson>)| {
+        (1..=lesson.steps.len()).map(move |step| (index + 1, step)).collect::<Vec<_>>()
+    };
+    let all: BTreeSet<_> = builtin::all().iter().enumerate().flat_map(steps).collect();
+    let known: BTreeSet<_> =
+        NUMBERS.iter().filter(|row| !row.2.is_empty()).map(|row| (row.0, row.1)).collect();
+    assert_eq!(known, all);
+}
+
+#[test]
+fn a_text_reads_its_first_name_and_its_last_value() {
+    let line =
+        "𝐮 = normalize(up × 𝐰) = (0.57, 0)/0.98 = (5, 0, −7)/√74 ≈ (0.58, 0, −0.81)   (a, b)";
+    assert!(reads(line, ("𝐮", "(5, 0, −7)/√74")));
+    assert!(reads("row i = 100, column j = 200   (from 1)", ("row i", "100, column j = 200")));
+    assert!(reads("|𝐮|: 1 passes", ("|𝐮|", "1 passes")));
+    for wrong in [("𝐮", "(5, 0, −7)/√7"), ("𝐯", "(5, 0, −7)/√74"), ("𝐮", "(0.57, 0)/0.98")]
+    {
+        assert!(!reads(line, wrong), "{wrong:?}");
+    }
+}

@@ -1,0 +1,70 @@
+//! The strip and its keys: the way through the lessons.
+
+use egui::Key;
+use egui::accesskit::Role;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::lessons::builtin;
+use pinhole::session::Selection;
+use pinhole_core::Pixel;
+
+use super::{at_step, key, place};
+use crate::harness::{says, type_into, window};
+
+#[test]
+fn keys_go_through_the_lessons_unless_a_view_wants_them() {
+    let mut window = at_step(2, 1);
+    for (pressed, now) in [
+        (Key::ArrowRight, (2, 2)),
+        (Key::PageDown, (2, 3)),
+        (Key::ArrowLeft, (2, 2)),
+        (Key::PageUp, (2, 1)),
+        (Key::PageUp, (1, 4)),
+    ] {
+        key(&mut window, pressed);
+        assert_eq!(place(&window), now, "{pressed:?}");
+    }
+    window.get_by_role_and_label(Role::Image, "Camera view").focus();
+    window.run();
+    key(&mut window, Key::ArrowRight);
+    assert_eq!(place(&window), (1, 4));
+    let pixel = Pixel { row: 99, column: 200 };
+    assert_eq!(window.state().session().selection, Selection::Pixel(pixel));
+    key(&mut window, Key::PageDown);
+    assert_eq!(place(&window), (2, 1), "a remote control works wherever the focus is");
+    window.get_by_role_and_label(Role::SpinButton, "eye x").click();
+    window.run();
+    key(&mut window, Key::R);
+    assert_eq!(place(&window), (2, 1));
+    key(&mut window, Key::ArrowRight);
+    assert_eq!(place(&window), (2, 1), "a field wants its arrows");
+}
+
+#[test]
+fn contents_lead_everywhere() {
+    let mut window = at_step(1, 1);
+    let size = egui::vec2(1280.0, 720.0);
+    window.set_size(size);
+    window.run();
+    window.get_by_label("Contents").click();
+    window.run();
+    let inside = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
+    for lesson in builtin::all() {
+        for (index, step) in lesson.steps.iter().enumerate() {
+            let entry = window.get_by_label(&format!("{}. {}", index + 1, step.title)).rect();
+            assert!(inside.contains_rect(entry), "{}: {entry}", step.title);
+        }
+    }
+    window.get_by_label("2. Its basis").click();
+    window.run();
+    assert_eq!(place(&window), (8, 2));
+    assert!(!says(&window, "2. Its basis"), "the contents are closed again");
+}
+
+#[test]
+fn r_asks_nothing_where_no_lesson_is_open() {
+    let mut window = window("canonical");
+    type_into(&mut window, "eye x", "7");
+    key(&mut window, Key::R);
+    assert!(!says(&window, "Save the changes to canonical?"));
+    assert_eq!(window.state().document().camera.eye.x, 7.0);
+}

@@ -1,0 +1,129 @@
+//! The way through every step with *Next*: each says what it is about, and sets all that it says.
+
+use egui::Key;
+use egui::accesskit::Role;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use pinhole::app::App;
+use pinhole::exercises::Exercises;
+use pinhole::lessons::{Looks, Step, builtin};
+
+use super::{Window, at_step, key, place, press};
+use crate::harness::{assert_says, drag_from, texts_with, type_into};
+
+/// Fails unless the window is as the step says, in all that it says.
+fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
+    assert_eq!(*app.document(), step.document, "{now:?}");
+    let session = app.session();
+    assert_eq!(session.selection, step.selection, "{now:?}");
+    let Looks {
+        observer,
+        layout,
+        items,
+        shade,
+        count_from_one,
+        digits,
+        keep_picture,
+        teaching,
+        ledger,
+        lit,
+        mistake,
+        t,
+        lines,
+        exercise,
+    } = step.looks.clone();
+    let settings = &session.settings;
+    let all_as_said = [
+        ("observer", observer.is_none_or(|said| session.observer == Some(said))),
+        ("layout", layout.is_none_or(|said| settings.layout == said)),
+        ("items", items.is_none_or(|said| settings.items == said)),
+        ("shade", shade.is_none_or(|said| settings.shade == said)),
+        ("count_from_one", count_from_one.is_none_or(|said| settings.count_from_one == said)),
+        ("digits", digits.is_none_or(|said| settings.digits == said)),
+        ("keep_picture", keep_picture.is_none_or(|said| settings.keep_picture == said)),
+        ("teaching", teaching.is_none_or(|said| settings.teaching == said)),
+        ("ledger", ledger.is_none_or(|said| session.sections == said)),
+        ("lit", lit.is_none_or(|said| session.lit == said)),
+        ("mistake", mistake.is_none_or(|said| session.gallery.shown() == said)),
+        ("t", session.walked == t),
+        ("lines", lines.is_none_or(|said| session.lines == said)),
+        (
+            "exercise",
+            exercise
+                .is_none_or(|said| session.exercises == Exercises::open(said.exercise, said.seed)),
+        ),
+    ];
+    for (what, is_as_said) in all_as_said {
+        assert!(is_as_said, "{now:?}: {what}");
+    }
+}
+
+#[test]
+fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
+    let mut window = at_step(1, 1);
+    for (index, lesson) in builtin::all().iter().enumerate() {
+        for (k, step) in lesson.steps.iter().enumerate() {
+            let now = (index + 1, k + 1);
+            assert_eq!(place(&window), now);
+            assert_says(&window, &format!("Lesson {}: {}", now.0, lesson.title));
+            assert_says(&window, &step.title);
+            assert_says(&window, &step.text.replace('*', ""));
+            assert_says(&window, &format!("{} of {}", now.1, lesson.steps.len()));
+            assert_is_as_said(window.state(), step, now);
+            for wrong in ["NaN", "nan"] {
+                assert!(texts_with(&window, wrong).is_empty(), "{now:?}");
+            }
+            let next = window.get_by_role_and_label(Role::Button, "Next");
+            let last = index + 1 == builtin::all().len() && k + 1 == lesson.steps.len();
+            assert_eq!(next.accesskit_node().is_disabled(), last, "{now:?}");
+            if !last {
+                press(&mut window, "Next");
+            }
+        }
+    }
+    press(&mut window, "Previous");
+    assert_eq!(place(&window), (13, 2));
+}
+
+/// Drags the eye, another layout and the observer.
+fn disturb(window: &mut Window) {
+    type_into(window, "eye x", "0.125");
+    press(window, "World");
+    let view = window.get_by_role_and_label(Role::Image, "World view").rect();
+    drag_from(window, view.min + egui::vec2(60.0, 60.0), egui::vec2(50.0, 20.0));
+}
+
+#[test]
+fn after_dragging_in_any_step_r_brings_back_all_of_it() {
+    let mut window = at_step(1, 1);
+    // Small views are quickly traced.
+    window.set_size(egui::vec2(1280.0, 560.0));
+    window.run();
+    for (index, lesson) in builtin::all().iter().enumerate() {
+        for (k, step) in lesson.steps.iter().enumerate() {
+            let now = (index + 1, k + 1);
+            assert_eq!(place(&window), now);
+            let before = window.state().session().clone();
+            disturb(&mut window);
+            assert_ne!(*window.state().document(), step.document, "{now:?}");
+            assert_ne!(window.state().session().observer, before.observer, "{now:?}");
+            key(&mut window, Key::R);
+            assert_is_as_said(window.state(), step, now);
+            assert_eq!(*window.state().session(), before, "{now:?}");
+            key(&mut window, Key::PageDown);
+        }
+    }
+}
+
+#[test]
+fn a_step_is_the_same_however_it_is_reached() {
+    for (lesson, step) in [(3, 3), (7, 4), (12, 5)] {
+        let direct = at_step(lesson, step);
+        let mut walked = at_step(lesson, 1);
+        for _ in 1..step {
+            press(&mut walked, "Next");
+        }
+        assert_eq!(direct.state().document(), walked.state().document());
+        assert_eq!(direct.state().session().selection, walked.state().session().selection);
+        assert_eq!(direct.state().session().settings, walked.state().session().settings);
+    }
+}
