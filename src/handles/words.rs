@@ -26,7 +26,7 @@ pub fn label(handle: Handle, document: &Document) -> String {
         Handle::Corner(ViewportCorner::BottomRight) => "viewport, bottom right corner",
         Handle::Distance => "viewport's distance",
         Handle::Pixel => "selected pixel",
-        Handle::Center(k) => return of(k, "center"),
+        Handle::Center(k) => return of(k, "centre"),
         Handle::Radius(k) => return of(k, "radius"),
         Handle::Point(k) => return of(k, "point"),
         Handle::Normal(k) => return of(k, "normal"),
@@ -48,7 +48,7 @@ pub fn value(handle: Handle, part: &Part, digits: usize, from_one: bool) -> Stri
     let at = match camera.orientation {
         Orientation::At { at, .. } => named("at", at),
         Orientation::View { view, .. } => named("view", view),
-        Orientation::Basis(basis) => named("w", basis.w),
+        Orientation::Basis(basis) => named("𝐰", basis.w),
     };
     let viewport = camera.viewport;
     match handle {
@@ -56,7 +56,7 @@ pub fn value(handle: Handle, part: &Part, digits: usize, from_one: bool) -> Stri
         Handle::At => at,
         Handle::Up => named("up", camera.up()),
         Handle::Roll => match camera.orientation {
-            Orientation::Basis(basis) => named("v", basis.v),
+            Orientation::Basis(basis) => named("𝐯", basis.v),
             _ => named("up", camera.up()),
         },
         Handle::Dolly => match camera.orientation {
@@ -77,7 +77,7 @@ pub fn value(handle: Handle, part: &Part, digits: usize, from_one: bool) -> Stri
             }
             Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
         },
-        Handle::Center(_) => part.sphere().map_or(String::new(), |s| named("center", s.center)),
+        Handle::Center(_) => part.sphere().map_or(String::new(), |s| named("centre", s.center)),
         Handle::Radius(_) => {
             part.sphere().map_or(String::new(), |s| format!("radius = {}", number(s.radius)))
         }

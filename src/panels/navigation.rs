@@ -212,7 +212,7 @@ fn lines(way: Way, before: &Camera, now: &Camera, digits: usize) -> Vec<String> 
         Way::Orbit if by_at => "orbit round at",
         Way::Orbit => "orbit",
         Way::Zoom => "zoom: the field of view",
-        Way::Dolly => "dolly along w",
+        Way::Dolly => "dolly along 𝐰",
     };
     let mut lines = vec![title.to_owned()];
     if way == Way::Zoom {
@@ -233,9 +233,9 @@ fn lines(way: Way, before: &Camera, now: &Camera, digits: usize) -> Vec<String> 
     match (before.orientation, now.orientation) {
         (Orientation::At { at, .. }, Orientation::At { at: new, .. }) => tell("at", at, new),
         (Orientation::Basis(old), Orientation::Basis(new)) => {
-            tell("u", old.u, new.u);
-            tell("v", old.v, new.v);
-            tell("w", old.w, new.w);
+            tell("𝐮", old.u, new.u);
+            tell("𝐯", old.v, new.v);
+            tell("𝐰", old.w, new.w);
             return lines;
         }
         _ => tell("view", before.view(), now.view()),

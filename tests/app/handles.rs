@@ -83,7 +83,7 @@ const FREE: [(&str, &str, &str); 11] = [
     ("canonical", "eye handle", "move eye"),
     ("canonical", "at handle", "move at"),
     ("canonical", "up handle", "turn up"),
-    ("canonical", "sphere 0 “ball”: center handle", "move sphere 0 “ball”"),
+    ("canonical", "sphere 0 “ball”: centre handle", "move sphere 0 “ball”"),
     ("canonical", "sphere 0 “ball”: radius handle", "resize sphere 0 “ball”"),
     ("look-at", "eye handle", "move eye"),
     ("look-at", "at handle", "move at"),
@@ -336,7 +336,7 @@ fn an_eye_that_is_put_to_at_shows_the_fault_and_is_led_out_of_it() {
     harness.key_down(Key::Z);
     pull(&mut harness, at);
     assert_eq!(camera(&harness).eye, DVec3::NEG_Z);
-    assert_says(&harness, "eye and at are the same point (0, 0, -1): move one of them");
+    assert_says(&harness, "eye and at are the same point (0, 0, −1): move one of them");
     harness.key_up(Key::Z);
     with_modifiers(&mut harness, Modifiers::NONE);
     pull(&mut harness, from + vec2(5.0, 5.0));
@@ -411,7 +411,7 @@ fn every_handle_is_moved_by_keys() {
         "dolly along w handle",
         "viewport, bottom left corner handle",
         "viewport's distance handle",
-        "sphere 0 “ball”: center handle",
+        "sphere 0 “ball”: centre handle",
         "sphere 0 “ball”: radius handle",
     ];
     for name in names {
@@ -585,7 +585,7 @@ fn handles_that_lie_together_take_turns_with_each_click() {
     // The orange ball's centre is the point at.
     let mut harness = window("look-at");
     let at = node_at(&harness, "at handle");
-    assert_near(at, node_at(&harness, "sphere 0 “target”: center handle"));
+    assert_near(at, node_at(&harness, "sphere 0 “target”: centre handle"));
     let before = document(&harness);
     let selected = harness.state().session().selection;
     for expected in [Handle::At, Handle::Center(0), Handle::At] {

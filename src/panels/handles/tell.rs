@@ -11,10 +11,12 @@ use pinhole_core::steering::Keep;
 use super::{HandInput, View, id_of, keys};
 use crate::derive::Derived;
 use crate::document::Document;
-use crate::handles::{self, Along, Handle, Part, grips, label, value};
+use crate::handles::{Along, Axis, Handle, Part, grips, label, value};
+use crate::letters::{bold, told};
 use crate::number::written;
 use crate::panels::number::error_color;
 use crate::session::Session;
+use crate::thing::{Pointed, Pointing};
 
 /// Sizes of what is said, in points: the value, and the rest.
 const VALUE: f32 = 19.0;
@@ -79,6 +81,9 @@ impl HandInput {
         if session.hand.held.is_some() {
             self.say_held(&mut lines, handle, session);
         } else {
+            if let Some(Pointed { thing, by: Pointing::View }) = session.pointed {
+                lines.push(thing.words(|object| document.title_of(object as usize)));
+            }
             let rested = ui.input(|i| i.time) - self.over_since;
             if rested >= HINT {
                 say_hint(&mut lines, handle, session);
@@ -95,9 +100,9 @@ impl HandInput {
         if handle.is_free() {
             match session.hand.along {
                 Along::View => {}
-                Along::Axis(axis) => lines.push(format!("along {}", axis.name())),
+                Along::Axis(axis) => lines.push(format!("along {}", written_axis(axis))),
                 Along::Without(axis) => {
-                    let [a, b] = axis.others().map(handles::Axis::name);
+                    let [a, b] = axis.others().map(written_axis);
                     lines.push(format!("in the plane of {a} and {b}"));
                 }
             }
@@ -121,6 +126,12 @@ impl HandInput {
     }
 }
 
+/// An axis's letter; a vector's is bold.
+fn written_axis(axis: Axis) -> String {
+    let is_vector = matches!(axis, Axis::U | Axis::V | Axis::W);
+    axis.name().chars().map(|letter| if is_vector { bold(letter) } else { letter }).collect()
+}
+
 fn eye_keeps(keep: Keep) -> &'static str {
     match keep {
         Keep::At => "orbit: at stays",
@@ -135,10 +146,10 @@ fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
         }
         Handle::At => "the camera turns to it".to_owned(),
         Handle::Up => "the tip of up".to_owned(),
-        Handle::Roll => "roll: round w".to_owned(),
-        Handle::Dolly => "dolly: the eye along w".to_owned(),
+        Handle::Roll => "roll: round 𝐰".to_owned(),
+        Handle::Dolly => "dolly: the eye along 𝐰".to_owned(),
         Handle::Corner(_) => "the viewport's corner; U, V: one of them".to_owned(),
-        Handle::Distance => "along w".to_owned(),
+        Handle::Distance => "along 𝐰".to_owned(),
         Handle::Pixel => "the selected pixel, on the viewport".to_owned(),
         Handle::Center(_) | Handle::Radius(_) | Handle::Point(_) => String::new(),
         Handle::Normal(_) => "the tip of the normal".to_owned(),
@@ -185,7 +196,7 @@ pub(in crate::panels) fn say(
         }
         if let Some(reason) = refused {
             let color = error_color(ui);
-            ui.label(RichText::new(reason).size(REST).color(color));
+            ui.label(RichText::new(told(reason)).size(REST).color(color));
         }
     });
 }
