@@ -6,6 +6,7 @@
 
 mod actions;
 mod figures;
+mod hand;
 mod history;
 mod inputs;
 mod lessons;
@@ -29,8 +30,10 @@ use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
+use crate::panels::handles::HandInput;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::look::{self, Look};
+use crate::panels::navigation::Navigation;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::present::{FrameTimes, WindowGeometry};
 use crate::session::{Session, Settings, ViewLayout};
@@ -62,6 +65,8 @@ pub struct App {
     beside_texture: ViewTexture,
     measuring: Measuring,
     frames: FrameHistory,
+    hand: HandInput,
+    navigation: Navigation,
     store: Option<Store>,
     geometry: WindowGeometry,
     title: String,
@@ -100,6 +105,8 @@ impl App {
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
+            hand: HandInput::default(),
+            navigation: Navigation::default(),
             store,
             geometry: remembered.window,
             title: String::new(),
@@ -173,6 +180,7 @@ impl App {
         let ctx = ui.ctx().clone();
         let mut stopwatch = None;
         let mut actions = Vec::new();
+        self.hand_inputs(&ctx);
         self.window_inputs(&ctx, &mut actions);
         self.panels(ui, &mut actions);
         CentralPanel::default().show(ui, |ui| {
@@ -228,6 +236,8 @@ impl App {
                     as_drawn.camera.orientation = camera.orientation;
                 }
                 looked_at.observer = session.observer;
+                // Nor do handles, which are taken before anything is drawn.
+                looked_at.hand.clone_from(&session.hand);
                 // Nor does pointing, which is known before anything is drawn.
                 looked_at.pointed = session.pointed;
                 (document, session, *had_changes) != (&as_drawn, &looked_at, now.2)

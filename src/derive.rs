@@ -30,8 +30,11 @@ use self::world::WorldPictures;
 use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
 use crate::document::Document;
+use crate::handles::{self, Stage};
 use crate::observer::Observer;
-use crate::overlay::{self, CameraView, Lit, Loupe, OverlayItems, Picture, Style, WorldView};
+use crate::overlay::{
+    self, CameraView, Handles, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
+};
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
 
@@ -77,6 +80,7 @@ struct WorldViewKey {
     items: OverlayItems,
     lit: Option<(Thing, usize)>,
     walked: Option<f64>,
+    handles: Handles,
     scale: f32,
     style: Style,
     purpose: Purpose,
@@ -262,6 +266,14 @@ impl Deriver {
         };
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
         let lit = lit_key(session);
+        let stage = Stage {
+            document,
+            posed: derived.posed.as_ref(),
+            selection: session.selection,
+            items: session.settings.items,
+            observer: world.frame.camera(),
+            scale: sizes.scale,
+        };
         let key = WorldViewKey {
             camera: document.camera,
             observer,
@@ -273,6 +285,7 @@ impl Deriver {
             items: session.settings.items,
             lit,
             walked: session.walked,
+            handles: handles::drawn(&stage, &session.hand),
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
@@ -295,6 +308,7 @@ impl Deriver {
                 style: key.style,
                 lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
                 walked: key.walked,
+                handles: &key.handles,
                 is_clear: key.purpose.is_clear(),
             };
             let drawing = watched(watch, Work::Overlay, || match key.purpose {

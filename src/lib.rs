@@ -23,6 +23,7 @@ pub mod formats;
 pub mod formula;
 mod frame_log;
 mod frame_times;
+pub mod handles;
 pub mod history;
 pub mod inspection;
 mod label_text;

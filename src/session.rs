@@ -6,9 +6,10 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Viewport};
 use serde::{Deserialize, Serialize};
 
-pub use names::{MethodName, ShadeName, ThemeName, ViewLayout};
+pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
 
 use crate::exercises::Exercises;
+use crate::handles::Hand;
 use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
 use crate::mistakes::Gallery;
@@ -44,6 +45,8 @@ pub struct Session {
     pub presenting: Option<Presenting>,
     /// All but what is round the pointer is dimmed.
     pub spotlight: bool,
+    /// What is taken in the hand, or could be.
+    pub hand: Hand,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -78,6 +81,8 @@ pub struct Settings {
     pub keep_pixel_shape: bool,
     /// Changing distance, width or height takes the other two along: the picture stays.
     pub keep_picture: bool,
+    /// What stays when the eye is moved in the world view.
+    pub eye_keeps: EyeKeeps,
     /// The camera panel's part for teaching is unfolded.
     pub teaching: bool,
     /// The world view's share of the width.
@@ -125,6 +130,7 @@ impl Default for Settings {
             count_from_one: false,
             keep_pixel_shape: true,
             keep_picture: false,
+            eye_keeps: EyeKeeps::At,
             teaching: false,
             views_split: 0.54,
             readouts_height: 200.0,
@@ -191,6 +197,7 @@ impl Default for Session {
             exercises: Exercises::default(),
             presenting: None,
             spotlight: false,
+            hand: Hand::default(),
             settings: Settings::default(),
         }
     }

@@ -7,6 +7,7 @@ use super::lessons::Lessons;
 use crate::derive::Deriver;
 use crate::document::Document;
 use crate::files::{OpenDocument, title_of};
+use crate::handles::Hand;
 use crate::history::{History, name_of};
 use crate::session::{Selection, Session, Settings};
 
@@ -86,7 +87,8 @@ impl App {
         }
         let name = name_of(&changes.settled, &self.open.document);
         let focus = ctx.memory(|memory| memory.focused());
-        let (time, scrolls) = ctx.input(|i| (i.time, i.smooth_scroll_delta().y != 0.0));
+        let time = ctx.input(|i| i.time);
+        let scrolls = ctx.input(|i| i.smooth_scroll_delta().y != 0.0 || i.zoom_delta() != 1.0);
         let goes_on = changes.last.as_ref().is_some_and(|last| {
             let same_place = last.focus == focus && (focus.is_some() || scrolls);
             name.gradual && name.text == last.name && same_place && time - last.time < PAUSE
@@ -187,7 +189,8 @@ impl App {
         let (presenting, spotlight) = (self.session.presenting, self.session.spotlight);
         self.open = open;
         self.lessons = lessons;
-        self.session = Session { settings, presenting, spotlight, ..session };
+        let hand = Hand::default();
+        self.session = Session { settings, presenting, spotlight, hand, ..session };
         self.chosen_object = chosen_object;
         // What was good in another scene is nothing to show in this one.
         self.deriver = Deriver::default();

@@ -35,7 +35,9 @@ impl App {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
             views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
         }
-        views::tell_pointed(ui, self.session.pointed, &self.open.document);
+        if self.session.hand.over.is_none() {
+            views::tell_pointed(ui, self.session.pointed, &self.open.document);
+        }
         if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {
             match self.session.settings.layout {
                 ViewLayout::Mistakes => self.wrong_camera(ui, area, rect, dimmed),
@@ -49,6 +51,7 @@ impl App {
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &told(fault));
         }
+        self.tell_hand(ui, places);
     }
 
     /// What the layout has beside the views, or below them.

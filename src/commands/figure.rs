@@ -104,6 +104,8 @@ fn session_of(
 ) -> Result<Session, CommandError> {
     let FigureArguments { scene, view, ray, .. } = arguments;
     let mut session = Session::default();
+    // Nobody can take hold of a picture in a file.
+    session.settings.items.set(Item::Handles, false);
     let asked = ray.pixel.is_some() || ray.uv.is_some();
     let sees = matches!(view, Subject::World | Subject::Camera);
     // The ledger of a camera without a basis says where its derivation fails.

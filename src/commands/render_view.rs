@@ -81,7 +81,9 @@ fn with_overlay(
 ) -> Result<Vec<[u8; 4]>, Fault> {
     let RenderOptions { view, size, .. } = options;
     let items = if options.overlay {
-        OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false)
+        let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
+        // Nobody can take hold of a picture in a file.
+        items.with(Item::Handles, false)
     } else {
         // A plane has no end: the world view draws a patch of it.
         OverlayItems::NONE.with(Item::Planes, true)

@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::exercises::Exercises;
 use crate::mistakes::Gallery;
 use crate::observer::Observer;
+use crate::overlay::Item;
 use crate::session::Session;
 
 /// Sets what the step says and leaves alone what it does not, and what was typed in answer to its
@@ -46,7 +47,11 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     }
     let settings = &mut session.settings;
     set(&mut settings.layout, looks.layout);
-    set(&mut settings.items, looks.items);
+    if let Some(items) = looks.items {
+        // Steps are there to be dragged; whether by handles is the user's to say.
+        let handles = settings.items.shows(Item::Handles) || items.shows(Item::Handles);
+        settings.items = items.with(Item::Handles, handles);
+    }
     set(&mut settings.shade, looks.shade);
     set(&mut settings.count_from_one, looks.count_from_one);
     set(&mut settings.digits, looks.digits);

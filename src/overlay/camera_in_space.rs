@@ -25,7 +25,8 @@ pub(crate) const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 /// Lengths of the other arrows, as multiples of the basis arrows': all may have one direction, and
 /// each must stick out.
 pub(crate) const VIEW_LENGTH: f64 = 1.6;
-pub(crate) const UP_LENGTH: f64 = 1.35;
+/// Of the arrow of up.
+pub const UP_LENGTH: f64 = 1.35;
 const AXIS_LENGTH: f64 = 1.75;
 
 /// Significant digits of the t of a point that walks along the ray.
@@ -38,7 +39,8 @@ impl Sketch<'_> {
     /// All of it, from the back of the drawing to its front.
     pub(crate) fn camera_in_space(&mut self, view: &WorldView) {
         let eye = view.camera.eye;
-        let arrow = self.length_of_points(eye, ARROW_POINTS);
+        let usual = self.length_of_points(eye, ARROW_POINTS);
+        let arrow = view.handles.arrow.unwrap_or(usual);
         self.axes();
         if let Some(posed) = view.posed {
             self.frustum(posed, view);
@@ -228,13 +230,13 @@ impl Sketch<'_> {
         let color = self.colors.given;
         let eye = view.camera.eye;
         let vectors = [
-            ("view", view.camera.view(), VIEW_LENGTH, Thing::View),
-            ("up", up, UP_LENGTH, Thing::Up),
+            ("view", view.camera.view(), arrow * VIEW_LENGTH, Thing::View),
+            ("up", up, view.handles.up.unwrap_or(arrow * UP_LENGTH), Thing::Up),
         ];
         for (name, vector, length, thing) in vectors {
             if let Some(direction) = unit(vector) {
                 let pen = Pen::new(Item::ViewAndUp, color, 1.9).of(thing);
-                let tip = self.arrow(eye, eye + arrow * length * direction, Head::Filled, pen);
+                let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
                 self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
             }
         }

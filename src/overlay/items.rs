@@ -38,11 +38,13 @@ pub enum Item {
     Labels,
     /// The pixels around the selected place, magnified, in the camera view.
     Loupe,
+    /// What can be taken in the hand in the world view.
+    Handles,
 }
 
 impl Item {
     /// All of them, in the order in which a panel lists them.
-    pub const ALL: [Item; 16] = [
+    pub const ALL: [Item; 17] = [
         Item::Eye,
         Item::At,
         Item::ViewAndUp,
@@ -59,6 +61,7 @@ impl Item {
         Item::UvAxes,
         Item::Labels,
         Item::Loupe,
+        Item::Handles,
     ];
 
     /// What a checkbox for it says.
@@ -80,6 +83,7 @@ impl Item {
             Item::UvAxes => "u = 0 and v = 0",
             Item::Labels => "labels",
             Item::Loupe => "loupe",
+            Item::Handles => "handles",
         }
     }
 
@@ -102,6 +106,7 @@ impl Item {
             Item::UvAxes => "uv-axes",
             Item::Labels => "labels",
             Item::Loupe => "loupe",
+            Item::Handles => "handles",
         }
     }
 

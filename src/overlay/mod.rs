@@ -7,6 +7,7 @@
 //!
 //! - `world_view`: what the world view shows; `camera_view`: what the camera view shows.
 //! - `lit`, `lit_world`, `lit_camera`: what is pointed at, over all else.
+//! - `handles`: what can be taken in the hand.
 //! - `screen`: projection and clipping; `flat`: the way back, from a dot to a place on a plane.
 //! - `layers`: what is filled dot by dot (planes, the picture on the viewport), and what hides what.
 //! - `sketch`: lines and arrows of the world into marks; `labels`: places for text;
@@ -16,6 +17,7 @@ mod camera_in_space;
 mod camera_view;
 mod drawing;
 mod flat;
+mod handles;
 mod items;
 mod labels;
 mod layers;
@@ -32,8 +34,12 @@ mod sketch;
 mod style;
 mod world_view;
 
+pub use camera_in_space::UP_LENGTH;
 pub use camera_view::{CameraView, camera, camera_apart, camera_position_of_uv, camera_uv_at};
 pub use drawing::{Drawing, Label, Mark, Shape, Target, thing_at};
+pub use handles::{
+    Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
+};
 pub use items::{Item, OverlayItems};
 pub use lit::Lit;
 pub use loupe::{Loupe, loupe_window};

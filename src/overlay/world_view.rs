@@ -8,6 +8,7 @@ use crate::observer::Observer;
 use crate::overlay::camera_view::camera_uv_at;
 use crate::overlay::drawing::Drawing;
 use crate::overlay::flat::{Flat, Grid};
+use crate::overlay::handles::Handles;
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels;
 use crate::overlay::layers::{Layers, PictureLookup, ViewportLayer};
@@ -50,6 +51,8 @@ pub struct WorldView<'a> {
     pub walked: Option<f64>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
+    /// What can be taken in the hand.
+    pub handles: &'a Handles,
     /// Where the observer sees nothing, the picture is transparent.
     pub is_clear: bool,
 }
@@ -179,6 +182,7 @@ impl<'a> WorldView<'a> {
         if let Some(lit) = self.lit {
             sketch.light(self, lit);
         }
+        sketch.handles(self.handles);
         let Sketch { mut drawing, requests, .. } = sketch;
         drawing.labels = labels::place(&requests, &drawing, screen.size, colors.halo);
         drawing

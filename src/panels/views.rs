@@ -14,7 +14,7 @@ use crate::overlay;
 use crate::panels::look;
 use crate::panels::places::{Places, STRIP};
 use crate::panels::walking;
-use crate::session::{Selection, Session, Settings, ViewLayout};
+use crate::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::thing::{Pointed, Pointing, Thing};
 use crate::verbs::{self, When};
 use crate::view_texture::ViewTexture;
@@ -120,6 +120,9 @@ pub(crate) fn spoken(shown: &Derived) -> String {
 }
 
 fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    if session.hand.is_busy {
+        return;
+    }
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
     let (Some(pointer), Some(posed), true) =
         (response.interact_pointer_pos(), &shown.posed, pressed)
@@ -136,6 +139,9 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
 }
 
 fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    if session.hand.is_busy {
+        return;
+    }
     let per_point = ui.ctx().pixels_per_point();
     if let (true, Some(pointer), Some(frame), Some(posed)) =
         (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.posed)
@@ -247,11 +253,11 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
 
 /// Titles above the views, with a button that gives one all the room.
 pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
-    let mut strip = |rect: Rect, text: String, own: ViewLayout| {
+    let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         let above = Rect::from_min_max(pos2(rect.left(), rect.top() - STRIP), rect.right_top());
         ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
             ui.horizontal_centered(|ui| {
-                ui.strong(text);
+                ui.strong(text).on_hover_text(hint);
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     let alone = settings.layout == own;
                     let (text, to) =
@@ -259,16 +265,36 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
                     if ui.small_button(text).clicked() {
                         settings.layout = to;
                     }
+                    if own == ViewLayout::World {
+                        eye_keeps(ui, &mut settings.eye_keeps);
+                    }
                 });
             });
         });
     };
     if let Some(rect) = places.world {
-        strip(rect, WORLD.to_owned(), ViewLayout::World);
+        let hint = "Drag: orbit; Shift or the right button: pan; wheel: zoom; F: everything in sight. \
+                    Handles are dragged.";
+        strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
     if let Some(rect) = places.camera_area {
         let text = format!("{CAMERA}, {} × {} pixels", image.width(), image.height());
-        strip(rect, text, ViewLayout::Camera);
+        let hint = "Click: a pixel. Right drag: look round; with Shift, or middle drag: orbit round at; \
+                    wheel: field of view; Ctrl and wheel: dolly.";
+        strip(rect, text, hint, ViewLayout::Camera);
+    }
+}
+
+/// What stays when the eye is moved in the world view, and the other choice.
+fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
+    let text = match keeps {
+        EyeKeeps::At => "Eye orbits at",
+        EyeKeeps::View => "Eye travels",
+    };
+    let hint = "Whether a moved eye goes round what it looks at, or takes the view along (K, or Alt while \
+                dragging, for the other)";
+    if ui.small_button(text).on_hover_text(hint).clicked() {
+        *keeps = keeps.other();
     }
 }
 

@@ -2,6 +2,7 @@
 
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
+use pinhole_core::steering::Keep;
 use serde::{Deserialize, Serialize};
 
 /// Which of the two views are shown.
@@ -144,6 +145,35 @@ pub enum ShadeName {
     Normal,
     T,
     Object,
+}
+
+/// [`Keep`], in a form that is written to disk.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the same names as pinhole_core::steering::Keep, explained there")]
+pub enum EyeKeeps {
+    #[default]
+    At,
+    View,
+}
+
+impl EyeKeeps {
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> EyeKeeps {
+        match self {
+            EyeKeeps::At => EyeKeeps::View,
+            EyeKeeps::View => EyeKeeps::At,
+        }
+    }
+}
+
+impl From<EyeKeeps> for Keep {
+    fn from(keeps: EyeKeeps) -> Keep {
+        match keeps {
+            EyeKeeps::At => Keep::At,
+            EyeKeeps::View => Keep::View,
+        }
+    }
 }
 
 /// The window's colours.

@@ -9,6 +9,7 @@ mod exercises;
 mod export;
 mod faults;
 mod frame;
+mod handles;
 mod harness;
 mod history;
 mod ledger;

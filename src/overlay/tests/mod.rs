@@ -30,6 +30,9 @@ struct Stage {
     items: OverlayItems,
 }
 
+static NO_HANDLES: Handles =
+    Handles { marks: Vec::new(), stems: Vec::new(), guides: Vec::new(), arrow: None, up: None };
+
 const SIZE: (u32, u32) = (240, 180);
 
 fn opaque([r, g, b]: Rgb) -> Color32 {
@@ -86,6 +89,7 @@ impl Stage {
             style: Style::Light,
             lit: None,
             walked: None,
+            handles: &NO_HANDLES,
             is_clear: false,
         }
     }

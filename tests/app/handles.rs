@@ -1,0 +1,626 @@
+//! The camera and the scene in the hand: every handle dragged by the mouse or moved by keys, with the
+//! numbers that come of it; Escape, snapping, axes, undo; the camera view taken in the hand.
+
+use egui::accesskit::Role;
+use egui::{
+    Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, Vec2, vec2,
+};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::document::Document;
+use pinhole::handles::Handle;
+use pinhole::session::{Selection, Settings};
+use pinhole::store::Remembered;
+use pinhole_core::{Camera, DVec3, Orientation};
+
+use crate::harness::{assert_says, says, window, window_with};
+
+fn node_at(harness: &Harness<'_, App>, handle: &str) -> Pos2 {
+    harness.get_by_role_and_label(Role::Slider, handle).rect().center()
+}
+
+fn document(harness: &Harness<'_, App>) -> Document {
+    harness.state().document().clone()
+}
+
+fn camera(harness: &Harness<'_, App>) -> Camera {
+    harness.state().document().camera
+}
+
+fn at_of(camera: &Camera) -> DVec3 {
+    match camera.orientation {
+        Orientation::At { at, .. } => at,
+        _ => panic!("not given by at: {camera:?}"),
+    }
+}
+
+/// Takes hold of a handle; where.
+fn take(harness: &mut Harness<'_, App>, handle: &str) -> Pos2 {
+    let at = node_at(harness, handle);
+    harness.hover_at(at);
+    harness.run();
+    harness.drag_at(at);
+    harness.run();
+    at
+}
+
+fn pull(harness: &mut Harness<'_, App>, to: Pos2) {
+    harness.hover_at(to);
+    harness.run();
+}
+
+fn drop_it(harness: &mut Harness<'_, App>, at: Pos2) {
+    harness.drop_at(at);
+    harness.run();
+}
+
+/// Drags a handle by so much, and lets go.
+fn drag(harness: &mut Harness<'_, App>, handle: &str, by: Vec2) {
+    let from = take(harness, handle);
+    pull(harness, from + 0.5 * by);
+    pull(harness, from + by);
+    drop_it(harness, from + by);
+}
+
+fn undo(harness: &mut Harness<'_, App>) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+}
+
+fn with_modifiers(harness: &mut Harness<'_, App>, modifiers: Modifiers) {
+    harness.event(Event::ModifiersChanged(modifiers));
+    harness.run();
+}
+
+#[track_caller]
+fn assert_near(a: Pos2, b: Pos2) {
+    assert!(a.distance(b) <= 1.0, "{a:?} is not under the pointer at {b:?}");
+}
+
+/// Handles that go wherever they are dragged, in which scene, and what a drag of each is called.
+const FREE: [(&str, &str, &str); 11] = [
+    ("canonical", "eye handle", "move eye"),
+    ("canonical", "at handle", "move at"),
+    ("canonical", "up handle", "turn up"),
+    ("canonical", "sphere 0 “ball”: centre handle", "move sphere 0 “ball”"),
+    ("canonical", "sphere 0 “ball”: radius handle", "resize sphere 0 “ball”"),
+    ("look-at", "eye handle", "move eye"),
+    ("look-at", "at handle", "move at"),
+    ("look-at", "up handle", "turn up"),
+    ("canonical", "viewport, top right corner handle", "change the field of view"),
+    ("canonical", "plane 2 “back wall”: point handle", "move plane 2 “back wall”"),
+    ("canonical", "plane 2 “back wall”: normal handle", "turn plane 2 “back wall”"),
+];
+
+/// Chooses a handle's object in the list, where it has one.
+fn choose(harness: &mut Harness<'_, App>, handle: &str) {
+    if let Some((object, _)) = handle.split_once(": ") {
+        harness.get_by_role_and_label(Role::Button, object).click();
+        harness.run();
+    }
+}
+
+#[test]
+fn every_free_handle_stays_under_the_pointer_and_is_undone_in_one_step() {
+    for (scene, handle, name) in FREE {
+        let settings = Settings { keep_pixel_shape: false, ..Settings::default() };
+        let remembered = Remembered { settings, ..Remembered::default() };
+        let mut harness = window_with(scene, remembered, None);
+        choose(&mut harness, handle);
+        let before = document(&harness);
+        let from = take(&mut harness, handle);
+        for by in [vec2(3.0, -2.0), vec2(11.0, -7.0), vec2(24.0, -15.0), vec2(19.0, 9.0)] {
+            pull(&mut harness, from + by);
+            assert_near(node_at(&harness, handle), from + by);
+        }
+        let after = document(&harness);
+        assert_ne!(after, before, "{handle}");
+        drop_it(&mut harness, from + vec2(19.0, 9.0));
+        assert_eq!(document(&harness), after, "{handle} stays where it was let go");
+        harness.get_by_label("Edit").click();
+        harness.run();
+        assert_says(&harness, &format!("Undo {name} Ctrl+Z"));
+        harness.key_press(Key::Escape);
+        harness.run();
+        undo(&mut harness);
+        assert_eq!(document(&harness), before, "{handle}");
+    }
+}
+
+#[test]
+fn there_and_back_is_no_change_and_escape_gives_back() {
+    for (scene, handle, _) in FREE {
+        let mut harness = window(scene);
+        choose(&mut harness, handle);
+        let before = document(&harness);
+        let from = take(&mut harness, handle);
+        pull(&mut harness, from + vec2(17.0, 22.0));
+        assert_ne!(document(&harness), before, "{handle}");
+        pull(&mut harness, from);
+        assert_eq!(document(&harness), before, "{handle}");
+
+        pull(&mut harness, from + vec2(17.0, 22.0));
+        harness.key_press(Key::Escape);
+        harness.run();
+        assert_eq!(document(&harness), before, "{handle}");
+        // The button is still down: it drags nothing any more.
+        let observer = harness.state().session().observer;
+        pull(&mut harness, from + vec2(40.0, 5.0));
+        drop_it(&mut harness, from + vec2(40.0, 5.0));
+        assert_eq!(document(&harness), before, "{handle}");
+        assert_eq!(harness.state().session().observer, observer);
+        harness.get_by_label("Edit").click();
+        harness.run();
+        assert!(says(&harness, "Undo Ctrl+Z"), "{handle}: a drag that was given back is no step");
+    }
+}
+
+#[test]
+fn a_moved_eye_orbits_at_or_travels() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    drag(&mut harness, "eye handle", vec2(20.0, 10.0));
+    let orbited = camera(&harness);
+    assert_eq!(at_of(&orbited), at_of(&before));
+    assert_ne!(orbited.eye, before.eye);
+    undo(&mut harness);
+
+    harness.get_by_label("Eye orbits at").click();
+    harness.run();
+    drag(&mut harness, "eye handle", vec2(20.0, 10.0));
+    let travelled = camera(&harness);
+    assert_eq!(travelled.eye, orbited.eye);
+    let apart = (travelled.view() - before.view()).length();
+    assert!(apart < 1e-12, "{apart}");
+    undo(&mut harness);
+
+    // While it is dragged, K and Alt are for the other.
+    let from = take(&mut harness, "eye handle");
+    with_modifiers(&mut harness, Modifiers::ALT);
+    pull(&mut harness, from + vec2(20.0, 10.0));
+    assert_eq!(camera(&harness), orbited);
+    with_modifiers(&mut harness, Modifiers::NONE);
+    harness.key_press(Key::K);
+    harness.run();
+    assert_eq!(camera(&harness), orbited);
+    assert_says(&harness, "Eye orbits at");
+    drop_it(&mut harness, from + vec2(20.0, 10.0));
+}
+
+#[test]
+fn keys_hold_a_drag_to_an_axis_or_a_plane() {
+    let changed = |a: DVec3, b: DVec3| [a.x != b.x, a.y != b.y, a.z != b.z];
+    for (key, shift, expected) in [
+        (Key::X, false, [true, false, false]),
+        (Key::Y, false, [false, true, false]),
+        (Key::Z, false, [false, false, true]),
+        (Key::X, true, [false, true, true]),
+        (Key::Y, true, [true, false, true]),
+    ] {
+        let mut harness = window("look-at");
+        let before = camera(&harness).eye;
+        let from = take(&mut harness, "eye handle");
+        with_modifiers(&mut harness, if shift { Modifiers::SHIFT } else { Modifiers::NONE });
+        harness.key_down(key);
+        pull(&mut harness, from + vec2(14.0, 9.0));
+        assert_eq!(changed(camera(&harness).eye, before), expected, "{key:?} {shift}");
+        if shift {
+            assert_near(node_at(&harness, "eye handle"), from + vec2(14.0, 9.0));
+        }
+        // Without the key it is where the pointer is.
+        harness.key_up(key);
+        with_modifiers(&mut harness, Modifiers::NONE);
+        pull(&mut harness, from + vec2(14.0, 10.0));
+        assert_near(node_at(&harness, "eye handle"), from + vec2(14.0, 10.0));
+        drop_it(&mut harness, from + vec2(14.0, 10.0));
+    }
+}
+
+#[test]
+fn the_cameras_axes_hold_a_drag_too() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    let w = before.basis().unwrap().w;
+    let from = take(&mut harness, "eye handle");
+    harness.key_down(Key::W);
+    pull(&mut harness, from + vec2(18.0, -6.0));
+    let way = camera(&harness).eye - before.eye;
+    assert!(
+        way.length() > 0.1 && way.cross(w).length() < 0.02 * way.length(),
+        "{way:?} along {w:?}"
+    );
+    harness.key_up(Key::W);
+    drop_it(&mut harness, from + vec2(18.0, -6.0));
+}
+
+#[test]
+fn control_snaps_to_round_numbers() {
+    let mut harness = window("look-at");
+    let from = take(&mut harness, "eye handle");
+    with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
+    harness.key_down(Key::X);
+    pull(&mut harness, from + vec2(31.0, 4.0));
+    let x = camera(&harness).eye.x;
+    assert!((x * 5.0).fract() == 0.0, "{x} is no multiple of 0.2");
+    harness.key_up(Key::X);
+    with_modifiers(&mut harness, Modifiers::NONE);
+    drop_it(&mut harness, from + vec2(31.0, 4.0));
+}
+
+#[test]
+fn the_camera_is_rolled_by_the_tip_of_v() {
+    let mut harness = window("canonical");
+    let before = camera(&harness);
+    let from = take(&mut harness, "roll round w handle");
+    with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
+    pull(&mut harness, from + vec2(-45.0, 20.0));
+    drop_it(&mut harness, from + vec2(-45.0, 20.0));
+    with_modifiers(&mut harness, Modifiers::NONE);
+    let after = camera(&harness);
+    let (v, old) = (after.basis().unwrap().v, before.basis().unwrap());
+    let degrees = (-v.dot(old.u)).atan2(v.dot(old.v)).to_degrees();
+    let steps = degrees / 15.0;
+    assert!(steps.abs() >= 1.0 && (steps - steps.round()).abs() < 1e-9, "rolled by {degrees}");
+    assert_eq!((after.eye, after.view()), (before.eye, before.view()));
+}
+
+#[test]
+fn the_camera_dollies_along_w() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    let w = before.basis().unwrap().w;
+    let from = node_at(&harness, "dolly along w handle");
+    let out = (from - node_at(&harness, "eye handle")).normalized();
+    drag(&mut harness, "dolly along w handle", 25.0 * out);
+    let after = camera(&harness);
+    assert_eq!(at_of(&after), at_of(&before));
+    let way = after.eye - before.eye;
+    assert!(way.dot(w) > 0.1 && way.cross(w).length() < 1e-12 * after.eye.length(), "{way:?}");
+}
+
+#[test]
+fn corners_keep_the_pixels_shape_and_distance_the_picture_on_wish() {
+    let mut harness = window("canonical");
+    drag(&mut harness, "viewport, top right corner handle", vec2(18.0, -11.0));
+    let viewport = camera(&harness).viewport;
+    assert!(viewport.width > 1.0);
+    assert_eq!((viewport.width, viewport.distance), (viewport.height, 1.0));
+    undo(&mut harness);
+
+    let along = node_at(&harness, "at handle") - node_at(&harness, "eye handle");
+    drag(&mut harness, "viewport's distance handle", 0.5 * along);
+    let viewport = camera(&harness).viewport;
+    assert!(viewport.distance > 1.2, "{viewport:?}");
+    assert_eq!((viewport.width, viewport.height), (1.0, 1.0));
+    undo(&mut harness);
+
+    let settings = Settings { keep_picture: true, ..Settings::default() };
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let mut harness = window_with("canonical", remembered, None);
+    for handle in ["viewport's distance handle", "viewport, top left corner handle"] {
+        let out = node_at(&harness, handle) - node_at(&harness, "eye handle");
+        drag(&mut harness, handle, 0.5 * out);
+        let viewport = camera(&harness).viewport;
+        assert!(viewport.distance > 1.2, "{viewport:?}");
+        assert!((viewport.width / viewport.distance - 1.0).abs() < 1e-12);
+        assert!((viewport.height / viewport.distance - 1.0).abs() < 1e-12);
+        undo(&mut harness);
+    }
+}
+
+#[test]
+fn the_selected_pixel_is_dragged_over_the_viewport_and_changes_no_document() {
+    let mut harness = window("canonical");
+    let before = document(&harness);
+    let handle = "selected pixel handle";
+    let from = take(&mut harness, handle);
+    let selected = harness.state().session().selection;
+    pull(&mut harness, from + vec2(-12.0, -8.0));
+    let moved = harness.state().session().selection;
+    assert!(matches!(moved, Selection::Pixel(_)) && moved != selected);
+    assert_near(node_at(&harness, handle), from + vec2(-12.0, -8.0));
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert_eq!(harness.state().session().selection, selected);
+    drop_it(&mut harness, from);
+    assert_eq!(document(&harness), before);
+}
+
+#[test]
+fn an_eye_that_is_put_to_at_shows_the_fault_and_is_led_out_of_it() {
+    let mut harness = window("canonical");
+    let from = take(&mut harness, "eye handle");
+    let at = node_at(&harness, "at handle");
+    with_modifiers(&mut harness, Modifiers::COMMAND | Modifiers::CTRL);
+    harness.key_down(Key::Z);
+    pull(&mut harness, at);
+    assert_eq!(camera(&harness).eye, DVec3::NEG_Z);
+    assert_says(&harness, "eye and at are the same point (0, 0, −1): move one of them");
+    harness.key_up(Key::Z);
+    with_modifiers(&mut harness, Modifiers::NONE);
+    pull(&mut harness, from + vec2(5.0, 5.0));
+    assert!(camera(&harness).basis().is_ok());
+    drop_it(&mut harness, from + vec2(5.0, 5.0));
+}
+
+#[test]
+fn a_drag_past_the_pole_turns_v_without_a_jump() {
+    let mut harness = window("look-at");
+    let at = node_at(&harness, "at handle");
+    let from = take(&mut harness, "eye handle");
+    let mut v = camera(&harness).basis().unwrap().v;
+    // Over what it looks at, from one side to the other, a little at a time.
+    let to = at + 2.0 * (at - from).normalized() * 40.0 + vec2(0.0, -90.0);
+    for step in 1..=120 {
+        pull(&mut harness, from + (to - from) * (step as f32 / 120.0));
+        let basis = camera(&harness).basis().unwrap();
+        let turn = basis.v.dot(v).clamp(-1.0, 1.0).acos().to_degrees();
+        assert!(turn < 35.0, "v jumps by {turn} degrees in step {step}");
+        v = basis.v;
+    }
+    drop_it(&mut harness, to);
+}
+
+#[test]
+fn at_dragged_to_the_tip_of_up_takes_up_along_and_says_so() {
+    let mut harness = window("canonical");
+    let pole = node_at(&harness, "up handle");
+    take(&mut harness, "at handle");
+    with_modifiers(&mut harness, Modifiers::SHIFT);
+    harness.key_down(Key::X);
+    pull(&mut harness, pole);
+    let above = camera(&harness);
+    let (view, v) = (above.view().normalize(), above.basis().unwrap().v);
+    assert!(view.y > 0.999, "{view:?}");
+    assert!(v.z > 0.999, "the view was pitched up, and v with it: {v:?}");
+    assert_ne!(above.up(), DVec3::Y);
+    assert_says(&harness, "up turns along");
+    harness.key_up(Key::X);
+    with_modifiers(&mut harness, Modifiers::NONE);
+    drop_it(&mut harness, pole);
+}
+
+#[test]
+fn a_handle_with_the_focus_is_moved_by_keys() {
+    let mut harness = window("canonical");
+    harness.get_by_role_and_label(Role::Slider, "eye handle").focus();
+    harness.run();
+    let selected = harness.state().session().selection;
+    harness.key_press(Key::ArrowUp);
+    harness.step();
+    let eye = camera(&harness).eye;
+    assert!(eye.y > 0.0 && eye.x == 0.0 && eye.z == 0.0, "{eye:?}");
+    assert_eq!(harness.state().session().selection, selected);
+    harness.key_press(Key::ArrowUp);
+    harness.step();
+    assert_eq!(camera(&harness).eye.y, 2.0 * eye.y);
+    let value = harness.get_by_role_and_label(Role::Slider, "eye handle").value();
+    assert!(value.unwrap().starts_with("eye = (0, "));
+    // More of the same soon after it is the same step.
+    undo(&mut harness);
+    assert_eq!(camera(&harness).eye, DVec3::ZERO);
+}
+
+#[test]
+fn every_handle_is_moved_by_keys() {
+    let names = [
+        "at handle",
+        "up handle",
+        "roll round w handle",
+        "dolly along w handle",
+        "viewport, bottom left corner handle",
+        "viewport's distance handle",
+        "sphere 0 “ball”: centre handle",
+        "sphere 0 “ball”: radius handle",
+    ];
+    for name in names {
+        let mut harness = window("canonical");
+        let before = document(&harness);
+        harness.get_by_role_and_label(Role::Slider, name).focus();
+        harness.run();
+        harness.key_press(Key::ArrowRight);
+        harness.run();
+        assert_ne!(document(&harness), before, "{name}");
+        undo(&mut harness);
+        assert_eq!(document(&harness), before, "{name}");
+    }
+}
+
+#[test]
+fn handles_that_are_switched_off_are_not_there() {
+    let mut settings = Settings::default();
+    settings.items.set(pinhole::overlay::Item::Handles, false);
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let at = node_at(&window("canonical"), "eye handle");
+    let mut harness = window_with("canonical", remembered, None);
+    assert!(harness.query_by_role_and_label(Role::Slider, "eye handle").is_none());
+    let (before, observer) = (document(&harness), harness.state().session().observer);
+    crate::harness::drag_from(&mut harness, at, vec2(20.0, 20.0));
+    assert_eq!(document(&harness), before);
+    assert_ne!(harness.state().session().observer, observer);
+}
+
+#[test]
+fn pointing_at_handles_traces_no_picture() {
+    let mut harness = window("canonical");
+    let traced = harness.state().pictures_traced();
+    for handle in ["eye handle", "roll round w handle", "viewport, top left corner handle"] {
+        let at = node_at(&harness, handle);
+        harness.hover_at(at);
+        harness.run();
+        assert!(harness.state().session().hand.over.is_some(), "{handle}");
+    }
+    assert_eq!(harness.state().pictures_traced(), traced);
+}
+
+/// Drags in the camera view with a button, from its middle; the camera while it is held.
+fn turn(
+    harness: &mut Harness<'_, App>,
+    button: PointerButton,
+    modifiers: Modifiers,
+    by: Vec2,
+) -> Camera {
+    let view = harness.get_by_role_and_label(Role::Image, "Camera view").rect();
+    let press = |pos: Pos2, pressed| Event::PointerButton { pos, button, pressed, modifiers };
+    let from = view.center();
+    harness.hover_at(from);
+    harness.run();
+    harness.event(press(from, true));
+    harness.run();
+    harness.hover_at(from + 0.5 * by);
+    harness.run();
+    harness.hover_at(from + by);
+    harness.run();
+    let held = camera(harness);
+    harness.event(press(from + by, false));
+    harness.run();
+    held
+}
+
+#[test]
+fn the_camera_view_looks_round_and_orbits() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    let selected = harness.state().session().selection;
+    let looked = turn(&mut harness, PointerButton::Secondary, Modifiers::NONE, vec2(40.0, 10.0));
+    assert_eq!((looked.eye, looked.up()), (before.eye, before.up()));
+    assert_ne!(at_of(&looked), at_of(&before));
+    undo(&mut harness);
+    assert_eq!(camera(&harness), before);
+
+    for (button, modifiers) in
+        [(PointerButton::Middle, Modifiers::NONE), (PointerButton::Secondary, Modifiers::SHIFT)]
+    {
+        with_modifiers(&mut harness, modifiers);
+        let orbited = turn(&mut harness, button, modifiers, vec2(40.0, 10.0));
+        with_modifiers(&mut harness, Modifiers::NONE);
+        assert_eq!((at_of(&orbited), orbited.up()), (at_of(&before), before.up()));
+        let (old, new) = (before.view().length(), orbited.view().length());
+        assert!(orbited.eye != before.eye && (old - new).abs() < 1e-12 * old);
+        undo(&mut harness);
+        assert_eq!(camera(&harness), before);
+    }
+    assert_eq!(harness.state().session().selection, selected);
+}
+
+#[test]
+fn escape_gives_back_the_camera_of_the_camera_view() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    let from = harness.get_by_role_and_label(Role::Image, "Camera view").rect().center();
+    let button = PointerButton::Secondary;
+    let press = |pos: Pos2, pressed| Event::PointerButton {
+        pos,
+        button,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    harness.hover_at(from);
+    harness.run();
+    harness.event(press(from, true));
+    harness.run();
+    harness.hover_at(from + vec2(60.0, 0.0));
+    harness.run();
+    assert_ne!(camera(&harness), before);
+    assert_says(&harness, "look round");
+    harness.key_press(Key::Escape);
+    harness.run();
+    assert_eq!(camera(&harness), before);
+    harness.hover_at(from + vec2(90.0, 0.0));
+    harness.run();
+    harness.event(press(from + vec2(90.0, 0.0), false));
+    harness.run();
+    assert_eq!(camera(&harness), before);
+}
+
+fn wheel(harness: &mut Harness<'_, App>, lines: f32, modifiers: Modifiers) {
+    let view = harness.get_by_role_and_label(Role::Image, "Camera view").rect();
+    harness.hover_at(view.center());
+    harness.run();
+    with_modifiers(harness, modifiers);
+    let phase = egui::TouchPhase::Move;
+    let (unit, source) = (MouseWheelUnit::Line, MouseWheelSource::Wheel);
+    let delta = vec2(0.0, lines);
+    harness.event(Event::MouseWheel { unit, delta, phase, source, modifiers });
+    harness.run_steps(20);
+    with_modifiers(harness, Modifiers::NONE);
+}
+
+#[test]
+fn the_wheel_zooms_and_dollies_and_is_one_step() {
+    let mut harness = window("look-at");
+    let before = camera(&harness);
+    wheel(&mut harness, 2.0, Modifiers::NONE);
+    let zoomed = camera(&harness);
+    assert_eq!((zoomed.eye, zoomed.orientation), (before.eye, before.orientation));
+    let (old, new) = (before.viewport, zoomed.viewport);
+    assert!(new.width < old.width && new.distance == old.distance);
+    assert!((new.width / new.height - old.width / old.height).abs() < 1e-12);
+    undo(&mut harness);
+    assert_eq!(camera(&harness), before);
+
+    wheel(&mut harness, 1.0, Modifiers::COMMAND | Modifiers::CTRL);
+    let dollied = camera(&harness);
+    assert_eq!((dollied.viewport, at_of(&dollied)), (before.viewport, at_of(&before)));
+    assert!(dollied.view().length() < before.view().length());
+    undo(&mut harness);
+    assert_eq!(camera(&harness), before);
+}
+
+#[test]
+fn looking_up_stops_short_of_the_pole() {
+    let mut harness = window("look-at");
+    for _ in 0..8 {
+        turn(&mut harness, PointerButton::Secondary, Modifiers::NONE, vec2(0.0, 200.0));
+        let camera = camera(&harness);
+        assert!(camera.basis().is_ok());
+        assert!(camera.up_angle().unwrap().angle.to_degrees() > 0.9);
+    }
+    assert!(camera(&harness).up_angle().unwrap().angle.to_degrees() < 1.1);
+}
+
+#[test]
+fn handles_that_lie_together_take_turns_with_each_click() {
+    // The orange ball's centre is the point at.
+    let mut harness = window("look-at");
+    let at = node_at(&harness, "at handle");
+    assert_near(at, node_at(&harness, "sphere 0 “target”: centre handle"));
+    let before = document(&harness);
+    let selected = harness.state().session().selection;
+    for expected in [Handle::At, Handle::Center(0), Handle::At] {
+        harness.hover_at(at);
+        harness.run();
+        assert_eq!(harness.state().session().hand.over, Some(expected));
+        crate::harness::click_at(&mut harness, at);
+    }
+    assert_eq!((document(&harness), harness.state().session().selection), (before, selected));
+    // Press and release in one frame are a click too.
+    harness.hover_at(at);
+    harness.run();
+    assert_eq!(harness.state().session().hand.over, Some(Handle::Center(0)));
+}
+
+#[test]
+fn a_sphere_that_is_pointed_at_has_handles_and_is_chosen_by_them() {
+    let mut harness = window("canonical");
+    let handle = "sphere 1 “marble”: radius handle";
+    assert!(harness.query_by_role_and_label(Role::Slider, handle).is_none());
+    let view = harness.get_by_role_and_label(Role::Image, "World view").rect();
+    // Somewhere in the view is the marble.
+    let places = (0..20).flat_map(|row| (0..20).map(move |column| (row, column)));
+    let found = places.into_iter().any(|(row, column)| {
+        let share = vec2(column as f32 + 0.5, row as f32 + 0.5) / 20.0;
+        harness.hover_at(view.min + share * view.size());
+        harness.step();
+        harness.step();
+        harness.query_by_role_and_label(Role::Slider, handle).is_some()
+    });
+    assert!(found);
+    harness.run();
+    let before = document(&harness).spheres[1].shape;
+    drag(&mut harness, handle, vec2(12.0, 0.0));
+    let after = document(&harness).spheres[1].shape;
+    assert!(after.radius > before.radius && after.center == before.center);
+    assert!(harness.query_all_by_value("marble").next().is_some(), "its fields are shown");
+}
