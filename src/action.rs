@@ -7,6 +7,7 @@ use pinhole_core::DVec2;
 use crate::document::Document;
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::Place;
+use crate::play::Kind;
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,21 @@ pub struct MadeUp {
     pub title: String,
     /// The ray to look at, if any.
     pub uv: Option<DVec2>,
+}
+
+/// What is done to an animation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlayMove {
+    /// Open one, at its start.
+    Open(Kind),
+    /// Let it run, or rest.
+    Toggle,
+    /// So many single steps on; negative: back.
+    Step(i64),
+    /// End it, and keep what is there now.
+    Keep,
+    /// End it, and go back to how it was.
+    Close,
 }
 
 /// Something to do once, after the panels and before anything is derived.
@@ -56,6 +72,8 @@ pub enum Action {
     Undo,
     /// Redo the step that was undone last.
     Redo,
+    /// Something with an animation.
+    Play(PlayMove),
     /// Put the observer where everything can be seen.
     FrameAll,
     /// Move the selected pixel that many rows down and columns right.

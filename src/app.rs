@@ -9,6 +9,7 @@ mod history;
 mod inputs;
 mod lessons;
 mod outputs;
+mod play;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -28,6 +29,7 @@ use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
+use crate::play::Player;
 use crate::present::{FrameTimes, WindowGeometry, fonts};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
@@ -40,6 +42,7 @@ pub struct App {
     session: Session,
     lessons: Lessons,
     changes: Changes,
+    player: Option<Player>,
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
@@ -78,6 +81,7 @@ impl App {
                 ..Session::default()
             },
             lessons: Lessons::default(),
+            player: None,
             recent: remembered.recent,
             chosen_object: 0,
             dialog: None,
@@ -243,6 +247,7 @@ impl App {
             top_bar::ui(ui, &self.open, &self.recent, steps, settings, actions);
         });
         self.lesson_strip(ui, actions);
+        self.play_on(ui, actions);
         let panel =
             Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
         panel.show(ui, |ui| {

@@ -6,6 +6,7 @@ mod ledgers;
 mod memo;
 mod objects;
 mod picture;
+mod scan;
 mod watch;
 mod world;
 mod wrong;
@@ -53,6 +54,7 @@ pub struct Deriver {
 #[derive(Debug, PartialEq)]
 struct CameraViewKey {
     picture: u64,
+    scanned: Option<u64>,
     posed: PosedCamera,
     size: [u32; 2],
     selection: Selection,
@@ -69,6 +71,7 @@ struct WorldViewKey {
     observer: Observer,
     size: [u32; 2],
     picture: Option<u64>,
+    scanned: Option<u64>,
     generation: u64,
     palette: u64,
     selection: Selection,
@@ -142,6 +145,7 @@ impl Deriver {
         let scene = derived.scene.as_deref();
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
+            scanned: session.scanned,
             posed: good.posed,
             size,
             selection: good.selection,
@@ -243,6 +247,7 @@ impl Deriver {
             observer,
             size,
             picture: seen.map(|_| self.pictures.made()),
+            scanned: session.scanned,
             generation: good.generation,
             palette: good.palette,
             selection: session.selection,

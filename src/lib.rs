@@ -36,6 +36,7 @@ mod number;
 pub mod observer;
 pub mod overlay;
 pub mod panels;
+pub mod play;
 pub mod present;
 pub mod report;
 pub mod session;

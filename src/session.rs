@@ -22,6 +22,8 @@ pub struct Session {
     pub observer: Option<Observer>,
     /// The t of the point p + t d that walks along the selected ray; `None` where none does.
     pub walked: Option<f64>,
+    /// How many pixels the camera's picture shows so far, row by row; all of them without a number.
+    pub scanned: Option<u64>,
     /// The lab of lines in two dimensions.
     pub lines: LinesLab,
     /// What the mouse or the keyboard points at just now.
@@ -242,6 +244,7 @@ impl Default for Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
             walked: None,
+            scanned: None,
             lines: LinesLab::default(),
             pointed: None,
             lit: None,

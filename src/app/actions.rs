@@ -17,6 +17,9 @@ use crate::session::{Selection, Session, ViewLayout};
 impl App {
     /// Does it, or asks what stands in its way.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
+        if self.end_play_for(ctx, &action) {
+            return;
+        }
         match action {
             Action::BackToStep if !self.differs_from_step() => {}
             Action::Open(_)
@@ -49,6 +52,7 @@ impl App {
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
             Action::Undo => self.undo(ctx),
             Action::Redo => self.redo(ctx),
+            Action::Play(play) => self.play(ctx, play),
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
                 self.session.observer = None;

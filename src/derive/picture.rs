@@ -11,6 +11,7 @@ use pinhole_core::{Counts, Depth, Frame, Outputs, PosedCamera, Raster, Shade, St
 use super::ViewSizes;
 use super::memo::Memo;
 use super::objects::GoodWorld;
+use super::scan::{ScannedPicture, first_pixels};
 use super::watch::{self, Watch};
 use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
@@ -106,6 +107,7 @@ pub(super) struct Pictures {
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
+    scanned: ScannedPicture,
     /// How many pictures were made, which tells one from the next.
     made: u64,
     /// How many were traced for that.
@@ -195,8 +197,19 @@ impl Pictures {
             let [rows, columns] = loupe_window(&place, posed.image());
             let seen = (posed, *generation, Raster::part(rows, columns));
             let key = ((method, seen, mode, world.palette), settings.count_from_one);
-            self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)))
+            let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
+            match session.scanned {
+                None => loupe,
+                Some(count) => {
+                    let picture = first_pixels(&loupe.picture, count);
+                    Arc::new(Loupe { picture, ..*loupe })
+                }
+            }
         });
+        let picture = match session.scanned {
+            None => picture,
+            Some(count) => self.scanned.of(&picture, count),
+        };
         GoodPicture {
             loupe,
             posed,

@@ -16,6 +16,7 @@ mod notation;
 mod number;
 pub(crate) mod objects;
 pub(crate) mod places;
+pub(crate) mod play;
 pub(crate) mod plot;
 pub(crate) mod readouts;
 pub(crate) mod selection;

@@ -11,6 +11,7 @@ use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::{self, Place, Which};
 use crate::overlay::Item;
+use crate::panels::play;
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 
 /// What the history would undo and redo.
@@ -46,6 +47,7 @@ pub(crate) fn ui(
         let menu = |text| MenuButton::new(text).config(stays());
         menu("Show").ui(ui, |ui| show_menu(ui, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
+        ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
         layout(ui, settings);
         ui.separator();

@@ -5,7 +5,7 @@ use egui::{
 };
 use pinhole_core::{ImageSize, NO_OBJECT};
 
-use crate::action::Action;
+use crate::action::{Action, PlayMove};
 use crate::derive::{Derived, Shown, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
@@ -127,6 +127,9 @@ fn keys(ui: &Ui, actions: &mut Vec<Action>) {
             let by = presses as i64 * if ui.input(|i| i.modifiers.shift) { 10 } else { 1 };
             actions.push(Action::Step { rows: rows * by, columns: columns * by });
         }
+    }
+    if pressed(Key::Space) {
+        actions.push(Action::Play(PlayMove::Toggle));
     }
     if pressed(Key::F) || pressed(Key::Home) {
         actions.push(Action::FrameAll);

@@ -15,6 +15,7 @@ mod lessons;
 mod lines;
 mod mistakes;
 mod objects;
+mod play;
 mod plot;
 mod scene_files;
 mod selection;
