@@ -35,6 +35,17 @@ pub enum PlayMove {
     Close,
 }
 
+/// What is done with the ghost, the camera to compare with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GhostMove {
+    /// The camera becomes the ghost, in place of the one that was there.
+    Freeze,
+    /// Take it away.
+    Drop,
+    /// Camera and ghost change places.
+    Swap,
+}
+
 /// Something to do once, after the panels and before anything is derived.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
@@ -72,6 +83,8 @@ pub enum Action {
     Undo,
     /// Redo the step that was undone last.
     Redo,
+    /// Something with the ghost.
+    Ghost(GhostMove),
     /// Something with an animation.
     Play(PlayMove),
     /// Put the observer where everything can be seen.

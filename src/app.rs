@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod ghost;
 mod history;
 mod inputs;
 mod lessons;
@@ -243,8 +244,10 @@ impl App {
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
             let steps = top_bar::Steps { undo, redo };
+            let has_ghost = self.session.ghost.is_some();
             let settings = &mut self.session.settings;
-            top_bar::ui(ui, &self.open, &self.recent, steps, settings, actions);
+            let open = &self.open;
+            top_bar::ui(ui, open, &self.recent, steps, has_ghost, settings, actions);
         });
         self.lesson_strip(ui, actions);
         self.play_on(ui, actions);

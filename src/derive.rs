@@ -2,6 +2,7 @@
 //! idle window does no work and one drag does only what it changes.
 
 mod derived;
+mod ghost;
 mod ledgers;
 mod memo;
 mod objects;
@@ -18,6 +19,7 @@ use pinhole_core::methods::Method;
 use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
 pub use self::derived::{Derived, Fault, Shown, ViewSizes};
+use self::ghost::GhostPictures;
 use self::ledgers::Ledgers;
 use self::memo::Memo;
 use self::objects::Objects;
@@ -47,6 +49,7 @@ pub struct Deriver {
     world_view: Memo<WorldViewKey, Shown>,
     ledgers: Ledgers,
     wrong: WrongPictures,
+    ghosts: GhostPictures,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -78,6 +81,7 @@ struct WorldViewKey {
     items: OverlayItems,
     lit: Option<(Thing, usize)>,
     walked: Option<f64>,
+    ghost: Option<PosedCamera>,
     scale: f32,
     style: Style,
 }
@@ -85,7 +89,10 @@ struct WorldViewKey {
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.traced() + self.world_pictures.traced() + self.wrong.count()
+        self.pictures.traced()
+            + self.world_pictures.traced()
+            + self.wrong.count()
+            + self.ghosts.count()
     }
 
     /// Everything to show of this document.
@@ -125,6 +132,8 @@ impl Deriver {
         }
         self.camera_views(&mut derived, document, session, sizes, watch);
         self.wrong_view(&mut derived, document, session, sizes, watch);
+        let good = self.objects.good().filter(|_| derived.fault.is_none());
+        self.ghosts.update(&mut derived, document, good, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
         derived
@@ -254,6 +263,7 @@ impl Deriver {
             items: session.settings.items,
             lit,
             walked: session.walked,
+            ghost: derived.ghost,
             scale: sizes.scale,
             style: sizes.style,
         };
@@ -275,6 +285,7 @@ impl Deriver {
                 style: key.style,
                 lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
                 walked: key.walked,
+                ghost: key.ghost.as_ref(),
             };
             let drawing = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
             shown(size, pixels, drawing)

@@ -22,6 +22,7 @@ pub mod formats;
 pub mod formula;
 mod frame_log;
 mod frame_times;
+pub mod ghost;
 pub mod history;
 pub mod inspection;
 mod label_text;

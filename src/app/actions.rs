@@ -52,6 +52,7 @@ impl App {
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
             Action::Undo => self.undo(ctx),
             Action::Redo => self.redo(ctx),
+            Action::Ghost(ghost) => self.move_ghost(ctx, ghost),
             Action::Play(play) => self.play(ctx, play),
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
@@ -116,6 +117,7 @@ impl App {
         self.open.leave_lesson();
         self.deriver = Deriver::default();
         self.session.observer = None;
+        self.session.ghost = None;
         self.session.selection = uv.map_or(Session::default().selection, Selection::Uv);
         self.session.settings.layout = ViewLayout::Both;
         self.chosen_object = 0;
@@ -137,6 +139,7 @@ impl App {
                 // What was good in another scene is nothing to show in this one.
                 self.deriver = Deriver::default();
                 self.session.observer = None;
+                self.session.ghost = None;
                 self.session.selection = Session::default().selection;
                 self.chosen_object = 0;
             }

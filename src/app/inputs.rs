@@ -26,6 +26,7 @@ impl App {
             }
         }
         self.history_keys(ctx, actions);
+        self.ghost_keys(ctx, actions);
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
         // Not under a dialog: its answer would then be about another scene.
         let dropped = dropped.filter(|_| self.dialog.is_none());

@@ -93,6 +93,7 @@ impl App {
     }
 
     pub(super) fn go_to(&mut self, ctx: &Context, place: Place) {
+        self.session.ghost = None;
         self.open_lesson(place, None);
         ctx.request_discard("another step of a lesson");
     }

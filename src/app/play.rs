@@ -3,7 +3,7 @@
 use egui::{Context, Key, Modifiers, Panel, Ui};
 
 use super::App;
-use crate::action::{Action, PlayMove};
+use crate::action::{Action, GhostMove, PlayMove};
 use crate::document::Document;
 use crate::panels::play;
 use crate::play::{Kind, Player, Start, Still, walk_end};
@@ -116,7 +116,10 @@ impl App {
     /// elsewhere leaves the camera as it was. Whether that is all there is to undo.
     pub(super) fn end_play_for(&mut self, ctx: &Context, action: &Action) -> bool {
         match action {
-            Action::Play(_) | Action::Step { .. } | Action::FrameAll => {}
+            Action::Play(_)
+            | Action::Ghost(GhostMove::Freeze | GhostMove::Drop)
+            | Action::Step { .. }
+            | Action::FrameAll => {}
             Action::Save | Action::AskSaveAs | Action::SaveAs { .. } | Action::SaveThen(_) => {
                 self.keep_play(ctx);
             }

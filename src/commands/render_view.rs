@@ -98,6 +98,7 @@ fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> V
         camera: (!world).then_some(size),
         map: None,
         wrong: None,
+        ghost: None,
         scale,
         style: Style::Light,
     };

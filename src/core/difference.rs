@@ -35,19 +35,20 @@ impl Camera {
     /// How this camera differs from another one.
     ///
     /// ```text
-    /// turn = 2 asin(sqrt((|u - u'|^2 + |v - v'|^2 + |w - w'|^2) / 8))
+    /// turn = atan2(|u' x u + v' x v + w' x w|, u' . u + v' . v + w' . w - 1)
     /// roll = atan2(-v . u'', v . v'')       u'', v'': this view with the other's up
     /// ```
     ///
-    /// The first is the chord form of `trace R = 1 + 2 cos(turn)`, which keeps the digits of a small
-    /// turn.
+    /// The first is `2 sin(turn)` and `2 cos(turn)` of the rotation's matrix, which keep the digits of
+    /// small turns and of those near 180 degrees.
     ///
     /// # Errors
     /// Where one of the two has no basis.
     pub fn difference_from(&self, other: &Camera) -> Result<CameraDifference, BasisError> {
         let (here, there) = (self.basis()?, other.basis()?);
         let pairs = [(here.u, there.u), (here.v, there.v), (here.w, there.w)];
-        let squares: f64 = pairs.iter().map(|(a, b)| (*a - *b).length_squared()).sum();
+        let sin: DVec3 = pairs.iter().map(|(a, b)| b.cross(*a)).sum();
+        let cos = pairs.iter().map(|(a, b)| b.dot(*a)).sum::<f64>() - 1.0;
         let at = match (self.orientation, other.orientation) {
             (Orientation::At { at, .. }, Orientation::At { at: from, .. }) => Some(at - from),
             _ => None,
@@ -59,7 +60,7 @@ impl Camera {
             at,
             up: angle_between(unit(self.up()), unit(other.up())).to_degrees(),
             basis: pairs.map(|(a, b)| angle_between(a, b).to_degrees()),
-            turn: (2.0 * (squares / 8.0).sqrt().min(1.0).asin()).to_degrees(),
+            turn: sin.length().atan2(cos).to_degrees(),
             roll: level
                 .map(|level| (-here.v.dot(level.u)).atan2(here.v.dot(level.v)).to_degrees() + 0.0),
             distance: now.distance - then.distance,

@@ -53,7 +53,7 @@ const STEP: [&str; 20] = [
 ];
 
 /// The layouts that a step can ask for, by name.
-const LAYOUTS: [(&str, ViewLayout); 8] = [
+const LAYOUTS: [(&str, ViewLayout); 9] = [
     ("both", ViewLayout::Both),
     ("world", ViewLayout::World),
     ("camera", ViewLayout::Camera),
@@ -61,6 +61,7 @@ const LAYOUTS: [(&str, ViewLayout); 8] = [
     ("plot", ViewLayout::Plot),
     ("lines", ViewLayout::Lines),
     ("mistakes", ViewLayout::Mistakes),
+    ("compare", ViewLayout::Compare),
     ("exercises", ViewLayout::Exercises),
 ];
 

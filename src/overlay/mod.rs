@@ -5,6 +5,7 @@
 //! left to the caller, who has fonts. The window and exported figures use the same drawing.
 //!
 //! - `world_view`: what the world view shows; `camera_view`: what the camera view shows.
+//! - `ghost`: the camera that is compared with, in the world view.
 //! - `lit`, `lit_world`, `lit_camera`: what is pointed at, over all else.
 //! - `screen`: projection and clipping; `flat`: the way back, from a dot to a place on a plane.
 //! - `layers`: what is filled dot by dot (planes, the picture on the viewport), and what hides what.
@@ -15,6 +16,7 @@ mod camera_in_space;
 mod camera_view;
 mod drawing;
 mod flat;
+mod ghost;
 mod items;
 mod labels;
 mod layers;

@@ -48,6 +48,8 @@ pub struct WorldView<'a> {
     pub style: Style,
     /// The t of the point that walks along the selected ray.
     pub walked: Option<f64>,
+    /// The frozen camera to compare with.
+    pub ghost: Option<&'a PosedCamera>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
 }
@@ -162,6 +164,9 @@ impl<'a> WorldView<'a> {
             if let Some(sphere) = self.scene.spheres().get(*index as usize) {
                 sketch.circles(*index, sphere, (self.color_of)(*index));
             }
+        }
+        if let Some(ghost) = self.ghost {
+            sketch.ghost(ghost);
         }
         sketch.camera_in_space(self);
         if let Some(lit) = self.lit {

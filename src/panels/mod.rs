@@ -3,6 +3,7 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod camera;
+pub(crate) mod compare;
 pub mod dialogs;
 pub(crate) mod exercises;
 pub(crate) mod formula;

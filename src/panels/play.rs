@@ -35,8 +35,8 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
             }
         };
         let chosen = kinds(ui, player.kind);
-        let text = if player.running { "Pause" } else { "Play" };
-        button(ui, text, text, "Space", PlayMove::Toggle);
+        let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
+        button(ui, text, name, "Space", PlayMove::Toggle);
         button(ui, "← Step", "Step back", "A step back: comma", PlayMove::Step(-1));
         button(ui, "Step →", "Step on", "A step on: full stop", PlayMove::Step(1));
         speed(ui, &mut player.speed);

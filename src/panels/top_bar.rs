@@ -11,7 +11,7 @@ use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::{self, Place, Which};
 use crate::overlay::Item;
-use crate::panels::play;
+use crate::panels::{compare, play};
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 
 /// What the history would undo and redo.
@@ -28,6 +28,7 @@ pub(crate) fn ui(
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
     steps: Steps,
+    has_ghost: bool,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
 ) {
@@ -48,6 +49,7 @@ pub(crate) fn ui(
         menu("Show").ui(ui, |ui| show_menu(ui, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
+        ui.menu_button("Ghost", |ui| compare::menu(ui, has_ghost, actions));
         ui.separator();
         layout(ui, settings);
         ui.separator();
@@ -156,6 +158,7 @@ fn layout(ui: &mut Ui, settings: &mut Settings) {
         (ViewLayout::Plot, "Plot", "Every object's f(p + t d) against t"),
         (ViewLayout::Lines, "Lines", "Implicit and parametric lines in two dimensions"),
         (ViewLayout::Mistakes, "Mistakes", "The classic wrong cameras beside the right one"),
+        (ViewLayout::Compare, "Compare", "The camera against the one that was frozen by G"),
         (ViewLayout::Exercises, "Exercises", "Questions, and what is wrong with an answer"),
         (ViewLayout::Accuracy, "Accuracy", "How right each method is here, and how fast"),
         (ViewLayout::Frame, "Frame", "What a frame takes, and what it leaves out"),

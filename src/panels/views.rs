@@ -25,6 +25,9 @@ pub(crate) const MAP: &str = "Error map";
 /// The wrong camera's.
 pub(crate) const WRONG: &str = "Wrong camera";
 
+/// The ghost's picture.
+pub(crate) const GHOST: &str = "Ghost";
+
 /// How large the views are, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
@@ -39,6 +42,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         camera: places.camera.map(physical),
         map: beside(ViewLayout::Accuracy),
         wrong: beside(ViewLayout::Mistakes),
+        ghost: beside(ViewLayout::Compare),
         scale: per_point,
         style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
     }
@@ -64,7 +68,11 @@ pub(crate) fn inputs(
         views.push(response);
     }
     if let Some(rect) = places.beside {
-        let name = if session.settings.layout == ViewLayout::Mistakes { WRONG } else { MAP };
+        let name = match session.settings.layout {
+            ViewLayout::Mistakes => WRONG,
+            ViewLayout::Compare => GHOST,
+            _ => MAP,
+        };
         let response = view(ui, rect, name);
         camera_input(ui, &response, session, shown);
         views.push(response);

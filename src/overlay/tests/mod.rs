@@ -86,6 +86,7 @@ impl Stage {
             style: Style::Light,
             lit: None,
             walked: None,
+            ghost: None,
         }
     }
 
