@@ -168,7 +168,10 @@ impl<'a> WorldView<'a> {
         if let Some(ghost) = self.ghost {
             sketch.ghost(ghost);
         }
+        let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space(self);
+        // Its names come after the camera's, where there is no room for both.
+        sketch.requests.extend(of_ghost);
         if let Some(lit) = self.lit {
             sketch.light(self, lit);
         }

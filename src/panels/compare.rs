@@ -2,7 +2,7 @@
 //! cameras in numbers below.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
-use pinhole_core::{DVec3, Orientation, PosedCamera};
+use pinhole_core::{DVec3, Orientation, PosedCamera, Root};
 
 use super::number::vector_color;
 use super::places::STRIP;
@@ -18,6 +18,9 @@ use crate::number::grouped;
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
 
+/// Significant digits, at most.
+const DIGITS: usize = 4;
+
 /// What is said where there is no ghost.
 const NO_GHOST: &str = "Freeze the camera to compare with it: press G.";
 
@@ -28,7 +31,8 @@ pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
         ("Swap camera and ghost", "", GhostMove::Swap, true),
         ("Drop the ghost", "Shift+G", GhostMove::Drop, true),
     ] {
-        let button = egui::Button::new(text).shortcut_text(keys);
+        let button = egui::Button::new(text);
+        let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
         if ui.add_enabled(has_ghost || !needs_one, button).clicked() {
             actions.push(Action::Ghost(ghost));
         }
@@ -70,11 +74,11 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     });
 }
 
-/// `12,345 of 90,000 pixels shown see another object`
+/// `12,345 of 90,000 pixels see another object`
 fn seen(against: &AgainstGhost) -> String {
     let [differing, pixels] =
         [against.seen.differing, against.seen.pixels].map(|n| grouped(n as u64));
-    format!("{differing} of {pixels} pixels shown see another object")
+    format!("{differing} of {pixels} pixels see another object")
 }
 
 /// What is done with the ghost, and both cameras in numbers.
@@ -87,28 +91,44 @@ pub(crate) fn ui(
     actions: &mut Vec<Action>,
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let against = derived.against_ghost.as_deref();
+    ui.horizontal(|ui| {
+        buttons(ui, ghost.is_some(), actions);
+        if let Some(against) = against {
+            ui.add_space(8.0);
+            ui.strong(seen(against));
+        }
+    });
+    let (Some(against), Some(ghost), Some(now)) = (against, ghost, &derived.posed) else { return };
+    // More digits have no room beside each other.
+    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
-        ui.horizontal(|ui| {
-            menu(ui, ghost.is_some(), actions);
-            if let Some(against) = &derived.against_ghost {
-                ui.add_space(12.0);
-                ui.strong(seen(against));
-            }
-        });
-        let (Some(against), Some(ghost), Some(now)) =
-            (derived.against_ghost.as_deref(), ghost, &derived.posed)
-        else {
-            return;
-        };
         ui.horizontal_top(|ui| {
-            table(ui, "turned", &turned(now, against, style));
+            vectors(ui, "turned", &turned(now, against, style), style);
             ui.separator();
-            table(ui, "moved", &moved(document, ghost, against, style));
+            vectors(ui, "moved", &moved(document, ghost, against, style), style);
             ui.separator();
             let here = derived.inspection.as_deref();
-            table(ui, "seen", &hits(here, &against.inspection, document, style));
+            let mut lines = numbers(document, ghost, against, style);
+            lines.extend(hits(here, &against.inspection, document, style));
+            scalars(ui, &lines, style);
         });
     });
+}
+
+/// What the menu has, in a row.
+fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
+    for (text, name, ghost, needs_one) in [
+        ("Freeze (G)", "Freeze the camera", GhostMove::Freeze, false),
+        ("Swap", "Swap with the ghost", GhostMove::Swap, true),
+        ("Drop", "Drop it", GhostMove::Drop, true),
+    ] {
+        let response = ui.add_enabled(has_ghost || !needs_one, egui::Button::new(text));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+        if response.clicked() {
+            actions.push(Action::Ghost(ghost));
+        }
+    }
 }
 
 /// A quantity of the ghost, of the camera at hand, and what lies between the two.
@@ -124,28 +144,59 @@ impl Line {
         Line { name, ghost, now, between }
     }
 
-    fn of_number(name: &'static str, ghost: f64, now: f64, style: NumberStyle) -> Line {
-        Line::new(name, style.number(ghost), style.number(now), signed(now - ghost, style))
+    /// Its name, in its own colour; a screen reader reads all of it.
+    fn name(&self, ui: &mut Ui) {
+        let Line { name, ghost, now, between } = self;
+        let spoken = match now.is_empty() {
+            true => format!("{name} {between}"),
+            false => format!("{name}: ghost {ghost}, now {now}, difference {between}"),
+        };
+        let text = RichText::new(*name).strong();
+        let response = ui.label(match vector_color(ui, name) {
+            Some(color) => text.color(color),
+            None => text,
+        });
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
     }
 }
 
-fn table(ui: &mut Ui, name: &str, lines: &[Line]) {
-    Grid::new(name).num_columns(4).spacing([16.0, 3.0]).show(ui, |ui| {
+/// As wide as so many characters of a number: nothing moves sideways while numbers change.
+fn wide(ui: &mut Ui, characters: f32, text: RichText) {
+    let response = ui.label(text);
+    let width = 8.2 * characters;
+    ui.add_space((width - response.rect.width()).max(0.0));
+}
+
+/// Vectors of both cameras, one above the other, with what lies between them.
+fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
+    let characters = 3.0 * (style.digits as f32 + 3.2);
+    Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
+        for line in lines {
+            line.name(ui);
+            ui.horizontal(|ui| wide(ui, characters, RichText::new(&line.now)));
+            ui.horizontal(|ui| wide(ui, 8.0, RichText::new(&line.between).strong()));
+            ui.end_row();
+            ui.weak(format!("{}′", line.name));
+            ui.weak(&line.ghost);
+            ui.end_row();
+        }
+    });
+}
+
+/// Numbers of both cameras, side by side.
+fn scalars(ui: &mut Ui, lines: &[Line], style: NumberStyle) {
+    let characters = style.digits as f32 + 3.0;
+    Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
         for head in ["", "ghost", "now", "difference"] {
             ui.weak(head);
         }
         ui.end_row();
-        for Line { name, ghost, now, between } in lines {
-            let text = RichText::new(*name).strong();
-            let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
-            let response = ui.label(match vector_color(ui, name) {
-                Some(color) => text.color(color),
-                None => text,
-            });
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
-            ui.label(ghost);
-            ui.label(now);
-            ui.label(RichText::new(between).strong());
+        for line in lines {
+            line.name(ui);
+            for text in [&line.ghost, &line.now] {
+                ui.horizontal(|ui| wide(ui, characters, RichText::new(text)));
+            }
+            ui.label(RichText::new(&line.between).strong());
             ui.end_row();
         }
     });
@@ -162,25 +213,17 @@ fn signed(x: f64, style: NumberStyle) -> String {
     format!("{sign}{}", style.number(x))
 }
 
-/// u, v, w and how the camera is turned and rolled.
+/// u, v, w.
 fn turned(now: &PosedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<Line> {
     let (here, there, by) = (now.basis(), against.ghost.basis(), &against.difference);
     let vectors = [("u", here.u, there.u), ("v", here.v, there.v), ("w", here.w, there.w)];
-    let mut lines: Vec<Line> = vectors
-        .into_iter()
-        .zip(by.basis)
-        .map(|((name, here, there), angle)| {
-            Line::new(name, style.vector(there), style.vector(here), degrees(angle, style))
-        })
-        .collect();
-    let nothing = String::new;
-    lines.push(Line::new("turned by", nothing(), nothing(), degrees(by.turn, style)));
-    let roll = by.roll.map_or("up′ is along view".to_owned(), |roll| degrees(roll, style));
-    lines.push(Line::new("rolled by", nothing(), nothing(), roll));
-    lines
+    let line = |((name, here, there), angle)| {
+        Line::new(name, style.vector(there), style.vector(here), degrees(angle, style))
+    };
+    vectors.into_iter().zip(by.basis).map(line).collect()
 }
 
-/// eye, at, up and the viewport.
+/// eye, at, up.
 fn moved(
     document: &Document,
     ghost: &Ghost,
@@ -189,22 +232,38 @@ fn moved(
 ) -> Vec<Line> {
     let (now, then, by) = (&document.camera, &ghost.camera, &against.difference);
     let vector = |v: DVec3| style.vector(v);
-    let way = |v: DVec3| format!("{}, length {}", vector(v), style.number(v.length()));
-    let mut lines = vec![Line::new("eye", vector(then.eye), vector(now.eye), way(by.eye))];
+    let way = |v: DVec3| format!("{} apart", style.number(v.length()));
     let at = |orientation: &Orientation| match orientation {
         Orientation::At { at, .. } => vector(*at),
         _ => "none".to_owned(),
     };
     let between = by.at.map(way).unwrap_or_default();
-    lines.push(Line::new("at", at(&then.orientation), at(&now.orientation), between));
-    lines.push(Line::new("up", vector(then.up()), vector(now.up()), degrees(by.up, style)));
-    let (old, new) = (then.viewport, now.viewport);
-    for (name, old, new) in [
-        ("distance", old.distance, new.distance),
-        ("width", old.width, new.width),
-        ("height", old.height, new.height),
+    vec![
+        Line::new("eye", vector(then.eye), vector(now.eye), way(by.eye)),
+        Line::new("at", at(&then.orientation), at(&now.orientation), between),
+        Line::new("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
+    ]
+}
+
+/// How far the camera is turned and rolled, and the viewport.
+fn numbers(
+    document: &Document,
+    ghost: &Ghost,
+    against: &AgainstGhost,
+    style: NumberStyle,
+) -> Vec<Line> {
+    let by = &against.difference;
+    let alone = |name, text| Line::new(name, String::new(), String::new(), text);
+    let roll = by.roll.map_or("up′ is along view".to_owned(), |roll| degrees(roll, style));
+    let mut lines = vec![alone("turned by", degrees(by.turn, style)), alone("rolled by", roll)];
+    let (old, new) = (ghost.camera.viewport, document.camera.viewport);
+    let [width, height] = by.extent;
+    for (name, old, new, by) in [
+        ("distance", old.distance, new.distance, by.distance),
+        ("width", old.width, new.width, width),
+        ("height", old.height, new.height, height),
     ] {
-        lines.push(Line::of_number(name, old, new, style));
+        lines.push(Line::new(name, style.number(old), style.number(new), signed(by, style)));
     }
     lines
 }
@@ -215,20 +274,23 @@ fn hits(
     ghost: &Inspection,
     document: &Document,
     style: NumberStyle,
-) -> Vec<Line> {
+) -> [Line; 2] {
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
-    let named = |hit: Option<&pinhole_core::Root>| {
-        hit.map_or("nothing".to_owned(), |hit| document.title_of(hit.object as usize))
+    // Names would not fit; their numbers are in the list of objects.
+    let kind = |hit: &Root| {
+        let object = hit.object as usize;
+        let kind = if object < document.sphere_count() { "sphere" } else { "plane" };
+        format!("{kind} {object}")
     };
-    let t =
-        |hit: Option<&pinhole_core::Root>| hit.map_or("—".to_owned(), |hit| style.number(hit.t));
+    let named = |hit: Option<&Root>| hit.map_or("nothing".to_owned(), kind);
+    let t = |hit: Option<&Root>| hit.map_or("none".to_owned(), |hit| style.number(hit.t));
     let same = here.map(|hit| hit.object) == there.map(|hit| hit.object);
     let between = match (here, there) {
         (Some(here), Some(there)) => signed(here.t - there.t, style),
         _ => String::new(),
     };
     let hit = if same { "the same" } else { "another" };
-    vec![
+    [
         Line::new("hit", named(there), named(here), hit.to_owned()),
         Line::new("t", t(there), t(here), between),
     ]

@@ -46,10 +46,9 @@ pub(crate) fn ui(
         // Several switches in one go: these stay open while one clicks in them.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
-        menu("Show").ui(ui, |ui| show_menu(ui, settings, actions));
+        menu("Show").ui(ui, |ui| show_menu(ui, has_ghost, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
-        ui.menu_button("Ghost", |ui| compare::menu(ui, has_ghost, actions));
         ui.separator();
         layout(ui, settings);
         ui.separator();
@@ -107,10 +106,12 @@ fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
     entry("Redo", steps.redo, "Ctrl+Shift+Z", Action::Redo);
 }
 
-fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
+fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {
     if ui.add(egui::Button::new("Frame all").shortcut_text("F")).clicked() {
         actions.push(Action::FrameAll);
     }
+    ui.separator();
+    compare::menu(ui, has_ghost, actions);
     ui.separator();
     ui.label("Drawn over the views");
     for item in Item::ALL {

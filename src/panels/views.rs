@@ -264,6 +264,9 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
         });
 }
 
+/// Above a narrower view, in points, there is no room for the size of its image.
+const NARROW: f32 = 310.0;
+
 /// Titles above the views, with a button that gives one all the room.
 pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, own: ViewLayout| {
@@ -286,7 +289,10 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
         strip(rect, WORLD.to_owned(), ViewLayout::World);
     }
     if let Some(rect) = places.camera_area {
-        let text = format!("{CAMERA}, {} × {} pixels", image.width(), image.height());
+        let text = match rect.width() < NARROW {
+            true => CAMERA.to_owned(),
+            false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
+        };
         strip(rect, text, ViewLayout::Camera);
     }
 }
