@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use pinhole_core::DVec2;
 
 use crate::document::Document;
+use crate::figures::Order;
 use crate::formats::scene_argument::SceneSource;
+use crate::ledger::Markup;
 use crate::lessons::Place;
 use crate::play::Kind;
 
@@ -64,6 +66,17 @@ pub enum Action {
         /// What to go on with if that worked.
         then: Option<Box<Action>>,
     },
+    /// Ask which figure to export.
+    AskExport,
+    /// Write a figure.
+    Export {
+        /// Which.
+        order: Order,
+        /// Where to.
+        path: PathBuf,
+    },
+    /// Put the ledger on the clipboard.
+    CopyLedger(Markup),
     /// Close the window, asking first if there are unsaved changes.
     Quit,
     /// Show this step of a lesson, asking first if there are unsaved changes of a scene.

@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod figures;
 mod ghost;
 mod history;
 mod inputs;
@@ -29,9 +30,9 @@ use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::ledger::LedgerPanel;
-use crate::panels::{camera, dialogs, objects, places, selection, top_bar, views};
+use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::play::Player;
-use crate::present::{FrameTimes, WindowGeometry, fonts};
+use crate::present::{FrameTimes, WindowGeometry, look};
 use crate::session::{Session, Settings, ThemeName, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::thing::Pointed;
@@ -111,22 +112,13 @@ impl App {
 
     /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
-        fonts::install(ctx);
+        look::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;
             // Bars that stay tell that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
-        // egui's greys are for one reader near the screen, not for the back row.
-        for (theme, text) in [(egui::Theme::Dark, 0xea), (egui::Theme::Light, 0x10)] {
-            ctx.style_mut_of(theme, |style| {
-                let visuals = &mut style.visuals;
-                visuals.widgets.noninteractive.fg_stroke.color = egui::Color32::from_gray(text);
-                visuals.widgets.inactive.fg_stroke.color = egui::Color32::from_gray(text);
-                visuals.weak_text_alpha = 0.75;
-            });
-        }
     }
 
     /// Says what draws the window.
@@ -292,12 +284,17 @@ impl App {
         ui.add_space(8.0);
     }
 
-    /// What the mouse or the focus is on: a mark in a view, or a line of the ledger.
+    /// What the mouse or the focus is on: something in a view, or a line about it.
     fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
-        if self.session.settings.layout != ViewLayout::Ledger || self.dialog.is_some() {
+        if self.dialog.is_some() {
             return None;
         }
-        views::pointed(ui, places, &self.derived).or_else(|| self.ledger.pointed(ui.ctx()))
+        let at_line = || match self.session.settings.layout {
+            ViewLayout::Ledger => self.ledger.pointed(ui.ctx()),
+            ViewLayout::Plot => plot::pointed(ui.ctx(), &self.derived),
+            _ => None,
+        };
+        views::pointed(ui, places, &self.derived).or_else(at_line)
     }
 
     /// Where everything can be seen from.

@@ -6,7 +6,10 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
+use crate::figures::Subject;
+pub use crate::figures::View;
 use crate::lessons::LessonArgument;
+use crate::overlay::Style;
 use crate::present::Renderer;
 
 /// See what a pinhole camera sees, and why.
@@ -56,6 +59,8 @@ pub enum Command {
     Report(ReportArguments),
     /// Measure this machine's speed, with rivals and the limit beside it
     Bench(BenchArguments),
+    /// Write a view, the ledger or the lab of lines as a figure for slides
+    Figure(FigureArguments),
 }
 
 /// `pinhole inspect`
@@ -119,13 +124,57 @@ pub struct RenderArguments {
     pub aov: Option<PathBuf>,
 }
 
-/// Which of the two views.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum View {
-    /// What the edited camera sees.
-    Camera,
-    /// The scene with the camera in it, as the observer sees it.
-    World,
+/// `pinhole figure`
+#[derive(Args, Clone, Debug)]
+pub struct FigureArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
+    /// number, or the lab of lines, which is the same for every scene
+    #[arg(long, value_name = "world|camera|ledger|lines")]
+    #[arg(value_parser = subject())]
+    pub view: Subject,
+    /// The file to write; the ending chooses the format
+    ///
+    /// SVG and PDF keep strokes and text as such, and have the fonts in them; PNG has the pixels of
+    /// the window. The ledger can be written as text, too: .tex for LaTeX (with amsmath), .md for
+    /// Markdown with $formulas$.
+    #[arg(short, long, value_name = "OUT.svg|pdf|png")]
+    pub output: PathBuf,
+    /// Columns, in dots; given alone, the rows follow in proportion
+    ///
+    /// Strokes and letters grow with the figure. In PDF, 96 dots are an inch.
+    #[arg(long, value_name = "W", value_parser = image_measure())]
+    pub width: Option<u32>,
+    /// Rows, in dots; given alone, the columns follow in proportion
+    #[arg(long, value_name = "H", value_parser = image_measure())]
+    pub height: Option<u32>,
+    /// Leave the background out: in the views, whatever lies behind all objects
+    #[arg(long)]
+    pub transparent: bool,
+    /// Dark on light, or light on dark
+    #[arg(
+        long = "theme",
+        value_name = "light|dark",
+        default_value = "light",
+        value_parser = style()
+    )]
+    pub style: Style,
+    /// Which ray is shown.
+    #[command(flatten)]
+    pub ray: MaybeRayArguments,
+}
+
+/// A view ray, or none: at most one of these.
+#[derive(Args, Clone, Copy, Debug)]
+#[group(required = false, multiple = false)]
+pub struct MaybeRayArguments {
+    /// Show the ray through a pixel's centre; rows and columns count from 0, row 0 on top
+    #[arg(long, value_name = "ROW,COL", allow_hyphen_values = true, value_parser = pixel)]
+    pub pixel: Option<Pixel>,
+    /// Show the ray through a point of the viewport, in world units from its centre
+    #[arg(long, value_name = "U,V", allow_hyphen_values = true, value_parser = uv)]
+    pub uv: Option<DVec2>,
 }
 
 /// `pinhole trace`
@@ -177,6 +226,18 @@ pub struct BenchArguments {
 fn view() -> impl TypedValueParser<Value = View> {
     PossibleValuesParser::new(["camera", "world"])
         .map(|name| if name == "world" { View::World } else { View::Camera })
+}
+
+fn subject() -> impl TypedValueParser<Value = Subject> {
+    PossibleValuesParser::new(Subject::ALL.map(Subject::name)).map(|name| {
+        let named = Subject::ALL.into_iter().find(|subject| subject.name() == name);
+        named.unwrap_or(Subject::World)
+    })
+}
+
+fn style() -> impl TypedValueParser<Value = Style> {
+    PossibleValuesParser::new(["light", "dark"])
+        .map(|name| if name == "dark" { Style::Dark } else { Style::Light })
 }
 
 fn shade() -> impl TypedValueParser<Value = Shade> {

@@ -7,6 +7,7 @@ mod ledgers;
 mod memo;
 mod objects;
 mod picture;
+mod plots;
 mod scan;
 mod watch;
 mod world;
@@ -14,17 +15,18 @@ mod wrong;
 
 use std::sync::Arc;
 
-use egui::{Color32, ColorImage};
+use egui::Color32;
 use pinhole_core::methods::Method;
 use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
-pub use self::derived::{Derived, Fault, Shown, ViewSizes};
+pub use self::derived::{Derived, Fault, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
 use self::ledgers::Ledgers;
 use self::memo::Memo;
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
+use self::plots::Plots;
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::WorldPictures;
@@ -32,9 +34,7 @@ use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
 use crate::document::Document;
 use crate::observer::Observer;
-use crate::overlay::{
-    self, CameraView, Drawing, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
-};
+use crate::overlay::{self, CameraView, Lit, Loupe, OverlayItems, Picture, Style, WorldView};
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
 
@@ -48,6 +48,7 @@ pub struct Deriver {
     world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
     ledgers: Ledgers,
+    plots: Plots,
     wrong: WrongPictures,
     ghosts: GhostPictures,
     /// What the camera saw before the document got a fault.
@@ -66,6 +67,7 @@ struct CameraViewKey {
     loupe: Option<Arc<Loupe>>,
     scale: f32,
     style: Style,
+    purpose: Purpose,
 }
 
 #[derive(Debug, PartialEq)]
@@ -84,6 +86,29 @@ struct WorldViewKey {
     ghost: Option<PosedCamera>,
     scale: f32,
     style: Style,
+    purpose: Purpose,
+}
+
+impl CameraViewKey {
+    /// What this is the key of.
+    fn view<'a>(
+        &'a self,
+        picture: &'a Picture,
+        good: &'a GoodPicture,
+        lit: Option<Lit<'a>>,
+    ) -> CameraView<'a> {
+        CameraView {
+            picture,
+            posed: &good.posed,
+            inspection: Some(&good.inspection),
+            items: self.items,
+            size: self.size.map(|n| n as usize),
+            scale: self.scale,
+            style: self.style,
+            lit,
+            loupe: self.loupe.as_deref(),
+        }
+    }
 }
 
 impl Deriver {
@@ -136,6 +161,8 @@ impl Deriver {
         self.ghosts.update(&mut derived, document, good, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
+        let generation = self.objects.good().map_or(0, |good| good.generation);
+        derived.plot = self.plots.of(document, session, &derived, generation);
         derived
     }
 
@@ -163,42 +190,34 @@ impl Deriver {
             loupe: good.loupe.clone(),
             scale: sizes.scale,
             style: sizes.style,
+            purpose: sizes.purpose,
         };
-        let view = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
-            let view = CameraView {
-                picture,
-                posed: &good.posed,
-                inspection: Some(&good.inspection),
-                items: key.items,
-                size: key.size.map(|n| n as usize),
-                scale: key.scale,
-                style: key.style,
-                lit: scene.and_then(|scene| key.lit.map(|lit| lit_of(lit, document, scene))),
-                loupe: key.loupe.as_deref(),
-            };
-            overlay::camera(&view, pixels)
+        let draw = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
+            let lit = scene.zip(key.lit).map(|(scene, lit)| lit_of(lit, document, scene));
+            let view = key.view(picture, &good, lit);
+            match key.purpose {
+                Purpose::Window => overlay::camera(&view, pixels),
+                Purpose::Figure { .. } => overlay::camera_apart(&view, pixels),
+            }
         };
         derived.camera_view = sizes.camera.map(|size| {
             self.camera_view.get(key(size), |key| {
                 watched(watch, Work::Overlay, || {
                     let mut pixels = blank(size);
-                    let drawing = view(&good.picture, key, &mut pixels);
-                    shown(size, pixels, drawing)
+                    let drawing = draw(&good.picture, key, &mut pixels);
+                    Shown::new(size, pixels, drawing)
                 })
             })
         });
         if let (Some((compared, map)), Some(size)) = (&good.compared, sizes.map) {
-            let shown = self.error_map.get(
-                (compared.method, CameraViewKey { loupe: None, ..key(size) }),
-                |(_, key)| {
-                    let mut pixels = blank(size);
-                    let drawing = view(map, key, &mut pixels);
-                    let (comparison, width) = (&compared.comparison, size[0] as usize);
-                    accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
-                    shown(size, pixels, drawing)
-                },
-            );
-            derived.error_map = Some(shown);
+            let key = (compared.method, CameraViewKey { loupe: None, ..key(size) });
+            derived.error_map = Some(self.error_map.get(key, |(_, key)| {
+                let mut pixels = blank(size);
+                let drawing = draw(map, key, &mut pixels);
+                let (comparison, width) = (&compared.comparison, size[0] as usize);
+                accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
+                Shown::new(size, pixels, drawing)
+            }));
             derived.compared = Some(Arc::clone(compared));
         }
         derived.drawn_by.clone_from(&good.drawn_by);
@@ -266,6 +285,7 @@ impl Deriver {
             ghost: derived.ghost,
             scale: sizes.scale,
             style: sizes.style,
+            purpose: sizes.purpose,
         };
         let (posed, inspection) = (derived.posed, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
@@ -286,9 +306,13 @@ impl Deriver {
                 lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
                 walked: key.walked,
                 ghost: key.ghost.as_ref(),
+                is_clear: key.purpose.is_clear(),
             };
-            let drawing = watched(watch, Work::Overlay, || overlay::world(&view, &mut pixels));
-            shown(size, pixels, drawing)
+            let drawing = watched(watch, Work::Overlay, || match key.purpose {
+                Purpose::Window => overlay::world(&view, &mut pixels),
+                Purpose::Figure { .. } => overlay::world_apart(&view, &mut pixels),
+            });
+            Shown::new(size, pixels, drawing)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);
@@ -314,13 +338,4 @@ fn lit_of<'a>(
     scene: &'a Scene,
 ) -> Lit<'a> {
     Lit { thing, camera: &document.camera, scene, digits }
-}
-
-fn shown(size: [u32; 2], pixels: Vec<Color32>, drawing: Drawing) -> Shown {
-    let size = size.map(|n| n as usize);
-    Shown {
-        image: Arc::new(ColorImage::new(size, pixels)),
-        targets: Arc::new(drawing.targets()),
-        labels: Arc::new(drawing.labels),
-    }
 }

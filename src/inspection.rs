@@ -90,6 +90,19 @@ impl Inspection {
         self.roots.iter().filter(|root| root.object == object).nth(number.into())
     }
 
+    /// Why one of the roots is, or is not, what the ray hits.
+    pub fn verdict(&self, root: &Root) -> &'static str {
+        match self.first_hit() {
+            _ if root.t < 0.0 => "behind the eye: no hit",
+            _ if root.t == 0.0 => "at the eye: no hit",
+            Some(hit) if hit.object == root.object && hit.t == root.t => {
+                "the hit: the smallest t > 0 of all"
+            }
+            Some(hit) if hit.t == root.t => "the same t, but listed later",
+            _ => "farther than the hit",
+        }
+    }
+
     /// The first hit.
     pub fn first_hit(&self) -> Option<&Root> {
         self.first.map(|index| &self.roots[index])

@@ -178,6 +178,23 @@ impl LinesLab {
         place.is_finite().then_some(place)
     }
 
+    /// Moves a handle by so many steps to the right and upwards. The point p + t d goes along its
+    /// line, by steps of t, to whichever end the steps lead.
+    pub fn nudge(&mut self, handle: Handle, steps: DVec2, fineness: f64) {
+        let step = if self.snap { LinesLab::GRID } else { 0.1 };
+        if handle == Handle::T {
+            let along = steps.dot(self.ray.d);
+            if along != 0.0 {
+                let t = self.t + step * steps.abs().max_element().copysign(along);
+                let per_step = 1.0 / step;
+                let t = (t * per_step).round() / per_step + 0.0;
+                self.set_t(t.clamp(-LARGEST, LARGEST));
+            }
+        } else if let Some(place) = self.place_of(handle) {
+            self.drag(handle, place + step * steps, fineness);
+        }
+    }
+
     /// Drags a handle to a place of the plane, on the grid if that is asked for, and otherwise
     /// on whole multiples of `1 / fineness`, which are short numbers. What would leave no line is
     /// not done.
@@ -266,6 +283,24 @@ mod tests {
         assert_eq!(meeting(&lab), Meeting::Parallel);
         lab.drag(Handle::Move, DVec2::new(1.02, 0.98), 100.0);
         assert_eq!(meeting(&lab), Meeting::Coincident);
+    }
+
+    #[test]
+    fn arrow_keys_never_leave_t_where_it_is() {
+        for snap in [false, true] {
+            for (_, example) in LinesLab::EXAMPLES {
+                let mut lab = LinesLab { snap, ..example.lab() };
+                let mut before = lab.t;
+                for steps in [DVec2::X, DVec2::X, DVec2::Y] {
+                    lab.nudge(Handle::T, steps, 100.0);
+                    let step = if snap { LinesLab::GRID } else { 0.1 };
+                    assert!((lab.t - before - step).abs() < 1e-12, "{before} {}", lab.t);
+                    before = lab.t;
+                }
+                lab.nudge(Handle::T, DVec2::NEG_X, 100.0);
+                assert!(lab.t < before);
+            }
+        }
     }
 
     #[test]

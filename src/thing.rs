@@ -1,5 +1,7 @@
 //! What can be pointed at: a line of the ledger is about it, and a view shows it.
 
+use crate::symbols;
+
 /// Something in the scene or in a camera's derivation that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Thing {
@@ -66,31 +68,31 @@ pub struct Pointed {
 pub enum Pointing {
     /// In a view: the ledger scrolls to its line.
     View,
-    /// At a line of the ledger.
+    /// At a line of the ledger, or in the words beside the plot.
     Ledger,
 }
 
 /// Names of things that have no number, in files, and what is said of them.
 const NAMES: [(Thing, &str, &str); 19] = [
-    (Thing::Eye, "eye", "eye: where every view ray begins"),
-    (Thing::At, "at", "at: the point that the camera looks at"),
-    (Thing::View, "view", "view: the direction that the camera looks along"),
-    (Thing::Up, "up", "up: keeps the camera level"),
+    (Thing::Eye, "eye", symbols::EYE),
+    (Thing::At, "at", symbols::AT),
+    (Thing::View, "view", symbols::VIEW),
+    (Thing::Up, "up", symbols::UP),
     (Thing::Backwards, "backwards", "−view: backwards, not yet of length 1"),
-    (Thing::U, "u", "u: to the right in the image"),
-    (Thing::V, "v", "v: up in the image"),
-    (Thing::W, "w", "w: backwards, of length 1"),
-    (Thing::UpCrossW, "up-cross-w", "up × w: at right angles to both"),
-    (Thing::WCrossU, "w-cross-u", "w × u: at right angles to both"),
+    (Thing::U, "u", symbols::U),
+    (Thing::V, "v", symbols::V),
+    (Thing::W, "w", symbols::W),
+    (Thing::UpCrossW, "up-cross-w", "up × 𝐰: at right angles to both"),
+    (Thing::WCrossU, "w-cross-u", "𝐰 × 𝐮: at right angles to both"),
     (Thing::Viewport, "viewport", "viewport: what the image is stretched over"),
-    (Thing::Distance, "distance", "distance: from the eye to the viewport"),
+    (Thing::Distance, "distance", symbols::DISTANCE),
     (Thing::Pixel, "pixel", "the selected place in the viewport"),
-    (Thing::AlongU, "along-u", "u u: how far to the right"),
-    (Thing::AlongV, "along-v", "v v: how far up"),
-    (Thing::AlongW, "along-w", "−distance w: how far forwards"),
-    (Thing::Direction, "direction", "d: from the eye to the viewport"),
-    (Thing::Ray, "ray", "p + t d: the view ray"),
-    (Thing::Normal, "normal", "n: the normal at the first hit"),
+    (Thing::AlongU, "along-u", "𝑢 𝐮: how far to the right"),
+    (Thing::AlongV, "along-v", "𝑣 𝐯: how far up"),
+    (Thing::AlongW, "along-w", "−distance 𝐰: how far forwards"),
+    (Thing::Direction, "direction", symbols::D),
+    (Thing::Ray, "ray", "𝐩 + 𝑡 𝐝: the view ray"),
+    (Thing::Normal, "normal", symbols::NORMAL),
 ];
 
 impl Thing {

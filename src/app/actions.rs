@@ -8,6 +8,7 @@ use egui::{Context, ViewportCommand};
 use super::App;
 use crate::action::{Action, MadeUp};
 use crate::derive::Deriver;
+use crate::figures::ledger_of;
 use crate::files::{OpenDocument, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::{self, Place, Which};
@@ -50,6 +51,12 @@ impl App {
             Action::Save => self.save(ctx, None),
             Action::AskSaveAs => self.ask_save_as(None),
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
+            Action::AskExport => self.ask_export(ctx),
+            Action::Export { order, path } => self.export(&order, &path),
+            Action::CopyLedger(markup) => {
+                let ledger = ledger_of(&self.open.document, &self.session);
+                ctx.copy_text(ledger.written_in(markup));
+            }
             Action::Undo => self.undo(ctx),
             Action::Redo => self.redo(ctx),
             Action::Ghost(ghost) => self.move_ghost(ctx, ghost),

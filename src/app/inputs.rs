@@ -19,6 +19,7 @@ impl App {
             (shifted, Action::AskSaveAs),
             (command(Key::S), Action::Save),
             (command(Key::O), Action::AskOpen),
+            (command(Key::E), Action::AskExport),
             (command(Key::Q), Action::Quit),
         ] {
             if pressed(shortcut) && self.dialog.is_none() {

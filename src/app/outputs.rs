@@ -4,6 +4,7 @@ use egui::{Rect, Ui, UiBuilder};
 
 use super::App;
 use crate::derive::Fault;
+use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
 use crate::panels::{accuracy, compare, exercises, frame, lines, mistakes, plot, readouts, views};
@@ -11,6 +12,15 @@ use crate::session::{Session, ViewLayout};
 
 impl App {
     pub(super) fn outputs(&mut self, ui: &mut Ui, places: &Places) {
+        self.views(ui, places);
+        ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
+            ui.set_clip_rect(places.rest);
+            self.beside_views(ui);
+        });
+    }
+
+    /// The pictures with what is written on them.
+    fn views(&mut self, ui: &mut Ui, places: &Places) {
         let image = self.open.document.camera.image;
         views::strips(ui, places, &mut self.session.settings, image);
         let dimmed = self.derived.fault.is_some();
@@ -36,8 +46,12 @@ impl App {
             views::drawn_by(ui, rect, &text);
         }
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
-            views::reason(ui, rect, &fault.to_string());
+            views::reason(ui, rect, &told(fault));
         }
+    }
+
+    /// What the layout has beside the views, or below them.
+    fn beside_views(&mut self, ui: &mut Ui) {
         let lit = self.session.lit();
         let settings = &self.session.settings;
         let style = NumberStyle {
@@ -45,39 +59,35 @@ impl App {
             count_from_one: settings.count_from_one,
             exact: false,
         };
-        ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
-            ui.set_clip_rect(places.rest);
-            let document = &self.open.document;
-            match self.session.settings.layout {
-                ViewLayout::Accuracy => {
-                    accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
-                }
-                ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
-                ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
-                ViewLayout::Plot => {
-                    let walk = (self.session.selection, &mut self.session.walked);
-                    plot::ui(ui, walk, &self.derived, document, style.digits);
-                }
-                ViewLayout::Ledger => {
-                    let Session { sections, pointed, .. } = &mut self.session;
-                    if let Some(ledger) = &self.derived.ledger {
-                        self.ledger.ui(ui, ledger, sections, *pointed, lit);
-                    }
-                }
-                ViewLayout::Mistakes => {
-                    mistakes::ui(ui, &self.derived, document, &mut self.session, style);
-                }
-                ViewLayout::Compare => {
-                    let (ghost, actions) = (self.session.ghost.as_ref(), &mut self.waiting);
-                    compare::ui(ui, &self.derived, document, ghost, style, actions);
-                }
-                ViewLayout::Exercises => {
-                    let exercises = &mut self.session.exercises;
-                    exercises::ui(ui, exercises, style, &mut self.waiting);
-                }
-                _ => readouts::ui(ui, &self.derived, document, style),
+        let document = &self.open.document;
+        match settings.layout {
+            ViewLayout::Accuracy => {
+                accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
             }
-        });
+            ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
+            ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
+            ViewLayout::Plot => {
+                plot::ui(ui, &mut self.session.walked, &self.derived, style.digits);
+            }
+            ViewLayout::Ledger => {
+                let Session { sections, pointed, .. } = &mut self.session;
+                if let Some(ledger) = &self.derived.ledger {
+                    self.ledger.ui(ui, ledger, sections, *pointed, lit);
+                }
+            }
+            ViewLayout::Mistakes => {
+                mistakes::ui(ui, &self.derived, document, &mut self.session, style);
+            }
+            ViewLayout::Compare => {
+                let (ghost, actions) = (self.session.ghost.as_ref(), &mut self.waiting);
+                compare::ui(ui, &self.derived, document, ghost, style, actions);
+            }
+            ViewLayout::Exercises => {
+                let exercises = &mut self.session.exercises;
+                exercises::ui(ui, exercises, style, &mut self.waiting);
+            }
+            _ => readouts::ui(ui, &self.derived, document, style),
+        }
     }
 
     /// Beside the right picture, where another method errs in it.

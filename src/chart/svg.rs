@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::figure::{Align, DASH, Figure, Ink, Place, Shape};
+use super::figure::{Align, DASH, Figure, Shape};
+use crate::formats::svg::{SANS, chain, escaped, hex};
 
 /// From the middle of a line of text down to its baseline, as a share of the font's size: half the
 /// height of a digit.
@@ -15,7 +16,7 @@ impl Figure {
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
              viewBox=\"0 0 {width} {height}\" fill=\"none\" \
-             font-family=\"Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif\">\n\
+             font-family=\"{SANS}\">\n\
              <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
         );
         for shape in &self.shapes {
@@ -35,7 +36,7 @@ fn element(shape: &Shape) -> String {
             } else {
                 String::new()
             };
-            let (points, color) = (chain(points), hex(*color));
+            let (points, color) = (chain(points, 1), hex(*color));
             format!(
                 "<polyline points=\"{points}\" stroke=\"{color}\" stroke-width=\"{width}\"{dash}/>"
             )
@@ -47,7 +48,7 @@ fn element(shape: &Shape) -> String {
                     format!(" stroke=\"{}\" stroke-width=\"{width}\"", hex(color))
                 })
                 .unwrap_or_default();
-            format!("<polygon points=\"{}\"{fill}{stroke}/>", chain(points))
+            format!("<polygon points=\"{}\"{fill}{stroke}/>", chain(points, 1))
         }
         Shape::Ring { center: [x, y], radius, color, width } => format!(
             "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" stroke=\"{}\" \
@@ -72,38 +73,9 @@ fn element(shape: &Shape) -> String {
     }
 }
 
-fn chain(points: &[Place]) -> String {
-    points.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect::<Vec<_>>().join(" ")
-}
-
-fn hex([r, g, b]: Ink) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// Text that XML may hold: what marks it up is spelled out, and control characters, which it may
-/// not hold at all, are left out.
-fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            c if c.is_control() => {}
-            c => out.push(c),
-        }
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn text_is_escaped() {
-        assert_eq!(escaped("a < b & c > d\u{0}\n"), "a &lt; b &amp; c &gt; d");
-    }
 
     #[test]
     fn every_shape_is_an_element() {

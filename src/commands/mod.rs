@@ -1,6 +1,7 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 
 mod bench;
+mod figure;
 mod inspect;
 mod outputs;
 mod progress;
@@ -15,12 +16,13 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use pinhole_core::{CameraError, PosedCamera};
+use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, PosedCamera};
 
 use crate::arguments::Command;
 use crate::document::Document;
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::{FileError, scene_file};
+use crate::session::Selection;
 
 /// Why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +64,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Trace(arguments) => trace::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
+        Command::Figure(arguments) => figure::run(arguments),
     }
 }
 
@@ -96,6 +99,41 @@ fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> 
         Some(fault) => fault.into(),
         None => of_scene(scene, error),
     })
+}
+
+/// The ray that is asked for; that through the viewport's centre where none is.
+fn selection_of(
+    camera: &PosedCamera,
+    pixel: Option<Pixel>,
+    uv: Option<DVec2>,
+) -> Result<Selection, String> {
+    let selection = match (pixel, uv) {
+        (Some(pixel), _) => {
+            inside(camera.image(), pixel)?;
+            Selection::Pixel(pixel)
+        }
+        (None, uv) => Selection::Uv(uv.unwrap_or_default()),
+    };
+    if !camera.ray(selection.uv(camera)).direction.is_finite() {
+        return Err("the ray's direction is beyond the range of numbers: make the viewport, its \
+                    distance or (u, v) smaller"
+            .to_owned());
+    }
+    Ok(selection)
+}
+
+fn inside(image: ImageSize, pixel: Pixel) -> Result<(), String> {
+    if image.contains(pixel) {
+        return Ok(());
+    }
+    let Pixel { row, column } = pixel;
+    let (width, height) = (image.width(), image.height());
+    Err(format!(
+        "pixel {row},{column} is outside the image of {height} rows and {width} columns: rows are \
+         0 to {}, columns 0 to {}",
+        height - 1,
+        width - 1
+    ))
 }
 
 /// Turns what is wrong with a scene's camera or objects into what is wrong with the scene.

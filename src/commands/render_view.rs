@@ -1,16 +1,14 @@
 //! The picture of either view, for `pinhole render`.
 
-use egui::Pos2;
 use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
 
 use super::CommandError;
 use crate::arguments::View;
-use crate::derive::{Deriver, ViewSizes};
+use crate::derive::Fault;
 use crate::document::Document;
-use crate::label_text;
+use crate::figures::{self, Look};
 use crate::observer::Observer;
 use crate::overlay::{Item, OverlayItems, Style};
-use crate::present::headless;
 use crate::session::{Session, Settings};
 
 /// What to draw, and how.
@@ -64,7 +62,7 @@ pub fn render_view(
         let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
         return Ok(Rendering { pixels, frame: Some(frame) });
     }
-    let pixels = with_overlay(&document, &scene, options);
+    let pixels = with_overlay(&document, &scene, options).map_err(|fault| input(&fault))?;
     if !options.normals {
         done(options.size.height() as usize);
         return Ok(Rendering { pixels, frame: None });
@@ -76,41 +74,29 @@ pub fn render_view(
 }
 
 /// The view as the window shows it, labels included. No ray is selected, so none is drawn.
-fn with_overlay(document: &Document, scene: &Scene, options: RenderOptions) -> Vec<[u8; 4]> {
-    let size = [options.size.width(), options.size.height()];
-    // Strokes and text stay in proportion on large pictures.
-    let scale = (size[0].min(size[1]) as f32 / 720.0).max(1.0);
-    let world = options.view == View::World;
+fn with_overlay(
+    document: &Document,
+    scene: &Scene,
+    options: RenderOptions,
+) -> Result<Vec<[u8; 4]>, Fault> {
+    let RenderOptions { view, size, .. } = options;
     let items = if options.overlay {
         OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false)
     } else {
         // A plane has no end: the world view draws a patch of it.
         OverlayItems::NONE.with(Item::Planes, true)
     };
-    let aspect = options.size.aspect();
     let session = Session {
-        observer: Some(Observer::frame_all(&document.camera, scene, aspect)),
+        observer: Some(Observer::frame_all(&document.camera, scene, size.aspect())),
         settings: Settings { shade: options.shade.into(), items, ..Settings::default() },
         ..Session::default()
     };
-    let sizes = ViewSizes {
-        world: world.then_some(size),
-        camera: (!world).then_some(size),
-        map: None,
-        wrong: None,
-        ghost: None,
-        scale,
+    // Strokes and text stay in proportion on large pictures.
+    let look = Look {
+        scale: figures::scale_of([size.width(), size.height()]),
         style: Style::Light,
+        transparent: false,
     };
-    let derived = Deriver::default().derive(document, &session, &sizes);
-    let Some(shown) = (if world { derived.world_view } else { derived.camera_view }) else {
-        return Vec::new();
-    };
-    let mut pixels = shown.image.pixels.clone();
-    headless::draw_text(&mut pixels, shown.image.size, scale, |painter| {
-        for label in shown.labels.iter() {
-            label_text::write(painter, Pos2::ZERO, scale, label);
-        }
-    });
-    pixels.into_iter().map(|pixel| pixel.to_array()).collect()
+    let figure = figures::of_view(document, &session, view, size, look)?;
+    Ok(figure.to_pixels().into_iter().map(|pixel| pixel.to_array()).collect())
 }

@@ -11,7 +11,8 @@ use crate::ghost::AgainstGhost;
 use crate::inspection::Inspection;
 use crate::ledger::Ledger;
 use crate::mistakes::Wrong;
-use crate::overlay::{Label, Style, Target};
+use crate::overlay::{Drawing, Label, Mark, Style, Target};
+use crate::plot::Plot;
 
 /// How large the views are, in physical pixels; `None` where one is not shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -30,6 +31,28 @@ pub struct ViewSizes {
     pub scale: f32,
     /// Colours of the world view.
     pub style: Style,
+    /// What the pictures are for.
+    pub purpose: Purpose,
+}
+
+/// What pictures are for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Purpose {
+    /// The window: marks are painted into them.
+    #[default]
+    Window,
+    /// A figure: marks stay apart from them.
+    Figure {
+        /// Where no ray meets anything, they are transparent.
+        clear: bool,
+    },
+}
+
+impl Purpose {
+    /// Whether pictures are transparent where no ray meets anything.
+    pub(super) fn is_clear(self) -> bool {
+        self == Purpose::Figure { clear: true }
+    }
 }
 
 /// Why there is no new picture.
@@ -84,6 +107,8 @@ pub struct Derived {
     pub error_map: Option<Shown>,
     /// How every number comes about, where the layout shows it.
     pub ledger: Option<Arc<Ledger>>,
+    /// Every object's f(p + t d), where the layout shows it.
+    pub plot: Option<Plot>,
     /// The wrong camera beside the right one, or why there is none.
     pub wrong: Option<Arc<Wrong>>,
     /// What it sees.
@@ -107,4 +132,19 @@ pub struct Shown {
     pub labels: Arc<Vec<Label>>,
     /// What can be pointed at, in physical pixels of the image.
     pub targets: Arc<Vec<Target>>,
+    /// What is painted over the image, or is to be where that is left to a figure.
+    pub marks: Arc<Vec<Mark>>,
+}
+
+impl Shown {
+    /// A view of so many columns and rows, with what is drawn over it.
+    pub(super) fn new(size: [u32; 2], pixels: Vec<egui::Color32>, drawing: Drawing) -> Shown {
+        let size = size.map(|n| n as usize);
+        Shown {
+            image: Arc::new(ColorImage::new(size, pixels)),
+            targets: Arc::new(drawing.targets()),
+            labels: Arc::new(drawing.labels),
+            marks: Arc::new(drawing.marks),
+        }
+    }
 }

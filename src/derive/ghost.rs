@@ -7,7 +7,7 @@ use pinhole_core::{Camera, Outputs, PosedCamera, Raster, Shade};
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
-use super::{Derived, Shown, ViewSizes, blank, shown};
+use super::{Derived, Shown, ViewSizes, blank};
 use crate::document::Document;
 use crate::ghost::{AgainstGhost, Beside, Ghost, difference_map, posed};
 use crate::inspection::Inspection;
@@ -119,7 +119,7 @@ impl GhostPictures {
                 };
                 let mut pixels = blank(size);
                 let drawing = overlay::camera(&view, &mut pixels);
-                shown(size, pixels, drawing)
+                Shown::new(size, pixels, drawing)
             })
         })
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{Counts, Depth, Frame, Outputs, PosedCamera, Raster, Shade, Steps};
+use pinhole_core::{Counts, Depth, Frame, NO_OBJECT, Outputs, PosedCamera, Raster, Shade, Steps};
 
 use super::ViewSizes;
 use super::memo::Memo;
@@ -17,7 +17,7 @@ use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
 use crate::number::grouped;
 use crate::overlay::{Item, Loupe, Picture, loupe_window};
-use crate::session::{Selection, Session};
+use crate::session::{Selection, Session, Settings};
 
 /// How many times a method may ask whether a ray meets an object for one picture: about a second's
 /// work, in which the window stands still.
@@ -89,8 +89,9 @@ pub(super) struct GoodPicture {
 /// What is seen from where: a camera, the generation of the objects, and the pixels.
 type Seen = (PosedCamera, u64, Raster);
 
-/// What colours a picture has: by which method, of what, in which mode, and the palette's number.
-type PictureKey = (Method, Seen, Shade, u64);
+/// What colours a picture has: by which method, of what, in which mode, the palette's number, and
+/// whether it is transparent where nothing is hit.
+type PictureKey = (Method, Seen, Shade, u64, bool);
 
 /// A picture, how far up the ladder it had to go, and what it left out.
 type Made = (Arc<Picture>, Steps, Counts);
@@ -134,59 +135,19 @@ impl Pictures {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> GoodPicture {
-        let GoodWorld { scene, generation, .. } = world;
         let selection = session.selection.inside(posed.image());
-        let inspection = self.inspection.get((posed, *generation, selection), |_| {
-            Arc::new(match selection {
-                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, scene, pixel),
-                Selection::Uv(uv) => Inspection::of_uv(&posed, scene, uv),
-            })
-        });
+        let inspection = self.inspected(posed, world, selection);
         // With only the world view open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
-        let seen = (posed, *generation, Raster::shown_on(posed.image(), size[0], size[1]));
+        let seen = (posed, world.generation, Raster::shown_on(posed.image(), size[0], size[1]));
         let settings = &session.settings;
-        let other = settings.compared.0;
-        let is_compared = settings.method.0 != Method::Ladder || sizes.map.is_some();
-        let too_many = TooMany::of(scene.len(), seen.2.len()).filter(|_| is_compared);
-        let method = too_many.map_or(settings.method.0, |_| Method::Ladder);
-        // Only a comparison needs all digits of t.
-        let truth = (is_compared && too_many.is_none()).then(|| {
-            let traced = &mut self.traced;
-            self.truth.get(seen.clone(), |(.., raster)| {
-                *traced += 1;
-                watch::truth(scene, &posed, raster, watch)
-            })
-        });
-        let mut compare = |slot: usize, method| {
-            let truth = truth.as_deref()?;
-            Some(compare(&mut self.by[slot], method, &seen, world, truth))
-        };
-        let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
-        let compared = sizes.map.and_then(|_| compare(usize::from(other != method), other));
-        let mode = Shade::from(settings.shade);
-        let colors = (mode, |i: u32| world.colors[i as usize]);
-        let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
-        let key = (method, seen.clone(), mode, world.palette);
-        let (picture, steps, counts) = self.picture.get(key, |(_, seen, ..)| {
-            *made += 1;
-            if let (Some(by), Some(truth)) = (&drawn_by, &truth) {
-                let pixels = watch::repainted(&by.frame, scene, colors, watch);
-                return (picture_of(&by.frame, pixels), truth.steps, truth.counts);
-            }
-            let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
-            let mut fresh = None;
-            let frame = rough.get((seen.clone(), outputs.t), |((.., raster), _)| {
-                *traced += 1;
-                let traced = watch::picture(scene, &posed, raster, outputs, colors, watch);
-                fresh = Some(traced.1);
-                Arc::new(traced.0)
-            });
-            let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
-            (picture_of(&frame, pixels), frame.steps, frame.counts)
-        });
-        let compared = compared.map(|compared| {
-            let map = self.map.get((other, seen), |(_, (.., raster))| {
+        let beside = self.beside(&seen, world, settings, sizes.map.is_some(), watch);
+        // On the viewport in the world view, it hides what is behind.
+        let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
+        let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
+        let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
+        let compared = beside.compared.map(|compared| {
+            let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
                 let pixels = accuracy::colors(&compared.comparison);
                 Arc::new(Picture { raster: raster.clone(), image: posed.image(), pixels })
             });
@@ -195,8 +156,10 @@ impl Pictures {
         let place = inspection.place.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = place.map(|place| {
             let [rows, columns] = loupe_window(&place, posed.image());
-            let seen = (posed, *generation, Raster::part(rows, columns));
-            let key = ((method, seen, mode, world.palette), settings.count_from_one);
+            let (method, (posed, generation, _), mode, palette, _) = key;
+            let seen = (posed, generation, Raster::part(rows, columns));
+            let key = (method, seen, mode, palette, false);
+            let key = (key, settings.count_from_one);
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
             match session.scanned {
                 None => loupe,
@@ -218,22 +181,110 @@ impl Pictures {
             inspection,
             steps,
             counts,
-            too_many,
-            truth,
-            drawn_by,
+            too_many: beside.too_many,
+            truth: beside.truth,
+            drawn_by: beside.drawn_by,
             compared,
         }
     }
+
+    /// The selected ray and everything that it meets.
+    fn inspected(
+        &mut self,
+        posed: PosedCamera,
+        world: &GoodWorld,
+        selection: Selection,
+    ) -> Arc<Inspection> {
+        self.inspection.get((posed, world.generation, selection), |_| {
+            Arc::new(match selection {
+                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, &world.scene, pixel),
+                Selection::Uv(uv) => Inspection::of_uv(&posed, &world.scene, uv),
+            })
+        })
+    }
+
+    /// The other methods' answers, where the picture or the error map is by one, next to the ladder's.
+    fn beside(
+        &mut self,
+        seen: &Seen,
+        world: &GoodWorld,
+        settings: &Settings,
+        with_map: bool,
+        watch: Watch<'_>,
+    ) -> Beside {
+        let other = settings.compared.0;
+        let is_compared = settings.method.0 != Method::Ladder || with_map;
+        let too_many = TooMany::of(world.scene.len(), seen.2.len()).filter(|_| is_compared);
+        let method = too_many.map_or(settings.method.0, |_| Method::Ladder);
+        // Only a comparison needs all digits of t.
+        let truth = (is_compared && too_many.is_none()).then(|| {
+            let traced = &mut self.traced;
+            self.truth.get(seen.clone(), |(posed, _, raster)| {
+                *traced += 1;
+                watch::truth(&world.scene, posed, raster, watch)
+            })
+        });
+        let mut compare = |slot: usize, method| {
+            let truth = truth.as_deref()?;
+            Some(compare(&mut self.by[slot], method, seen, world, truth))
+        };
+        let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
+        let compared = if with_map { compare(usize::from(other != method), other) } else { None };
+        Beside { method, too_many, truth, drawn_by, compared }
+    }
+
+    /// The camera's picture, by the ladder or by what stands beside it.
+    fn picture(
+        &mut self,
+        key: &PictureKey,
+        world: &GoodWorld,
+        beside: &Beside,
+        watch: Watch<'_>,
+    ) -> Made {
+        let (scene, mode, clear) = (&world.scene, key.2, key.4);
+        let colors = (mode, |i: u32| world.colors[i as usize]);
+        let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
+        self.picture.get(key.clone(), |(_, seen, ..)| {
+            *made += 1;
+            if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
+                let pixels = watch::repainted(&by.frame, scene, colors, watch);
+                return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
+            }
+            let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
+            let mut fresh = None;
+            let frame = rough.get((seen.clone(), outputs.t), |((posed, _, raster), _)| {
+                *traced += 1;
+                let traced = watch::picture(scene, posed, raster, outputs, colors, watch);
+                fresh = Some(traced.1);
+                Arc::new(traced.0)
+            });
+            let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
+            (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
+        })
+    }
 }
 
-fn picture_of<T: Depth>(frame: &Frame<T>, pixels: Vec<Color32>) -> Arc<Picture> {
+/// What stands beside the ladder's picture, and which method draws it.
+struct Beside {
+    method: Method,
+    too_many: Option<TooMany>,
+    truth: Option<Arc<Frame>>,
+    drawn_by: Option<Arc<Compared>>,
+    compared: Option<Arc<Compared>>,
+}
+
+fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
+    if clear {
+        let missed = pixels.iter_mut().zip(&frame.object).filter(|(_, hit)| **hit == NO_OBJECT);
+        missed.for_each(|(pixel, _)| *pixel = Color32::TRANSPARENT);
+    }
     let (raster, image) = (frame.raster().clone(), frame.camera().image());
     Arc::new(Picture { raster, image, pixels })
 }
 
 /// The pixels under the loupe, by the method that draws the picture.
 fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
-    let ((method, (posed, _, raster), mode, _), count_from_one) = key;
+    let ((method, (posed, _, raster), mode, ..), count_from_one) = key;
     let mut frame = watch::truth(&world.scene, posed, raster, watch);
     if *method != Method::Ladder {
         let traced = trace_by(*method, &world.scene, posed, raster);

@@ -8,7 +8,7 @@ use pinhole_core::{Camera, PosedCamera, Raster, Shade};
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
-use super::{Derived, Shown, ViewSizes, blank, shown};
+use super::{Derived, Shown, ViewSizes, blank};
 use crate::inspection::Inspection;
 use crate::mistakes::Wrong;
 use crate::overlay::{self, CameraView, Item, OverlayItems, Picture, Style};
@@ -110,7 +110,7 @@ impl WrongPictures {
                 };
                 let mut pixels = blank(size);
                 let labels = overlay::camera(&view, &mut pixels);
-                shown(size, pixels, labels)
+                Shown::new(size, pixels, labels)
             })
         });
         (wrong, Some(view))

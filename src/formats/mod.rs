@@ -17,5 +17,6 @@ pub mod rays;
 pub mod scene_argument;
 pub mod scene_file;
 mod suggest;
+pub(crate) mod svg;
 
 pub use error::{FileError, Place};

@@ -21,8 +21,32 @@ pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<
 /// # Errors
 /// Where `out` does not take them.
 pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> io::Result<()> {
+    encode_as::<3>(ColorType::Rgb, out, width, height, pixels)
+}
+
+/// The same with the pixels' opacity; their colours are not premultiplied.
+///
+/// # Errors
+/// Where `out` does not take them.
+pub fn encode_transparent(
+    out: impl Write,
+    width: u32,
+    height: u32,
+    pixels: &[[u8; 4]],
+) -> io::Result<()> {
+    encode_as::<4>(ColorType::Rgba, out, width, height, pixels)
+}
+
+/// The first `CHANNELS` of each pixel.
+fn encode_as<const CHANNELS: usize>(
+    color: ColorType,
+    out: impl Write,
+    width: u32,
+    height: u32,
+    pixels: &[[u8; 4]],
+) -> io::Result<()> {
     let mut encoder = Encoder::new(out, width, height);
-    encoder.set_color(ColorType::Rgb);
+    encoder.set_color(color);
     encoder.set_depth(BitDepth::Eight);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header().map_err(to_io)?;
@@ -30,7 +54,7 @@ pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> i
     let mut bytes = Vec::new();
     for row in pixels.chunks(width as usize) {
         bytes.clear();
-        bytes.extend(row.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]));
+        bytes.extend(row.iter().flat_map(|pixel| &pixel[..CHANNELS]));
         stream.write_all(&bytes)?;
     }
     stream.finish().map_err(to_io)?;

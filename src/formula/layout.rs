@@ -89,7 +89,7 @@ pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout
             text_box(text, Face::Italic, Ink::Text, size, measure)
         }
         Formula::Vector(name, ink) => text_box((*name).to_owned(), Face::Bold, *ink, size, measure),
-        Formula::Word(text) | Formula::Number(text) => {
+        Formula::Word(text) | Formula::Number(text) | Formula::Rounded(text) => {
             text_box(text.clone(), Face::Upright, Ink::Text, size, measure)
         }
         Formula::Operator(operator) => {

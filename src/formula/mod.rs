@@ -2,6 +2,7 @@
 //!
 //! - this file: the tree, free of fonts and colours;
 //! - `text`: the tree in one line of plain text, for screen readers, the clipboard and tests;
+//! - `latex`: the tree as LaTeX writes it;
 //! - `layout`: the tree as text and strokes with places, given what measures text; `breaking`: the
 //!   same in lines of a given width.
 //!
@@ -9,6 +10,7 @@
 //! that it has in the views, a [`Formula::Scalar`] is italic. Nothing here paints.
 
 mod breaking;
+pub(crate) mod latex;
 mod layout;
 mod text;
 
@@ -29,6 +31,8 @@ pub enum Formula {
     Word(String),
     /// Digits, as [`number`] writes them.
     Number(String),
+    /// The same, but not all that there are.
+    Rounded(String),
     /// A sign between two parts, or before one.
     Operator(Operator),
     /// Parts one behind the other.
@@ -73,8 +77,6 @@ pub enum Ink {
     Given,
     /// The selected ray's.
     Ray,
-    /// Of what is wrong.
-    Wrong,
 }
 
 /// A sign.
@@ -83,18 +85,12 @@ pub enum Ink {
 pub enum Operator {
     Equals,
     Approximately,
-    Less,
-    Greater,
-    /// From what is known to what follows.
-    Arrow,
     Plus,
     Minus,
-    PlusMinus,
     /// The cross product.
     Times,
     /// The dot product, and the product of two numbers.
     Dot,
-    Divided,
     Comma,
     /// The minus before a number or vector.
     Negative,
@@ -106,29 +102,23 @@ impl Operator {
         match self {
             Operator::Equals => "=",
             Operator::Approximately => "≈",
-            Operator::Less => "<",
-            Operator::Greater => ">",
-            Operator::Arrow => "→",
             Operator::Plus => "+",
             Operator::Minus | Operator::Negative => "−",
-            Operator::PlusMinus => "±",
             Operator::Times => "×",
             Operator::Dot => "·",
-            Operator::Divided => "/",
             Operator::Comma => ",",
         }
     }
 
     /// Whether it says how two sides are related: where a line is broken first.
     pub fn is_relation(self) -> bool {
-        use Operator::{Approximately, Arrow, Equals, Greater, Less};
-        matches!(self, Equals | Approximately | Less | Greater | Arrow)
+        matches!(self, Operator::Equals | Operator::Approximately)
     }
 
     /// Whether it joins two terms or factors: where a line is broken if it must be.
     fn is_binary(self) -> bool {
-        use Operator::{Dot, Minus, Plus, PlusMinus, Times};
-        matches!(self, Plus | Minus | PlusMinus | Times | Dot)
+        use Operator::{Dot, Minus, Plus, Times};
+        matches!(self, Plus | Minus | Times | Dot)
     }
 }
 
@@ -140,11 +130,20 @@ impl From<Operator> for Formula {
 
 /// A number as text, its minus the real one.
 pub fn number(text: &str) -> Formula {
+    signed(text, Formula::Number)
+}
+
+/// The same of digits that are not all that the number has.
+pub fn rounded(text: &str) -> Formula {
+    signed(text, Formula::Rounded)
+}
+
+fn signed(text: &str, digits: impl Fn(String) -> Formula) -> Formula {
     // An exponent has a minus, too.
-    let digits = |text: &str| Formula::Number(text.replace('-', "−"));
+    let written = |text: &str| digits(text.replace('-', "−"));
     match text.strip_prefix(['-', '−']) {
-        Some(positive) => row([Operator::Negative.into(), digits(positive)]),
-        None => digits(text),
+        Some(positive) => row([Operator::Negative.into(), written(positive)]),
+        None => written(text),
     }
 }
 
@@ -226,6 +225,29 @@ impl Formula {
         if self.is_negative() { parentheses(self) } else { self }
     }
 
+    /// Whether digits are left out in it, up to the first sign that relates it to what follows.
+    pub fn begins_rounded(&self) -> bool {
+        let relates =
+            |part: &&Formula| matches!(part, Formula::Operator(sign) if sign.is_relation());
+        self.parts().iter().take_while(|part| !relates(part)).any(Formula::is_rounded)
+    }
+
+    fn is_rounded(&self) -> bool {
+        match self {
+            Formula::Rounded(_) => true,
+            Formula::Row(parts) | Formula::Tuple(parts, _) => parts.iter().any(Formula::is_rounded),
+            Formula::Fraction(a, b) | Formula::Power(a, b) | Formula::Index(a, b) => {
+                a.is_rounded() || b.is_rounded()
+            }
+            Formula::Root(of) | Formula::Norm(of) | Formula::Parentheses(of) => of.is_rounded(),
+            Formula::Scalar(_)
+            | Formula::Vector(..)
+            | Formula::Word(_)
+            | Formula::Number(_)
+            | Formula::Operator(_) => false,
+        }
+    }
+
     /// Its parts, or itself as the only one.
     fn parts(&self) -> &[Formula] {
         match self {
@@ -251,8 +273,7 @@ enum Gap {
 fn gap(before: &Formula, after: &Formula) -> Gap {
     match (before, after) {
         (_, Formula::Operator(Operator::Comma))
-        | (Formula::Operator(Operator::Negative | Operator::Divided), _)
-        | (_, Formula::Operator(Operator::Divided))
+        | (Formula::Operator(Operator::Negative), _)
         | (Formula::Word(_), Formula::Parentheses(_)) => Gap::None,
         (Formula::Operator(o), _) | (_, Formula::Operator(o)) if o.is_relation() => Gap::Wide,
         (Formula::Operator(_), _) => Gap::Medium,

@@ -11,7 +11,9 @@ impl fmt::Display for Formula {
         match self {
             Formula::Scalar(name) => f.write_str(name),
             Formula::Vector(name, _) => bold(name, f),
-            Formula::Word(text) | Formula::Number(text) => f.write_str(text),
+            Formula::Word(text) | Formula::Number(text) | Formula::Rounded(text) => {
+                f.write_str(text)
+            }
             Formula::Operator(operator) => f.write_str(operator.sign()),
             Formula::Row(parts) => row(parts, f),
             Formula::Root(of) => guarded("√", of, f),

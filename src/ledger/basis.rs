@@ -7,6 +7,7 @@ use super::Line;
 use super::names::{AT, EYE, U, UP, V, VIEW, W, dot, equation, joined, minus, normalize, times};
 use super::numbers::Numbers;
 use crate::formula::{Formula, Operator, fraction, negative, norm, parentheses, row, word};
+use crate::letters;
 use crate::thing::Thing;
 
 pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
@@ -17,26 +18,25 @@ pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
 }
 
 fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
-    let given =
-        |name, value: DVec3, thing| Line::of(thing, equation(name, numbers.decimals(value)));
+    let given = |name, value, thing| Line::of(thing, row([name, numbers.equals_vector(value)]));
     let mut lines = vec![given(EYE, of.eye, Thing::Eye)];
     lines.extend(of.at.map(|at| given(AT, at, Thing::At)));
     lines.extend(of.up.map(|up| given(UP, up.vector, Thing::Up)));
     if let Some(view) = of.view {
-        let found = numbers.decimals(view.vector);
+        let found = numbers.equals_vector(view.vector);
         lines.push(Line::of(
             Thing::View,
             match of.at {
                 Some(at) => {
-                    let put_in = minus(numbers.decimals(at), numbers.decimals(of.eye));
-                    equation(equation(VIEW, minus(AT, EYE)), equation(put_in, found))
+                    let put_in = minus(numbers.vector(at), numbers.vector(of.eye));
+                    row([equation(equation(VIEW, minus(AT, EYE)), put_in), found])
                 }
-                None => equation(VIEW, found),
+                None => row([VIEW, found]),
             },
         ));
     }
     if let Some(backwards) = of.backwards {
-        let formula = equation(negative(VIEW), numbers.decimals(backwards));
+        let formula = row([negative(VIEW), numbers.equals_vector(backwards)]);
         lines.push(Line::of(Thing::Backwards, formula));
     }
     lines.extend(normalized(of, numbers));
@@ -76,14 +76,13 @@ fn normalized(of: &BasisFromUp, numbers: Numbers) -> Option<Line> {
 
 /// `up x w` and its length, which is the parallelogram's area.
 fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
-    let put_in = times(numbers.decimals(cross.first.vector), numbers.vector(cross.second.vector));
+    let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
     let product = equation(times(UP, W), put_in);
     let product = row([product, numbers.equals_vector(cross.product)]);
     let mut lines = vec![Line::of(Thing::UpCrossW, product)];
     if let Some(angle) = cross.angle {
         let sine = |angle: Formula| row([word("sin"), parentheses(angle)]);
-        let degrees = row([numbers.decimal(angle.to_degrees())]);
-        let degrees = word(format!("{degrees}°"));
+        let degrees = numbers.degrees(angle);
         let symbolic = row([norm(UP), sine(word("angle"))]);
         let put_in = joined(numbers.scalar(cross.first.length), Operator::Dot, sine(degrees));
         let formula = equation(equation(norm(times(UP, W)), symbolic), put_in);
@@ -101,7 +100,7 @@ fn quotient(vector: DVec3, length: f64, numbers: Numbers) -> Formula {
 /// The symbols, the numbers put in, and the result, which is left out where it says the same.
 fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
     let begins = format!("= {put_in} ");
-    if result.to_string().starts_with(&begins) {
+    if !put_in.begins_rounded() && result.to_string().starts_with(&begins) {
         return row([symbols, result]);
     }
     row([equation(symbols, put_in), result])
@@ -109,7 +108,7 @@ fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
 
 /// The line that fails, and why.
 fn failed(thing: Thing, formula: Formula, why: Option<BasisError>) -> Line {
-    let why = why.map_or_else(String::new, |error| error.to_string());
+    let why = why.map_or_else(String::new, letters::told);
     Line { is_fault: true, ..Line::of(thing, formula).noted(why) }
 }
 
@@ -122,7 +121,7 @@ fn name_of(vector: BasisVector) -> (Formula, Thing) {
 }
 
 fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
-    let mut lines = vec![Line::of(Thing::Eye, equation(EYE, numbers.decimals(of.eye)))];
+    let mut lines = vec![Line::of(Thing::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
     for (vector, value) in [(BasisVector::U, of.u), (BasisVector::V, of.v), (BasisVector::W, of.w)]
     {
         let (name, thing) = name_of(vector);
@@ -154,7 +153,7 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     }
     if let Err(error) = of.basis {
         let line = Line { thing: None, ..Line::of(Thing::W, word("there is no basis")) };
-        lines.push(Line { is_fault: true, ..line.noted(error.to_string()) });
+        lines.push(Line { is_fault: true, ..line.noted(letters::told(error)) });
     }
     lines
 }

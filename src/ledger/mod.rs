@@ -5,6 +5,7 @@
 //! [`Line`]s. All that is calculated here comes from [`pinhole_core::lecture`].
 
 mod basis;
+mod export;
 mod names;
 mod numbers;
 mod objects;
@@ -24,9 +25,11 @@ use crate::derive::Fault;
 use crate::document::Document;
 use crate::formula::{Formula, word};
 use crate::inspection::Inspection;
+use crate::letters;
 use crate::session::Selection;
 use crate::thing::Thing;
 
+pub use export::Markup;
 pub use sections::{LedgerSection, LedgerSections};
 
 /// Of so many objects, all are listed; of more, as many: those that the ray hits first.
@@ -91,7 +94,10 @@ impl Line {
 impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Line { formula, note, .. } = self;
-        if note.is_empty() { formula.fmt(f) } else { write!(f, "{formula}   ({note})") }
+        match note.is_empty() {
+            true => formula.fmt(f),
+            false => write!(f, "{formula}   ({})", letters::plain_scalars(note)),
+        }
     }
 }
 
@@ -195,7 +201,7 @@ fn fault_line(fault: &Fault) -> Line {
         formula: word("no ray"),
         thing: None,
         also: &[],
-        note: fault.to_string(),
+        note: letters::told(fault),
         is_fault: true,
     }
 }

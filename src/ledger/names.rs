@@ -12,15 +12,16 @@ pub(super) const UP: Formula = Formula::Vector("up", Ink::Given);
 pub(super) const P: Formula = Formula::Vector("p", Ink::Ray);
 pub(super) const D: Formula = Formula::Vector("d", Ink::Ray);
 pub(super) const N: Formula = Formula::Vector("n", Ink::Text);
-pub(super) const CENTER: Formula = Formula::Vector("center", Ink::Text);
+pub(super) const CENTRE: Formula = Formula::Vector("centre", Ink::Text);
 pub(super) const POINT: Formula = Formula::Vector("point", Ink::Text);
 pub(super) const HIT: Formula = Formula::Vector("hit", Ink::Text);
 pub(super) const T: Formula = Formula::Scalar("t");
 pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
 
-/// `left = right`
+/// `left = right`, or `left ≈ right` where digits are left out on the right.
 pub(super) fn equation(left: Formula, right: Formula) -> Formula {
-    row([left, Operator::Equals.into(), right])
+    let relation = if right.begins_rounded() { Operator::Approximately } else { Operator::Equals };
+    row([left, relation.into(), right])
 }
 
 /// `left sign right`

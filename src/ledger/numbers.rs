@@ -4,7 +4,7 @@
 use pinhole_core::lecture::{NumberForm, VectorForm};
 use pinhole_core::{DVec3, Pixel};
 
-use crate::formula::{Formula, Operator, fraction, number, root, row, tuple};
+use crate::formula::{Formula, Operator, fraction, number, root, rounded, row, tuple};
 use crate::number::significant;
 
 /// How numbers are written.
@@ -19,7 +19,8 @@ pub(super) struct Numbers {
 impl Numbers {
     /// The number to so many digits.
     pub(super) fn decimal(self, x: f64) -> Formula {
-        number(&significant(x, self.digits))
+        let digits = significant(x, self.digits);
+        if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
     /// Whether so many digits are all that it has, but for the noise of rounding.
@@ -89,9 +90,13 @@ impl Numbers {
         if m > 1 { fraction(above, number(&m.to_string())) } else { above }
     }
 
-    /// What stands before these vectors, written to so many digits.
-    pub(super) fn relation(self, vectors: &[DVec3]) -> Operator {
-        relation(vectors.iter().all(|v| self.are_whole(*v)))
+    /// An angle in radians, in degrees.
+    pub(super) fn degrees(self, angle: f64) -> Formula {
+        match self.decimal(angle.to_degrees()) {
+            Formula::Number(digits) => Formula::Number(digits + "°"),
+            Formula::Rounded(digits) => Formula::Rounded(digits + "°"),
+            other => other,
+        }
     }
 
     /// A pixel's row and column as they are counted.

@@ -6,7 +6,7 @@ use pinhole_core::lecture::{
 use pinhole_core::{Ray, Root};
 
 use super::Line;
-use super::names::{CENTER, D, HIT, N, P, POINT, T, dot, equation, minus};
+use super::names::{CENTRE, D, HIT, N, P, POINT, T, dot, equation, minus};
 use super::numbers::Numbers;
 use super::ray::along;
 use crate::formula::{
@@ -60,50 +60,46 @@ impl Sheet<'_> {
         Thing::Root { object: self.object, number: number as u8 }
     }
 
-    /// Why a root is, or is not, what the ray hits.
-    fn verdict(&self, root: &Root) -> &'static str {
-        match self.inspection.first_hit() {
-            _ if root.t < 0.0 => "behind the eye: no hit",
-            _ if root.t == 0.0 => "at the eye: no hit",
-            Some(hit) if hit.object == root.object && hit.t == root.t => {
-                "the hit: the smallest t > 0 of all"
-            }
-            Some(hit) if hit.t == root.t => "the same t, but listed later",
-            _ => "farther than the hit",
+    fn sphere(&mut self, of: &SphereDerivation) {
+        let numbers = self.numbers;
+        let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(of.sphere.center));
+        let radius = row([R, numbers.equals(of.sphere.radius)]);
+        let given = row([CENTRE, numbers.equals_vector(of.sphere.center), Operator::Comma.into()]);
+        self.line(row([given, radius]));
+        let difference = equation(minus(P, CENTRE), minus(p, c));
+        self.line(row([difference, numbers.equals_vector(of.from_center)]));
+        self.quadratic(of);
+        let found: Vec<Root> = of.roots.iter().flatten().copied().collect();
+        for (k, root) in found.iter().enumerate() {
+            self.sphere_root(of, k, root, found.len() == 1);
+        }
+        if let Some((k, hit)) = of.first.and_then(|k| Some((k, found.get(k)?))) {
+            let t = if found.len() == 1 { T } else { index(T, number(&(k + 1).to_string())) };
+            self.hit(t, k, hit);
+            let above = minus(numbers.vector(hit.point), numbers.vector(of.sphere.center));
+            let symbols = fraction(minus(HIT, CENTRE), R);
+            let put_in = fraction(above, numbers.divisor(of.sphere.radius));
+            self.normal(k, hit, symbols, Some(put_in));
         }
     }
 
-    fn sphere(&mut self, of: &SphereDerivation) {
-        let numbers = self.numbers;
-        let (p, c) = (numbers.decimals(self.ray.origin), numbers.decimals(of.sphere.center));
-        let given = equation(CENTER, c.clone());
-        let radius = equation(R, numbers.decimal(of.sphere.radius));
-        self.line(row([given, Operator::Comma.into(), radius]));
-        let from_center = || parentheses(minus(P, CENTER));
-        let difference = equation(minus(P, CENTER), minus(p, c));
-        self.line(row([difference, numbers.equals_vector(of.from_center)]));
+    /// a, b, c and D, and what D says.
+    fn quadratic(&mut self, of: &SphereDerivation) {
+        let (numbers, quadratic) = (self.numbers, &of.quadratic);
         let d = || numbers.vector(self.ray.direction);
         let oc = || numbers.vector(of.from_center);
-        let quadratic = &of.quadratic;
+        let from_centre = minus(P, CENTRE);
+        let radius = numbers.scalar(of.sphere.radius);
+        let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
+        let squares = |of: Formula, minus_of: Formula| minus(power(of, "2"), power(minus_of, "2"));
         let parts = [
             (A, dot(D, D), dot(d(), d()), quadratic.a),
-            (B, dot(D, from_center()), dot(d(), oc()), quadratic.b),
-            (
-                C,
-                minus(power(norm(minus(P, CENTER)), "2"), power(R, "2")),
-                minus(
-                    power(norm(oc()), "2"),
-                    power(numbers.decimal(of.sphere.radius).guarded(), "2"),
-                ),
-                quadratic.c,
-            ),
+            (B, dot(D, parentheses(from_centre.clone())), dot(d(), oc()), quadratic.b),
+            (C, squares(norm(from_centre), R), squares(norm(oc()), squared(radius)), quadratic.c),
             (
                 DISCRIMINANT,
                 minus(power(B, "2"), row([A, C])),
-                minus(
-                    power(squared(numbers.scalar(quadratic.b)), "2"),
-                    dot(numbers.scalar(quadratic.a), numbers.scalar(quadratic.c).guarded()),
-                ),
+                minus(power(squared(b), "2"), dot(a, c.guarded())),
                 quadratic.discriminant,
             ),
         ];
@@ -112,27 +108,7 @@ impl Sheet<'_> {
             self.line(row([formula, numbers.equals(value)]));
         }
         if let Some(last) = self.lines.last_mut() {
-            last.note = match of.meeting {
-                SphereMeeting::Missed => "D < 0: the line passes by",
-                SphereMeeting::Tangent => "D = 0: the line touches the sphere",
-                SphereMeeting::Through => "D > 0: two roots, in and out",
-                SphereMeeting::FromInside => "D > 0, c < 0: the eye is inside",
-                SphereMeeting::FromSurface => "D > 0, c = 0: the eye is on the sphere",
-                SphereMeeting::Behind => "D ≥ 0, but all of it is behind the eye",
-            }
-            .to_owned();
-        }
-        let found: Vec<Root> = of.roots.iter().flatten().copied().collect();
-        for (k, root) in found.iter().enumerate() {
-            self.sphere_root(of, k, root, found.len() == 1);
-        }
-        if let Some((k, hit)) = of.first.and_then(|k| Some((k, found.get(k)?))) {
-            let t = if found.len() == 1 { T } else { index(T, number(&(k + 1).to_string())) };
-            self.hit(t, k, hit);
-            let above = minus(numbers.vector(hit.point), numbers.decimals(of.sphere.center));
-            let symbols = fraction(minus(HIT, CENTER), R);
-            let put_in = fraction(above, numbers.divisor(of.sphere.radius));
-            self.normal(k, hit, symbols, Some(put_in));
+            last.note = meaning(of.meeting).to_owned();
         }
     }
 
@@ -140,45 +116,44 @@ impl Sheet<'_> {
         let numbers = self.numbers;
         let quadratic = &of.quadratic;
         let a = || numbers.divisor(quadratic.a);
-        let minus_b = numbers.decimal(0.0 - quadratic.b);
+        let minus_b = numbers.scalar(0.0 - quadratic.b);
         let sign = if k == 0 { Operator::Minus } else { Operator::Plus };
         let name = if is_only { T } else { index(T, number(&(k + 1).to_string())) };
         let symbols = row([negative(B), sign.into(), root(DISCRIMINANT)]);
-        let of_d = root(numbers.decimal(quadratic.discriminant));
+        let of_d = root(numbers.scalar(quadratic.discriminant));
         let put_in = row([minus_b, sign.into(), of_d]);
         let formula = equation(name, equation(fraction(symbols, A), fraction(put_in, a())));
         let line = Line::of(self.root_thing(k), row([formula, numbers.equals(found.t)]));
-        let verdict = self.verdict(found);
+        let verdict = self.inspection.verdict(found);
         self.push(line.noted(verdict));
     }
 
     fn plane(&mut self, of: &PlaneDerivation) {
         let numbers = self.numbers;
-        let (p, point) = (numbers.decimals(self.ray.origin), numbers.decimals(of.plane.point));
-        let given = equation(POINT, point.clone());
-        let given = row([given, Operator::Comma.into(), N]);
-        self.line(equation(given, numbers.decimals(of.plane.normal)));
-        let n = || numbers.decimals(of.plane.normal);
+        let point = row([POINT, numbers.equals_vector(of.plane.point), Operator::Comma.into()]);
+        self.line(row([point, N, numbers.equals_vector(of.plane.normal)]));
+        let n = || numbers.vector(of.plane.normal);
         let rate = equation(dot(N, D), dot(n(), numbers.vector(self.ray.direction)));
         self.line(row([rate, numbers.equals(of.terms.rate)]));
+        let (point, p) = (numbers.vector(of.plane.point), numbers.vector(self.ray.origin));
         let to_point = parentheses(minus(POINT, P));
         let put_in = dot(n(), parentheses(minus(point, p)));
         let offset = equation(dot(N, to_point.clone()), put_in);
         self.line(row([offset, numbers.equals(of.terms.offset)]));
-        let symbols = fraction(dot(N, to_point), dot(N, D));
+        let quotient = equation(T, fraction(dot(N, to_point), dot(N, D)));
         let Some(found) = of.root else {
             let note = match of.meeting {
-                PlaneMeeting::Within => "n · d = 0, and the line lies in the plane: no hit",
-                _ => "n · d = 0: the ray is parallel to the plane",
+                PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
+                _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
-            let line = Line::of(Thing::Object(self.object), equation(T, symbols)).noted(note);
-            self.push(Line { formula: T, ..line });
+            let line = Line::of(Thing::Object(self.object), quotient);
+            self.push(line.noted(note));
             return;
         };
         let put_in = fraction(numbers.scalar(of.terms.offset), numbers.divisor(of.terms.rate));
-        let formula = equation(equation(T, symbols), put_in);
+        let formula = equation(quotient, put_in);
         let line = Line::of(self.root_thing(0), row([formula, numbers.equals(found.t)]));
-        let verdict = self.verdict(&found);
+        let verdict = self.inspection.verdict(&found);
         self.push(line.noted(verdict));
         if of.hit().is_some() {
             self.hit(T, 0, &found);
@@ -190,7 +165,7 @@ impl Sheet<'_> {
     fn hit(&mut self, t: Formula, k: usize, hit: &Root) {
         let numbers = self.numbers;
         let put_in = along(
-            numbers.decimals(self.ray.origin),
+            numbers.vector(self.ray.origin),
             numbers.scalar(hit.t),
             numbers.vector(self.ray.direction),
         );
@@ -213,10 +188,22 @@ impl Sheet<'_> {
     }
 }
 
+/// What the discriminant says.
+fn meaning(meeting: SphereMeeting) -> &'static str {
+    match meeting {
+        SphereMeeting::Missed => "𝐷 < 0: the line passes by",
+        SphereMeeting::Tangent => "𝐷 = 0: the line touches the sphere",
+        SphereMeeting::Through => "𝐷 > 0: two roots, in and out",
+        SphereMeeting::FromInside => "𝐷 > 0, 𝑐 < 0: the eye is inside",
+        SphereMeeting::FromSurface => "𝐷 > 0, 𝑐 = 0: the eye is on the sphere",
+        SphereMeeting::Behind => "𝐷 ≥ 0, but all of it is behind the eye",
+    }
+}
+
 /// What a power is taken of: in parentheses unless it is a number or name without a sign.
 fn squared(base: Formula) -> Formula {
     match base {
-        plain @ (Formula::Number(_) | Formula::Scalar(_)) => plain,
+        plain @ (Formula::Number(_) | Formula::Rounded(_) | Formula::Scalar(_)) => plain,
         other => parentheses(other),
     }
 }

@@ -47,11 +47,10 @@ pub(super) fn lines(
     let direction = row([formula, numbers.equals_vector(ray.direction)]);
     lines.push(Line::of(Thing::Direction, direction));
     let length = row([norm(D), numbers.equals(ray.length)]);
-    lines.push(Line::of(Thing::Direction, length).noted("how long a step of t = 1 is"));
-    let put_in = along(numbers.decimals(ray.origin), T, numbers.decimals(ray.direction));
-    let relation = numbers.relation(&[ray.origin, ray.direction]);
-    let formula = row([along(P, T, D), relation.into(), put_in]);
-    lines.push(Line::of(Thing::Ray, formula).noted("p = eye; t = 1 is on the viewport"));
+    lines.push(Line::of(Thing::Direction, length).noted("how long a step of 𝑡 = 1 is"));
+    let put_in = along(numbers.vector(ray.origin), T, numbers.vector(ray.direction));
+    let formula = equation(along(P, T, D), put_in);
+    lines.push(Line::of(Thing::Ray, formula).noted("𝐩 = eye; 𝑡 = 1 is on the viewport"));
     lines
 }
 
@@ -117,7 +116,7 @@ fn of_uv(
     numbers: Numbers,
 ) -> Line {
     let symbols = tuple([Formula::Scalar("u"), Formula::Scalar("v")]);
-    let values = tuple([numbers.decimal(ray.uv.x), numbers.decimal(ray.uv.y)]);
+    let values = tuple([numbers.scalar(ray.uv.x), numbers.scalar(ray.uv.y)]);
     let note = match inspection.place {
         None => "outside the image".to_owned(),
         Some(place) if place.touching(posed.image()).len() == 4 => {

@@ -47,17 +47,22 @@ const GRID_FROM: f64 = 8.0;
 /// Fills the buffer with the picture and paints over it; what was painted, and which text belongs
 /// where.
 pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
+    let drawing = camera_apart(view, dots);
+    drawing.paint(view.size[0], dots);
+    drawing
+}
+
+/// The same without painting the drawing.
+pub fn camera_apart(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     let [width, height] = view.size;
     if width == 0 || dots.len() != width * height {
         return Drawing::default();
     }
     view.picture.show_on(width, dots);
-    if view.items.shows(Item::PixelGrid) {
+    if view.has_grid() {
         view.paint_grid(dots);
     }
-    let drawing = view.drawing();
-    drawing.paint(width, dots);
-    drawing
+    view.drawing()
 }
 
 /// The (u, v) at a place of the camera view, in dots; also beside the picture.
@@ -91,16 +96,19 @@ impl CameraView<'_> {
         self.extent() / DVec2::new(image.width().into(), image.height().into())
     }
 
+    /// Whether the edges between pixels are painted.
+    fn has_grid(&self) -> bool {
+        self.items.shows(Item::PixelGrid) && self.dots_per_pixel().min_element() >= GRID_FROM
+    }
+
     fn paint_grid(&self, dots: &mut [Color32]) {
-        if self.dots_per_pixel().min_element() < GRID_FROM {
-            return;
-        }
         let [width, height] = self.size;
         let line = (self.scale.round() as usize).max(1);
         let image: ImageSize = self.posed.image();
         let (columns, rows) =
             (edges(image.width(), width, line), edges(image.height(), height, line));
-        let darken = |dot: &mut Color32| *dot = mix(*dot, contrast(*dot), 0.3);
+        let behind = self.style.colors().background;
+        let darken = |dot: &mut Color32| *dot = mix(*dot, contrast(*dot, behind), 0.3);
         for (row, dots) in dots.chunks_exact_mut(width).enumerate() {
             if rows[row] {
                 dots.iter_mut().for_each(darken);

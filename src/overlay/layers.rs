@@ -29,6 +29,8 @@ pub(crate) struct ViewportLayer<'a> {
     pub(crate) picture: Option<PictureLookup<'a>>,
     /// The edges between pixels that are drawn, and how opaque they are, 0 to 1.
     pub(crate) grid: Option<(Grid, f32)>,
+    /// What is seen through where there is nothing.
+    pub(crate) behind: Color32,
 }
 
 /// A picture with the nearest traced pixel of each pixel looked up beforehand.
@@ -96,7 +98,7 @@ impl ViewportLayer<'_> {
             None => below,
         };
         match self.grid {
-            Some((_, opacity)) => mix(base, contrast(base), line * opacity),
+            Some((_, opacity)) => mix(base, contrast(base, self.behind), line * opacity),
             None => base,
         }
     }
@@ -285,7 +287,7 @@ fn is_nearer(t: f32, traced: f32) -> bool {
     (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
-/// `share` of `top` over `bottom`, both opaque.
+/// `share` of `top`, which is opaque, over `bottom`.
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     // 2^23 + x has x in its last bits; it is what a cast does, without the cast's other cases.
@@ -299,8 +301,10 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Black on a light colour, white on a dark one (luma of ITU-R BT.601).
-pub(crate) fn contrast(color: Color32) -> Color32 {
+/// Black on a light colour, white on a dark one (luma of ITU-R BT.601); on what is transparent as on
+/// what is `behind`.
+pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
+    let color = if color.a() < 128 { behind } else { color };
     let luma = 299 * u32::from(color.r()) + 587 * u32::from(color.g()) + 114 * u32::from(color.b());
     if luma > 110_000 { Color32::BLACK } else { Color32::WHITE }
 }

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use egui::Color32;
-use pinhole_core::{DVec2, ImageSize, PixelOfUv};
+use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
 use crate::overlay::camera_view::{CameraView, Sheet, place_of};
 use crate::overlay::drawing::{Drawing, Label, Shape, dot};
@@ -90,6 +90,11 @@ impl Inset {
         }
     }
 
+    /// The middle of the rims: of the one with the rows' names across, of the columns' down.
+    fn rim(&self, scale: f64) -> DVec2 {
+        self.from + 0.5 * scale * RIM
+    }
+
     /// A place of the image, in pixels from its upper left corner, under the loupe.
     fn place(&self, x: f64, y: f64) -> DVec2 {
         self.center + self.cell * (DVec2::new(x, y) - self.middle)
@@ -166,51 +171,60 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
         let apart = DVec2::new(f64::from(x), f64::from(y)) - 0.5 * (low + high);
         apart.abs().cmpgt(0.5 * (high - low) + DVec2::new(w.into(), h.into())).any()
     });
-    let colors = view.style.colors();
-    let mut write = |text: String, center: DVec2| {
-        drawing.labels.push(Label {
-            item: Item::Loupe,
-            position: dot(center),
-            text,
-            color: colors.ink,
-            halo: colors.background,
-            size: TEXT,
-            bold: false,
-        });
-    };
     let touched = place.touching(view.posed.image());
-    let from_one = u32::from(loupe.count_from_one);
-    let scale = f64::from(view.scale);
-    let left = inset.from.x + 0.5 * scale * RIM.x;
-    let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
-    rows.dedup();
-    for row in rows.iter().copied() {
-        // Two names need more room than two small pixels have.
-        let least = 0.55 * f64::from(TEXT) * scale;
-        let own = inset.place(0.0, f64::from(row) + 0.5).y - inset.center.y;
-        let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
-        write(format!("row {}", row + from_one), DVec2::new(left, inset.center.y + y));
-    }
-    let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
-    columns.sort_unstable();
-    columns.dedup();
-    let above = inset.from.y + 0.5 * scale * RIM.y;
-    for (k, column) in columns.iter().enumerate() {
-        let name = (column + from_one).to_string();
-        let half = scale * f64::from(TEXT) * (0.3 * name.len() as f64 + 0.25);
-        let beside = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
-        write(name, DVec2::new(inset.center.x + beside, above));
-    }
-    write("column".to_owned(), DVec2::new(left, above));
-    let posed = view.posed;
+    let mut texts = rows(&touched, loupe, &inset, view.scale);
+    texts.extend(columns(&touched, loupe, &inset, view.scale));
     let kind = match touched.len() {
         4 => "corner of 4 pixels",
         2 => "between 2 pixels",
-        1 if posed.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
+        1 if view.posed.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
         _ => "inside of a pixel",
     };
-    let below = high.y - 0.5 * scale * RIM.y;
-    write(kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below));
+    let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;
+    texts.push((kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below)));
+    let colors = view.style.colors();
+    drawing.labels.extend(texts.into_iter().map(|(text, center)| Label {
+        item: Item::Loupe,
+        position: dot(center),
+        text,
+        color: colors.ink,
+        halo: colors.background,
+        size: TEXT,
+        bold: false,
+    }));
+}
+
+/// The touched rows' names, at the left of them.
+fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
+    let scale = f64::from(scale);
+    let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
+    rows.dedup();
+    let name = |row: &u32| {
+        // Two names need more room than two small pixels have.
+        let least = 0.55 * f64::from(TEXT) * scale;
+        let own = inset.place(0.0, f64::from(*row) + 0.5).y - inset.center.y;
+        let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
+        let row = row + u32::from(loupe.count_from_one);
+        (format!("row {row}"), DVec2::new(inset.rim(scale).x, inset.center.y + y))
+    };
+    rows.iter().map(name).collect()
+}
+
+/// The touched columns' numbers, above them, and what they are.
+fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
+    let scale = f64::from(scale);
+    let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
+    columns.sort_unstable();
+    columns.dedup();
+    let rim = inset.rim(scale);
+    let name = |(k, column): (usize, &u32)| {
+        let name = (column + u32::from(loupe.count_from_one)).to_string();
+        let half = scale * f64::from(TEXT) * (0.3 * name.len() as f64 + 0.25);
+        let beside = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
+        (name, DVec2::new(inset.center.x + beside, rim.y))
+    };
+    let named = columns.iter().enumerate().map(name);
+    named.chain([("column".to_owned(), rim)]).collect()
 }
 
 /// The point of a rectangle that is nearest to a place.

@@ -52,16 +52,23 @@ pub struct WorldView<'a> {
     pub ghost: Option<&'a PosedCamera>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
+    /// Where the observer sees nothing, the picture is transparent.
+    pub is_clear: bool,
 }
 
 /// Paints the world view over the observer's traced and shaded picture; what was painted, and which
 /// text belongs where.
 pub fn world(view: &WorldView, dots: &mut [Color32]) -> Drawing {
-    let layers = view.layers();
-    layers.paint(dots);
-    let drawing = view.sketch(&layers);
+    let drawing = world_apart(view, dots);
     drawing.paint(view.frame.camera().image().width() as usize, dots);
     drawing
+}
+
+/// The same without painting the drawing.
+pub fn world_apart(view: &WorldView, dots: &mut [Color32]) -> Drawing {
+    let layers = view.layers();
+    layers.paint(dots);
+    view.sketch(&layers)
 }
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
@@ -70,7 +77,7 @@ pub fn pick(posed: &PosedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Opti
     let observer = frame.camera();
     let at = DVec2::new(position[0].into(), position[1].into());
     let layers = Layers::new(frame, Color32::TRANSPARENT);
-    let layer = viewport_layer(posed, observer)?;
+    let layer = viewport_layer(posed, observer, Color32::TRANSPARENT)?;
     let spot = layer.spot(at)?;
     let uv = spot.place * DVec2::new(posed.viewport().width, posed.viewport().height);
     (spot.t <= layers.traced_t(at)).then_some(uv)
@@ -99,12 +106,16 @@ pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f6
     t.is_finite().then(|| (t * digits).round() / digits + 0.0)
 }
 
-fn viewport_layer<'a>(posed: &PosedCamera, observer: &PosedCamera) -> Option<ViewportLayer<'a>> {
+fn viewport_layer<'a>(
+    posed: &PosedCamera,
+    observer: &PosedCamera,
+    behind: Color32,
+) -> Option<ViewportLayer<'a>> {
     let (basis, viewport) = (posed.basis(), posed.viewport());
     let rays = Screen::new(observer, 1.0).ray_parts();
     let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
     let flat = Flat::new(&rays, posed.viewport_point(DVec2::ZERO), u, v)?;
-    Some(ViewportLayer { flat, image: posed.image(), picture: None, grid: None })
+    Some(ViewportLayer { flat, image: posed.image(), picture: None, grid: None, behind })
 }
 
 /// Pixel edges nearer to each other than this, in points, are left out by twos, fives, tens...
@@ -123,7 +134,8 @@ impl<'a> WorldView<'a> {
     fn layers(&self) -> Layers<'a> {
         let colors = self.style.colors();
         let screen = self.screen();
-        let mut layers = Layers::new(self.frame, colors.background);
+        let background = if self.is_clear { Color32::TRANSPARENT } else { colors.background };
+        let mut layers = Layers::new(self.frame, background);
         if self.items.shows(Item::Planes) {
             let onlooker = Onlooker {
                 rays: screen.ray_parts(),
@@ -137,7 +149,7 @@ impl<'a> WorldView<'a> {
             layers.patches = objects::patches(self.scene.planes(), color_of, &onlooker, colors);
         }
         if let Some(posed) = self.posed {
-            layers.viewport = viewport_layer(posed, self.frame.camera());
+            layers.viewport = viewport_layer(posed, self.frame.camera(), colors.background);
             if let Some(layer) = &mut layers.viewport {
                 let picture = self.picture.filter(|_| self.items.shows(Item::Picture));
                 layer.picture = picture.and_then(|p| PictureLookup::new(p, posed.image()));

@@ -7,7 +7,9 @@ use pinhole_core::{
 
 use super::number::{NumberField, error_color, vector_color, vector_row};
 use super::teaching;
+use crate::letters::told;
 use crate::session::Settings;
+use crate::symbols::{Kind, words};
 
 /// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
 /// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
@@ -29,7 +31,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
     if let Err(fault) = camera.viewport.check() {
         // Below the grid, where it wraps: in a cell it would widen the panel.
-        ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
+        ui.label(RichText::new(told(fault)).color(error_color(ui)));
     }
     let hint = "Editing width, height, W or H takes another of them along";
     ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
@@ -53,7 +55,7 @@ fn given_by(ui: &mut Ui, camera: &mut Camera) {
                 ui.selectable_label(kind == present, text).on_hover_text(hint)
             });
             if let Err(reason) = converted {
-                button.inner.on_disabled_hover_text(reason.to_string());
+                button.inner.on_disabled_hover_text(told(reason));
             } else if button.inner.clicked()
                 && let Ok(converted) = converted
             {
@@ -67,11 +69,15 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
     let fault = camera.basis().err();
     let row = |ui: &mut Ui, field: &'static str, name: &str, value| {
         let color = vector_color(ui, name);
-        ui.label(RichText::new(name).strong().color(color.unwrap_or(ui.visuals().text_color())));
+        let color = color.unwrap_or(ui.visuals().text_color());
+        let label = ui.label(RichText::new(name).strong().color(color));
+        if let Some(words) = words(Kind::Vector, name) {
+            label.on_hover_text(words);
+        }
         ui.vertical(|ui| {
             ui.horizontal(|ui| vector_row(ui, name, value));
             if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
-                ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
+                ui.label(RichText::new(told(fault)).color(error_color(ui)));
             }
         });
         ui.end_row();

@@ -92,18 +92,21 @@ pub(crate) fn ui(
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let against = derived.against_ghost.as_deref();
+    // More digits have no room beside each other.
+    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ui.horizontal(|ui| {
         buttons(ui, ghost.is_some(), actions);
         if let Some(against) = against {
             ui.add_space(8.0);
             ui.strong(seen(against));
+            ui.add_space(8.0);
+            turns(ui, against, style);
         }
     });
     let (Some(against), Some(ghost), Some(now)) = (against, ghost, &derived.posed) else { return };
-    // More digits have no room beside each other.
-    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
             vectors(ui, "turned", &turned(now, against, style), style);
             ui.separator();
             vectors(ui, "moved", &moved(document, ghost, against, style), style);
@@ -132,6 +135,7 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
 }
 
 /// A quantity of the ghost, of the camera at hand, and what lies between the two.
+#[derive(Clone)]
 struct Line {
     name: &'static str,
     ghost: String,
@@ -147,10 +151,7 @@ impl Line {
     /// Its name, in its own colour; a screen reader reads all of it.
     fn name(&self, ui: &mut Ui) {
         let Line { name, ghost, now, between } = self;
-        let spoken = match now.is_empty() {
-            true => format!("{name} {between}"),
-            false => format!("{name}: ghost {ghost}, now {now}, difference {between}"),
-        };
+        let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
         let text = RichText::new(*name).strong();
         let response = ui.label(match vector_color(ui, name) {
             Some(color) => text.color(color),
@@ -169,12 +170,16 @@ fn wide(ui: &mut Ui, characters: f32, text: RichText) {
 
 /// Vectors of both cameras, one above the other, with what lies between them.
 fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
-    let characters = 3.0 * (style.digits as f32 + 3.2);
+    let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
+        for head in ["", "now", "apart"] {
+            ui.weak(head);
+        }
+        ui.end_row();
         for line in lines {
             line.name(ui);
             ui.horizontal(|ui| wide(ui, characters, RichText::new(&line.now)));
-            ui.horizontal(|ui| wide(ui, 8.0, RichText::new(&line.between).strong()));
+            ui.horizontal(|ui| wide(ui, 7.5, RichText::new(&line.between).strong()));
             ui.end_row();
             ui.weak(format!("{}′", line.name));
             ui.weak(&line.ghost);
@@ -185,7 +190,7 @@ fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
 
 /// Numbers of both cameras, side by side.
 fn scalars(ui: &mut Ui, lines: &[Line], style: NumberStyle) {
-    let characters = style.digits as f32 + 3.0;
+    let characters = style.digits as f32 + 2.6;
     Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
         for head in ["", "ghost", "now", "difference"] {
             ui.weak(head);
@@ -232,7 +237,7 @@ fn moved(
 ) -> Vec<Line> {
     let (now, then, by) = (&document.camera, &ghost.camera, &against.difference);
     let vector = |v: DVec3| style.vector(v);
-    let way = |v: DVec3| format!("{} apart", style.number(v.length()));
+    let way = |v: DVec3| style.number(v.length());
     let at = |orientation: &Orientation| match orientation {
         Orientation::At { at, .. } => vector(*at),
         _ => "none".to_owned(),
@@ -245,7 +250,17 @@ fn moved(
     ]
 }
 
-/// How far the camera is turned and rolled, and the viewport.
+/// How far the camera is turned and rolled.
+fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
+    let by = &against.difference;
+    let mut said = format!("turned by {}", degrees(by.turn, style));
+    if let Some(roll) = by.roll {
+        said += &format!(", rolled by {}", degrees(roll, style));
+    }
+    ui.strong(said);
+}
+
+/// The viewport.
 fn numbers(
     document: &Document,
     ghost: &Ghost,
@@ -253,19 +268,17 @@ fn numbers(
     style: NumberStyle,
 ) -> Vec<Line> {
     let by = &against.difference;
-    let alone = |name, text| Line::new(name, String::new(), String::new(), text);
-    let roll = by.roll.map_or("up′ is along view".to_owned(), |roll| degrees(roll, style));
-    let mut lines = vec![alone("turned by", degrees(by.turn, style)), alone("rolled by", roll)];
     let (old, new) = (ghost.camera.viewport, document.camera.viewport);
     let [width, height] = by.extent;
-    for (name, old, new, by) in [
+    let lines = [
         ("distance", old.distance, new.distance, by.distance),
         ("width", old.width, new.width, width),
         ("height", old.height, new.height, height),
-    ] {
-        lines.push(Line::new(name, style.number(old), style.number(new), signed(by, style)));
-    }
-    lines
+    ];
+    let line = |(name, old, new, by)| {
+        Line::new(name, style.number(old), style.number(new), signed(by, style))
+    };
+    lines.map(line).to_vec()
 }
 
 /// What the selected ray hits, of both cameras.

@@ -1,9 +1,10 @@
-//! Dialogs over the window: which file to open or save to, unsaved changes, and messages.
+//! Dialogs over the window: which file to open or save to, figures, unsaved changes, and messages.
 
 use std::path::{Path, PathBuf};
 
 use egui::{Context, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
 
+use super::export::ExportForm;
 use super::number::error_color;
 use crate::action::Action;
 use crate::formats::scene_argument::SceneSource;
@@ -20,6 +21,8 @@ pub enum Dialog {
         /// What waits for the scene to be saved.
         then: Option<Box<Action>>,
     },
+    /// Which figure to write, and where to.
+    Export(ExportForm),
     /// What to do with unsaved changes before the action.
     Unsaved {
         /// What the document is called.
@@ -40,7 +43,10 @@ pub enum Dialog {
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathField {
     /// What is typed.
-    text: String,
+    pub(super) text: String,
+    /// The endings of the files that are listed, and what is said where nothing is typed.
+    endings: &'static [&'static str],
+    hint: &'static str,
     /// The folder that is listed, and what it holds.
     folder: PathBuf,
     entries: Vec<Entry>,
@@ -56,8 +62,18 @@ struct Entry {
 }
 
 impl PathField {
-    /// Starts in the folder of `path`, with its name filled in if it is a file's.
+    /// Of a scene: starts in the folder of `path`, with a name filled in.
     pub(crate) fn near(path: Option<&Path>, name: &str) -> PathField {
+        PathField::of(path, name, &["toml"], "path of a .toml scene")
+    }
+
+    /// Of files with these endings.
+    pub(super) fn of(
+        path: Option<&Path>,
+        name: &str,
+        endings: &'static [&'static str],
+        hint: &'static str,
+    ) -> PathField {
         let folder = path
             .and_then(Path::parent)
             .filter(|folder| !folder.as_os_str().is_empty())
@@ -68,8 +84,14 @@ impl PathField {
             "" => String::new(),
             name => folder.join(name).display().to_string(),
         };
-        let mut field =
-            PathField { text, folder: PathBuf::new(), entries: Vec::new(), overwrite: None };
+        let mut field = PathField {
+            text,
+            endings,
+            hint,
+            folder: PathBuf::new(),
+            entries: Vec::new(),
+            overwrite: None,
+        };
         field.list(folder);
         field
     }
@@ -80,8 +102,9 @@ impl PathField {
                 let path = entry.path();
                 let name = entry.file_name().to_string_lossy().into_owned();
                 let is_folder = path.is_dir();
-                let is_scene = path.extension().is_some_and(|ext| ext == "toml");
-                (!name.starts_with('.') && (is_folder || is_scene)).then_some(Entry {
+                let ending = path.extension().and_then(|ending| ending.to_str());
+                let is_one = ending.is_some_and(|ending| self.endings.contains(&ending));
+                (!name.starts_with('.') && (is_folder || is_one)).then_some(Entry {
                     name,
                     path,
                     is_folder,
@@ -96,7 +119,7 @@ impl PathField {
     /// Shows the field and the folder; a path once one is chosen.
     fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = None;
-        let field = TextEdit::singleline(&mut self.text).hint_text("path of a .toml scene");
+        let field = TextEdit::singleline(&mut self.text).hint_text(self.hint);
         let response = ui.add(field.desired_width(f32::INFINITY));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("path"));
         if response.changed() {
@@ -156,11 +179,13 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         match open {
             Dialog::Open(field) => open_ui(ui, field, actions, &mut close),
             Dialog::SaveAs { field, then } => {
-                if let Some(path) = save_ui(ui, field, &mut close) {
+                ui.heading("Save the scene as");
+                if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
                     actions.push(Action::SaveAs { path, then: then.take() });
                     close = true;
                 }
             }
+            Dialog::Export(form) => form.ui(ui, actions, &mut close),
             Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, actions, &mut close),
             Dialog::Message { title, text } => {
                 ui.heading(title.as_str());
@@ -188,16 +213,21 @@ fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close:
 }
 
 /// The path once it is chosen and, where there is such a file, chosen once more.
-fn save_ui(ui: &mut Ui, field: &mut PathField, cancel: &mut bool) -> Option<PathBuf> {
-    ui.heading("Save the scene as");
+pub(super) fn save_ui(
+    ui: &mut Ui,
+    field: &mut PathField,
+    verb: &str,
+    ending: &str,
+    cancel: &mut bool,
+) -> Option<PathBuf> {
     let mut chosen = None;
-    if let Some(mut path) = field.ui(ui, "Save", cancel) {
+    if let Some(mut path) = field.ui(ui, verb, cancel) {
         if path.is_dir() {
             field.list(path);
             return None;
         }
         if path.extension().is_none() {
-            path.set_extension("toml");
+            path.set_extension(ending);
         }
         if path.exists() && field.overwrite.as_ref() != Some(&path) {
             field.overwrite = Some(path);
@@ -206,7 +236,7 @@ fn save_ui(ui: &mut Ui, field: &mut PathField, cancel: &mut bool) -> Option<Path
         }
     }
     if let Some(path) = &field.overwrite {
-        let text = format!("{} exists. Save once more to replace it.", path.display());
+        let text = format!("{} exists. {verb} once more to replace it.", path.display());
         ui.label(RichText::new(text).color(error_color(ui)));
     }
     chosen

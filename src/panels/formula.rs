@@ -1,11 +1,13 @@
 //! Formulas on the screen: how wide text is there, and painting what was laid out.
 
 use egui::epaint::text::{LayoutJob, TextFormat};
-use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, pos2, vec2};
+use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2, pos2, vec2};
 
-use crate::formula::{Column, Face, Formula, Ink, Layout, Measure, lines};
+use crate::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
+use crate::letters::plain_scalars;
 use crate::overlay::Style;
 use crate::present::fonts;
+use crate::symbols::{Kind, words};
 
 /// Sets a formula in lines as wide as `column` says, with the window's fonts.
 pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
@@ -35,7 +37,6 @@ pub(crate) struct Inks {
     basis: [Color32; 3],
     given: Color32,
     ray: Color32,
-    wrong: Color32,
 }
 
 impl Inks {
@@ -47,7 +48,6 @@ impl Inks {
             basis: colors.basis,
             given: colors.given,
             ray: colors.ray,
-            wrong: super::number::error_color(ui),
         }
     }
 
@@ -59,9 +59,24 @@ impl Inks {
             Ink::W => self.basis[2],
             Ink::Given => self.given,
             Ink::Ray => self.ray,
-            Ink::Wrong => self.wrong,
         }
     }
+}
+
+/// What the symbol at a place of a layout means; the place is given from where its first baseline
+/// begins.
+pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
+    let mut fonts = Fonts(ctx);
+    let mut holds = |run: &&Run| {
+        let [x, y] = run.at;
+        // A thin letter is as easy to meet as a wide one.
+        let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
+        let down = y - 0.8 * run.size..=y + 0.3 * run.size;
+        across.contains(&at.x) && down.contains(&at.y)
+    };
+    let run = layout.runs.iter().find(|run| run.face != Face::Upright && holds(run))?;
+    let kind = if run.face == Face::Bold { Kind::Vector } else { Kind::Scalar };
+    words(kind, &plain_scalars(&run.text))
 }
 
 /// Paints a layout whose first baseline begins at `origin`.

@@ -6,13 +6,13 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui::{
     Align, Context, CornerRadius, FontId, Galley, Id, Rect, Response, RichText, ScrollArea, Sense,
-    Ui, pos2, vec2,
+    Tooltip, Ui, pos2, vec2,
 };
 
 use super::formula::{self, Inks};
 use super::number::error_color;
 use crate::formula::{Column, Layout};
-use crate::ledger::{Ledger, LedgerSection, LedgerSections, Line, Section, left_out};
+use crate::ledger::{Ledger, LedgerSection, LedgerSections, Line, Markup, Section, left_out};
 use crate::thing::{Pointed, Pointing, Thing};
 
 /// The formulas' em, and that of what is said behind them, in points.
@@ -22,6 +22,9 @@ const NOTE: f32 = 15.0;
 const PAD: egui::Vec2 = vec2(8.0, 4.0);
 /// How far the second and later lines of a formula are indented.
 const INDENT: f32 = 26.0;
+/// Above a section's title, and between two lines, in points.
+const BEFORE_SECTION: f32 = 6.0;
+const BETWEEN_LINES: f32 = 2.0;
 
 /// The ledger as it was laid out, and which sections are folded.
 #[derive(Default)]
@@ -70,6 +73,16 @@ impl LedgerPanel {
         Some(Pointed { thing, by: Pointing::Ledger })
     }
 
+    /// How wide it was when it was last shown, in points.
+    pub(crate) fn width(&self) -> Option<f32> {
+        self.laid.as_ref().map(|laid| laid.width)
+    }
+
+    /// Whether only the title of a section is shown.
+    pub(crate) fn is_folded(&self, section: &Section) -> bool {
+        self.folded.contains(&(section.section, section.object))
+    }
+
     /// Shows the ledger.
     pub(crate) fn ui(
         &mut self,
@@ -87,14 +100,14 @@ impl LedgerPanel {
         self.scrolled_to = by_view.map(|pointed| pointed.thing);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, ledger);
-            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
             let inks = Inks::of(ui);
             let mut goal = goal;
             for (k, section) in ledger.sections.iter().enumerate() {
                 self.section(ui, k, section, inks, lit, &mut goal);
             }
             if ledger.left_out > 0 {
-                ui.add_space(6.0);
+                ui.add_space(BEFORE_SECTION);
                 ui.label(RichText::new(left_out(ledger.left_out)).size(NOTE));
             }
             ui.add_space(12.0);
@@ -110,6 +123,15 @@ impl LedgerPanel {
             if copy.clicked() {
                 ui.ctx().copy_text(ledger.to_string());
             }
+            let menu = ui.menu_button("Copy as", |ui| {
+                for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
+                    if ui.button(name).clicked() {
+                        ui.ctx().copy_text(ledger.written_in(markup));
+                    }
+                }
+            });
+            let label = "Copy the ledger as";
+            ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label(label));
             for section in LedgerSection::ALL {
                 let mut shown = sections.shows(section);
                 let response = ui.checkbox(&mut shown, section.label());
@@ -151,9 +173,9 @@ impl LedgerPanel {
         goal: &mut Option<Thing>,
     ) {
         let key = (section.section, section.object);
-        let is_folded = self.folded.contains(&key);
+        let is_folded = self.is_folded(section);
         let is_lit = |line: &Line| lit.is_some_and(|thing| line.is_about(thing));
-        ui.add_space(6.0);
+        ui.add_space(BEFORE_SECTION);
         let head = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
@@ -262,12 +284,70 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     if is_lit {
         band(ui, rect);
     }
-    let origin = rect.min + PAD + vec2(0.0, place.layout.ascent);
-    formula::paint(ui.painter(), origin, &place.layout, inks);
+    paint(ui, rect, line, place, inks);
+    let hovered = response.hover_pos().filter(|_| response.hovered());
+    let symbol = hovered
+        .and_then(|at| formula::words_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
+    if let Some(words) = symbol {
+        Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
+            let words = egui::Label::new(RichText::new(words).size(NOTE));
+            ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
+        });
+    }
+    response
+}
+
+/// Where a line's first baseline begins.
+fn baseline_of(rect: Rect, place: &LaidLine) -> egui::Pos2 {
+    rect.min + PAD + vec2(0.0, place.layout.ascent)
+}
+
+/// A line's formula and what is said behind it.
+fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: Inks) {
+    formula::paint(ui.painter(), baseline_of(rect, place), &place.layout, inks);
     if !line.note.is_empty() {
         let width = (rect.width() - place.note.x).max(20.0);
         let galley = note_galley(ui, line, width);
         ui.painter().galley(rect.min + place.note, galley, ui.visuals().text_color());
     }
-    response
+}
+
+/// Draws the ledger as the panel shows it, from the upper left corner of a column on; how high it is.
+/// Of a section that `is_folded` only the title.
+pub(crate) fn draw(
+    ui: &Ui,
+    ledger: &Ledger,
+    column: Rect,
+    is_folded: impl Fn(&Section) -> bool,
+) -> f32 {
+    let (inks, painter) = (Inks::of(ui), ui.painter());
+    let mut at = column.min;
+    for (k, section) in ledger.sections.iter().enumerate() {
+        at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
+        let color = ui.visuals().strong_text_color();
+        let title = FontId::proportional(SIZE);
+        let title = painter.layout(section.title.clone(), title, color, column.width());
+        let height = title.size().y;
+        painter.galley(at, title, color);
+        at.y += height + BETWEEN_LINES;
+        if is_folded(section) {
+            continue;
+        }
+        for line in &section.lines {
+            let place = laid_line(ui, line, Id::NULL, column.width());
+            let rect = Rect::from_min_size(at, vec2(column.width(), place.height));
+            paint(ui, rect, line, &place, inks);
+            at.y += place.height + BETWEEN_LINES;
+        }
+    }
+    if ledger.left_out > 0 {
+        at.y += BEFORE_SECTION;
+        let color = ui.visuals().text_color();
+        let note = FontId::proportional(NOTE);
+        let note = painter.layout(left_out(ledger.left_out), note, color, column.width());
+        let height = note.size().y;
+        painter.galley(at, note, color);
+        at.y += height;
+    }
+    at.y - column.top()
 }

@@ -6,14 +6,15 @@ mod handles;
 mod sheet;
 mod steps;
 
-use egui::{Grid, Rect, RichText, ScrollArea, Slider, Ui, UiBuilder, pos2};
+use egui::{Context, Grid, Id, Rect, RichText, ScrollArea, Slider, Ui, UiBuilder, Vec2, pos2};
 use pinhole_core::lecture::lines::{LineError, Substitution};
 
 pub(super) use self::sheet::round_step;
 pub(super) use self::steps::number;
 use self::steps::{steps, verdict};
-use super::notation::{formula, plain};
+use super::notation;
 use super::number::{NumberField, error_color};
+use crate::letters::told;
 use crate::lines::{LARGEST, LinesLab};
 
 /// Size of the text, in points: for the back row.
@@ -22,6 +23,20 @@ const TEXT: f32 = 16.5;
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 /// The slider of t goes from here to there.
 const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
+
+fn plane() -> Id {
+    Id::unique("the lab's plane")
+}
+
+/// Width and height of the plane when it was last shown, in points.
+pub(crate) fn plane_size(ctx: &Context) -> Option<[f32; 2]> {
+    ctx.data(|data| data.get_temp::<Vec2>(plane())).map(Into::into)
+}
+
+/// Draws the plane with both lines in it, with nothing to drag and on nothing.
+pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
+    drawing::draw(ui, rect, lab, digits);
+}
 
 /// Shows the lab.
 pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
@@ -39,6 +54,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
             substitution(ui, lab, digits);
         });
     });
+    ui.data_mut(|data| data.insert_temp(plane(), left.size()));
     drawing::ui(ui, left, lab, digits);
 }
 
@@ -56,9 +72,7 @@ fn examples(ui: &mut Ui, lab: &mut LinesLab) {
 
 /// A line of text and fields, the text as a formula.
 fn text(ui: &mut Ui, text: &str) {
-    let color = ui.visuals().text_color();
-    let response = ui.label(formula(text, TEXT + 1.0, color));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+    notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
 fn field(ui: &mut Ui, name: &str, value: &mut f64) -> bool {
@@ -144,7 +158,7 @@ fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
     }
     ui.add_space(6.0);
     let verdict = verdict(&substitution, digits);
-    ui.label(RichText::new(verdict).size(TEXT + 3.0).strong());
+    notation::label(ui, &verdict, TEXT + 3.0, ui.visuals().strong_text_color());
     ui.add_space(4.0);
     let (f, sign) = substitution.f(lab.t);
     let compared = match sign {
@@ -157,6 +171,6 @@ fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
 }
 
 fn no_line(ui: &mut Ui, error: &LineError) {
-    let text = RichText::new(error.to_string()).size(TEXT + 2.0).strong();
+    let text = RichText::new(told(error)).size(TEXT + 2.0).strong();
     ui.label(text.color(error_color(ui)));
 }

@@ -6,6 +6,7 @@ pub(crate) mod camera;
 pub(crate) mod compare;
 pub mod dialogs;
 pub(crate) mod exercises;
+pub mod export;
 pub(crate) mod formula;
 pub(crate) mod frame;
 pub(crate) mod ledger;

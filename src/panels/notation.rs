@@ -2,7 +2,7 @@
 //! coordinates as subscripts.
 
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, Color32, FontId};
+use egui::{Align, Color32, FontId, Response, Ui};
 
 use crate::letters;
 
@@ -34,6 +34,13 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     }
     job.append(&run, 0.0, full);
     job
+}
+
+/// Text with its formulas set, as a label; screen readers and tests get it plain.
+pub(super) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
+    let response = ui.label(formula(text, size, color));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+    response
 }
 
 /// What a screen reader reads: the same without subscript marks.

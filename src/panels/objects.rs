@@ -5,6 +5,7 @@ use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
 use super::number::{NumberField, error_color, vector_row};
 use crate::document::{Document, Item};
+use crate::letters::told;
 
 /// Rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
@@ -122,8 +123,8 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
 fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
     let fault = sphere.check().err();
     ui.horizontal(|ui| {
-        ui.label("center");
-        vector_row(ui, "center", &mut sphere.center);
+        ui.label("centre");
+        vector_row(ui, "centre", &mut sphere.center);
     });
     ui.horizontal(|ui| {
         ui.label("radius");
@@ -147,6 +148,6 @@ fn plane(ui: &mut Ui, plane: &mut Plane) {
 
 fn reason(ui: &mut Ui, fault: Option<ObjectError>) {
     if let Some(fault) = fault {
-        ui.label(RichText::new(fault.to_string()).color(error_color(ui)));
+        ui.label(RichText::new(told(fault)).color(error_color(ui)));
     }
 }

@@ -1,18 +1,17 @@
 //! The plot of f(p + t d) against t, and walking along the ray: below both views, with every object
 //! on one axis of t, and beside it what each curve says.
 
-mod curve;
 mod drawing;
 
-use egui::{Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
+use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
 
-use self::curve::{Curve, curves, range};
 use super::lines::number;
-use super::notation::{formula, plain};
+use super::notation;
 use super::number::{NumberField, error_color};
 use crate::derive::Derived;
-use crate::document::Document;
-use crate::session::Selection;
+use crate::letters::told;
+use crate::plot::{Curve, Plot};
+use crate::thing::{Pointed, Pointing, Thing};
 
 /// Size of the text, in points: for the back row.
 const TEXT: f32 = 15.5;
@@ -20,64 +19,51 @@ const TEXT: f32 = 15.5;
 const WORDS: (f32, f32) = (430.0, 0.44);
 
 /// Shows plot and words. `walked` is the t of the point that walks along the ray.
-pub(crate) fn ui(
-    ui: &mut Ui,
-    (selection, walked): (Selection, &mut Option<f64>),
-    derived: &Derived,
-    document: &Document,
-    digits: usize,
-) {
+pub(crate) fn ui(ui: &mut Ui, walked: &mut Option<f64>, derived: &Derived, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
+        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
     }
-    let (Some(posed), Some(scene), Some(inspection)) =
-        (&derived.posed, &derived.scene, &derived.inspection)
-    else {
-        return;
-    };
-    let ray = match selection.inside(posed.image()).exact_ray(posed) {
-        Ok(ray) => ray,
-        Err(error) => {
-            ui.label(error.to_string());
-            return;
-        }
-    };
-    let (curves, left_out) = curves(scene, &ray, inspection, document);
+    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
-    let range = range(&curves, *walked);
     let area = ui.available_rect_before_wrap();
     let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
-    drawing::ui(ui, left, &curves, first, &range, walked);
+    drawing::ui(ui, left, plot, first, walked);
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            walk(ui, walked, range.clone(), first.map_or(1.0, |(_, t)| t));
-            if let Some(t) = *walked {
-                let point = inspection.ray.at(t);
+            walk(ui, walked, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
+            if let Some((t, values)) = &plot.walked {
+                let point = inspection.ray.at(*t);
                 let [x, y, z] = point.to_array().map(|x| number(x, digits));
                 text(ui, &format!("p + t d = ({x}, {y}, {z})"));
-                ui.label(RichText::new(inside(&curves, t)).strong());
+                ui.label(RichText::new(inside(plot, values)).strong());
             }
             ui.separator();
-            for curve in &curves {
-                said(ui, curve, first, *walked, digits);
+            for k in 0..plot.curves.len() {
+                said(ui, plot, k, first, digits);
             }
-            if left_out > 0 {
-                ui.label(format!("{left_out} more objects are left out"));
+            if plot.left_out > 0 {
+                ui.label(left_out(plot.left_out));
             }
-            if curves.is_empty() && left_out == 0 {
+            if plot.curves.is_empty() && plot.left_out == 0 {
                 ui.label("There is no object.");
             }
         });
     });
 }
 
-/// Text with its formulas set.
+/// What is said of objects that have no curve.
+fn left_out(count: usize) -> String {
+    match count {
+        1 => "1 more object is left out".to_owned(),
+        n => format!("{n} more objects are left out"),
+    }
+}
+
 fn text(ui: &mut Ui, text: &str) {
-    let response = ui.label(formula(text, TEXT, ui.visuals().text_color()));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
+    notation::label(ui, text, TEXT, ui.visuals().text_color());
 }
 
 /// The t of the point that walks, as a number and as a slider.
@@ -102,10 +88,10 @@ fn walk(
     });
 }
 
-/// Which of the objects the point at t is inside of.
-fn inside(curves: &[Curve], t: f64) -> String {
-    let names: Vec<&str> =
-        curves.iter().filter(|curve| curve.is_inside(t)).map(|c| c.title.as_str()).collect();
+/// Which of the objects the point that walks is inside of, by the values of f there.
+fn inside(plot: &Plot, values: &[f64]) -> String {
+    let inside = plot.curves.iter().zip(values).filter(|(curve, f)| curve.is_inside(**f));
+    let names: Vec<&str> = inside.map(|(curve, _)| curve.named.title.as_str()).collect();
     if names.is_empty() {
         "inside of none of these objects".to_owned()
     } else {
@@ -113,21 +99,40 @@ fn inside(curves: &[Curve], t: f64) -> String {
     }
 }
 
+/// What the mouse is on in the words of the last frame's plot.
+pub(crate) fn pointed(ctx: &Context, derived: &Derived) -> Option<Pointed> {
+    let curves = &derived.plot.as_ref()?.curves;
+    let is_hovered =
+        |object: u32| ctx.read_response(said_id(object)).is_some_and(|said| said.hovered());
+    let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
+    Some(Pointed { thing: Thing::Object(object), by: Pointing::Ledger })
+}
+
+fn said_id(object: u32) -> Id {
+    Id::unique(("said of a curve", object))
+}
+
 /// One curve's line sample, title and words, and f where one walks.
-fn said(ui: &mut Ui, curve: &Curve, first: Option<(u32, f64)>, walked: Option<f64>, digits: usize) {
-    ui.horizontal_wrapped(|ui| {
+fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
+    let curve: &Curve = &plot.curves[k];
+    let object = curve.named.object;
+    let title = ui.horizontal_wrapped(|ui| {
         let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
         drawing::sample(ui, sample, curve);
-        ui.label(RichText::new(&curve.title).strong());
+        ui.label(RichText::new(&curve.named.title).strong());
         text(ui, &curve.unit_words(digits));
-        if first.is_some_and(|(object, _)| object == curve.object) {
+        if first.is_some_and(|(hit, _)| hit == object) {
             ui.label(RichText::new("the first hit").strong());
         }
     });
-    ui.indent(("said", curve.object), |ui| {
+    let words = ui.indent(("said", object), |ui| {
         text(ui, &curve.words(digits));
-        if let Some(t) = walked {
-            text(ui, &format!("at t = {}: {}", number(t, digits), curve.reading(t, digits)));
+        if let Some((t, values)) = &plot.walked {
+            text(
+                ui,
+                &format!("at t = {}: {}", number(*t, digits), curve.reading(values[k], digits)),
+            );
         }
     });
+    ui.interact(title.response.rect | words.response.rect, said_id(object), Sense::hover());
 }

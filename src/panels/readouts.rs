@@ -1,14 +1,19 @@
 //! The numbers: the basis, the selected ray, and everything that the ray meets. All of it can be
 //! selected and copied.
 
-use egui::{Grid, Label, RichText, ScrollArea, Ui};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 
+use super::notation::{self, formula};
 use super::number::{error_color, vector_color};
 use crate::derive::Derived;
 use crate::document::Document;
 use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
+use crate::letters::told;
 use crate::number::written;
+use crate::present::fonts;
+use crate::symbols::words_of_readout;
 
 /// How numbers are written.
 #[derive(Clone, Copy)]
@@ -46,7 +51,7 @@ impl NumberStyle {
 /// Shows the three blocks side by side.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
+        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
     }
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
@@ -98,14 +103,27 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     });
 }
 
-/// One line `name = value`, the name in the vector's own colour.
+/// Names of vectors: bold. The other ones are set as formulas.
+const VECTORS: [&str; 7] = ["u", "v", "w", "p", "d", "point", "normal"];
+
+/// A name, in the vector's own colour if it is one that the views show.
+fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
+    let size = egui::TextStyle::Body.resolve(ui.style()).size;
+    let visuals = ui.visuals();
+    let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
+    if !VECTORS.contains(&name) {
+        return formula(name, size, plain);
+    }
+    let color = vector_color(ui, name).unwrap_or(plain);
+    LayoutJob::simple_singleline(name.to_owned(), FontId::new(size, fonts::bold()), color)
+}
+
+/// One line `name = value`.
 fn line(ui: &mut Ui, name: &str, value: String) {
-    let color = vector_color(ui, name);
-    let name_text = RichText::new(name).strong();
-    ui.label(match color {
-        Some(color) => name_text.color(color),
-        None => name_text,
-    });
+    let label = ui.label(name_of(ui, name, true));
+    if let Some(words) = words_of_readout(name) {
+        label.on_hover_text(words);
+    }
     let response = ui.label(RichText::new(format!("= {value}")));
     ui.ctx()
         .accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
@@ -128,6 +146,12 @@ fn basis_lines(
         lines.push(("conditioning", style.number(conditioning)));
     }
     lines
+}
+
+/// A remark with its formulas set.
+fn weak(ui: &mut Ui, text: &str) {
+    let size = egui::TextStyle::Body.resolve(ui.style()).size;
+    notation::label(ui, text, size, ui.visuals().weak_text_color());
 }
 
 fn joined(lines: &[(&str, String)]) -> String {
@@ -186,18 +210,7 @@ fn ray(ui: &mut Ui, inspection: &Inspection, posed: &PosedCamera, style: NumberS
             line(ui, name, value);
         }
     });
-    ui.weak("p + t d, t = 1 on the viewport");
-}
-
-/// Why a root is, or is not, the first hit.
-fn verdict(root: &Root, index: usize, inspection: &Inspection) -> &'static str {
-    match inspection.first {
-        Some(first) if first == index => "first: smallest t > 0",
-        _ if root.t < 0.0 => "behind the eye",
-        _ if root.t == 0.0 => "at the eye: no hit",
-        Some(first) if inspection.roots[first].t == root.t => "same t, listed later",
-        _ => "farther",
-    }
+    weak(ui, "p + t d, t = 1 on the viewport");
 }
 
 /// What is said of one root.
@@ -209,7 +222,6 @@ struct RootLines {
 
 impl RootLines {
     fn new(
-        index: usize,
         root: &Root,
         inspection: &Inspection,
         document: &Document,
@@ -217,7 +229,7 @@ impl RootLines {
     ) -> RootLines {
         RootLines {
             object: document.title_of(root.object as usize),
-            verdict: verdict(root, index, inspection),
+            verdict: inspection.verdict(root),
             numbers: [
                 ("t", style.number(root.t)),
                 ("distance", style.number(inspection.ray.distance_along(root.t))),
@@ -236,12 +248,26 @@ impl RootLines {
         let text = |text: &str| if first { RichText::new(text).strong() } else { text.into() };
         ui.horizontal_wrapped(|ui| {
             ui.label(text(&self.object));
-            ui.label(text(self.verdict));
+            let visuals = ui.visuals();
+            let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+            let size = egui::TextStyle::Body.resolve(ui.style()).size;
+            notation::label(ui, self.verdict, size, color);
         });
         ui.horizontal_wrapped(|ui| {
             ui.add_space(12.0);
             for (name, value) in &self.numbers {
-                ui.add(Label::new(text(&format!("{name} = {value}"))).extend());
+                let mut job = name_of(ui, name, first);
+                let size = egui::TextStyle::Body.resolve(ui.style());
+                let visuals = ui.visuals();
+                let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+                let format = TextFormat { font_id: size, color, ..TextFormat::default() };
+                job.append(&format!(" = {value}"), 0.0, format);
+                let response = ui.add(Label::new(job).extend());
+                let read = format!("{name} = {value}");
+                ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(read));
+                if let Some(words) = words_of_readout(name) {
+                    response.on_hover_text(words);
+                }
             }
         });
     }
@@ -254,8 +280,8 @@ fn hits(
     document: &Document,
     style: NumberStyle,
 ) {
-    let roots: Vec<RootLines> = (inspection.roots.iter().enumerate())
-        .map(|(index, root)| RootLines::new(index, root, inspection, document, style))
+    let roots: Vec<RootLines> = (inspection.roots.iter())
+        .map(|root| RootLines::new(root, inspection, document, style))
         .collect();
     title(ui, "Hits", || copied_hits(inspection, derived, document, style.for_programs()));
     if roots.is_empty() {
@@ -265,8 +291,11 @@ fn hits(
         root.show(ui, inspection.first == Some(index));
     }
     ui.add_space(4.0);
-    for line in listed_parts(inspection, derived, document, style) {
-        ui.weak(line);
+    for (title, parts) in listed_parts(inspection, derived, document, style) {
+        ui.horizontal_wrapped(|ui| {
+            ui.weak(format!("{title}:"));
+            weak(ui, &parts);
+        });
     }
 }
 
@@ -276,10 +305,10 @@ fn listed_parts(
     derived: &Derived,
     document: &Document,
     style: NumberStyle,
-) -> Vec<String> {
+) -> Vec<(String, String)> {
     let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
     let listed = scene.into_iter().flat_map(|_| inspection.parts.iter().enumerate());
-    listed.map(|(index, of)| parts(&document.title_of(index), of, style)).collect()
+    listed.map(|(index, of)| (document.title_of(index), parts(of, style))).collect()
 }
 
 fn copied_hits(
@@ -288,14 +317,14 @@ fn copied_hits(
     document: &Document,
     style: NumberStyle,
 ) -> String {
-    let roots = (inspection.roots.iter().enumerate())
-        .map(|(index, root)| RootLines::new(index, root, inspection, document, style).joined());
+    let roots = (inspection.roots.iter())
+        .map(|root| RootLines::new(root, inspection, document, style).joined());
     let parts = listed_parts(inspection, derived, document, style);
-    roots.chain(parts.into_iter().map(|line| line + "\n")).collect()
+    roots.chain(parts.into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"))).collect()
 }
 
 /// The numbers that decide hit or miss for one object.
-fn parts(title: &str, of: &Parts, style: NumberStyle) -> String {
+fn parts(of: &Parts, style: NumberStyle) -> String {
     let number = |x| style.number(x);
     match of {
         Parts::Sphere(q) => {
@@ -305,12 +334,12 @@ fn parts(title: &str, of: &Parts, style: NumberStyle) -> String {
                 0.0 => ": tangent",
                 _ => "> 0: two roots",
             };
-            format!("{title}:  a = {a},  b = {b},  c = {c},  D = b² − ac = {d} {meaning}")
+            format!("a = {a},  b = {b},  c = {c},  D = b² − a c = {d} {meaning}")
         }
         Parts::Plane(terms) => {
             let (rate, offset) = (number(terms.rate), number(terms.offset));
             let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
-            format!("{title}:  n·d = {rate},  n·(point − p) = {offset}{meaning}")
+            format!("n·d = {rate},  n·(point − p) = {offset}{meaning}")
         }
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
 
 /// After an edit of one measure of the viewport, the other two follow.
 pub(super) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
-    let kept = Kept::of(ui, "kept picture", before);
+    let kept = Kept::of(ui, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
     let distance = if edited.distance != old.distance {
         edited.distance
@@ -39,8 +39,14 @@ pub(super) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
     } else {
         from.distance * (edited.height / from.height)
     };
-    // A measure that is none is told below the fields, as without the lock.
-    let Ok(scaled) = kept.from.scaled_picture(distance) else { return };
+    let Ok(scaled) = kept.from.scaled_picture(distance) else {
+        // A measure that is none is told below the fields, as without the lock; the next one that is
+        // one finds the picture again.
+        if from.check().is_ok() {
+            Kept { made: *camera, ..kept }.keep(ui, "kept picture");
+        }
+        return;
+    };
     let as_typed = |typed, old, scaled| if typed == old { scaled } else { typed };
     camera.viewport.width = as_typed(edited.width, old.width, scaled.viewport.width);
     camera.viewport.height = as_typed(edited.height, old.height, scaled.viewport.height);
@@ -58,11 +64,11 @@ struct Kept {
 }
 
 impl Kept {
-    /// What `now` was made from; itself, if something else made it.
-    fn of(ui: &Ui, name: &'static str, now: &Camera) -> Kept {
+    /// What `now` was made from; itself, if what the control made last is not what `is_now`.
+    fn of(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ui.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
-        kept.filter(|kept| kept.made == *now).unwrap_or(itself)
+        kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)
     }
 
     fn keep(self, ui: &Ui, name: &'static str) {
@@ -72,7 +78,7 @@ impl Kept {
 
 /// Turns up about the view, in degrees from where it was before the control was touched.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::of(ui, "swung camera", camera);
+    let kept = Kept::of(ui, "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
     let hint = "Turns up about the view: the camera rolls, and looks along the same line";
     row(ui, "swing up", hint, camera.basis().is_ok(), |ui| {
@@ -91,7 +97,7 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
 
 /// Turns up towards the view, or away from it, in one plane with it.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::of(ui, "tilted camera", camera);
+    let kept = Kept::of(ui, "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
     let hint = "The angle between up and view: u, v and w stay, but get nervous near 0° and 180°";

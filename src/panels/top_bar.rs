@@ -9,6 +9,7 @@ use crate::action::Action;
 use crate::files::{OpenDocument, title_of};
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
+use crate::ledger::Markup;
 use crate::lessons::{self, Place, Which};
 use crate::overlay::Item;
 use crate::panels::{compare, play};
@@ -77,6 +78,10 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     entry(ui, "Open…", "Ctrl+O", Action::AskOpen);
     entry(ui, "Save", "Ctrl+S", Action::Save);
     entry(ui, "Save as…", "Ctrl+Shift+S", Action::AskSaveAs);
+    ui.separator();
+    entry(ui, "Export a figure…", "Ctrl+E", Action::AskExport);
+    entry(ui, "Copy the ledger as LaTeX", "", Action::CopyLedger(Markup::Latex));
+    entry(ui, "Copy the ledger as Markdown", "", Action::CopyLedger(Markup::Markdown));
     ui.separator();
     ui.menu_button("Recent", |ui| {
         if recent.is_empty() {

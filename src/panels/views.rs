@@ -6,9 +6,10 @@ use egui::{
 use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::{Action, PlayMove};
-use crate::derive::{Derived, Shown, ViewSizes};
+use crate::derive::{Derived, Purpose, Shown, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
+use crate::letters::told;
 use crate::overlay;
 use crate::panels::places::{Places, STRIP};
 use crate::panels::walking;
@@ -45,6 +46,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         ghost: beside(ViewLayout::Compare),
         scale: per_point,
         style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
+        purpose: Purpose::Window,
     }
 }
 
@@ -109,7 +111,7 @@ pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
 /// The selected ray in words.
 pub(crate) fn spoken(shown: &Derived) -> String {
     if let Some(fault) = shown.fault {
-        return fault.to_string();
+        return told(fault);
     }
     let Some(inspection) = &shown.inspection else { return String::new() };
     let place = match inspection.pixel() {

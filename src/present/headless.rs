@@ -2,6 +2,7 @@
 
 use super::fonts;
 use super::painter::Painter;
+use egui::epaint::{ClippedPrimitive, ClippedShape};
 use egui::{Color32, LayerId, RawInput, Rect, Vec2, ViewportId};
 
 /// Draws with egui's painter over pixels: text with the window's very fonts and glyphs.
@@ -44,13 +45,45 @@ pub fn draw_ui(
 ) {
     let ctx = egui::Context::default();
     fonts::install(&ctx);
-    let output = ctx.run_ui(input(size, pixels_per_point), ui);
-    let mut delta = output.textures_delta;
-    let primitives = ctx.tessellate(output.shapes, output.pixels_per_point);
-    let mut painter = Painter::new();
-    painter.set_textures(&mut delta);
-    painter.paint(pixels, size, output.pixels_per_point, &primitives);
-    delta.clear();
+    Sheet::draw(&ctx, size, pixels_per_point, ui).paint(pixels, size);
+}
+
+/// One pass of a user interface: what it drew, and what is needed to draw that into pixels.
+#[derive(Debug)]
+pub struct Sheet {
+    shapes: Vec<ClippedShape>,
+    primitives: Vec<ClippedPrimitive>,
+    painter: Painter,
+    pixels_per_point: f32,
+}
+
+impl Sheet {
+    /// Runs the first pass of a context, on a screen of so many pixels, of which there are so many to a
+    /// point. Later passes would lack the letters that the first one has.
+    pub fn draw(
+        ctx: &egui::Context,
+        size: [usize; 2],
+        pixels_per_point: f32,
+        ui: impl FnMut(&mut egui::Ui),
+    ) -> Sheet {
+        let output = ctx.run_ui(input(size, pixels_per_point), ui);
+        let (mut delta, pixels_per_point) = (output.textures_delta, output.pixels_per_point);
+        let primitives = ctx.tessellate(output.shapes.clone(), pixels_per_point);
+        let mut painter = Painter::new();
+        painter.set_textures(&mut delta);
+        delta.clear();
+        Sheet { shapes: output.shapes, primitives, painter, pixels_per_point }
+    }
+
+    /// What was drawn, in points.
+    pub fn shapes(&self) -> &[ClippedShape] {
+        &self.shapes
+    }
+
+    /// Draws it over pixels.
+    pub fn paint(&self, pixels: &mut [Color32], size: [usize; 2]) {
+        self.painter.paint(pixels, size, self.pixels_per_point, &self.primitives);
+    }
 }
 
 /// Input without events, for a screen of some pixels.

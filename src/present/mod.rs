@@ -15,6 +15,7 @@ mod display;
 pub mod fonts;
 mod gpu;
 pub mod headless;
+pub(crate) mod look;
 mod open;
 pub mod painter;
 mod start;

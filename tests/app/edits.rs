@@ -181,7 +181,7 @@ fn objects_are_added_edited_and_removed() {
     window.get_by_label("+ Sphere").click();
     window.run();
     let spheres = window.state().document().spheres.len();
-    type_into(&mut window, "center x", "2");
+    type_into(&mut window, "centre x", "2");
     type_into(&mut window, "radius", "1/4");
     let name = window.get_by_role_and_label(Role::TextInput, "name");
     name.focus();

@@ -29,7 +29,7 @@ fn every_fault_has_its_words_and_no_nan_is_shown() {
     for (field, text, reason) in [
         ("up y", "0", "up is (0, 0, 0): it must point somewhere"),
         ("width", "0", "viewport width is 0: it must be finite and greater than 0"),
-        ("height", "-1", "viewport height is -1: it must be finite and greater than 0"),
+        ("height", "-1", "viewport height is −1: it must be finite and greater than 0"),
         ("distance", "0", "viewport distance is 0: it must be finite and greater than 0"),
     ] {
         let mut window = window("canonical");
@@ -51,7 +51,7 @@ fn up_along_the_view_is_a_fault_and_nearly_along_it_is_not() {
     type_into(&mut window, "up z", "1");
     assert_says(
         &window,
-        "up (0, 0, 1) is parallel to the view direction (0, 0, -1): turn one of them",
+        "up (0, 0, 1) is parallel to the view direction (0, 0, −1): turn one of them",
     );
     type_into(&mut window, "up y", "1e-9");
     assert!(window.state().derived().fault.is_none());
@@ -64,7 +64,7 @@ fn a_sphere_without_a_radius_is_a_fault_too() {
     let mut window = window("canonical");
     type_into(&mut window, "radius", "-1");
     assert!(matches!(window.state().derived().fault, Some(Fault::Scene(_))));
-    assert_says(&window, "radius is -1: it must be finite and greater than 0");
+    assert_says(&window, "radius is −1: it must be finite and greater than 0");
 }
 
 #[test]

@@ -110,8 +110,13 @@ fn a_line_that_has_the_focus_lights_its_thing() {
 fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
     let mut window = ledger_window("canonical");
     for (view, thing, line, words) in [
-        ("World view", Thing::W, "𝐰 = normalize", "w: backwards, of length 1"),
-        ("World view", Thing::V, "𝐯 = 𝐰 × 𝐮", "v: up in the image"),
+        (
+            "World view",
+            Thing::W,
+            "𝐰 = normalize",
+            "𝐰: backwards, the opposite of the view direction, of length 1",
+        ),
+        ("World view", Thing::V, "𝐯 = 𝐰 × 𝐮", "𝐯: up in the image, of length 1"),
         ("World view", Thing::Eye, "eye = ", "eye: where every view ray begins"),
         ("Camera view", Thing::Pixel, "(u, v) = ", "the selected place in the viewport"),
     ] {
@@ -207,4 +212,59 @@ fn an_idle_window_keeps_its_ledger() {
     let before = window.state().derived().ledger.clone().unwrap();
     window.step();
     assert!(Arc::ptr_eq(&before, window.state().derived().ledger.as_ref().unwrap()));
+}
+
+#[test]
+fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
+    let mut window = ledger_window("canonical");
+    let mut said = |line: &str, offset: f32| {
+        let rect = window.get_by_label(line).rect();
+        window.hover_at(rect.left_center() + egui::vec2(offset, 0.0));
+        for _ in 0..4 {
+            window.step();
+        }
+        texts_with(&window, ", ")
+    };
+    let has = |texts: &[String], words: &str| texts.iter().any(|text| text.starts_with(words));
+    let (w, u) = ("𝐰: backwards, the opposite of the view", "𝐮: to the right in the image");
+    let texts = said("𝐰 = normalize(−view) = (0, 0, 1)/1 = (0, 0, 1)", 14.0);
+    assert!(has(&texts, w), "{texts:?}");
+    let scalar = "𝑢: how far right of the viewport's middle";
+    let line = "u 𝐮 = 0.2 (1, 0, 0) = (0.2, 0, 0)";
+    let texts = said(line, 12.0);
+    assert!(has(&texts, scalar) && !has(&texts, u) && !has(&texts, w), "{texts:?}");
+    let texts = said(line, 26.0);
+    assert!(has(&texts, u) && !has(&texts, scalar), "{texts:?}");
+    // Numbers mean nothing but themselves.
+    let texts = said(line, 80.0);
+    assert!(!has(&texts, u) && !has(&texts, scalar), "{texts:?}");
+}
+
+#[test]
+fn things_are_pointed_at_in_the_views_of_every_layout() {
+    for layout in [ViewLayout::Both, ViewLayout::Plot, ViewLayout::Frame, ViewLayout::Mistakes] {
+        let settings = Settings { layout, ..Settings::default() };
+        let remembered = Remembered { settings, ..Remembered::default() };
+        let mut window = window_with("canonical", remembered, None);
+        let views = [("World view", Thing::W), ("Camera view", Thing::Pixel)];
+        for (view, thing) in views {
+            if window.query_by_role_and_label(Role::Image, view).is_none() {
+                continue;
+            }
+            hover_mark(&mut window, view, thing);
+            assert_eq!(pointed(&window), Some(Pointed { thing, by: Pointing::View }), "{layout:?}");
+            point_at_nothing(&mut window);
+        }
+        let picture =
+            |window: &Harness<'_, App>| window.state().derived().camera_view.clone().unwrap().image;
+        // A plane has no outline of its own: its pixels are hatched.
+        let wall = Thing::Object(2);
+        let view = window.get_by_role_and_label(Role::Image, "Camera view").rect();
+        window.hover_at(view.min + egui::vec2(0.15, 0.8) * view.size());
+        window.run();
+        assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(wall), "{layout:?}");
+        let lit = picture(&window);
+        point_at_nothing(&mut window);
+        assert_ne!(lit, picture(&window), "{layout:?}");
+    }
 }

@@ -137,3 +137,42 @@ fn arrow_keys_move_the_handle_that_has_the_focus() {
     window.run();
     assert_eq!(lab(&window).ray.p, DVec2::new(0.1, 0.1));
 }
+
+#[test]
+fn all_points_in_sight_are_drawn_however_far_t_has_gone() {
+    let mut window = open();
+    let seen = |window: &Harness<'_, App>| {
+        let plane = window.get_by_label("Plane with both lines");
+        plane.value().unwrap_or_default()
+    };
+    assert_eq!(seen(&window), "a point at t = 0.5");
+    type_into(&mut window, "t", "-900");
+    let to_the_left = seen(&window);
+    assert!(to_the_left.ends_with("to t = 0.5"), "{to_the_left}");
+    type_into(&mut window, "t", "900");
+    let both = seen(&window);
+    let end = both.strip_prefix("points from t = −").and_then(|rest| rest.split_once(" to t = "));
+    let (from, to) = end.expect("points on both sides of p");
+    assert_eq!(from, to, "the window lies evenly about p");
+}
+
+#[test]
+fn arrow_keys_slide_t_by_halves_along_every_line() {
+    let mut window = open();
+    window.get_by_role_and_label(Role::Button, "Coincident").click();
+    window.run();
+    window.get_by_role_and_label(Role::CheckBox, "drag by halves").click();
+    window.run();
+    window.get_by_role_and_label(Role::Slider, "slide t").focus();
+    window.run();
+    for (key, t) in [
+        (egui::Key::ArrowRight, 1.0),
+        (egui::Key::ArrowUp, 1.5),
+        (egui::Key::ArrowLeft, 1.0),
+        (egui::Key::ArrowDown, 0.5),
+    ] {
+        window.key_press(key);
+        window.run();
+        assert_eq!(lab(&window).t, t, "{key:?}");
+    }
+}

@@ -7,6 +7,7 @@ mod accuracy;
 mod compare;
 mod edits;
 mod exercises;
+mod export;
 mod faults;
 mod frame;
 mod harness;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole::derive::{Derived, Deriver, ViewSizes};
+use pinhole::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::document::{CsvSpheres, Document, Item};
 use pinhole::observer::Observer;
 use pinhole::overlay::Style;
@@ -18,6 +18,7 @@ const SIZES: ViewSizes = ViewSizes {
     ghost: None,
     scale: 1.0,
     style: Style::Light,
+    purpose: Purpose::Window,
 };
 
 fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {

@@ -1,10 +1,13 @@
 //! The plot of f(p + t d), and walking along the ray.
 
+use std::sync::Arc;
+
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
 use pinhole::overlay::{Item, world_position_of};
+use pinhole::thing::Thing;
 
 use super::harness::{assert_reads, assert_says, type_into, window};
 
@@ -46,6 +49,35 @@ fn every_object_s_curve_says_what_it_does() {
         &window,
         "f < 0 at t = 0: the eye is inside; −0.5 is behind, 1.5 is its first root ahead",
     );
+}
+
+#[test]
+fn an_idle_window_keeps_its_curves_and_walking_keeps_their_shape() {
+    let mut window = open("canonical");
+    let plot = |window: &Harness<'_, App>| window.state().derived().plot.clone().unwrap();
+    let before = plot(&window);
+    window.step();
+    window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
+    window.run();
+    type_into(&mut window, "walked t", "4.5");
+    let after = plot(&window);
+    assert!(Arc::ptr_eq(&before.curves, &after.curves));
+    assert!(Arc::ptr_eq(&before.samples, &after.samples));
+    select(&mut window, "0", "0");
+    assert!(!Arc::ptr_eq(&before.curves, &plot(&window).curves));
+}
+
+#[test]
+fn what_is_said_of_a_curve_lights_its_object() {
+    let mut window = open("canonical");
+    let line = window.get_by_label("straight line, 0 at t = 6").rect();
+    window.hover_at(line.center());
+    window.run();
+    let thing = window.state().session().pointed.map(|pointed| pointed.thing);
+    assert_eq!(thing, Some(Thing::Object(2)));
+    window.remove_cursor();
+    window.run();
+    assert_eq!(window.state().session().pointed, None);
 }
 
 #[test]

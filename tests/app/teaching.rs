@@ -53,6 +53,30 @@ fn the_locked_picture_stays_while_distance_width_or_height_change() {
 }
 
 #[test]
+fn the_locked_picture_comes_back_after_a_measure_that_is_none() {
+    let mut window = teaching("canonical");
+    window.get_by_label("Keep the picture: scale distance, width and height together").click();
+    window.run();
+    let before = window.state().derived().camera_view.clone().unwrap().image;
+    let viewport = |window: &Window| window.state().document().camera.viewport;
+    type_into(&mut window, "width", "0");
+    assert_eq!(viewport(&window).width, 0.0);
+    assert_says(&window, "viewport width is 0: it must be finite and greater than 0");
+    type_into(&mut window, "eye x", "0.5");
+    type_into(&mut window, "width", "3");
+    let now = viewport(&window);
+    assert_eq!([now.width, now.height, now.distance], [3.0, 3.0, 3.0]);
+    type_into(&mut window, "height", "-2");
+    type_into(&mut window, "distance", "1");
+    let now = viewport(&window);
+    assert_eq!([now.width, now.height, now.distance], [1.0, 1.0, 1.0]);
+    type_into(&mut window, "eye x", "0");
+    type_into(&mut window, "uv u", "0.2");
+    type_into(&mut window, "uv v", "-0.1");
+    assert_eq!(before, window.state().derived().camera_view.clone().unwrap().image);
+}
+
+#[test]
 fn up_is_swung_about_the_view() {
     let mut window = teaching("canonical");
     for (degrees, wanted) in
@@ -90,7 +114,7 @@ fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
     type_into(&mut window, "up y", "0");
     assert_says(
         &window,
-        "No camera: up (0, 0, 1) is parallel to the view direction (0, 0, -1): turn one of them",
+        "No camera: up (0, 0, 1) is parallel to the view direction (0, 0, −1): turn one of them",
     );
     let swing = window.get_by_role_and_label(Role::SpinButton, "swing up");
     assert!(swing.accesskit_node().is_disabled());

@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod bench;
+mod figure;
+mod figure_read_back;
 mod inspect;
 mod lesson;
 mod render;
@@ -79,11 +81,11 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn commands_that_do_not_exist_yet_are_not_offered() {
     let help = run("--help").done();
-    for command in ["scenes", "inspect", "render", "trace", "report", "bench"] {
+    for command in ["scenes", "inspect", "render", "trace", "report", "bench", "figure"] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }
-    for command in ["check", "export", "import", "figure"] {
+    for command in ["check", "export", "import"] {
         assert!(!help.contains(&format!("\n  {command} ")), "{help}");
     }
 }

@@ -47,6 +47,28 @@ pub struct Vertex {
     pub value: f64,
 }
 
+/// What f is well measured in multiples of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    /// A normal number greater than 0.
+    pub value: f64,
+    /// Where it comes from.
+    pub of: UnitOf,
+}
+
+/// Where a [`Unit`] comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnitOf {
+    /// A sphere's `r^2`: f at the centre is minus that.
+    SquaredRadius,
+    /// A plane's `|f(0)|`, at the ray's origin.
+    Origin,
+    /// `|f(1)|` of a plane through the ray's origin.
+    OneStep,
+    /// The number 1, where what should be the unit is 0 or out of range.
+    One,
+}
+
 /// A value that is off by less than this share of it, 2^-60, is within half an ulp and 2^-7 of one.
 const ENOUGH: f64 = 1.0 / (1_u64 << 60) as f64;
 
@@ -118,6 +140,20 @@ impl<'a> AlongRay<'a> {
             t: ldexp(t, seen.scale - self.ray.scale) + 0.0,
             value: 0.0 - ldexp(discriminant / a.hi, 2 * seen.scale),
         })
+    }
+
+    /// What f is measured in multiples of, so that spheres and planes of all sizes fit on one scale.
+    pub fn unit(&self) -> Unit {
+        let (value, of) = match &self.seen {
+            ObjectSeen::Sphere(seen) => {
+                (seen.sphere().radius * seen.sphere().radius, UnitOf::SquaredRadius)
+            }
+            ObjectSeen::Plane(_) => match self.value(0.0).abs() {
+                0.0 => (self.value(1.0).abs(), UnitOf::OneStep),
+                at_origin => (at_origin, UnitOf::Origin),
+            },
+        };
+        if value.is_normal() { Unit { value, of } } else { Unit { value: 1.0, of: UnitOf::One } }
     }
 
     fn stretch(&self) -> DoubleDouble {

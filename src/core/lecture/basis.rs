@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
-use crate::basis::{Basis, BasisError, BasisVector, UpAngle, is_orthogonal, is_unit};
+use crate::basis::{Basis, BasisError, BasisVector, is_orthogonal, is_unit};
 use crate::camera::{Camera, Orientation};
 use crate::exact::{Dyadic, Exact3, cross, dot, exact3};
 use crate::fine_basis::{ViewGiven, over_root};
@@ -48,8 +48,6 @@ pub struct BasisFromUp {
     pub up: Option<Measured>,
     /// `up x w`, before it is normalized. The zero vector where up is parallel to view.
     pub up_cross_w: Option<Cross>,
-    /// The angle between up and view. `None` where there is no basis.
-    pub up_angle: Option<UpAngle>,
     /// `up x w / |up x w|`; `None` where that is zero.
     pub u: Option<DVec3>,
     /// `w x u`, which is v: two unit vectors at a right angle, area 1.
@@ -170,7 +168,7 @@ impl BasisDerivation {
 
 impl BasisFromUp {
     fn new(camera: &Camera, at: Option<DVec3>, view: Option<ViewGiven>, up: DVec3) -> BasisFromUp {
-        let (basis, up_angle) = (camera.basis(), camera.up_angle().ok());
+        let basis = camera.basis();
         let big_view = view.map(|view| view.big());
         let view = big_view.as_ref().map(Measured::of);
         let not_zero = big_view.as_ref().filter(|_| view.is_some_and(|view| view.length > 0.0));
@@ -190,7 +188,6 @@ impl BasisFromUp {
             w,
             up: big_up.as_ref().map(Measured::of),
             up_cross_w: factors.map(|((view, up), w)| Cross::of_up_and_w(view, up, w)),
-            up_angle,
             u: found.map(|basis| basis.u),
             w_cross_u: found.map(|Basis { u, v, w }| Cross {
                 first: Measured { vector: w, length: 1.0 },

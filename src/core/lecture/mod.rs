@@ -25,7 +25,7 @@ mod ray;
 mod vector_form;
 mod verbs;
 
-pub use along::{AlongRay, Vertex};
+pub use along::{AlongRay, Unit, UnitOf, Vertex};
 pub use basis::{
     BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, LengthCheck,
     Measured,

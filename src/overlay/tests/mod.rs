@@ -87,6 +87,7 @@ impl Stage {
             lit: None,
             walked: None,
             ghost: None,
+            is_clear: false,
         }
     }
 

@@ -9,7 +9,7 @@ use pinhole_core::lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substi
 use super::handles;
 use super::sheet::{Sheet, round_step};
 use super::steps::number;
-use crate::lines::LinesLab;
+use crate::lines::{Handle, LinesLab};
 use crate::overlay::Style;
 use crate::panels::words::{Font, Words, around};
 
@@ -18,7 +18,7 @@ const SMALL: f32 = 15.0;
 pub(super) const NAMES: f32 = 19.0;
 const REGIONS: f32 = 23.0;
 
-/// More points than this are not left behind.
+/// More points than this are not drawn.
 const MOST_POINTS: usize = 400;
 
 /// Colours of the drawing.
@@ -53,35 +53,62 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     let sheet = |lab: &LinesLab| Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
     let grabbed = handles::inputs(ui, &sheet(lab), lab);
     let sheet = sheet(lab);
+    sheet.painter.rect_filled(rect, 0.0, background);
+    let held = |handle| grabbed.iter().any(|(held, by)| *held == handle && handles::is_held(by));
+    if let Some(seen) = paint(&sheet, lab, &ink, held, digits) {
+        ui.ctx().accesskit_node_builder(ui.scope_id().with("plane"), |node| node.set_value(seen));
+    }
+    for (handle, response) in grabbed {
+        response.on_hover_text(handle.name());
+    }
+}
+
+/// Draws the plane without its background and with nothing to drag.
+pub(super) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
+    let (ink, _, halo) = Ink::of(ui.visuals().dark_mode);
+    let sheet = Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
+    paint(&sheet, lab, &ink, |_| false, digits);
+}
+
+/// Paints everything but the background; which points the ray has generated, in words.
+fn paint(
+    sheet: &Sheet,
+    lab: &LinesLab,
+    ink: &Ink,
+    held: impl Fn(Handle) -> bool,
+    digits: usize,
+) -> Option<String> {
+    let (rect, halo) = (sheet.rect, sheet.halo);
     let line = lab.line();
     let is_line = line.check().is_ok();
-    sheet.painter.rect_filled(rect, 0.0, background);
     if is_line {
         sheet.half_plane(&line, true, ink.positive.gamma_multiply(0.13));
         sheet.half_plane(&line, false, ink.negative.gamma_multiply(0.13));
     }
-    grid(&sheet, &ink);
+    grid(sheet, ink);
     if is_line {
-        signs(&sheet, &line, &ink);
-        implicit(&sheet, &line, &ink);
+        signs(sheet, &line, ink);
+        implicit(sheet, &line, ink);
     }
     let mut words = Words::new(sheet.painter.clone(), halo, rect.shrink(3.0));
-    handles::keep_free(&sheet, lab, &mut words);
+    handles::keep_free(sheet, lab, &mut words);
     let is_ray = lab.ray.check().is_ok();
     if is_ray {
-        parametric(&sheet, lab, &ink);
+        parametric(sheet, lab, ink);
     }
-    handles::draw(&sheet, lab, &ink, &grabbed);
-    meeting(&sheet, lab, &ink, &mut words, digits);
-    handles::names(&sheet, lab, &ink, &mut words, digits);
-    if is_ray {
-        trail(&sheet, lab, &ink, &mut words);
-        sides(&sheet, lab, &ink, &mut words);
-    }
+    handles::draw(sheet, lab, ink, held);
+    meeting(sheet, lab, ink, &mut words, digits);
+    handles::names(sheet, lab, ink, &mut words, digits);
+    let seen = is_ray.then(|| {
+        let seen = trail(sheet, lab, ink, &mut words);
+        sides(sheet, lab, ink, &mut words);
+        seen
+    });
     if is_line {
-        regions(&sheet, &line, &ink, &mut words);
+        regions(sheet, &line, ink, &mut words);
     }
-    coordinates(&sheet, &ink, &mut words);
+    coordinates(sheet, ink, &mut words);
+    seen
 }
 
 /// Dragging beside all handles moves the window, the wheel zooms about the pointer.
@@ -208,9 +235,7 @@ fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut Words) {
 /// The line behind p dashed, from p on whole; the points that t has generated; d.
 fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
     let ParametricLine { p, d } = lab.ray;
-    let middle = lab.ray.nearest_t(sheet.center());
-    let reach = sheet.reach() / d.length();
-    let (first, last) = (middle - reach, middle + reach);
+    let (first, last) = seen_of(sheet, &lab.ray);
     if first < 0.0 {
         let stroke = Stroke::new(2.0, ink.ray.gamma_multiply(0.75));
         sheet.line(lab.ray.at(last.min(0.0)), lab.ray.at(first), stroke, 9.0);
@@ -219,15 +244,25 @@ fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
         let stroke = Stroke::new(3.0, ink.ray);
         sheet.line(lab.ray.at(first.max(0.0)), lab.ray.at(last), stroke, 0.0);
     }
-    for (_, at) in generated(lab) {
+    for (_, at) in generated(sheet, lab) {
         sheet.painter.circle(sheet.place(at), 5.5, ink.ray, Stroke::new(1.5, sheet.halo));
     }
     sheet.arrow(p, p + d, Stroke::new(6.0, ink.ray));
 }
 
-fn generated(lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
-    let trail = lab.trail;
-    lab.ray.generated(trail.step, trail.first, trail.last, MOST_POINTS)
+/// The points of the trail that are in sight; of too many every second one, or third, and so on.
+fn generated(sheet: &Sheet, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
+    let (trail, (low, high)) = (lab.trail, seen_of(sheet, &lab.ray));
+    let (first, last) = (trail.first.max(low), trail.last.min(high));
+    let every = ((last - first) / trail.step / MOST_POINTS as f64).ceil().max(1.0);
+    lab.ray.generated(every * trail.step, first, last, MOST_POINTS)
+}
+
+/// From which t to which one the line may be in sight.
+fn seen_of(sheet: &Sheet, ray: &ParametricLine) -> (f64, f64) {
+    let middle = ray.nearest_t(sheet.center());
+    let reach = sheet.reach() / ray.d.length();
+    (middle - reach, middle + reach)
 }
 
 /// To the left of d on the screen, where y grows downwards.
@@ -236,16 +271,24 @@ fn left_of(d: DVec2) -> Vec2 {
     -vec2(d.y as f32, d.x as f32)
 }
 
-/// t at the points that it has generated, as far as there is room.
-fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) {
+/// t at the points that it has generated, as far as there is room; which ones there are, in words.
+fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) -> String {
     let font = Font { size: SMALL, color: ink.ray, bold: false };
     let left = left_of(lab.ray.d);
-    let points: Vec<(f64, DVec2)> = generated(lab).collect();
+    let points: Vec<(f64, DVec2)> = generated(sheet, lab).collect();
+    let seen = match points.as_slice() {
+        [] => "no points".to_owned(),
+        [(t, _)] => format!("a point at t = {}", number(*t, 5)),
+        [(from, _), .., (to, _)] => {
+            format!("points from t = {} to t = {}", number(*from, 5), number(*to, 5))
+        }
+    };
     let whole = |t: f64| t.fract() == 0.0;
     let (first, then): (Vec<_>, Vec<_>) = points.into_iter().partition(|(t, _)| whole(*t));
     for (t, at) in first.into_iter().chain(then) {
         words.write(&number(t, 5), font, around(sheet.place(at), left, 10.0).take(1));
     }
+    seen
 }
 
 /// Which part of the line is which.

@@ -26,10 +26,7 @@ pub(super) fn inputs(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab) -> Vec<Grabbed>
 }
 
 fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
-    let at = sheet.place(lab.place_of(handle)?);
-    if !sheet.rect.expand(GRASP).contains(at) {
-        return None;
-    }
+    let at = in_sight(sheet, lab, handle)?;
     let id = ui.scope_id().with(handle.name());
     let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));
     let response = ui.interact(around, id, Sense::click_and_drag());
@@ -57,9 +54,7 @@ fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<R
         let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
         let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
         if (right, up) != (0.0, 0.0) {
-            let step = if lab.snap { LinesLab::GRID } else { 0.1 };
-            let to = lab.place_of(handle)? + step * DVec2::new(right, up);
-            lab.drag(handle, to, fineness);
+            lab.nudge(handle, DVec2::new(right, up), fineness);
         }
     }
     let place = lab.place_of(handle)?;
@@ -80,14 +75,23 @@ pub(super) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut Words) {
     }
 }
 
-/// Draws the handles over everything else.
-pub(super) fn draw(sheet: &Sheet, lab: &LinesLab, ink: &Ink, grabbed: &[Grabbed]) {
-    for (handle, response) in grabbed {
-        let Some(place) = lab.place_of(*handle) else { continue };
-        let held = response.hovered() || response.dragged() || response.has_focus();
-        one(sheet, *handle, sheet.place(place), ink, held);
-        response.clone().on_hover_text(handle.name());
+/// Whether the pointer or the keyboard is at a handle.
+pub(super) fn is_held(response: &Response) -> bool {
+    response.hovered() || response.dragged() || response.has_focus()
+}
+
+/// Draws the handles in sight over everything else.
+pub(super) fn draw(sheet: &Sheet, lab: &LinesLab, ink: &Ink, held: impl Fn(Handle) -> bool) {
+    for handle in Handle::ALL {
+        let Some(at) = in_sight(sheet, lab, handle) else { continue };
+        one(sheet, handle, at, ink, held(handle));
     }
+}
+
+/// Where a handle is, if it can be reached.
+fn in_sight(sheet: &Sheet, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
+    let at = sheet.place(lab.place_of(handle)?);
+    sheet.rect.expand(GRASP).contains(at).then_some(at)
 }
 
 fn one(sheet: &Sheet, handle: Handle, at: Pos2, ink: &Ink, held: bool) {

@@ -7,11 +7,11 @@ use egui::{
     pos2, vec2,
 };
 
-use super::curve::{Curve, compressed};
 use crate::overlay::Style;
 use crate::panels::lines::{number, round_step};
 use crate::panels::notation::formula;
 use crate::panels::words::{Font, Words};
+use crate::plot::{Curve, Plot, compressed};
 
 /// Size of text, in points.
 const TEXT: f32 = 15.0;
@@ -54,19 +54,18 @@ impl Axes {
 pub(super) fn ui(
     ui: &Ui,
     rect: Rect,
-    curves: &[Curve],
+    plot: &Plot,
     first: Option<(u32, f64)>,
-    range: &RangeInclusive<f64>,
     walked: &mut Option<f64>,
 ) {
     let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
     let colors = style.colors();
-    let planes = curves.iter().any(|curve| curve.along.vertex().is_none());
+    let planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if planes { BOTTOM.0 } else { BOTTOM.1 };
     // Room for the numbers at the left, for those of t below, and for what is plotted above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let height = (compressed(bottom), compressed(TOP));
-    let axes = Axes { rect: inner, t: range.clone(), height };
+    let axes = Axes { rect: inner, t: plot.range.clone(), height };
     input(ui, &axes, walked);
     let painter = ui.painter_at(rect);
     painter.rect_filled(inner, 0.0, colors.background);
@@ -82,8 +81,8 @@ pub(super) fn ui(
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, inner.y_range()));
     }
     verticals(&inside, &axes, &mut words, colors.ink);
-    let drawn: Vec<Strokes> = curves.iter().map(|curve| strokes(&axes, curve)).collect();
-    for (curve, strokes) in curves.iter().zip(&drawn) {
+    let drawn: Vec<Strokes> = plot.samples.iter().map(|samples| strokes(&axes, samples)).collect();
+    for (curve, strokes) in plot.curves.iter().zip(&drawn) {
         for points in &strokes.points {
             inside.add(Shape::line(points.clone(), Stroke::new(5.0, colors.halo)));
         }
@@ -91,16 +90,16 @@ pub(super) fn ui(
             stroke(&inside, points, curve);
         }
         for (at, upwards) in &strokes.leaves {
-            arrowhead(&inside, *at, *upwards, curve.color);
+            arrowhead(&inside, *at, *upwards, color_of(curve));
         }
     }
-    zeros(&inside, &axes, curves, first, &mut words, colors);
-    if let Some(t) = *walked {
-        point_that_walks(&inside, &axes, curves, t, &mut words, colors);
+    zeros(&inside, &axes, &plot.curves, first, &mut words, colors);
+    if plot.walked.is_some() {
+        point_that_walks(&inside, &axes, plot, &mut words, colors);
     }
-    for (curve, strokes) in curves.iter().zip(&drawn) {
+    for (curve, strokes) in plot.curves.iter().zip(&drawn) {
         let font = Font { size: TEXT, color: colors.ink, bold: true };
-        if let Some(name) = words.write(&curve.name, font, places_at(strokes, within)) {
+        if let Some(name) = words.write(&curve.named.name, font, places_at(strokes, within)) {
             // Underlined as the curve is drawn.
             let y = name.bottom() - 1.0;
             stroke(&inside, &[pos2(name.left(), y), pos2(name.right(), y)], curve);
@@ -209,15 +208,14 @@ struct Strokes {
     leaves: Vec<(Pos2, bool)>,
 }
 
-fn strokes(axes: &Axes, curve: &Curve) -> Strokes {
+fn strokes(axes: &Axes, samples: &[(f64, f64)]) -> Strokes {
     let (low, high) = axes.height;
     let mut points: Vec<Vec<Pos2>> = Vec::new();
     let mut leaves: Vec<(Pos2, bool)> = Vec::new();
     let place = |(t, y): (f64, f64)| pos2(axes.x(t), axes.y(y));
     let edge_of = |y: f64| if y > high { Some(high) } else { (y < low).then_some(low) };
-    let samples = curve.samples(&axes.t);
     let mut before: Option<(f64, f64)> = None;
-    for sample in samples {
+    for &sample in samples {
         let was = before.replace(sample);
         let crossing = |outside: (f64, f64), inside: (f64, f64)| {
             let edge = edge_of(outside.1)?;
@@ -255,8 +253,13 @@ fn strokes(axes: &Axes, curve: &Curve) -> Strokes {
     Strokes { points, leaves }
 }
 
+fn color_of(curve: &Curve) -> Color32 {
+    let [r, g, b] = curve.named.color;
+    Color32::from_rgb(r, g, b)
+}
+
 fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
-    let stroke = Stroke::new(3.0, curve.color);
+    let stroke = Stroke::new(3.0, color_of(curve));
     let (dash, gap) = DASHES[curve.place % DASHES.len()];
     if dash > 0.0 {
         painter.extend(Shape::dashed_line(points, stroke, dash, gap));
@@ -290,7 +293,7 @@ fn zeros(
     let y = axes.y(0.0);
     let shown = |t: f64| axes.t.contains(&t);
     if let Some((object, t)) = first.filter(|(_, t)| shown(*t)) {
-        let color = curves.iter().find(|c| c.object == object).map_or(colors.ink, |c| c.color);
+        let color = curves.iter().find(|c| c.named.object == object).map_or(colors.ink, color_of);
         let at = pos2(axes.x(t), y);
         painter.circle(at, 9.0, color, Stroke::new(3.0, colors.ink));
         words.keep_free(Rect::from_center_size(at, Vec2::splat(20.0)));
@@ -301,11 +304,11 @@ fn zeros(
     }
     for curve in curves {
         for root in curve.derivation.roots().filter(|root| shown(root.t)) {
-            if first == Some((curve.object, root.t)) {
+            if first == Some((curve.named.object, root.t)) {
                 continue;
             }
             let at = pos2(axes.x(root.t), y);
-            painter.circle(at, 5.5, colors.background, Stroke::new(3.0, curve.color));
+            painter.circle(at, 5.5, colors.background, Stroke::new(3.0, color_of(curve)));
             let places = [
                 (at + vec2(0.0, 8.0), Align2::CENTER_TOP),
                 (at + vec2(0.0, -8.0), Align2::CENTER_BOTTOM),
@@ -339,21 +342,21 @@ fn beside_hit(at: Pos2) -> [(Pos2, Align2); 6] {
 fn point_that_walks(
     painter: &Painter,
     axes: &Axes,
-    curves: &[Curve],
-    t: f64,
+    plot: &Plot,
     words: &mut Words,
     colors: &crate::overlay::Colors,
 ) {
-    let (x, rect) = (axes.x(t), axes.rect);
+    let Some((t, values)) = &plot.walked else { return };
+    let (x, rect) = (axes.x(*t), axes.rect);
     painter.vline(x, rect.y_range(), Stroke::new(6.0, colors.halo));
     painter.vline(x, rect.y_range(), Stroke::new(3.0, colors.ray));
-    for curve in curves {
-        let at = pos2(x, axes.y(curve.height(t)));
+    for (curve, f) in plot.curves.iter().zip(values.iter()) {
+        let at = pos2(x, axes.y(curve.height(*f)));
         if rect.contains(at) {
-            painter.circle(at, 5.5, colors.ray, Stroke::new(2.5, curve.color));
+            painter.circle(at, 5.5, colors.ray, Stroke::new(2.5, color_of(curve)));
         }
     }
-    let text = format!("t = {}", number(t, 5));
+    let text = format!("t = {}", number(*t, 5));
     let top = rect.top() + 3.0;
     let rows = (0..3).flat_map(|k| {
         let y = top + 20.0 * k as f32;

@@ -7,6 +7,7 @@ use egui::{Align2, Color32, FontId, Pos2, RichText, Sense, Shape, Stroke, Ui, po
 use pinhole_core::{BasisError, Camera, UpAngle};
 
 use super::reason;
+use crate::letters::told;
 use crate::panels::number::{error_color, significant};
 
 /// The scale ends at 10^6.
@@ -35,7 +36,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &Camera) {
     }
     match angle {
         Ok(UpAngle { conditioning, .. }) => words(ui, conditioning),
-        Err(fault) => reason(ui, format!("No camera: {fault}")),
+        Err(fault) => reason(ui, format!("No camera: {}", told(fault))),
     }
 }
 

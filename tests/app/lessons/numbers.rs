@@ -178,7 +178,7 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         3,
         &[
             ("up × 𝐰", "(0, 0, 0)"),
-            (SAYS, "up (0, 1, 0) is parallel to the view direction (0, -8, 0): turn one of them"),
+            (SAYS, "up (0, 1, 0) is parallel to the view direction (0, −8, 0): turn one of them"),
         ],
     ),
     (

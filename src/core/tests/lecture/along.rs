@@ -228,3 +228,21 @@ fn far_out_it_is_infinite_and_not_nan() {
     assert!(along.value(4e-300).abs() < 1e-14);
     assert_eq!(along.value(5e-300).round(), -1.0);
 }
+
+#[test]
+fn units_are_of_the_objects_own_size() {
+    use pinhole_core::lecture::UnitOf;
+    let ray = Ray::new([0.0; 3], [0.0, 0.0, -2.0]).unwrap();
+    let unit = |object: Object| {
+        let unit = of_ray(&object, &ray).unit();
+        (unit.value, unit.of)
+    };
+    let ball = |radius| Object::Sphere(sphere([0.0, 0.0, -5.0], radius));
+    assert_eq!(unit(ball(3.0)), (9.0, UnitOf::SquaredRadius));
+    assert_eq!(unit(ball(1e-200)), (1.0, UnitOf::One));
+    let wall = |z, n| Object::Plane(plane([0.0, 0.0, z], n));
+    assert_eq!(unit(wall(-6.0, [0.0, 0.0, 2.0])), (12.0, UnitOf::Origin));
+    assert_eq!(unit(wall(0.0, [0.0, 0.0, 1.0])), (2.0, UnitOf::OneStep));
+    // The ray runs in the plane: f is 0 everywhere.
+    assert_eq!(unit(wall(0.0, [0.0, 1.0, 0.0])), (1.0, UnitOf::One));
+}

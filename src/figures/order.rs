@@ -1,0 +1,142 @@
+//! A figure as it is ordered, by the command or in the window's dialog: what it shows, how large it is,
+//! and what the file holds.
+
+use std::path::Path;
+
+use pinhole_core::ImageSize;
+
+use super::{Figure, Format, Look, View, of_view, sheets};
+use crate::derive::{Deriver, ViewSizes};
+use crate::document::Document;
+use crate::ledger::{Ledger, Markup, Section};
+use crate::overlay::Style;
+use crate::session::{Session, ViewLayout};
+
+/// What a figure shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The scene with the camera in it.
+    World,
+    /// What the camera sees.
+    Camera,
+    /// How every number comes about.
+    Ledger,
+    /// The plane of the lab of lines.
+    Lines,
+}
+
+impl Subject {
+    /// All of them.
+    pub const ALL: [Subject; 4] =
+        [Subject::World, Subject::Camera, Subject::Ledger, Subject::Lines];
+
+    /// In one word, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Subject::World => "world",
+            Subject::Camera => "camera",
+            Subject::Ledger => "ledger",
+            Subject::Lines => "lines",
+        }
+    }
+}
+
+/// What a file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// A figure.
+    Figure(Format),
+    /// The ledger as text.
+    Text(Markup),
+}
+
+impl Content {
+    /// As the ending of the file's name says.
+    ///
+    /// # Errors
+    /// Which endings there are.
+    pub fn of(subject: Subject, path: &Path) -> Result<Content, String> {
+        let mut known: Vec<(&str, Content)> =
+            Format::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
+        let mut formats = "SVG, PDF or PNG";
+        if subject == Subject::Ledger {
+            known.extend([
+                ("tex", Content::Text(Markup::Latex)),
+                ("md", Content::Text(Markup::Markdown)),
+            ]);
+            formats = "SVG, PDF, PNG, LaTeX or Markdown";
+        }
+        let is =
+            |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+        if let Some((_, content)) = known.iter().find(|(ending, _)| is(ending)) {
+            return Ok(*content);
+        }
+        let named =
+            |(ending, _): &(&str, Content)| path.with_extension(ending).display().to_string();
+        let mut named: Vec<String> = known.iter().map(named).collect();
+        let last = named.pop().unwrap_or_default();
+        Err(format!("writes {formats}: not {} but {} or {last}", path.display(), named.join(", ")))
+    }
+}
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// What it shows.
+    pub subject: Subject,
+    /// Width and height in dots; a ledger is as high as its lines.
+    pub size: [u32; 2],
+    /// The same in points: how much of the plane there is room for, where lines are broken, and how
+    /// large letters are.
+    pub points: [f32; 2],
+    /// The colours.
+    pub style: Style,
+    /// Nothing is painted where there is nothing.
+    pub transparent: bool,
+}
+
+impl Order {
+    /// Dots per point: as many as have room for all points.
+    fn scale(&self) -> f32 {
+        let [across, down] = [0, 1].map(|k| self.size[k] as f32 / self.points[k].max(1.0));
+        if self.subject == Subject::Ledger { across } else { across.min(down) }
+    }
+
+    /// The figure, of the document as the session looks at it.
+    ///
+    /// # Errors
+    /// In words, why there is none.
+    pub fn figure(
+        &self,
+        document: &Document,
+        session: &Session,
+        is_folded: impl Fn(&Section) -> bool,
+    ) -> Result<Figure, String> {
+        let scale = self.scale();
+        let look = Look { scale, style: self.style, transparent: self.transparent };
+        let of_view = |view| {
+            let [width, height] = self.size;
+            let size = ImageSize::new(width, height).map_err(|error| error.to_string())?;
+            of_view(document, session, view, size, look).map_err(|fault| fault.to_string())
+        };
+        match self.subject {
+            Subject::World => of_view(View::World),
+            Subject::Camera => of_view(View::Camera),
+            Subject::Ledger => {
+                Ok(sheets::ledger(&ledger_of(document, session), self.points[0], look, is_folded))
+            }
+            Subject::Lines => {
+                let points = self.size.map(|dots| dots as f32 / scale);
+                Ok(sheets::lines(&session.lines, session.settings.digits, points, look))
+            }
+        }
+    }
+}
+
+/// The ledger of the document, whatever the layout shows.
+pub fn ledger_of(document: &Document, session: &Session) -> Ledger {
+    let mut session = session.clone();
+    session.settings.layout = ViewLayout::Ledger;
+    let derived = Deriver::default().derive(document, &session, &ViewSizes::default());
+    derived.ledger.map(|ledger| (*ledger).clone()).unwrap_or_default()
+}

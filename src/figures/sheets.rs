@@ -1,0 +1,86 @@
+//! Figures of what the window's panels draw: the ledger, and the lab of lines.
+
+use egui::{Context, Pos2, Rect, Theme, Ui, Vec2, vec2};
+
+use super::{Figure, Look};
+use crate::ledger::{Ledger, Section};
+use crate::lines::LinesLab;
+use crate::overlay::{Drawing, Style};
+use crate::panels;
+use crate::present::headless::Sheet;
+use crate::present::look;
+
+/// Left and right of the ledger, and above and below it, in points.
+pub const MARGIN: f32 = 12.0;
+
+/// Nothing that is set on it is higher, in points.
+const HIGHEST: f32 = 1e6;
+
+/// The ledger, so many points wide with its margins; of a section that `is_folded` only the title.
+pub(super) fn ledger(
+    ledger: &Ledger,
+    width: f32,
+    look: Look,
+    is_folded: impl Fn(&Section) -> bool,
+) -> Figure {
+    let column = vec2((width - 2.0 * MARGIN).max(60.0), HIGHEST);
+    let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
+    let mut height = 0.0;
+    let mut draw = |ui: &mut Ui| height = panels::ledger::draw(ui, ledger, column, &is_folded);
+    // How high it is shows when it is drawn.
+    Sheet::draw(&context(look.style), [1, 1], look.scale, &mut draw);
+    let page = vec2(width, height + 2.0 * MARGIN);
+    let (ctx, size) = (context(look.style), dots(page, look.scale));
+    let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
+        panels::ledger::draw(ui, ledger, column, &is_folded);
+    });
+    let ground = ctx.style_of(theme(look.style)).visuals.panel_fill;
+    figure("Ledger", size, look, ground, sheet)
+}
+
+/// The plane of the lab of lines, so many points wide and high.
+pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -> Figure {
+    let ctx = context(look.style);
+    let page = Rect::from_min_size(Pos2::ZERO, size.into());
+    let size = dots(page.size(), look.scale);
+    let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
+        panels::lines::draw(ui, page, lab, digits);
+    });
+    figure("Lines", size, look, look.style.colors().background, sheet)
+}
+
+fn context(style: Style) -> Context {
+    let ctx = Context::default();
+    look::install(&ctx);
+    ctx.set_theme(theme(style));
+    ctx
+}
+
+fn theme(style: Style) -> Theme {
+    match style {
+        Style::Light => Theme::Light,
+        Style::Dark => Theme::Dark,
+    }
+}
+
+fn dots(points: Vec2, scale: f32) -> [usize; 2] {
+    let dots = (points * scale).round().max(Vec2::splat(1.0));
+    [dots.x as usize, dots.y as usize]
+}
+
+fn figure(
+    title: &str,
+    size: [usize; 2],
+    look: Look,
+    ground: egui::Color32,
+    sheet: Sheet,
+) -> Figure {
+    Figure {
+        title: title.to_owned(),
+        size,
+        ground: (!look.transparent).then_some(ground),
+        picture: None,
+        drawing: Drawing { scale: look.scale, ..Drawing::default() },
+        sheet,
+    }
+}

@@ -1,0 +1,89 @@
+//! Figures of the two views.
+
+use std::sync::Arc;
+
+use egui::{Color32, Context, Pos2};
+use pinhole_core::ImageSize;
+
+use super::{Figure, Look};
+use crate::derive::{Deriver, Fault, Purpose, ViewSizes};
+use crate::document::Document;
+use crate::label_text;
+use crate::overlay::Drawing;
+use crate::present::headless::Sheet;
+use crate::present::look;
+use crate::session::Session;
+
+/// Which of the two views.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// What the edited camera sees.
+    Camera,
+    /// The scene with the camera in it, as the observer sees it.
+    World,
+}
+
+/// A view, `size` large, of the document as the session looks at it: its ray, items, colours and
+/// observer.
+///
+/// # Errors
+/// Why there is nothing to see: as the window says it.
+pub fn of_view(
+    document: &Document,
+    session: &Session,
+    view: View,
+    size: ImageSize,
+    look: Look,
+) -> Result<Figure, Fault> {
+    let Look { scale, style, transparent } = look;
+    let dots = [size.width(), size.height()];
+    let is_world = view == View::World;
+    let sizes = ViewSizes {
+        world: is_world.then_some(dots),
+        camera: (!is_world).then_some(dots),
+        map: None,
+        wrong: None,
+        ghost: None,
+        scale,
+        style,
+        purpose: Purpose::Figure { clear: transparent },
+    };
+    let derived = Deriver::default().derive(document, session, &sizes);
+    // A camera without a basis still stands in the world.
+    if let Some(fault) = derived.fault.filter(|f| !is_world || matches!(f, Fault::Scene(_))) {
+        return Err(fault);
+    }
+    let shown = if is_world { derived.world_view } else { derived.camera_view };
+    let drawing = shown.as_ref().map_or_else(Drawing::default, |shown| Drawing {
+        scale,
+        marks: shown.marks.to_vec(),
+        labels: shown.labels.to_vec(),
+    });
+    let ctx = Context::default();
+    look::install(&ctx);
+    let size = dots.map(|n| n as usize);
+    let sheet = Sheet::draw(&ctx, size, scale, |ui| {
+        for label in &drawing.labels {
+            label_text::write(ui.painter(), Pos2::ZERO, scale, label);
+        }
+    });
+    let background = style.colors().background;
+    Ok(Figure {
+        title: if is_world { "World view" } else { "Camera view" }.to_owned(),
+        size,
+        ground: (!transparent).then_some(background),
+        picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
+        drawing,
+        sheet,
+    })
+}
+
+/// Dots per point where no window says: as in a window of 720 points, and never less than one.
+pub fn scale_of([width, height]: [u32; 2]) -> f32 {
+    (width.min(height) as f32 / 720.0).max(1.0)
+}
+
+/// Whether there is anything in a picture at all.
+fn has_dots(image: &egui::ColorImage) -> bool {
+    image.pixels.iter().any(|dot| *dot != Color32::TRANSPARENT)
+}

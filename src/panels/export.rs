@@ -1,0 +1,153 @@
+//! The dialog that exports a figure: what it shows, how large it is, and where to.
+
+use std::path::Path;
+
+use egui::{Checkbox, DragValue, Grid, RichText, Ui};
+
+use super::dialogs::{PathField, save_ui};
+use super::number::error_color;
+use crate::action::Action;
+use crate::figures::{Content, Order, Subject};
+use crate::overlay::Style;
+
+/// No figure is larger, in dots.
+const LARGEST: u32 = 16_384;
+
+/// How something stands on the screen, or would.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OnScreen {
+    pub(crate) subject: Subject,
+    /// Width and height in points.
+    pub(crate) points: [f32; 2],
+    /// Dots per point.
+    pub(crate) scale: f32,
+}
+
+impl OnScreen {
+    fn dots(self) -> [u32; 2] {
+        self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
+    }
+}
+
+/// The dialog's fields.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExportForm {
+    field: PathField,
+    subjects: Vec<OnScreen>,
+    chosen: usize,
+    size: [u32; 2],
+    style: Style,
+    transparent: bool,
+    /// What is wrong with the path.
+    problem: Option<String>,
+}
+
+/// The endings of figures' files.
+const ENDINGS: [&str; 5] = ["svg", "pdf", "png", "tex", "md"];
+
+impl ExportForm {
+    /// Near the scene's file. The first of the subjects is chosen.
+    pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
+        let hint = "path of an .svg, .pdf or .png file";
+        let name = subjects.first().map_or("figure", |first| first.subject.name());
+        let field = PathField::of(scene, &format!("{name}.svg"), &ENDINGS, hint);
+        let size = subjects.first().map_or([1, 1], |first| first.dots());
+        let transparent = false;
+        ExportForm { field, subjects, chosen: 0, size, style, transparent, problem: None }
+    }
+
+    pub(super) fn ui(&mut self, ui: &mut Ui, actions: &mut Vec<Action>, close: &mut bool) {
+        ui.heading("Export a figure");
+        let Some(shown) = self.subject(ui) else { return };
+        Grid::new("export").num_columns(2).show(ui, |ui| self.looks(ui, shown));
+        let typed = self.field.text.clone();
+        let path = save_ui(ui, &mut self.field, "Export", "svg", close);
+        if self.field.text != typed {
+            self.problem = None;
+        }
+        if let Some(path) = path {
+            match Content::of(shown.subject, &path) {
+                Ok(_) => {
+                    let OnScreen { subject, points, .. } = shown;
+                    let ExportForm { size, style, transparent, .. } = *self;
+                    let order = Order { subject, size, points, style, transparent };
+                    actions.push(Action::Export { order, path });
+                    *close = true;
+                }
+                Err(problem) => self.problem = Some(format!("Export {problem}")),
+            }
+        }
+        if let Some(problem) = &self.problem {
+            ui.label(RichText::new(problem).color(error_color(ui)));
+        }
+    }
+
+    /// What the figure shows.
+    fn subject(&mut self, ui: &mut Ui) -> Option<OnScreen> {
+        ui.horizontal(|ui| {
+            for (k, shown) in self.subjects.iter().enumerate() {
+                let name = title(shown.subject);
+                if ui.radio(self.chosen == k, name).clicked() && self.chosen != k {
+                    // A name that was not typed follows.
+                    let before = self.subjects[self.chosen].subject.name();
+                    let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
+                    if let Some(folder) = renamed {
+                        self.field.text = format!("{folder}{}.svg", shown.subject.name());
+                    }
+                    (self.chosen, self.size) = (k, shown.dots());
+                }
+            }
+        });
+        self.subjects.get(self.chosen).copied()
+    }
+
+    fn looks(&mut self, ui: &mut Ui, shown: OnScreen) {
+        let number = |ui: &mut Ui, value: &mut u32, name: &str| {
+            ui.label(name);
+            let response = ui.add(DragValue::new(value).range(1..=LARGEST).suffix(" dots"));
+            let label = format!("figure {name}");
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+            ui.end_row();
+            response.changed()
+        };
+        let [across, down] = shown.points;
+        let follow =
+            |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
+        let [width, height] = &mut self.size;
+        let is_wider = number(ui, width, "width");
+        match shown.subject {
+            Subject::Ledger => {
+                ui.label("height");
+                ui.weak("as its lines need");
+                ui.end_row();
+            }
+            subject => {
+                let is_higher = number(ui, height, "height");
+                // Its pixels keep their shape.
+                if subject == Subject::Camera && is_wider {
+                    *height = follow(*width, down / across);
+                } else if subject == Subject::Camera && is_higher {
+                    *width = follow(*height, across / down);
+                }
+            }
+        }
+        ui.label("colours");
+        ui.horizontal(|ui| {
+            ui.radio_value(&mut self.style, Style::Light, "light");
+            ui.radio_value(&mut self.style, Style::Dark, "dark");
+        });
+        ui.end_row();
+        ui.label("background");
+        ui.add(Checkbox::new(&mut self.transparent, "transparent"));
+        ui.end_row();
+    }
+}
+
+fn title(subject: Subject) -> &'static str {
+    match subject {
+        Subject::World => "World view",
+        Subject::Camera => "Camera view",
+        Subject::Ledger => "Ledger",
+        Subject::Lines => "Lines",
+    }
+}

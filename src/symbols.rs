@@ -1,0 +1,97 @@
+//! What the lecture's symbols mean, in one sentence each: the one table for all places where
+//! something is pointed at.
+
+/// What kind of name a symbol is: the vector u and the scalar u are two symbols.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A vector or a point, bold.
+    Vector,
+    /// A number in a formula, italic.
+    Scalar,
+    /// A number that is read off.
+    Readout,
+}
+
+pub(crate) const EYE: &str = "eye: where every view ray begins";
+pub(crate) const AT: &str = "at: the point that the camera looks at";
+pub(crate) const VIEW: &str = "view: the direction that the camera looks along";
+pub(crate) const UP: &str = "up: a hint that keeps the camera level; not 𝐯";
+pub(crate) const U: &str = "𝐮: to the right in the image, of length 1";
+pub(crate) const V: &str = "𝐯: up in the image, of length 1";
+pub(crate) const W: &str = "𝐰: backwards, the opposite of the view direction, of length 1";
+pub(crate) const D: &str = "𝐝: the view ray's direction, from the eye to the viewport";
+pub(crate) const DISTANCE: &str = "distance: from the eye to the viewport, the lecture's scalar d";
+pub(crate) const NORMAL: &str =
+    "normal: at right angles to the surface where the ray hits it, of length 1";
+const P: &str = "𝐩: where the view ray begins, the eye";
+const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is the viewport";
+const UV: &str = "(𝑢, 𝑣): the place in the viewport, from its middle, in world units";
+
+/// Every symbol that has a meaning of its own.
+const WORDS: [(Kind, &str, &str); 38] = [
+    (Kind::Vector, "eye", EYE),
+    (Kind::Vector, "at", AT),
+    (Kind::Vector, "view", VIEW),
+    (Kind::Vector, "up", UP),
+    (Kind::Vector, "u", U),
+    (Kind::Vector, "v", V),
+    (Kind::Vector, "w", W),
+    (Kind::Vector, "p", P),
+    (Kind::Vector, "d", D),
+    (Kind::Vector, "n", "𝐧: the plane's normal, at right angles to it, of any length"),
+    (Kind::Vector, "centre", "centre: the middle of the sphere"),
+    (Kind::Vector, "point", "point: some point of the plane"),
+    (Kind::Vector, "hit", "hit: the point where the ray meets the object first"),
+    (Kind::Vector, "normal", NORMAL),
+    (Kind::Scalar, "t", T),
+    (Kind::Scalar, "u", "𝑢: how far right of the viewport's middle, in world units"),
+    (Kind::Scalar, "v", "𝑣: how far above the viewport's middle, in world units"),
+    (Kind::Scalar, "distance", DISTANCE),
+    (Kind::Scalar, "i", "𝑖: the pixel's row, counted from the top"),
+    (Kind::Scalar, "j", "𝑗: the pixel's column, counted from the left"),
+    (Kind::Scalar, "W", "𝑊: how many columns the image has"),
+    (Kind::Scalar, "H", "𝐻: how many rows the image has"),
+    (Kind::Scalar, "width", "width: the viewport's, in world units"),
+    (Kind::Scalar, "height", "height: the viewport's, in world units"),
+    (Kind::Scalar, "r", "𝑟: the sphere's radius"),
+    (Kind::Scalar, "a", "𝑎: the coefficient of 𝑡², the direction's squared length"),
+    (Kind::Scalar, "b", "𝑏: half the coefficient of 𝑡; negative where the centre is ahead"),
+    (Kind::Scalar, "c", "𝑐: what remains at 𝑡 = 0; negative where the eye is inside the sphere"),
+    (Kind::Scalar, "D", "𝐷: the discriminant; negative: missed, 0: touched, positive: two roots"),
+    (Kind::Readout, "t", T),
+    (Kind::Readout, "(u, v)", UV),
+    (Kind::Readout, "|d|", "|𝐝|: the direction's length, how long a step of 𝑡 = 1 is"),
+    (Kind::Readout, "distance", "distance: from the eye along the ray, 𝑡 |𝐝|, in world units"),
+    (Kind::Readout, "point", "point: where the ray's line meets the object, 𝐩 + 𝑡 𝐝"),
+    (Kind::Readout, "normal", NORMAL),
+    (Kind::Readout, "pixel", "pixel: what the ray goes through in the image, by row and column"),
+    (Kind::Readout, "angle(up, view)", "the angle between up and view; at 0° there is no camera"),
+    (Kind::Readout, "conditioning", "degrees that the camera rolls for each degree of up sideways"),
+];
+
+/// What a symbol means.
+pub(crate) fn words(kind: Kind, name: &str) -> Option<&'static str> {
+    let known = |(of, known, _): &&(Kind, &str, &str)| *of == kind && *known == name;
+    WORDS.iter().find(known).map(|(.., words)| *words)
+}
+
+/// What a name among the readouts means: of a number that is read off, or else of a vector.
+pub(crate) fn words_of_readout(name: &str) -> Option<&'static str> {
+    words(Kind::Readout, name).or_else(|| words(Kind::Vector, name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_symbol_is_there_once_and_named_first() {
+        for (k, (kind, name, text)) in WORDS.iter().enumerate() {
+            assert!(WORDS[..k].iter().all(|(of, known, _)| (of, known) != (kind, name)), "{name}");
+            assert_eq!(words(*kind, name), Some(*text));
+            assert!(!text.ends_with('.') && text.len() < 100, "{text}");
+        }
+        assert_ne!(words(Kind::Vector, "u"), words(Kind::Scalar, "u"));
+        assert_eq!(words(Kind::Scalar, "q"), None);
+    }
+}

@@ -1,0 +1,132 @@
+//! Exporting a figure from the window, and the ledger to the clipboard.
+
+use std::fs;
+use std::path::Path;
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, OutputCommand};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::figures::{Format, Look, View, of_view};
+use pinhole::overlay::Style;
+use pinhole_core::ImageSize;
+
+use super::harness::{assert_says, says, texts_with, type_into, window};
+
+fn open_dialog(window: &mut Harness<'_, App>) {
+    window.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    window.run();
+    assert_says(window, "Export a figure");
+}
+
+fn export_to(window: &mut Harness<'_, App>, path: &Path) {
+    window.get_by_role_and_label(Role::TextInput, "path").focus();
+    window.run();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
+    window.run();
+    window.key_press(Key::Enter);
+    window.run();
+}
+
+/// What the window draws is what is in the file: the same dots.
+#[test]
+fn the_world_view_as_it_is_on_the_screen() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("world.png");
+    let mut window = window("look-at");
+    open_dialog(&mut window);
+    export_to(&mut window, &path);
+    assert!(!says(&window, "Export a figure"), "the dialog is closed");
+    let (app, scale) = (window.state(), window.ctx.pixels_per_point());
+    let shown = app.derived().world_view.clone().unwrap();
+    let size = ImageSize::new(shown.image.size[0] as u32, shown.image.size[1] as u32).unwrap();
+    let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };
+    let look = Look { scale, style, transparent: false };
+    let figure = of_view(app.document(), app.session(), View::World, size, look).unwrap();
+    assert!(figure.to_file(Format::Png).unwrap() == fs::read(&path).unwrap());
+    // But for the letters, which are painted over it, the dots are the window's.
+    let pixels = figure.to_pixels();
+    let same = pixels.iter().zip(&shown.image.pixels).filter(|(a, b)| a == b).count();
+    assert!(same * 100 > pixels.len() * 98, "{same} of {}", pixels.len());
+}
+
+#[test]
+fn the_camera_view_keeps_its_proportions() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("camera.svg");
+    let mut window = window("canonical");
+    open_dialog(&mut window);
+    window.get_by_role_and_label(Role::RadioButton, "Camera view").click();
+    window.run();
+    type_into(&mut window, "figure width", "640");
+    window.get_by_label("transparent").click();
+    window.run();
+    export_to(&mut window, &path);
+    let svg = fs::read_to_string(&path).unwrap();
+    assert!(svg.contains("width=\"640\" height=\"640\""), "{}", &svg[..300]);
+    assert!(!svg.contains("<rect "), "transparent");
+}
+
+#[test]
+fn the_layout_chooses_what_is_exported_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = window("canonical");
+    for (layout, file) in [("Ledger", "ledger.pdf"), ("Lines", "lines.pdf")] {
+        window.get_by_label(layout).click();
+        window.run();
+        open_dialog(&mut window);
+        let path = folder.path().join(file);
+        export_to(&mut window, &path);
+        assert!(fs::read(&path).unwrap().starts_with(b"%PDF-"), "{file}");
+    }
+}
+
+#[test]
+fn another_format_is_refused_and_an_existing_file_asked_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = window("canonical");
+    open_dialog(&mut window);
+    export_to(&mut window, &folder.path().join("world.jpg"));
+    assert!(!texts_with(&window, "Export writes SVG, PDF or PNG: not ").is_empty());
+    let path = folder.path().join("there.svg");
+    fs::write(&path, "mine").unwrap();
+    export_to(&mut window, &path);
+    assert!(!texts_with(&window, "exists. Export once more to replace it.").is_empty());
+    assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+    window.get_by_role_and_label(Role::Button, "Export").click();
+    window.run();
+    assert!(fs::read_to_string(&path).unwrap().starts_with("<svg "));
+}
+
+#[test]
+fn a_folder_that_is_not_there_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = window("canonical");
+    open_dialog(&mut window);
+    export_to(&mut window, &folder.path().join("no").join("world.svg"));
+    assert_says(&window, "The figure was not exported");
+}
+
+#[test]
+fn the_ledger_is_copied_as_latex_and_as_markdown() {
+    let mut window = window("canonical");
+    window.get_by_label("Ledger").click();
+    window.run();
+    for (name, part) in [("LaTeX", r"\begin{align*}"), ("Markdown", "### Basis")] {
+        window.get_by_label("Copy the ledger as").click();
+        window.run();
+        window.get_by_label(name).click();
+        let mut copied = String::new();
+        for _ in 0..4 {
+            window.step();
+            for command in &window.output().platform_output.commands {
+                if let OutputCommand::CopyText(text) = command {
+                    copied.clone_from(text);
+                }
+            }
+        }
+        assert!(copied.contains(part) && copied.contains(r"\mathbf{w}"), "{name}: {copied}");
+    }
+}

@@ -1,0 +1,258 @@
+//! `pinhole figure`
+
+use std::fs;
+use std::path::Path;
+
+use egui::Color32;
+use pinhole::overlay::Style;
+
+use super::{Run, entries, run_in};
+
+const VIEWS: [&str; 4] = ["world", "camera", "ledger", "lines"];
+
+pub(crate) fn figure(folder: &Path, line: &str) -> Run {
+    run_in(folder, &format!("figure {line}").split(' ').collect::<Vec<_>>())
+}
+
+/// Width, height and pixels of a PNG file, and whether it can be transparent.
+pub(crate) fn decode(path: &Path) -> (u32, u32, Vec<[u8; 4]>, bool) {
+    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
+    let mut decoder = png::Decoder::new(file);
+    decoder.set_transformations(png::Transformations::ALPHA);
+    let mut reader = decoder.read_info().unwrap();
+    let clear = reader.info().color_type == png::ColorType::Rgba;
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    let pixels = bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect();
+    (info.width, info.height, pixels, clear)
+}
+
+fn rgba(color: Color32) -> [u8; 4] {
+    color.to_array()
+}
+
+#[test]
+fn every_view_in_every_format() {
+    let folder = tempfile::tempdir().unwrap();
+    for view in VIEWS {
+        for (ending, magic) in [("svg", "<svg "), ("pdf", "%PDF-"), ("png", "\u{fffd}PNG")] {
+            let out = format!("{view}.{ending}");
+            let line = format!("canonical --view {view} -o {out} --width 500");
+            assert_eq!(figure(folder.path(), &line).done(), "");
+            let first = fs::read(folder.path().join(&out)).unwrap();
+            assert!(String::from_utf8_lossy(&first).starts_with(magic), "{out}");
+            figure(folder.path(), &line).done();
+            let second = fs::read(folder.path().join(&out)).unwrap();
+            assert!(first == second, "{out} is not the same twice");
+        }
+    }
+    assert_eq!(entries(folder.path()).len(), 12);
+}
+
+#[test]
+fn the_size_is_as_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let size = |arguments: &str| {
+        figure(folder.path(), &format!("{arguments} -o out.png")).done();
+        let (width, height, ..) = decode(&folder.path().join("out.png"));
+        (width, height)
+    };
+    for (arguments, expected) in [
+        ("canonical --view world --width 320", (320, 180)),
+        ("canonical --view world --height 180", (320, 180)),
+        ("canonical --view world --width 200 --height 300", (200, 300)),
+        // Two dots for each of the 400 pixels, which is as large as fits.
+        ("canonical --view camera", (800, 800)),
+        ("canonical --view camera --height 90", (90, 90)),
+        ("canonical --view camera --width 90 --height 90", (90, 90)),
+        ("canonical --view lines --width 320", (320, 240)),
+    ] {
+        assert_eq!(size(arguments), expected, "{arguments}");
+    }
+    let [small, large] = [400, 800].map(|w| size(&format!("canonical --view ledger --width {w}")));
+    assert_eq!((small.0, large.0), (400, 800));
+    // The same lines, twice as large, but for letters on whole dots.
+    assert!(small.1.abs_diff(large.1 / 2) <= large.1 / 50, "{small:?} {large:?}");
+}
+
+#[test]
+fn strokes_are_strokes_and_text_is_text() {
+    let folder = tempfile::tempdir().unwrap();
+    let line = "look-at --view world -o world.svg --width 900 --uv 0.2,-0.1";
+    figure(folder.path(), line).done();
+    let svg = fs::read_to_string(folder.path().join("world.svg")).unwrap();
+    for label in ["eye", "at", "u", "v", "w", "hit"] {
+        assert_eq!(svg.matches(&format!(">{label}</tspan>")).count(), 1, "{label}");
+    }
+    let colors = Style::Light.colors();
+    for color in colors.basis.into_iter().chain([colors.ray]) {
+        let [r, g, b, _] = color.to_array();
+        let stroke = "<polyline points=";
+        let ink = format!("stroke=\"#{r:02x}{g:02x}{b:02x}\"");
+        assert!(svg.lines().any(|line| line.starts_with(stroke) && line.contains(&ink)), "{ink}");
+    }
+    assert_eq!(svg.matches("<image ").count(), 1);
+    assert!(svg.contains("@font-face{font-family:\"Noto Sans\";font-weight:bold;"));
+    figure(folder.path(), "look-at --view world -o plain.svg --width 900").done();
+    let plain = fs::read_to_string(folder.path().join("plain.svg")).unwrap();
+    assert!(!plain.contains(">hit</tspan>"), "no ray was asked for");
+}
+
+#[test]
+fn hidden_lines_are_dashed() {
+    let folder = tempfile::tempdir().unwrap();
+    figure(folder.path(), "canonical --view world -o out.svg --uv 0,0").done();
+    let svg = fs::read_to_string(folder.path().join("out.svg")).unwrap();
+    assert!(svg.contains("stroke-dasharray="));
+}
+
+#[test]
+fn transparent_figures_have_no_ground() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                 [[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n\
+                 [[plane]]\npoint = [0, -1, 0]\nnormal = [0, 1, 0]\n";
+    fs::write(folder.path().join("s.toml"), scene).unwrap();
+    for view in VIEWS {
+        let draw = |more: &str| {
+            let line = format!("s.toml --view {view} -o out.png --width 400{more}");
+            figure(folder.path(), &line).done();
+            decode(&folder.path().join("out.png"))
+        };
+        let (.., whole, may_be_clear) = draw("");
+        assert!(!may_be_clear && whole.iter().all(|pixel| pixel[3] == 255), "{view}");
+        let (.., clear, may_be_clear) = draw(" --transparent");
+        assert!(may_be_clear, "{view}");
+        let count = |alpha: u8| clear.iter().filter(|pixel| pixel[3] == alpha).count();
+        // The lab's half planes are tinted all over.
+        assert!(count(0) > clear.len() / 5 || view == "lines", "{view}: {}", count(0));
+        // Small letters cover few dots as a whole.
+        assert!(count(255) > 50, "{view}: {}", count(255));
+        let same = whole.iter().zip(&clear).filter(|(_, c)| c[3] == 255);
+        // A stroke's edge that covers a dot almost wholly counts as opaque.
+        let near = |(w, c): (&[u8; 4], &[u8; 4])| (0..3).all(|k| w[k].abs_diff(c[k]) <= 3);
+        assert!(same.clone().all(near), "{view}: what is opaque is the same");
+    }
+    for view in ["ledger", "lines"] {
+        figure(folder.path(), &format!("roll --view {view} -o a.svg")).done();
+        figure(folder.path(), &format!("roll --view {view} -o b.svg --transparent")).done();
+        let [a, b] =
+            ["a.svg", "b.svg"].map(|name| fs::read_to_string(folder.path().join(name)).unwrap());
+        assert_eq!((a.matches("<rect ").count(), b.matches("<rect ").count()), (1, 0));
+    }
+}
+
+#[test]
+fn the_theme_is_that_of_the_window() {
+    let folder = tempfile::tempdir().unwrap();
+    for (theme, style) in [("light", Style::Light), ("dark", Style::Dark)] {
+        let line = format!("canonical --view world -o out.png --width 600 --theme {theme}");
+        figure(folder.path(), &line).done();
+        let (.., pixels, _) = decode(&folder.path().join("out.png"));
+        let colors = style.colors();
+        assert_eq!(pixels[0], rgba(colors.background));
+        assert!(pixels.contains(&rgba(colors.basis[2])));
+        figure(folder.path(), &line.replace("world", "ledger")).done();
+        let (.., pixels, _) = decode(&folder.path().join("out.png"));
+        let is_dark = pixels[0][0] < 100;
+        assert_eq!(is_dark, style == Style::Dark);
+        assert!(pixels.contains(&rgba(colors.basis[2])), "w has the same colour as in the views");
+    }
+}
+
+#[test]
+fn the_camera_s_pixels_are_kept_as_they_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                 [image]\nwidth = 300\nheight = 200\n[[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n";
+    fs::write(folder.path().join("s.toml"), scene).unwrap();
+    let draw = |line: &str| {
+        figure(folder.path(), line).done();
+        fs::read_to_string(folder.path().join("out.svg")).unwrap()
+    };
+    let svg = draw("s.toml --view camera -o out.svg --width 1500");
+    let image = svg.lines().find(|line| line.starts_with("<image ")).unwrap();
+    assert!(image.contains("image-rendering:pixelated"));
+    let (_, data) = image.split_once("base64,").unwrap();
+    let bytes = super::figure_read_back::decoded(data.split('"').next().unwrap());
+    let info = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    // Each as 3 x 3: some programs smooth what is small.
+    assert_eq!((info.info().width, info.info().height), (900, 600));
+}
+
+#[test]
+fn the_ledger_is_text_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    figure(folder.path(), "forty-five --view ledger -o out.tex --uv 0.2,-0.1").done();
+    let latex = read("out.tex");
+    assert!(latex.contains(r"\begin{align*}"), "{latex}");
+    figure(folder.path(), "forty-five --view ledger -o out.md --uv 0.2,-0.1").done();
+    let markdown = read("out.md");
+    assert!(markdown.contains(r"t = "), "{markdown}");
+    for (name, text) in [("LaTeX", &latex), ("Markdown", &markdown)] {
+        // The lecture's answer: t = 5 sqrt 2 at (-4, -sqrt2/2, -6).
+        assert!(text.contains(r"5 \sqrt{2}"), "{name}: {text}");
+        assert!(text.contains("-0.70711"), "{name}: {text}");
+    }
+}
+
+#[test]
+fn a_camera_without_a_basis() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 2, 0]\nup = [0, 1, 0]\n";
+    fs::write(folder.path().join("s.toml"), scene).unwrap();
+    let why = "s.toml:5:6: camera.up: up (0, 1, 0) is parallel to the view direction (0, 2, 0): turn \
+               one of them";
+    for view in ["world", "camera"] {
+        figure(folder.path(), &format!("s.toml --view {view} -o out.svg")).failed(1, why);
+    }
+    figure(folder.path(), "s.toml --view ledger -o out.svg --pixel 0,0").failed(1, why);
+    assert_eq!(entries(folder.path()), ["s.toml"]);
+    // The ledger says where its derivation fails.
+    figure(folder.path(), "s.toml --view ledger -o out.md").done();
+    let text = fs::read_to_string(folder.path().join("out.md")).unwrap();
+    assert!(text.contains("is parallel to the view direction"), "{text}");
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |line: &str| figure(folder.path(), line);
+    at("canonical -o out.svg").refused("--view <world|camera|ledger|lines>");
+    at("canonical --view side -o out.svg").refused("world, camera, ledger, lines");
+    at("canonical --view world").refused("--output <OUT.svg|pdf|png>");
+    at("canonical --view world -o a.svg --theme grey").refused("light, dark");
+    at("canonical --view world -o a.svg --width 0").refused("0 is not in 1..=16384");
+    at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");
+    at("canonical --view world -o out.jpg")
+        .failed(2, "-o writes SVG, PDF or PNG: not out.jpg but out.svg, out.pdf or out.png");
+    at("canonical --view camera -o out.tex")
+        .failed(2, "-o writes SVG, PDF or PNG: not out.tex but out.svg, out.pdf or out.png");
+    at("canonical --view ledger -o out").failed(
+        2,
+        "-o writes SVG, PDF, PNG, LaTeX or Markdown: not out but out.svg, out.pdf, out.png, out.tex \
+         or out.md",
+    );
+    at("canonical --view ledger -o out.svg --height 9")
+        .failed(2, "the ledger is as high as its lines: leave out --height, give --width");
+    at("canonical --view ledger -o out.md --width 9")
+        .failed(2, "--width is for pictures: leave it out, out.md is text");
+    at("canonical --view camera -o out.svg --width 300 --height 200").failed(
+        2,
+        "300 x 200 is not in the proportions of the camera's image, 400 x 400 pixels: leave out \
+         --width or --height",
+    );
+    at("canonical --view world -o out.png --height 10000").failed(
+        2,
+        "image width is 17778: it must be 1 to 16384 pixels; give both --width and --height",
+    );
+    at("canonical --view world -o out.svg --pixel 400,0").failed(
+        1,
+        "canonical: pixel 400,0 is outside the image of 400 rows and 400 columns: rows are 0 to 399, \
+         columns 0 to 399",
+    );
+    at("no.toml --view world -o no/out.svg")
+        .failed(1, "no/out.svg: cannot be written: no such file or directory");
+    assert!(entries(folder.path()).is_empty());
+}
