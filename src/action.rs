@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use pinhole_core::DVec2;
 
 use crate::document::Document;
-use crate::figures::Order;
+use crate::figures::{Frames, Order};
 use crate::formats::scene_argument::SceneSource;
 use crate::ledger::Markup;
 use crate::lessons::Place;
@@ -72,6 +72,17 @@ pub enum Action {
     Export {
         /// Which.
         order: Order,
+        /// Where to.
+        path: PathBuf,
+    },
+    /// Ask how to export the animation that is open.
+    AskExportAnimation,
+    /// Write an animation.
+    ExportAnimation {
+        /// What each figure shows.
+        order: Order,
+        /// How many there are.
+        frames: Frames,
         /// Where to.
         path: PathBuf,
     },

@@ -5,6 +5,7 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod animation;
 mod figures;
 mod ghost;
 mod history;
@@ -24,6 +25,7 @@ use self::lessons::Lessons;
 use crate::action::Action;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
+use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
@@ -45,6 +47,7 @@ pub struct App {
     lessons: Lessons,
     changes: Changes,
     player: Option<Player>,
+    recorder: Option<Recorder>,
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
@@ -84,6 +87,7 @@ impl App {
             },
             lessons: Lessons::default(),
             player: None,
+            recorder: None,
             recent: remembered.recent,
             chosen_object: 0,
             dialog: None,
@@ -196,6 +200,7 @@ impl App {
             self.outputs(ui, &places);
         });
         self.keep_history(&ctx);
+        self.record(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
         self.frames.end(&ctx, stopwatch);

@@ -52,6 +52,10 @@ impl App {
             Action::AskSaveAs => self.ask_save_as(None),
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
             Action::AskExport => self.ask_export(ctx),
+            Action::AskExportAnimation => self.ask_export_animation(ctx),
+            Action::ExportAnimation { order, frames, path } => {
+                self.export_animation(order, frames, path);
+            }
             Action::Export { order, path } => self.export(&order, &path),
             Action::CopyLedger(markup) => {
                 let ledger = ledger_of(&self.open.document, &self.session);

@@ -6,7 +6,7 @@ use super::App;
 use crate::action::{Action, GhostMove, PlayMove};
 use crate::document::Document;
 use crate::panels::play;
-use crate::play::{Kind, Player, Start, Still, walk_end};
+use crate::play::{Player, Start, Still, walk_end};
 
 impl App {
     /// Moves the open animation on, shows its strip, and sets what it shows; before anything else is
@@ -38,17 +38,8 @@ impl App {
     /// Sets what the animation moves, and leaves alone what it does not.
     fn show_still(&mut self, still: &Still) {
         let Some(player) = &mut self.player else { return };
-        let camera = &mut self.open.document.camera;
-        match player.kind {
-            Kind::SwingUp | Kind::Orbit => {
-                (camera.eye, camera.orientation) = (still.camera.eye, still.camera.orientation);
-                player.shown = *camera;
-            }
-            Kind::Walk => self.session.walked = still.walked,
-            Kind::Scan => {
-                (self.session.selection, self.session.scanned) = (still.selection, still.scanned);
-            }
-        }
+        still.show(player.kind, &mut self.open.document, &mut self.session);
+        player.shown = self.open.document.camera;
         // Nothing of this has been drawn yet, so nothing drawn is older than it.
         if let Some((_, looked_at, _)) = &mut self.known {
             looked_at.selection = self.session.selection;
@@ -116,10 +107,6 @@ impl App {
     /// elsewhere leaves the camera as it was. Whether that is all there is to undo.
     pub(super) fn end_play_for(&mut self, ctx: &Context, action: &Action) -> bool {
         match action {
-            Action::Play(_)
-            | Action::Ghost(GhostMove::Freeze | GhostMove::Drop)
-            | Action::Step { .. }
-            | Action::FrameAll => {}
             Action::Save | Action::AskSaveAs | Action::SaveAs { .. } | Action::SaveThen(_) => {
                 self.keep_play(ctx);
             }
@@ -127,7 +114,17 @@ impl App {
                 self.give_back_play();
                 return true;
             }
-            _ => self.give_back_play(),
+            Action::Open(_)
+            | Action::Show(_)
+            | Action::Quit
+            | Action::GoTo(_)
+            | Action::BackToStep
+            | Action::CloseLesson
+            | Action::Discard(_)
+            | Action::Undo
+            | Action::Redo
+            | Action::Ghost(GhostMove::Swap) => self.give_back_play(),
+            _ => {}
         }
         false
     }

@@ -35,6 +35,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
             }
         };
         let chosen = kinds(ui, player.kind);
+        let mut asks = false;
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
         button(ui, text, name, "Space", PlayMove::Toggle);
         button(ui, "← Step", "Step back", "A step back: comma", PlayMove::Step(-1));
@@ -46,8 +47,12 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
             button(ui, "Stop", "Stop and go back", hint, PlayMove::Close);
             let hint = "Close, with everything as it is now";
             button(ui, "Keep", "Keep this", hint, PlayMove::Keep);
+            asks |= ui.button("Export…").clicked();
             place(ui, player);
         });
+        if asks {
+            actions.push(Action::AskExportAnimation);
+        }
         if let Some(kind) = chosen {
             actions.push(Action::Play(PlayMove::Open(kind)));
         }

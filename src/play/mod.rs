@@ -147,6 +147,20 @@ impl fmt::Display for PlayError {
 
 impl std::error::Error for PlayError {}
 
+impl Still {
+    /// Sets what such an animation moves, and leaves alone what it does not.
+    pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
+        match kind {
+            Kind::SwingUp | Kind::Orbit => {
+                let camera = &mut document.camera;
+                (camera.eye, camera.orientation) = (self.camera.eye, self.camera.orientation);
+            }
+            Kind::Walk => session.walked = self.walked,
+            Kind::Scan => (session.selection, session.scanned) = (self.selection, self.scanned),
+        }
+    }
+}
+
 impl Start {
     /// How it is now. `derived` is what was made of it.
     pub fn of(document: &Document, session: &Session, derived: &Derived) -> Start {

@@ -18,6 +18,7 @@ mod lines;
 mod mistakes;
 mod objects;
 mod play;
+mod play_export;
 mod plot;
 mod scene_files;
 mod selection;

@@ -2,6 +2,7 @@
 
 mod camera_view;
 mod dots;
+mod ghost;
 mod lit;
 mod loupe;
 mod marks;
