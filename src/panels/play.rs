@@ -99,6 +99,6 @@ fn place(ui: &mut Ui, player: &mut Player) {
     let response = ui.add(Slider::new(&mut player.phase, 0.0..=1.0).show_value(false));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("position"));
     if response.changed() || response.dragged() {
-        player.running = false;
+        (player.begun, player.running) = (true, false);
     }
 }

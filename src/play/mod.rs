@@ -59,6 +59,11 @@ impl Kind {
         }
     }
 
+    /// The one of this [name](Kind::name).
+    pub fn from_name(name: &str) -> Option<Kind> {
+        Kind::ALL.into_iter().find(|kind| kind.name() == name)
+    }
+
     /// What the step of the history is called that keeps where it stopped.
     pub fn step_name(self) -> &'static str {
         match self {

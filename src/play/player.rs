@@ -23,6 +23,8 @@ pub struct Player {
     pub start: Start,
     /// From 0, the start, to 1, the end.
     pub phase: f64,
+    /// Whether it has gone on, or was moved, at all: one that was only opened changes nothing.
+    pub begun: bool,
     /// Whether it goes on by itself.
     pub running: bool,
     /// So many times as fast as usual.
@@ -49,6 +51,7 @@ impl Player {
             kind,
             start,
             phase: 0.0,
+            begun: false,
             running: false,
             speed: 1.0,
             loops: kind.is_round(),
@@ -61,6 +64,9 @@ impl Player {
 
     /// How it is now; as at the start where it cannot move, which is remembered.
     pub fn still(&mut self) -> Still {
+        if !self.begun {
+            return self.start.still();
+        }
         let steps = self.kind.steps(&self.start) as f64;
         let phase = match self.reduced && self.running {
             true => (self.phase * steps + ON_STEP).floor() / steps,
@@ -96,7 +102,7 @@ impl Player {
 
     /// Runs, or rests. From the end it begins again.
     pub fn toggle(&mut self) {
-        self.running = !self.running;
+        (self.begun, self.running) = (true, !self.running);
         self.time = None;
         if self.running && self.phase >= 1.0 {
             self.phase = 0.0;
@@ -105,7 +111,7 @@ impl Player {
 
     /// Rests, so many single steps on, or back.
     pub fn step(&mut self, by: i64) {
-        self.running = false;
+        (self.begun, self.running) = (true, false);
         let steps = self.kind.steps(&self.start) as f64;
         let at = self.phase * steps;
         let on_step = (at - at.round()).abs() < ON_STEP;

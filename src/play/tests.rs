@@ -116,7 +116,8 @@ fn reduced_motion_shows_whole_steps_alone() {
 fn what_cannot_move_says_why() {
     let mut player = Player::new(Kind::SwingUp, start());
     player.start.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::Z };
-    (player.phase, player.running) = (0.3, true);
+    player.toggle();
+    player.phase = 0.3;
     assert_eq!(player.still(), player.start.still());
     assert!(!player.running);
     assert!(player.fault.unwrap().to_string().contains("parallel"));

@@ -155,7 +155,7 @@ fn without_loop_it_ends_at_the_end() {
 fn t_runs_from_the_eye_to_the_hit() {
     let mut harness = playing("canonical", "Run t along the ray");
     let hit = harness.state().derived().inspection.as_ref().unwrap().first_hit().unwrap().t;
-    assert_eq!(harness.state().session().walked, Some(0.0));
+    assert_eq!(harness.state().session().walked, None, "not begun");
     for _ in 0..6 {
         press(&mut harness, Key::Period);
     }
