@@ -10,7 +10,7 @@ use crate::overlay::Picture;
 const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 
 /// So many squares fit into a picture's shorter side.
-const SQUARES: usize = 32;
+const SQUARES: usize = 16;
 
 /// Remembers the last one.
 #[derive(Debug, Default)]
