@@ -7,11 +7,12 @@ use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
 use crate::document::Document;
-use crate::figures::Order;
+use crate::figures::{Frames, Order};
 use crate::formats::scene_argument::SceneSource;
 use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::Place;
 use crate::overlay::{Item, Scheme};
+use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{MethodName, Session, ShadeName, ThemeName, ViewLayout};
 
@@ -24,6 +25,32 @@ pub struct MadeUp {
     pub title: String,
     /// The ray to look at, if any.
     pub uv: Option<DVec2>,
+}
+
+/// What is done to an animation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlayMove {
+    /// Open one, at its start.
+    Open(Kind),
+    /// Let it run, or rest.
+    Toggle,
+    /// So many single steps on; negative: back.
+    Step(i64),
+    /// End it, and keep what is there now.
+    Keep,
+    /// End it, and go back to how it was.
+    Close,
+}
+
+/// What is done with the ghost, the camera to compare with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GhostMove {
+    /// The camera becomes the ghost, in place of the one that was there.
+    Freeze,
+    /// Take it away.
+    Drop,
+    /// Camera and ghost change places.
+    Swap,
 }
 
 /// Something to do once, after the panels and before anything is derived.
@@ -53,6 +80,17 @@ pub enum Action {
         /// Where to.
         path: PathBuf,
     },
+    /// Ask how to export the animation that is open.
+    AskExportAnimation,
+    /// Write an animation.
+    ExportAnimation {
+        /// What each figure shows.
+        order: Order,
+        /// How many there are.
+        frames: Frames,
+        /// Where to.
+        path: PathBuf,
+    },
     /// Put the ledger on the clipboard.
     CopyLedger(Markup),
     /// Close the window, asking first if there are unsaved changes.
@@ -74,6 +112,10 @@ pub enum Action {
     Undo,
     /// Redo the step that was undone last.
     Redo,
+    /// Something with the ghost.
+    Ghost(GhostMove),
+    /// Something with an animation.
+    Play(PlayMove),
     /// Put the observer where everything can be seen.
     FrameAll,
     /// Move the selected pixel that many rows down and columns right.

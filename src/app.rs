@@ -5,12 +5,15 @@
 //! the pass again before anything is presented, so that nothing on screen is older than the rest.
 
 mod actions;
+mod animation;
 mod figures;
+mod ghost;
 mod hand;
 mod history;
 mod inputs;
 mod lessons;
 mod outputs;
+mod play;
 mod verbs;
 
 use std::io::Write as _;
@@ -25,6 +28,7 @@ use self::verbs::Sheet;
 use crate::action::Action;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
+use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
@@ -35,6 +39,7 @@ use crate::panels::ledger::LedgerPanel;
 use crate::panels::look::{self, Look};
 use crate::panels::navigation::Navigation;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
+use crate::play::Player;
 use crate::present::{FrameTimes, WindowGeometry};
 use crate::session::{Session, Settings, ViewLayout};
 use crate::store::{Remembered, Store};
@@ -47,6 +52,8 @@ pub struct App {
     session: Session,
     lessons: Lessons,
     changes: Changes,
+    player: Option<Player>,
+    recorder: Option<Recorder>,
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
@@ -91,6 +98,8 @@ impl App {
                 ..Session::default()
             },
             lessons: Lessons::default(),
+            player: None,
+            recorder: None,
             recent: remembered.recent,
             chosen_object: 0,
             dialog: None,
@@ -213,6 +222,7 @@ impl App {
         });
         self.over_all(ui);
         self.keep_history(&ctx);
+        self.record(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
         self.frames.end(&ctx, stopwatch);
@@ -260,10 +270,13 @@ impl App {
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
             let steps = top_bar::Steps { undo, redo };
+            let has_ghost = self.session.ghost.is_some();
             let settings = &mut self.session.settings;
-            top_bar::ui(ui, &self.open, &self.recent, steps, settings, actions);
+            let open = &self.open;
+            top_bar::ui(ui, open, &self.recent, steps, has_ghost, settings, actions);
         });
         self.lesson_strip(ui, actions);
+        self.play_on(ui, actions);
         let panel =
             Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
         panel.show(ui, |ui| {

@@ -2,11 +2,13 @@
 //! idle window does no work and one drag does only what it changes.
 
 mod derived;
+mod ghost;
 mod ledgers;
 mod memo;
 mod objects;
 mod picture;
 mod plots;
+mod scan;
 mod watch;
 mod world;
 mod wrong;
@@ -18,6 +20,7 @@ use pinhole_core::methods::Method;
 use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
 pub use self::derived::{Derived, Fault, Purpose, Shown, ViewSizes};
+use self::ghost::GhostPictures;
 use self::ledgers::Ledgers;
 use self::memo::Memo;
 use self::objects::Objects;
@@ -50,6 +53,7 @@ pub struct Deriver {
     ledgers: Ledgers,
     plots: Plots,
     wrong: WrongPictures,
+    ghosts: GhostPictures,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -57,6 +61,7 @@ pub struct Deriver {
 #[derive(Debug, PartialEq)]
 struct CameraViewKey {
     picture: u64,
+    scanned: Option<u64>,
     posed: PosedCamera,
     size: [u32; 2],
     selection: Selection,
@@ -74,6 +79,7 @@ struct WorldViewKey {
     observer: Observer,
     size: [u32; 2],
     picture: Option<u64>,
+    scanned: Option<u64>,
     generation: u64,
     palette: u64,
     selection: Selection,
@@ -81,6 +87,7 @@ struct WorldViewKey {
     lit: Option<(Thing, usize)>,
     walked: Option<f64>,
     handles: Handles,
+    ghost: Option<PosedCamera>,
     scale: f32,
     style: Style,
     purpose: Purpose,
@@ -111,7 +118,10 @@ impl CameraViewKey {
 impl Deriver {
     /// How many pictures have been traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
-        self.pictures.traced() + self.world_pictures.traced() + self.wrong.count()
+        self.pictures.traced()
+            + self.world_pictures.traced()
+            + self.wrong.count()
+            + self.ghosts.count()
     }
 
     /// Everything to show of this document.
@@ -154,6 +164,8 @@ impl Deriver {
         }
         self.camera_views(&mut derived, document, session, sizes, watch);
         self.wrong_view(&mut derived, document, session, sizes, watch);
+        let good = self.objects.good().filter(|_| derived.fault.is_none());
+        self.ghosts.update(&mut derived, document, good, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
         let generation = self.objects.good().map_or(0, |good| good.generation);
@@ -176,6 +188,7 @@ impl Deriver {
         let scene = derived.scene.as_deref();
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
+            scanned: session.scanned,
             posed: good.posed,
             size,
             selection: good.selection,
@@ -279,6 +292,7 @@ impl Deriver {
             observer,
             size,
             picture: seen.map(|_| self.pictures.made()),
+            scanned: session.scanned,
             generation: good.generation,
             palette: good.palette,
             selection: session.selection,
@@ -286,6 +300,7 @@ impl Deriver {
             lit,
             walked: session.walked,
             handles: handles::drawn(&stage, &session.hand),
+            ghost: derived.ghost,
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
@@ -309,6 +324,7 @@ impl Deriver {
                 lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
                 walked: key.walked,
                 handles: &key.handles,
+                ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
             };
             let drawing = watched(watch, Work::Overlay, || match key.purpose {

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
 
 use crate::exercises::Exercises;
+use crate::ghost::Ghost;
 use crate::handles::Hand;
 use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
@@ -29,6 +30,10 @@ pub struct Session {
     pub observer: Option<Observer>,
     /// The t of the point p + t d that walks along the selected ray; `None` where none does.
     pub walked: Option<f64>,
+    /// How many pixels the camera's picture shows so far, row by row; all of them without a number.
+    pub scanned: Option<u64>,
+    /// The camera to compare with.
+    pub ghost: Option<Ghost>,
     /// The lab of lines in two dimensions.
     pub lines: LinesLab,
     /// What the mouse or the keyboard points at just now.
@@ -99,8 +104,12 @@ pub struct Settings {
     pub plot_compressed: bool,
     /// The height of what is said of a wrong camera, in points.
     pub mistakes_height: f32,
+    /// The height of both cameras in numbers, in points.
+    pub compare_height: f32,
     /// The ledger's share of the width.
     pub ledger_split: f32,
+    /// The world view's share of the width, where the ghost's picture is beside the camera's.
+    pub compare_split: f32,
     /// The world view's share of the height, where the camera view is below it.
     pub stack_split: f32,
     /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
@@ -139,8 +148,10 @@ impl Default for Settings {
             plot_height: 300.0,
             plot_compressed: false,
             mistakes_height: 330.0,
+            compare_height: 230.0,
             ledger_split: 0.5,
             stack_split: 0.55,
+            compare_split: 0.42,
             method: MethodName(Method::Ladder),
             compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
             theme: ThemeName::System,
@@ -174,10 +185,13 @@ impl Settings {
         self.plot_height = finite(self.plot_height, default.plot_height).clamp(0.0, 10_000.0);
         self.mistakes_height =
             finite(self.mistakes_height, default.mistakes_height).clamp(0.0, 10_000.0);
+        self.compare_height =
+            finite(self.compare_height, default.compare_height).clamp(0.0, 10_000.0);
         self.ledger_split = finite(self.ledger_split, default.ledger_split).clamp(0.0, 1.0);
         self.stack_split = finite(self.stack_split, default.stack_split).clamp(0.0, 1.0);
         self.smallest_text = finite(self.smallest_text, default.smallest_text)
             .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
+        self.compare_split = finite(self.compare_split, default.compare_split).clamp(0.0, 1.0);
         self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
         self
     }
@@ -189,6 +203,8 @@ impl Default for Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
             walked: None,
+            scanned: None,
+            ghost: None,
             lines: LinesLab::default(),
             pointed: None,
             lit: None,

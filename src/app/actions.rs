@@ -18,6 +18,9 @@ use crate::session::{Selection, Session, ViewLayout};
 impl App {
     /// Does it, or asks what stands in its way.
     pub(super) fn apply(&mut self, ctx: &Context, action: Action) {
+        if self.end_play_for(ctx, &action) {
+            return;
+        }
         match action {
             Action::BackToStep if !self.differs_from_step() => {}
             Action::Open(_)
@@ -58,6 +61,10 @@ impl App {
             Action::AskSaveAs => self.ask_save_as(None),
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
             Action::AskExport => self.ask_export(ctx),
+            Action::AskExportAnimation => self.ask_export_animation(ctx),
+            Action::ExportAnimation { order, frames, path } => {
+                self.export_animation(order, frames, path);
+            }
             Action::Export { order, path } => self.export(&order, &path),
             Action::CopyLedger(markup) => {
                 let ledger = ledger_of(&self.open.document, &self.session);
@@ -65,6 +72,8 @@ impl App {
             }
             Action::Undo => self.undo(ctx),
             Action::Redo => self.redo(ctx),
+            Action::Ghost(ghost) => self.move_ghost(ctx, ghost),
+            Action::Play(play) => self.play(ctx, play),
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
                 self.session.observer = None;
@@ -129,6 +138,7 @@ impl App {
         self.open.leave_lesson();
         self.deriver = Deriver::default();
         self.session.observer = None;
+        self.session.ghost = None;
         self.session.selection = uv.map_or(Session::default().selection, Selection::Uv);
         self.session.settings.layout = ViewLayout::Both;
         self.chosen_object = 0;
@@ -150,6 +160,7 @@ impl App {
                 // What was good in another scene is nothing to show in this one.
                 self.deriver = Deriver::default();
                 self.session.observer = None;
+                self.session.ghost = None;
                 self.session.selection = Session::default().selection;
                 self.chosen_object = 0;
             }

@@ -35,7 +35,7 @@ impl App {
         self.dialog = Some(Dialog::Export(ExportForm::new(self.open.file(), subjects, style)));
     }
 
-    fn on_screen(&self, ctx: &Context, subject: Subject) -> OnScreen {
+    pub(super) fn on_screen(&self, ctx: &Context, subject: Subject) -> OnScreen {
         let scale = ctx.pixels_per_point();
         let view = match subject {
             Subject::World => &self.derived.world_view,

@@ -8,7 +8,7 @@ use crate::derive::Deriver;
 use crate::document::Document;
 use crate::files::{OpenDocument, title_of};
 use crate::handles::Hand;
-use crate::history::{History, name_of};
+use crate::history::{History, StepName, name_of};
 use crate::session::{Selection, Session, Settings};
 
 /// Seconds within which more of the same change goes on with a step, where no button is held.
@@ -54,6 +54,11 @@ impl Changes {
         Changes { history: History::default(), settled: document.clone(), last: None }
     }
 
+    /// The document after the last step.
+    pub(super) fn settled(&self) -> &Document {
+        &self.settled
+    }
+
     /// What *Undo* would undo.
     pub(super) fn undo_name(&self) -> Option<&str> {
         self.history.undo_name()
@@ -66,26 +71,34 @@ impl Changes {
 }
 
 impl App {
-    /// Whether the document is not being changed at this moment: no button is held.
-    fn hand_rests(ctx: &Context) -> bool {
-        ctx.input(|i| !i.pointer.any_down())
+    /// Whether the document is not being changed at this moment: no button is held, nothing plays.
+    fn hand_rests(&self, ctx: &Context) -> bool {
+        !self.plays_camera() && ctx.input(|i| !i.pointer.any_down())
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests: a drag is
     /// one step.
     pub(super) fn keep_history(&mut self, ctx: &Context) {
-        if self.open.document != self.changes.settled && Self::hand_rests(ctx) {
+        if self.open.document != self.changes.settled && self.hand_rests(ctx) {
             self.settle(ctx);
         }
     }
 
     /// What has changed since the hand last rested is a step.
-    fn settle(&mut self, ctx: &Context) {
+    pub(super) fn settle(&mut self, ctx: &Context) {
+        self.settle_as(ctx, None);
+    }
+
+    /// The same, with a name that the change itself does not tell.
+    pub(super) fn settle_as(&mut self, ctx: &Context, name: Option<&str>) {
         let changes = &mut self.changes;
         if self.open.document == changes.settled {
             return;
         }
-        let name = name_of(&changes.settled, &self.open.document);
+        let name = match name {
+            Some(name) => StepName { text: name.to_owned(), gradual: false },
+            None => name_of(&changes.settled, &self.open.document),
+        };
         let focus = ctx.memory(|memory| memory.focused());
         let time = ctx.input(|i| i.time);
         let scrolls = ctx.input(|i| i.smooth_scroll_delta().y != 0.0 || i.zoom_delta() != 1.0);

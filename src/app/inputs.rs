@@ -17,6 +17,7 @@ impl App {
         let dropped = dropped.filter(|_| !self.is_covered());
         actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
         if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
+            self.give_back_play();
             if self.open.has_changes() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
                 self.ask_about_changes(Action::Quit);

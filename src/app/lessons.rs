@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::{Context, Panel, Ui};
 
 use super::App;
-use crate::action::Action;
+use crate::action::{Action, PlayMove};
 use crate::derive::Deriver;
 use crate::files::{OpenDocument, Origin, argument_of};
 use crate::lessons::{Lesson, OpenLesson, Place, Which, apply};
@@ -83,6 +83,9 @@ impl App {
         self.open = OpenDocument::of_step(next.step().document.clone(), title);
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
         self.lessons.seen_from = self.session.observer;
+        // In the next pass, which knows what the step's ray hits.
+        let play = next.step().looks.play;
+        self.waiting.extend(play.map(|kind| Action::Play(PlayMove::Open(kind))));
         self.lessons.open = Some(next);
         self.settled();
     }
@@ -93,6 +96,7 @@ impl App {
     }
 
     pub(super) fn go_to(&mut self, ctx: &Context, place: Place) {
+        self.session.ghost = None;
         self.open_lesson(place, None);
         ctx.request_discard("another step of a lesson");
     }

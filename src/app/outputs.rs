@@ -7,7 +7,7 @@ use crate::derive::Fault;
 use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, exercises, frame, lines, mistakes, plot, readouts, views};
+use crate::panels::{accuracy, compare, exercises, frame, lines, mistakes, plot, readouts, views};
 use crate::session::{Session, ViewLayout};
 
 impl App {
@@ -41,6 +41,7 @@ impl App {
         if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {
             match self.session.settings.layout {
                 ViewLayout::Mistakes => self.wrong_camera(ui, area, rect, dimmed),
+                ViewLayout::Compare => self.ghost(ui, area, rect),
                 _ => self.error_map(ui, area, rect, dimmed),
             }
         }
@@ -82,6 +83,10 @@ impl App {
             ViewLayout::Mistakes => {
                 mistakes::ui(ui, &self.derived, document, &mut self.session, style);
             }
+            ViewLayout::Compare => {
+                let (ghost, actions) = (self.session.ghost.as_ref(), &mut self.waiting);
+                compare::ui(ui, &self.derived, document, ghost, style, actions);
+            }
             ViewLayout::Exercises => {
                 let exercises = &mut self.session.exercises;
                 exercises::ui(ui, exercises, style, &mut self.waiting);
@@ -100,6 +105,17 @@ impl App {
             accuracy::legend(ui, area, compared);
         } else if let Some(why) = self.derived.too_many {
             accuracy::no_map(ui, rect, why);
+        }
+    }
+
+    /// Beside the camera's picture, what the ghost sees.
+    fn ghost(&mut self, ui: &mut Ui, area: Rect, rect: Rect) {
+        compare::strip(ui, area, &mut self.session.ghost);
+        let spoken = compare::spoken(self.derived.against_ghost.as_deref());
+        views::speak(ui, views::GHOST, &spoken);
+        match &self.derived.ghost_view {
+            Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, false),
+            None => compare::no_picture(ui, rect, self.session.ghost.as_ref()),
         }
     }
 

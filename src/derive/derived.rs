@@ -7,6 +7,7 @@ use egui::ColorImage;
 use pinhole_core::{CameraError, Counts, Frame, PosedCamera, Scene, SceneError, Steps, UpAngle};
 
 use super::picture::{Compared, TooMany};
+use crate::ghost::AgainstGhost;
 use crate::inspection::Inspection;
 use crate::ledger::Ledger;
 use crate::mistakes::Wrong;
@@ -24,6 +25,8 @@ pub struct ViewSizes {
     pub map: Option<[u32; 2]>,
     /// Width and height of the wrong camera's picture.
     pub wrong: Option<[u32; 2]>,
+    /// Width and height of the ghost's picture.
+    pub ghost: Option<[u32; 2]>,
     /// Physical pixels per point.
     pub scale: f32,
     /// Colours of the world view.
@@ -110,6 +113,12 @@ pub struct Derived {
     pub wrong: Option<Arc<Wrong>>,
     /// What it sees.
     pub wrong_view: Option<Shown>,
+    /// The ghost, with the image that the camera has.
+    pub ghost: Option<PosedCamera>,
+    /// The camera against the ghost, where the layout shows it.
+    pub against_ghost: Option<Arc<AgainstGhost>>,
+    /// What the ghost sees, or where that differs.
+    pub ghost_view: Option<Shown>,
     /// What the observer sees where in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }

@@ -11,6 +11,7 @@ use pinhole_core::{Counts, Depth, Frame, NO_OBJECT, Outputs, PosedCamera, Raster
 use super::ViewSizes;
 use super::memo::Memo;
 use super::objects::GoodWorld;
+use super::scan::{ScannedPicture, first_pixels};
 use super::watch::{self, Watch};
 use crate::accuracy::{self, Comparison};
 use crate::inspection::Inspection;
@@ -107,6 +108,7 @@ pub(super) struct Pictures {
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
+    scanned: ScannedPicture,
     /// How many pictures were made, which tells one from the next.
     made: u64,
     /// How many were traced for that.
@@ -157,8 +159,20 @@ impl Pictures {
             let (method, (posed, generation, _), mode, palette, _) = key;
             let seen = (posed, generation, Raster::part(rows, columns));
             let key = (method, seen, mode, palette, false);
-            self.loupe.get((key, settings.count_from_one), |key| Arc::new(loupe(key, world, watch)))
+            let key = (key, settings.count_from_one);
+            let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
+            match session.scanned {
+                None => loupe,
+                Some(count) => {
+                    let picture = first_pixels(&loupe.picture, count);
+                    Arc::new(Loupe { picture, ..*loupe })
+                }
+            }
         });
+        let picture = match session.scanned {
+            None => picture,
+            Some(count) => self.scanned.of(&picture, count),
+        };
         GoodPicture {
             loupe,
             posed,

@@ -6,11 +6,13 @@
 //! text and one picture. So what is on the screen is what is in the file.
 //!
 //! - `order`: what is asked for;
+//! - `animation`: many figures, one for each phase of what plays;
 //! - `views`: figures of the two views; `sheets`: of the ledger and the lab of lines;
 //! - `shapes`: what egui was told to draw, as parts; `text`: its text, glyph by glyph;
 //! - `typeface`: the fonts that the letters come from; `subset`: those letters alone, as a font;
 //! - `svg`, `pdf`: parts as files.
 
+mod animation;
 mod order;
 mod part;
 mod pdf;
@@ -29,6 +31,7 @@ use crate::formats::png;
 use crate::overlay::{Drawing, Style};
 use crate::present::headless::Sheet;
 
+pub use self::animation::{Animation, Frames, Recorder, Reel};
 pub use self::order::{Content, Order, Subject, ledger_of};
 pub use self::sheets::MARGIN;
 pub use self::views::{View, of_view, scale_of};
@@ -104,6 +107,11 @@ impl Figure {
         pixels
     }
 
+    /// The pixels, not premultiplied.
+    fn to_srgba(&self) -> Vec<[u8; 4]> {
+        self.to_pixels().iter().map(Color32::to_srgba_unmultiplied).collect()
+    }
+
     /// All that is drawn, from the back to the front; lengths in dots.
     fn parts(&self) -> Vec<Part<'_>> {
         let mut parts: Vec<Part> = self
@@ -128,8 +136,7 @@ impl Figure {
             Format::Png => {
                 let mut bytes = Vec::new();
                 let [width, height] = self.size.map(|n| n as u32);
-                let pixels: Vec<[u8; 4]> =
-                    self.to_pixels().iter().map(Color32::to_srgba_unmultiplied).collect();
+                let pixels = self.to_srgba();
                 let written = if self.ground.is_none() {
                     png::encode_transparent(&mut bytes, width, height, &pixels)
                 } else {

@@ -43,6 +43,7 @@ pub fn of_view(
         camera: (!is_world).then_some(dots),
         map: None,
         wrong: None,
+        ghost: None,
         scale,
         style,
         purpose: Purpose::Figure { clear: transparent },

@@ -59,6 +59,45 @@ fn folder_of(target: &Path) -> &Path {
     }
 }
 
+/// A file that is written bit by bit, and takes its place only as a whole.
+#[derive(Debug)]
+pub struct Draft {
+    new: NamedTempFile,
+    path: PathBuf,
+}
+
+impl Draft {
+    /// Begins one, in the folder of the file that it becomes. Dropped, it leaves nothing.
+    ///
+    /// # Errors
+    /// Where nothing can be written there.
+    pub fn of(path: &Path) -> Result<Draft, FileError> {
+        let new = target_of(path).and_then(|(target, _)| temporary_in(folder_of(&target)));
+        let new = new.map_err(|error| FileError::unwritable(path, &error))?;
+        Ok(Draft { new, path: path.to_owned() })
+    }
+
+    /// What is written so far, to write on.
+    ///
+    /// # Errors
+    /// Where the system has no more open files.
+    pub fn file(&self) -> Result<File, FileError> {
+        self.new.as_file().try_clone().map_err(|error| FileError::unwritable(&self.path, &error))
+    }
+
+    /// Puts it in its place.
+    ///
+    /// # Errors
+    /// As [`write()`].
+    pub fn finish(mut self) -> Result<(), FileError> {
+        write(&self.path, |file| {
+            let written = self.new.as_file_mut();
+            written.rewind()?;
+            io::copy(written, file).map(drop)
+        })
+    }
+}
+
 fn replace(path: &Path, content: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let (target, old) = target_of(path)?;
     if old.as_ref().is_some_and(|old| !old.is_file()) {

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, Writer};
 
 use super::{FileError, atomic};
 
@@ -59,6 +59,54 @@ fn encode_as<const CHANNELS: usize>(
     }
     stream.finish().map_err(to_io)?;
     writer.finish().map_err(to_io)
+}
+
+/// An animated PNG (APNG, of the PNG specification's third edition) in the making.
+pub struct Animated<W: Write> {
+    writer: Writer<W>,
+    transparent: bool,
+}
+
+impl<W: Write> Animated<W> {
+    /// Of so many frames of `width` x `height` sRGB pixels, so many a second; shown over and over, or
+    /// once.
+    ///
+    /// # Errors
+    /// Where `out` does not take the header; of no frames.
+    pub fn new(
+        out: W,
+        [width, height]: [u32; 2],
+        (frames, per_second): (u32, u16),
+        repeats: bool,
+        transparent: bool,
+    ) -> io::Result<Self> {
+        let mut encoder = Encoder::new(out, width, height);
+        encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        // Zero times is for ever.
+        encoder.set_animated(frames, u32::from(!repeats)).map_err(to_io)?;
+        encoder.set_frame_delay(1, per_second).map_err(to_io)?;
+        Ok(Animated { writer: encoder.write_header().map_err(to_io)?, transparent })
+    }
+
+    /// The next frame, its colours not premultiplied.
+    ///
+    /// # Errors
+    /// Where it is not as large as the header says, or one too many, or not taken.
+    pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
+        let channels = if self.transparent { 4 } else { 3 };
+        let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
+        self.writer.write_image_data(&bytes).map_err(to_io)
+    }
+
+    /// The end, after the last frame.
+    ///
+    /// # Errors
+    /// Where frames are missing, or it is not taken.
+    pub fn finish(self) -> io::Result<()> {
+        self.writer.finish().map_err(to_io)
+    }
 }
 
 fn to_io(error: EncodingError) -> io::Error {

@@ -8,6 +8,7 @@ use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::OverlayItems;
+use crate::play::Kind;
 use crate::session::{Selection, ShadeName, ViewLayout};
 use crate::thing::Thing;
 
@@ -74,6 +75,8 @@ pub struct Looks {
     pub mistake: Option<Mistake>,
     /// How far one has walked along the selected ray; `None` where nobody has.
     pub t: Option<f64>,
+    /// The animation that is open, at its start.
+    pub play: Option<Kind>,
     /// The lab of lines in two dimensions.
     pub lines: Option<LinesLab>,
     /// The question of the exercises layout.

@@ -19,6 +19,7 @@ use crate::ledger::{LedgerSection, LedgerSections};
 use crate::lines::LinesLab;
 use crate::observer::Observer;
 use crate::overlay::{Item, OverlayItems};
+use crate::play::Kind;
 use crate::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
 use crate::thing::Thing;
 
@@ -29,7 +30,7 @@ pub const VERSION: i64 = 1;
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
 /// What a step may say, beside the tables of a scene.
-const STEP: [&str; 20] = [
+const STEP: [&str; 21] = [
     "title",
     "text",
     "scene",
@@ -47,13 +48,14 @@ const STEP: [&str; 20] = [
     "lit",
     "mistake",
     "t",
+    "play",
     "lines",
     "exercise",
     "seed",
 ];
 
 /// The layouts that a step can ask for, by name.
-const LAYOUTS: [(&str, ViewLayout); 8] = [
+const LAYOUTS: [(&str, ViewLayout); 9] = [
     ("both", ViewLayout::Both),
     ("world", ViewLayout::World),
     ("camera", ViewLayout::Camera),
@@ -61,6 +63,7 @@ const LAYOUTS: [(&str, ViewLayout); 8] = [
     ("plot", ViewLayout::Plot),
     ("lines", ViewLayout::Lines),
     ("mistakes", ViewLayout::Mistakes),
+    ("compare", ViewLayout::Compare),
     ("exercises", ViewLayout::Exercises),
 ];
 
@@ -232,6 +235,12 @@ fn read_looks(section: &Section, looks: &mut Looks) -> Result<(), FileError> {
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
     })?;
     say(section, "t", &mut looks.t, Field::number)?;
+    // Another step has another camera.
+    looks.play = None;
+    say(section, "play", &mut looks.play, |field| {
+        let name = field.one_of(&Kind::ALL.map(Kind::name))?;
+        Kind::from_name(name).ok_or_else(|| field.error("it must be something that plays"))
+    })?;
     say(section, "lines", &mut looks.lines, |field| lines(&field.section()?))?;
     looks.exercise = exercise(section)?.or(looks.exercise);
     Ok(())

@@ -44,7 +44,7 @@ pub struct Mark {
     pub color: Color32,
     /// A casing around it, so that it stands out from what it crosses.
     pub halo: Option<Color32>,
-    /// Whether it lies behind something: a hidden line is dashed.
+    /// Whether it lies behind something, or belongs to the ghost: such a line is dashed.
     pub hidden: bool,
 }
 

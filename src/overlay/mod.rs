@@ -6,6 +6,7 @@
 //! that are not pixels get it apart from the picture.
 //!
 //! - `world_view`: what the world view shows; `camera_view`: what the camera view shows.
+//! - `ghost`: the camera that is compared with, in the world view.
 //! - `lit`, `lit_world`, `lit_camera`: what is pointed at, over all else.
 //! - `handles`: what can be taken in the hand.
 //! - `screen`: projection and clipping; `flat`: the way back, from a dot to a place on a plane.
@@ -17,6 +18,7 @@ mod camera_in_space;
 mod camera_view;
 mod drawing;
 mod flat;
+mod ghost;
 mod handles;
 mod items;
 mod labels;

@@ -27,6 +27,8 @@ pub(crate) struct Pen {
     pub(crate) on_viewport: bool,
     /// Never hidden by anything.
     pub(crate) on_top: bool,
+    /// Dashed also where nothing hides it.
+    pub(crate) dashed: bool,
 }
 
 /// The shape of an arrow's head.
@@ -66,8 +68,8 @@ struct Run {
 
 impl Pen {
     pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
-        let (thing, on_viewport, on_top) = (None, false, false);
-        Pen { item, thing, color, width, halo: true, on_viewport, on_top }
+        let (thing, on_viewport, on_top, dashed) = (None, false, false, false);
+        Pen { item, thing, color, width, halo: true, on_viewport, on_top, dashed }
     }
 
     /// What it draws, for whoever points at it.
@@ -77,6 +79,10 @@ impl Pen {
 
     pub(crate) fn on_top(self) -> Pen {
         Pen { on_top: true, ..self }
+    }
+
+    pub(crate) fn dashed(self) -> Pen {
+        Pen { dashed: true, ..self }
     }
 
     pub(crate) fn without_halo(self) -> Pen {
@@ -250,10 +256,11 @@ impl Sketch<'_> {
         for run in self.runs(from, to, pen) {
             let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
             let thin = if run.hidden { 0.65 } else { 1.0 };
-            let halo = (pen.halo && !run.hidden).then_some(self.colors.halo);
+            let dashed = run.hidden || pen.dashed;
+            let halo = (pen.halo && !dashed).then_some(self.colors.halo);
             let shape = Shape::Line { points, width: thin * pen.width * scale };
             let (item, thing, color) = (pen.item, pen.thing, pen.color);
-            let mark = Mark { item, thing, shape, color, halo, hidden: run.hidden };
+            let mark = Mark { item, thing, shape, color, halo, hidden: dashed };
             self.drawing.marks.push(mark);
         }
     }

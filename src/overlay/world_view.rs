@@ -49,6 +49,8 @@ pub struct WorldView<'a> {
     pub style: Style,
     /// The t of the point that walks along the selected ray.
     pub walked: Option<f64>,
+    /// The frozen camera to compare with.
+    pub ghost: Option<&'a PosedCamera>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
     /// What can be taken in the hand.
@@ -178,7 +180,13 @@ impl<'a> WorldView<'a> {
                 sketch.circles(*index, sphere, (self.color_of)(*index));
             }
         }
+        if let Some(ghost) = self.ghost {
+            sketch.ghost(ghost);
+        }
+        let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space(self);
+        // Its names come after the camera's, where there is no room for both.
+        sketch.requests.extend(of_ghost);
         if let Some(lit) = self.lit {
             sketch.light(self, lit);
         }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Context, Id, Modal, RichText, ScrollArea, TextEdit, Ui};
+use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
 
 use super::export::ExportForm;
 use super::number::error_color;
@@ -23,6 +23,13 @@ pub enum Dialog {
     },
     /// Which figure to write, and where to.
     Export(ExportForm),
+    /// An animation is being written; closed, it is not.
+    Progress {
+        /// How many frames are done.
+        done: u32,
+        /// How many there are.
+        of: u32,
+    },
     /// What to do with unsaved changes before the action.
     Unsaved {
         /// What the document is called.
@@ -187,6 +194,13 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
             }
             Dialog::Export(form) => form.ui(ui, actions, &mut close),
             Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, actions, &mut close),
+            Dialog::Progress { done, of } => {
+                ui.heading("Exporting the animation");
+                ui.add(ProgressBar::new(*done as f32 / (*of).max(1) as f32));
+                ui.label(format!("{done} of {of} frames"));
+                ui.add_space(8.0);
+                close |= ui.button("Cancel").clicked();
+            }
             Dialog::Message { title, text } => {
                 ui.heading(title.as_str());
                 ui.label(text.as_str());

@@ -1,5 +1,6 @@
 //! The dialog that exports a figure: what it shows, how large it is, and where to.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
@@ -7,11 +8,16 @@ use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 use super::dialogs::{PathField, save_ui};
 use super::number::error_color;
 use crate::action::Action;
-use crate::figures::{Content, Order, Subject};
+use crate::figures::{Content, Frames, Order, Reel, Subject};
 use crate::overlay::{Scheme, Style};
+use crate::play::Kind;
 
 /// No figure is larger, in dots.
 const LARGEST: u32 = 16_384;
+
+/// Frames per second, unless others are asked for, and the most frames of an animation.
+const PER_SECOND: u16 = 20;
+const MOST_FRAMES: u32 = 9999;
 
 /// How something stands on the screen, or would.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,6 +44,8 @@ pub struct ExportForm {
     size: [u32; 2],
     style: Style,
     transparent: bool,
+    /// What of an animation, in place of a single figure.
+    animation: Option<(Kind, Frames)>,
     /// What is wrong with the path.
     problem: Option<String>,
 }
@@ -53,25 +61,65 @@ impl ExportForm {
         let field = PathField::of(scene, &format!("{name}.svg"), &ENDINGS, hint);
         let size = subjects.first().map_or([1, 1], |first| first.dots());
         let transparent = false;
-        ExportForm { field, subjects, chosen: 0, size, style, transparent, problem: None }
+        ExportForm {
+            field,
+            subjects,
+            chosen: 0,
+            size,
+            style,
+            transparent,
+            animation: None,
+            problem: None,
+        }
+    }
+
+    /// The same for an animation: as many frames as it has time for.
+    pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
+        let count = (kind.seconds() * f64::from(PER_SECOND)) as u32;
+        let frames = Frames { count, per_second: PER_SECOND, reel: Reel::Animated };
+        self.animation = Some((kind, frames));
+        if let Some(folder) = self.field.text.strip_suffix("world.svg") {
+            self.field.text = format!("{folder}{}.png", kind.name());
+        }
+        self
     }
 
     pub(super) fn ui(&mut self, ui: &mut Ui, actions: &mut Vec<Action>, close: &mut bool) {
-        ui.heading("Export a figure");
+        let (heading, ending) = match &self.animation {
+            Some(_) => ("Export the animation", "png"),
+            None => ("Export a figure", "svg"),
+        };
+        ui.heading(heading);
         let Some(shown) = self.subject(ui) else { return };
-        Grid::new("export").num_columns(2).show(ui, |ui| self.looks(ui, shown));
+        Grid::new("export").num_columns(2).show(ui, |ui| {
+            self.looks(ui, shown);
+            if let Some((_, frames)) = &mut self.animation {
+                frames_ui(ui, frames);
+            }
+        });
         let typed = self.field.text.clone();
-        let path = save_ui(ui, &mut self.field, "Export", "svg", close);
+        let path = save_ui(ui, &mut self.field, "Export", ending, close);
         if self.field.text != typed {
             self.problem = None;
         }
         if let Some(path) = path {
-            match Content::of(shown.subject, &path) {
-                Ok(_) => {
+            let is_animated = |ending: &OsStr| ending == "png" || ending == "apng";
+            let content = match self.animation {
+                Some(_) if !path.extension().is_some_and(is_animated) => {
+                    Err("writes animations as PNG: end the name with .png".to_owned())
+                }
+                Some(_) => Ok(()),
+                None => Content::of(shown.subject, &path).map(drop),
+            };
+            match content {
+                Ok(()) => {
                     let OnScreen { subject, points, .. } = shown;
                     let ExportForm { size, style, transparent, .. } = *self;
                     let order = Order { subject, size, points, style, transparent };
-                    actions.push(Action::Export { order, path });
+                    actions.push(match self.animation {
+                        Some((_, frames)) => Action::ExportAnimation { order, frames, path },
+                        None => Action::Export { order, path },
+                    });
                     *close = true;
                 }
                 Err(problem) => self.problem = Some(format!("Export {problem}")),
@@ -150,6 +198,24 @@ impl ExportForm {
         ui.add(Checkbox::new(&mut self.transparent, "transparent"));
         ui.end_row();
     }
+}
+
+/// How many frames, how fast, and what they become.
+fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
+    ui.label("frames");
+    let response = ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames"));
+    ui.end_row();
+    ui.label("per second");
+    let response = ui.add(DragValue::new(&mut frames.per_second).range(1..=120));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames per second"));
+    ui.end_row();
+    ui.label("as");
+    ui.horizontal(|ui| {
+        ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG");
+        ui.radio_value(&mut frames.reel, Reel::Numbered, "numbered PNGs");
+    });
+    ui.end_row();
 }
 
 fn title(subject: Subject) -> &'static str {

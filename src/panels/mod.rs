@@ -3,6 +3,7 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod camera;
+pub(crate) mod compare;
 pub mod dialogs;
 pub(crate) mod exercises;
 pub mod export;
@@ -22,6 +23,7 @@ mod number;
 pub(crate) mod objects;
 pub(crate) mod palette;
 pub(crate) mod places;
+pub(crate) mod play;
 pub(crate) mod plot;
 pub(crate) mod readouts;
 pub(crate) mod selection;

@@ -66,6 +66,12 @@ pub(crate) fn places(
             let (left, right) = halves(views);
             [None, Some(left), Some(right)]
         }
+        ViewLayout::Compare => {
+            let (left, right) =
+                split_across(ui, views, &mut settings.compare_split, "views handle");
+            let (middle, right) = halves(right);
+            [Some(left), Some(middle), Some(right)]
+        }
         ViewLayout::Ledger => {
             let (top, bottom) = split_down(ui, views, &mut settings.stack_split);
             [Some(top), Some(bottom), None]
@@ -106,6 +112,7 @@ fn split_at_bottom(ui: &Ui, area: Rect, settings: &mut Settings) -> (Rect, Rect)
         ViewLayout::Frame => &mut settings.frame_height,
         ViewLayout::Plot => &mut settings.plot_height,
         ViewLayout::Mistakes => &mut settings.mistakes_height,
+        ViewLayout::Compare => &mut settings.compare_height,
         _ => &mut settings.readouts_height,
     };
     *height = height.clamp(80.0, most);

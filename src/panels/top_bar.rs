@@ -12,6 +12,7 @@ use crate::formats::scene_argument::SceneSource;
 use crate::ledger::Markup;
 use crate::lessons::{self, Place, Which};
 use crate::overlay::{Item, Scheme};
+use crate::panels::{compare, play};
 use crate::presenter::{Range, SMALLEST_TEXT};
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 use crate::verbs::shortcut;
@@ -30,6 +31,7 @@ pub(crate) fn ui(
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
     steps: Steps,
+    has_ghost: bool,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
 ) {
@@ -47,8 +49,9 @@ pub(crate) fn ui(
         // Several switches in one go: these stay open while one clicks in them.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
-        menu("Show").ui(ui, |ui| show_menu(ui, settings, actions));
+        menu("Show").ui(ui, |ui| show_menu(ui, has_ghost, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
+        ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
         layout(ui, settings);
         ui.separator();
@@ -110,11 +113,14 @@ fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
     entry("Redo", steps.redo, Action::Redo);
 }
 
-fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
+fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {
     entry(ui, "Presenter mode", Action::Present, actions);
     entry(ui, "Frame all", Action::FrameAll, actions);
     entry(ui, "Command palette", Action::Palette, actions);
     entry(ui, "Keys", Action::KeySheet, actions);
+    ui.separator();
+    ui.separator();
+    compare::menu(ui, has_ghost, actions);
     ui.separator();
     ui.label("Drawn over the views");
     for item in Item::ALL {

@@ -28,6 +28,9 @@ pub(crate) const MAP: &str = "Error map";
 /// The wrong camera's.
 pub(crate) const WRONG: &str = "Wrong camera";
 
+/// The ghost's picture.
+pub(crate) const GHOST: &str = "Ghost";
+
 /// How large the views are, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
@@ -42,6 +45,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         camera: places.camera.map(physical),
         map: beside(ViewLayout::Accuracy),
         wrong: beside(ViewLayout::Mistakes),
+        ghost: beside(ViewLayout::Compare),
         scale: per_point,
         style: look::style(ui),
         purpose: Purpose::Window,
@@ -68,7 +72,11 @@ pub(crate) fn inputs(
         views.push(response);
     }
     if let Some(rect) = places.beside {
-        let name = if session.settings.layout == ViewLayout::Mistakes { WRONG } else { MAP };
+        let name = match session.settings.layout {
+            ViewLayout::Mistakes => WRONG,
+            ViewLayout::Compare => GHOST,
+            _ => MAP,
+        };
         let response = view(ui, rect, name);
         camera_input(ui, &response, session, shown);
         views.push(response);
@@ -251,6 +259,9 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
         });
 }
 
+/// Above a narrower view, in points, there is no room for the size of its image.
+const NARROW: f32 = 310.0;
+
 /// Titles above the views, with a button that gives one all the room.
 pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
@@ -278,7 +289,10 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
         strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
     }
     if let Some(rect) = places.camera_area {
-        let text = format!("{CAMERA}, {} × {} pixels", image.width(), image.height());
+        let text = match rect.width() < NARROW {
+            true => CAMERA.to_owned(),
+            false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
+        };
         let hint = "Click: a pixel. Right drag: look round; with Shift, or middle drag: orbit round at; \
                     wheel: field of view; Ctrl and wheel: dolly.";
         strip(rect, text, hint, ViewLayout::Camera);

@@ -29,13 +29,15 @@ pub enum ViewLayout {
     Lines,
     /// The right picture beside that of a classic wrong camera.
     Mistakes,
+    /// World view, camera view and what the ghost sees, and both cameras in numbers.
+    Compare,
     /// Questions with fields for the answers.
     Exercises,
 }
 
 impl ViewLayout {
     /// Those that one chooses from; the ledger alone is for presenting.
-    pub const LISTED: [ViewLayout; 10] = [
+    pub const LISTED: [ViewLayout; 11] = [
         ViewLayout::Both,
         ViewLayout::World,
         ViewLayout::Camera,
@@ -43,6 +45,7 @@ impl ViewLayout {
         ViewLayout::Plot,
         ViewLayout::Lines,
         ViewLayout::Mistakes,
+        ViewLayout::Compare,
         ViewLayout::Exercises,
         ViewLayout::Accuracy,
         ViewLayout::Frame,
@@ -59,6 +62,7 @@ impl ViewLayout {
             ViewLayout::Plot => "Plot",
             ViewLayout::Lines => "Lines",
             ViewLayout::Mistakes => "Mistakes",
+            ViewLayout::Compare => "Compare",
             ViewLayout::Exercises => "Exercises",
             ViewLayout::Accuracy => "Accuracy",
             ViewLayout::Frame => "Frame",
@@ -76,6 +80,7 @@ impl ViewLayout {
             ViewLayout::Plot => "Every object's f(p + t d) against t",
             ViewLayout::Lines => "Implicit and parametric lines in two dimensions",
             ViewLayout::Mistakes => "The classic wrong cameras beside the right one",
+            ViewLayout::Compare => "The camera against the one that was frozen by G",
             ViewLayout::Exercises => "Questions, and what is wrong with an answer",
             ViewLayout::Accuracy => "How right each method is here, and how fast",
             ViewLayout::Frame => "What a frame takes, and what it leaves out",

@@ -31,6 +31,8 @@ pub enum Group {
     Presenting,
     /// The selected pixel and the observer.
     Views,
+    /// Animations, and the camera to compare with.
+    Play,
     /// The program itself.
     Program,
     /// Which views are shown.
@@ -62,6 +64,7 @@ impl Group {
             Group::Lesson => "Lesson",
             Group::Presenting => "Presenting",
             Group::Views => "Views",
+            Group::Play => "Play and compare",
             Group::Program => "Program",
             Group::Layout => "Layout",
             Group::Overlay => "Overlay",

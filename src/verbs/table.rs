@@ -9,13 +9,14 @@ use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::methods::Method;
 
 use super::{Group, Keys, Verb, When};
-use crate::action::{Action, Switch};
+use crate::action::{Action, GhostMove, PlayMove, Switch};
 use crate::exercises;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::{self, Lesson, Place, Which, title_of};
 use crate::overlay::{Item, Scheme};
+use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 
@@ -36,6 +37,11 @@ pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Views, how: "Shift+drag there", does: "Pan the observer" },
     Gesture { group: Group::Views, how: "Wheel there", does: "Zoom" },
     Gesture { group: Group::Views, how: "Click", does: "Select the pixel there" },
+    Gesture {
+        group: Group::Play,
+        how: "Full stop, comma",
+        does: "A step of the animation on, or back",
+    },
     Gesture { group: Group::Program, how: "Tab, Shift+Tab", does: "Next and previous control" },
     Gesture { group: Group::Program, how: "Enter, Space", does: "Press the control in focus" },
 ];
@@ -67,6 +73,7 @@ macro_rules! verbs {
 pub(super) fn table() -> Vec<Verb> {
     let mut verbs = program();
     verbs.extend(presenting());
+    verbs.extend(playing());
     verbs.extend(pixel_steps());
     verbs.extend(layouts());
     verbs.extend(switches());
@@ -137,6 +144,28 @@ fn presenting() -> Vec<Verb> {
             [plain(Presenting, Key::Num4)], Action::Fill(Full::Both);
         Presenting, "Spotlight", "Dims all but what is round the pointer.",
             [plain(Presenting, Key::S)], Action::Toggle(Switch::Spotlight);
+    ]
+}
+
+#[rustfmt::skip]
+fn playing() -> Vec<Verb> {
+    use When::*;
+    let play = |kind| Action::Play(PlayMove::Open(kind));
+    verbs![
+        Play, "Swing up", "Turns up round the view: all these cameras look along one line.",
+            [], play(Kind::SwingUp);
+        Play, "Orbit", "Takes the camera once round what it looks at.", [], play(Kind::Orbit);
+        Play, "Walk along the ray", "Runs t from the eye to what the ray hits.", [], play(Kind::Walk);
+        Play, "Scan the pixels", "Sends out the rays row by row, as a renderer does.",
+            [], play(Kind::Scan);
+        Play, "Play or pause", "Lets the open animation run, or rest.",
+            [plain(View, Key::Space)], Action::Play(PlayMove::Toggle);
+        Play, "Freeze the camera", "Makes the camera the ghost, to compare with.",
+            [plain(Untyped, Key::G)], Action::Ghost(GhostMove::Freeze);
+        Play, "Drop the ghost", "Takes the frozen camera away.",
+            [key(Untyped, Modifiers::SHIFT, Key::G)], Action::Ghost(GhostMove::Drop);
+        Play, "Swap camera and ghost", "Lets camera and frozen camera change places.",
+            [], Action::Ghost(GhostMove::Swap);
     ]
 }
 

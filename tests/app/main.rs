@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
 
 mod accuracy;
+mod compare;
 mod edits;
 mod exercises;
 mod export;
@@ -19,6 +20,8 @@ mod mistakes;
 mod names;
 mod objects;
 mod palette;
+mod play;
+mod play_export;
 mod plot;
 mod presenter;
 mod scene_files;

@@ -15,6 +15,7 @@ const SIZES: ViewSizes = ViewSizes {
     camera: Some([100, 80]),
     map: None,
     wrong: None,
+    ghost: None,
     scale: 1.0,
     style: Style::Light,
     purpose: Purpose::Window,

@@ -185,7 +185,7 @@ fn orthonormal(basis: &Basis) -> Basis {
 }
 
 /// The angle between two directions of length 1, accurate also where it is small.
-fn angle_between(a: DVec3, b: DVec3) -> f64 {
+pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 

@@ -2,6 +2,7 @@
 
 mod camera_view;
 mod dots;
+mod ghost;
 mod lit;
 mod loupe;
 mod marks;
@@ -90,6 +91,7 @@ impl Stage {
             lit: None,
             walked: None,
             handles: &NO_HANDLES,
+            ghost: None,
             is_clear: false,
         }
     }

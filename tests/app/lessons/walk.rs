@@ -34,6 +34,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         lit,
         mistake,
         t,
+        play,
         lines,
         exercise,
     } = step.looks.clone();
@@ -51,6 +52,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         ("lit", lit.is_none_or(|said| session.lit == said)),
         ("mistake", mistake.is_none_or(|said| session.gallery.shown() == said)),
         ("t", session.walked == t),
+        ("play", app.player().map(|player| player.kind) == play),
         ("lines", lines.is_none_or(|said| session.lines == said)),
         (
             "exercise",

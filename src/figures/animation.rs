@@ -1,0 +1,166 @@
+//! Animations as files: a figure for each phase, in one animated PNG or in numbered ones.
+
+use std::fs::{self, File};
+use std::io::BufWriter;
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
+
+use super::{Figure, Format, Order};
+use crate::document::Document;
+use crate::formats::atomic::Draft;
+use crate::formats::png::Animated;
+use crate::play::{Kind, Start};
+use crate::session::Session;
+
+/// What the frames become.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reel {
+    /// One animated PNG.
+    Animated,
+    /// `name-0001.png`, `name-0002.png`, ...
+    Numbered,
+}
+
+/// How many frames there are, and how fast they follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Frames {
+    /// At least one.
+    pub count: u32,
+    /// Frames per second.
+    pub per_second: u16,
+    /// What they become.
+    pub reel: Reel,
+}
+
+/// Something that plays, as figures.
+#[derive(Clone, Debug)]
+pub struct Animation {
+    /// What moves.
+    pub kind: Kind,
+    /// How it was at the start.
+    pub start: Start,
+    /// After the end it begins again.
+    pub loops: bool,
+    /// What is edited, and how it is looked at.
+    pub scene: (Document, Session),
+    /// What each figure shows, and how large it is.
+    pub order: Order,
+    /// How many there are.
+    pub frames: Frames,
+}
+
+impl Animation {
+    /// Frame `k`, from 0. It depends on the start and on its number alone.
+    ///
+    /// # Errors
+    /// In words, why there is none.
+    pub fn figure(&self, k: u32) -> Result<Figure, String> {
+        let phase = self.kind.phase_of_frame(k, self.frames.count);
+        let still = self.start.at(self.kind, phase).map_err(|error| error.to_string())?;
+        let (mut document, mut session) = self.scene.clone();
+        still.show(self.kind, &mut document, &mut session);
+        self.order.figure(&document, &session, |_| false)
+    }
+}
+
+/// An animation that is being written. Dropped before it is finished, it leaves nothing.
+pub struct Recorder {
+    animation: Animation,
+    done: u32,
+    path: PathBuf,
+    sink: Sink,
+}
+
+/// What the frames are written to, in the folder where they will be.
+enum Sink {
+    Animated(Box<Animated<BufWriter<File>>>, Draft),
+    Numbered(TempDir),
+}
+
+impl Recorder {
+    /// Begins.
+    ///
+    /// # Errors
+    /// In words, why nothing can be written there.
+    pub fn new(animation: Animation, path: PathBuf) -> Result<Recorder, String> {
+        let Frames { count, per_second, reel } = animation.frames;
+        let sink = match reel {
+            Reel::Animated => {
+                let draft = Draft::of(&path).map_err(|error| error.to_string())?;
+                let file = draft.file().map_err(|error| error.to_string())?;
+                let Order { size, transparent, .. } = animation.order;
+                let frames = (count, per_second);
+                let out = BufWriter::new(file);
+                let animated = Animated::new(out, size, frames, animation.loops, transparent);
+                Sink::Animated(Box::new(animated.map_err(|error| error.to_string())?), draft)
+            }
+            Reel::Numbered => {
+                let taken = (0..count).map(|k| numbered(&path, k)).find(|path| path.exists());
+                if let Some(taken) = taken {
+                    return Err(format!("{} exists: choose another name", taken.display()));
+                }
+                let folder = path.parent().unwrap_or(Path::new("."));
+                let folder = tempfile::Builder::new().prefix(".pinhole-").tempdir_in(folder);
+                let why = |error| format!("{} cannot be written: {error}", path.display());
+                Sink::Numbered(folder.map_err(why)?)
+            }
+        };
+        Ok(Recorder { animation, done: 0, path, sink })
+    }
+
+    /// How many frames are done, and how many there are.
+    pub fn progress(&self) -> (u32, u32) {
+        (self.done, self.animation.frames.count)
+    }
+
+    /// Makes the next frame.
+    ///
+    /// # Errors
+    /// In words, why there is none, or why it cannot be written.
+    pub fn step(&mut self) -> Result<(), String> {
+        let figure = self.animation.figure(self.done)?;
+        match &mut self.sink {
+            Sink::Animated(animated, _) => {
+                animated.push(&figure.to_srgba()).map_err(|error| error.to_string())?;
+            }
+            Sink::Numbered(folder) => {
+                let path = folder.path().join(self.done.to_string());
+                fs::write(path, figure.to_file(Format::Png)?).map_err(|error| error.to_string())?;
+            }
+        }
+        self.done += 1;
+        Ok(())
+    }
+
+    /// Puts everything in its place, after the last frame.
+    ///
+    /// # Errors
+    /// In words, why it cannot be written; nothing is left then.
+    pub fn finish(self) -> Result<(), String> {
+        match self.sink {
+            Sink::Animated(animated, draft) => {
+                animated.finish().map_err(|error| error.to_string())?;
+                draft.finish().map_err(|error| error.to_string())
+            }
+            Sink::Numbered(folder) => {
+                let mut placed = Vec::new();
+                for k in 0..self.done {
+                    let to = numbered(&self.path, k);
+                    if let Err(error) = fs::rename(folder.path().join(k.to_string()), &to) {
+                        placed.iter().for_each(|path| drop(fs::remove_file(path)));
+                        return Err(format!("{} cannot be written: {error}", to.display()));
+                    }
+                    placed.push(to);
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Where frame `k` goes, counted from 1.
+fn numbered(path: &Path, k: u32) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}-{:04}.png", k + 1))
+}

@@ -1,0 +1,124 @@
+//! Phases in numbers, and going through them.
+
+use pinhole_core::{DVec2, DVec3, ImageSize, Orientation};
+
+use super::*;
+
+fn start() -> Start {
+    let camera = Camera { image: ImageSize::new(4, 3).unwrap(), ..Camera::CANONICAL };
+    let selection = Selection::Uv(DVec2::new(0.2, -0.1));
+    Start { camera, selection, walked: None, end: 6.0 }
+}
+
+#[test]
+fn up_swings_round_the_view() {
+    let start = start();
+    for (phase, up) in [(0.25, DVec3::NEG_X), (0.5, DVec3::NEG_Y), (0.75, DVec3::X)] {
+        let Still { camera, walked, scanned, .. } = start.at(Kind::SwingUp, phase).unwrap();
+        assert_eq!(camera.orientation, Orientation::At { at: DVec3::NEG_Z, up });
+        assert_eq!((camera.eye, walked, scanned), (DVec3::ZERO, None, None));
+    }
+    for phase in [0.0, 1.0] {
+        assert_eq!(start.at(Kind::SwingUp, phase).unwrap(), start.still());
+    }
+}
+
+#[test]
+fn the_eye_orbits_at() {
+    let start = start();
+    let places = [(0.25, (1.0, -1.0)), (0.5, (0.0, -2.0)), (0.75, (-1.0, -1.0))];
+    for (phase, (x, z)) in places {
+        let Still { camera, .. } = start.at(Kind::Orbit, phase).unwrap();
+        assert!(camera.eye.distance(DVec3::new(x, 0.0, z)) < 1e-15, "{}", camera.eye);
+        assert_eq!(camera.orientation, start.camera.orientation);
+    }
+    assert_eq!(start.at(Kind::Orbit, 1.0).unwrap(), start.still());
+}
+
+#[test]
+fn t_runs_to_the_hit() {
+    let walked = |phase| start().at(Kind::Walk, phase).unwrap().walked;
+    assert_eq!([0.0, 0.25, 1.0].map(walked), [Some(0.0), Some(1.5), Some(6.0)]);
+}
+
+#[test]
+fn pixels_are_scanned_row_by_row() {
+    let at = |scanned: u64| {
+        let still = start().at(Kind::Scan, scanned as f64 / 12.0).unwrap();
+        assert_eq!(still.scanned, Some(scanned));
+        still.selection
+    };
+    let pixel = |row, column| Selection::Pixel(Pixel { row, column });
+    assert_eq!(
+        [0, 1, 4, 5, 12].map(at),
+        [(0, 0), (0, 0), (0, 3), (1, 0), (2, 3)].map(|(i, j)| pixel(i, j))
+    );
+}
+
+#[test]
+fn frames_of_a_turn_do_not_show_its_beginning_twice() {
+    assert_eq!([0, 1, 3].map(|k| Kind::Orbit.phase_of_frame(k, 4)), [0.0, 0.25, 0.75]);
+    assert_eq!([0, 1, 4].map(|k| Kind::Scan.phase_of_frame(k, 5)), [0.0, 0.25, 1.0]);
+    assert_eq!(Kind::Scan.phase_of_frame(0, 1), 0.0);
+}
+
+#[test]
+fn steps_go_to_whole_steps() {
+    let mut player = Player::new(Kind::SwingUp, start());
+    player.phase = 0.1;
+    for (by, place) in [(1, "45°"), (1, "60°"), (-1, "45°"), (-4, "345°")] {
+        player.step(by);
+        assert_eq!(player.place(), place);
+    }
+    let mut player = Player::new(Kind::Scan, start());
+    for (by, place) in [(1, "1 of 12 pixels"), (-3, "0 of 12 pixels"), (99, "12 of 12 pixels")] {
+        player.step(by);
+        assert_eq!(player.place(), place);
+    }
+}
+
+#[test]
+fn time_moves_what_runs() {
+    let mut player = Player::new(Kind::Walk, start());
+    for now in [0.0, 0.25] {
+        player.go_on(now);
+    }
+    assert_eq!(player.phase, 0.0, "it rests");
+    player.toggle();
+    for now in [1.0, 1.25, 1.5] {
+        player.go_on(now);
+    }
+    assert_eq!(player.phase, 0.5 / 6.0);
+    player.speed = 2.0;
+    player.go_on(1.75);
+    assert_eq!(player.phase, 1.0 / 6.0);
+    for k in 1..40 {
+        player.go_on(1.75 + 0.25 * f64::from(k));
+    }
+    assert_eq!((player.phase, player.running), (1.0, false), "it does not loop");
+    player.toggle();
+    assert_eq!((player.phase, player.running), (0.0, true), "again from the start");
+}
+
+#[test]
+fn reduced_motion_shows_whole_steps_alone() {
+    let mut player = Player::new(Kind::SwingUp, start());
+    player.reduced = true;
+    player.toggle();
+    player.go_on(0.0);
+    player.go_on(0.4);
+    assert_eq!(player.still(), player.start.still());
+    player.go_on(0.6);
+    assert_eq!(player.still(), player.start.at(Kind::SwingUp, 1.0 / 24.0).unwrap());
+}
+
+#[test]
+fn what_cannot_move_says_why() {
+    let mut player = Player::new(Kind::SwingUp, start());
+    player.start.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::Z };
+    player.toggle();
+    player.phase = 0.3;
+    assert_eq!(player.still(), player.start.still());
+    assert!(!player.running);
+    assert!(player.fault.unwrap().to_string().contains("parallel"));
+}
