@@ -3,12 +3,17 @@
 use std::path::PathBuf;
 
 use pinhole_core::DVec2;
+use pinhole_core::lecture::exercises::Exercise;
+use pinhole_core::lecture::mistakes::Mistake;
 
 use crate::document::Document;
 use crate::figures::Order;
 use crate::formats::scene_argument::SceneSource;
-use crate::ledger::Markup;
+use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::Place;
+use crate::overlay::{Item, Scheme};
+use crate::presenter::Full;
+use crate::session::{MethodName, Session, ShadeName, ThemeName, ViewLayout};
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,4 +83,78 @@ pub enum Action {
         /// Columns right.
         columns: i64,
     },
+    /// Show the next step of the open lesson.
+    Next,
+    /// Show the step before of the open lesson.
+    Previous,
+    /// Show these views.
+    Layout(ViewLayout),
+    /// Colour the pictures like this.
+    Shade(ShadeName),
+    /// Colour the window like this.
+    Theme(ThemeName),
+    /// Tell things apart by these colours.
+    Scheme(Scheme),
+    /// Draw the camera's picture by this method.
+    Method(MethodName),
+    /// Switch something on, or off if it is on.
+    Toggle(Switch),
+    /// Show so many digits more.
+    DigitsBy(i32),
+    /// Make everything that many steps larger; 0 is back to the usual size.
+    ZoomBy(i32),
+    /// Ask this.
+    Exercise(Exercise),
+    /// Show this wrong camera.
+    Mistake(Mistake),
+    /// Begin to present, or end it.
+    Present,
+    /// Fill the window with this.
+    Fill(Full),
+    /// Open the command palette.
+    Palette,
+    /// Open the sheet of all keys.
+    KeySheet,
+}
+
+/// What is either on or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Switch {
+    /// Something that is drawn over the views.
+    Item(Item),
+    /// A part of the ledger.
+    Section(LedgerSection),
+    /// Rows and columns are shown counted from 1.
+    CountFromOne,
+    /// Nothing moves by itself.
+    ReducedMotion,
+    /// All but what is round the pointer is dimmed.
+    Spotlight,
+}
+
+impl Switch {
+    /// Whether it is on.
+    pub fn is_on(self, session: &Session) -> bool {
+        let settings = &session.settings;
+        match self {
+            Switch::Item(item) => settings.items.shows(item),
+            Switch::Section(section) => session.sections.shows(section),
+            Switch::CountFromOne => settings.count_from_one,
+            Switch::ReducedMotion => settings.reduced_motion,
+            Switch::Spotlight => session.spotlight,
+        }
+    }
+
+    /// Switches it over.
+    pub(crate) fn toggle(self, session: &mut Session) {
+        let on = !self.is_on(session);
+        let settings = &mut session.settings;
+        match self {
+            Switch::Item(item) => settings.items.set(item, on),
+            Switch::Section(section) => session.sections.set(section, on),
+            Switch::CountFromOne => settings.count_from_one = on,
+            Switch::ReducedMotion => settings.reduced_motion = on,
+            Switch::Spotlight => session.spotlight = on,
+        }
+    }
 }

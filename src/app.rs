@@ -11,15 +11,17 @@ mod history;
 mod inputs;
 mod lessons;
 mod outputs;
+mod verbs;
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
+use egui::ViewportCommand;
 use egui::{CentralPanel, Context, Panel, ScrollArea, Ui};
-use egui::{ThemePreference, ViewportCommand};
 
 use self::history::Changes;
 use self::lessons::Lessons;
+use self::verbs::Sheet;
 use crate::action::Action;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
@@ -30,10 +32,11 @@ use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
 use crate::panels::handles::HandInput;
 use crate::panels::ledger::LedgerPanel;
+use crate::panels::look::{self, Look};
 use crate::panels::navigation::Navigation;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
-use crate::present::{FrameTimes, WindowGeometry, look};
-use crate::session::{Session, Settings, ThemeName, ViewLayout};
+use crate::present::{FrameTimes, WindowGeometry};
+use crate::session::{Session, Settings, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::thing::Pointed;
 use crate::view_texture::ViewTexture;
@@ -47,6 +50,10 @@ pub struct App {
     recent: Vec<PathBuf>,
     chosen_object: usize,
     dialog: Option<Dialog>,
+    /// What lies over the window: commands, or keys.
+    sheet: Option<Sheet>,
+    /// The focus was moved by the keyboard, and is shown by a ring.
+    by_keyboard: bool,
     /// Actions for the next pass.
     waiting: Vec<Action>,
     deriver: Deriver,
@@ -87,6 +94,8 @@ impl App {
             recent: remembered.recent,
             chosen_object: 0,
             dialog: None,
+            sheet: None,
+            by_keyboard: false,
             waiting: Vec::new(),
             deriver: Deriver::default(),
             derived: Derived::default(),
@@ -114,13 +123,16 @@ impl App {
 
     /// Gives a window's context the program's fonts, zoom and ways. Once, before the first frame.
     pub fn set_up(ctx: &Context, settings: &Settings) {
-        look::install(ctx);
+        crate::present::look::install(ctx);
         ctx.set_zoom_factor(settings.zoom.clamp(0.5, 4.0));
         ctx.all_styles_mut(|style| {
             style.interaction.selectable_labels = true;
             // Bars that stay tell that there is more.
             style.spacing.scroll = egui::style::ScrollStyle::solid();
         });
+        // Its keys stand in the table of commands with all others.
+        ctx.options_mut(|options| options.zoom_with_keyboard = false);
+        look::install(ctx, Look::of(settings, false));
     }
 
     /// Says what draws the window.
@@ -173,12 +185,13 @@ impl App {
         self.panels(ui, &mut actions);
         CentralPanel::default().show(ui, |ui| {
             let image = self.open.document.camera.image;
-            let places = places::places(ui, &mut self.session.settings, image);
+            let presenting = self.session.presenting.is_some();
+            let places = places::places(ui, &mut self.session.settings, image, presenting);
             if let (None, Some(rect)) = (self.session.observer, places.world) {
                 self.session.observer = Some(self.framed(rect.aspect_ratio()));
                 self.lessons.framed(self.session.observer);
             }
-            if self.dialog.is_none() {
+            if !self.is_covered() {
                 views::inputs(ui, &places, &mut self.session, &self.derived, &mut actions);
             }
             self.session.pointed = self.pointed(ui, &places);
@@ -198,6 +211,7 @@ impl App {
             }
             self.outputs(ui, &places);
         });
+        self.over_all(ui);
         self.keep_history(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
@@ -238,6 +252,11 @@ impl App {
     fn panels(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let ctx = ui.ctx().clone();
         dialogs::ui(&ctx, &mut self.dialog, actions);
+        self.sheets(&ctx, actions);
+        self.follow_look(&ctx);
+        if self.session.presenting.is_some() {
+            return self.lesson_strip(ui, actions);
+        }
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
             let steps = top_bar::Steps { undo, redo };
@@ -249,12 +268,6 @@ impl App {
             Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
         panel.show(ui, |ui| {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.left_panel(ui));
-        });
-        let settings = &self.session.settings;
-        ctx.set_theme(match settings.theme {
-            ThemeName::System => ThemePreference::System,
-            ThemeName::Dark => ThemePreference::Dark,
-            ThemeName::Light => ThemePreference::Light,
         });
     }
 
@@ -288,11 +301,11 @@ impl App {
 
     /// What the mouse or the focus is on: something in a view, or a line about it.
     fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
-        if self.dialog.is_some() {
+        if self.is_covered() {
             return None;
         }
         let at_line = || match self.session.settings.layout {
-            ViewLayout::Ledger => self.ledger.pointed(ui.ctx()),
+            ViewLayout::Ledger | ViewLayout::LedgerAlone => self.ledger.pointed(ui.ctx()),
             ViewLayout::Plot => plot::pointed(ui.ctx(), &self.derived),
             _ => None,
         };
@@ -308,7 +321,6 @@ impl App {
     }
 
     fn window_outputs(&mut self, ctx: &Context) {
-        self.session.settings.zoom = ctx.zoom_factor();
         let changed = if self.open.has_changes() { "*" } else { "" };
         let title = format!("{}{changed} - Pinhole", title_of(self.open.origin()));
         if title != self.title {
@@ -328,7 +340,7 @@ impl App {
         }
         let scene = argument_of(self.open.origin());
         let remembered = Remembered {
-            settings: self.lessons.settings_without(&self.session),
+            settings: self.settings_to_remember(),
             window: self.geometry,
             selection: scene.is_some().then(|| self.session.selection.into()),
             recent: self.recent.clone(),

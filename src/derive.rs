@@ -130,7 +130,10 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
-        let world = self.objects.update(document).map(|()| self.objects.good().cloned());
+        let world = self
+            .objects
+            .update(document, sizes.style.scheme())
+            .map(|()| self.objects.good().cloned());
         let posed = document.camera.posed();
         let fault = match (&posed, &world) {
             (Err(e), _) => Some(Fault::Camera(*e)),
@@ -154,7 +157,7 @@ impl Deriver {
         self.world_view(&mut derived, document, session, sizes, watch);
         derived.ledger = self.ledgers.of(document, session, &derived);
         let generation = self.objects.good().map_or(0, |good| good.generation);
-        derived.plot = self.plots.of(document, session, &derived, generation);
+        derived.plot = self.plots.of(document, session, &derived, generation, sizes.style.scheme());
         derived
     }
 
@@ -196,6 +199,7 @@ impl Deriver {
                 watched(watch, Work::Overlay, || {
                     let mut pixels = blank(size);
                     let drawing = draw(&good.picture, key, &mut pixels);
+                    key.style.finish(&mut pixels);
                     Shown::new(size, pixels, drawing)
                 })
             })
@@ -207,6 +211,7 @@ impl Deriver {
                 let drawing = draw(map, key, &mut pixels);
                 let (comparison, width) = (&compared.comparison, size[0] as usize);
                 accuracy::mark_wrong(comparison, &map.raster, width, key.scale, &mut pixels);
+                key.style.finish(&mut pixels);
                 Shown::new(size, pixels, drawing)
             }));
             derived.compared = Some(Arc::clone(compared));
@@ -310,6 +315,7 @@ impl Deriver {
                 Purpose::Window => overlay::world(&view, &mut pixels),
                 Purpose::Figure { .. } => overlay::world_apart(&view, &mut pixels),
             });
+            key.style.finish(&mut pixels);
             Shown::new(size, pixels, drawing)
         });
         derived.world_frame = Some(Arc::clone(&world.frame));

@@ -33,10 +33,31 @@ pub struct Plot {
     pub left_out: usize,
     /// From which t to which one.
     pub range: RangeInclusive<f64>,
-    /// Its curves within that range; heights are values of f in the curve's unit, compressed.
+    /// How values of f, in their curve's unit, become heights.
+    pub heights: Heights,
+    /// Its curves within that range, t and height.
     pub samples: Arc<Samples>,
     /// The t of the point that walks, and there each curve's f.
     pub walked: Option<(f64, Arc<Vec<f64>>)>,
+}
+
+/// How a value of f, in its curve's unit, becomes a height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heights {
+    /// As it is: a plane's line is straight, a sphere's parabola is one.
+    Even,
+    /// As it is up to 1, compressed beyond: 1 more is 2.7 times as much. What is far is in sight, too.
+    Compressed,
+}
+
+impl Heights {
+    /// The height of a value; it has the value's sign.
+    pub(crate) fn of(self, y: f64) -> f64 {
+        match self {
+            Heights::Compressed if y.abs() > 1.0 => (1.0 + y.abs().ln()).copysign(y),
+            _ => y,
+        }
+    }
 }
 
 /// One object's f along the ray.
@@ -115,10 +136,11 @@ pub fn samples(
     scene: &Scene,
     ray: &ExactRay,
     range: &RangeInclusive<f64>,
+    heights: Heights,
 ) -> Samples {
     let of = |curve: &Curve| {
         let along = along(scene, ray, curve.named.object);
-        along.map_or_else(Vec::new, |along| curve.samples(&along, range))
+        along.map_or_else(Vec::new, |along| curve.samples(&along, range, heights))
     };
     curves.iter().map(of).collect()
 }
@@ -127,12 +149,6 @@ pub fn samples(
 pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
     let of = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
     curves.iter().map(|curve| of(curve).unwrap_or(f64::NAN)).collect()
-}
-
-/// Even up to 1, compressed beyond: 1 more is 2.7 times as much. Smooth, and it keeps the sign.
-pub(crate) fn compressed(y: f64) -> f64 {
-    let size = y.abs();
-    if size <= 1.0 { y } else { (1.0 + size.ln()).copysign(y) }
 }
 
 /// Which t the plot shows: all zeros that are not far, the eye, the viewport, and where one walks.
@@ -172,13 +188,18 @@ impl Curve {
         }
     }
 
-    /// A value of f in its unit, compressed.
-    pub(crate) fn height(&self, f: f64) -> f64 {
-        compressed(f / self.unit.value)
+    /// The height of a value of f.
+    pub(crate) fn height(&self, f: f64, heights: Heights) -> f64 {
+        heights.of(f / self.unit.value)
     }
 
     /// t and height, by ascending t: evenly, and closely where a parabola turns.
-    fn samples(&self, along: &AlongRay, range: &RangeInclusive<f64>) -> Vec<(f64, f64)> {
+    fn samples(
+        &self,
+        along: &AlongRay,
+        range: &RangeInclusive<f64>,
+        heights: Heights,
+    ) -> Vec<(f64, f64)> {
         let (from, to) = (*range.start(), *range.end());
         let mut ts: Vec<f64> =
             (0..=SAMPLES).map(|k| from + (to - from) * k as f64 / SAMPLES as f64).collect();
@@ -190,7 +211,7 @@ impl Curve {
         ts.extend(self.derivation.roots().map(|root| root.t));
         ts.retain(|t| range.contains(t));
         ts.sort_by(f64::total_cmp);
-        let height = |t: f64| (t, self.height(along.value(t)));
+        let height = |t: f64| (t, self.height(along.value(t), heights));
         ts.into_iter().map(height).filter(|(_, y)| y.is_finite()).collect()
     }
 
@@ -257,14 +278,15 @@ impl Curve {
 
 #[cfg(test)]
 mod tests {
-    use super::compressed;
+    use super::Heights;
 
     #[test]
     fn compression_keeps_sign_and_order() {
         let ys = [-1e9, -3.0, -1.0, -0.2, 0.0, 0.2, 1.0, 3.0, 1e9];
-        let heights = ys.map(compressed);
+        let heights = ys.map(|y| Heights::Compressed.of(y));
         assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
-        assert_eq!(compressed(-0.25), -0.25);
-        assert_eq!(compressed(-5.0), -compressed(5.0));
+        assert_eq!(Heights::Compressed.of(-0.25), -0.25);
+        assert_eq!(Heights::Compressed.of(-5.0), -Heights::Compressed.of(5.0));
+        assert_eq!(ys.map(|y| Heights::Even.of(y)), ys);
     }
 }

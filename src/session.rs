@@ -1,9 +1,12 @@
 //! How the document is looked at: what a scene file does not hold.
 
+mod names;
+
 use pinhole_core::methods::{Formula, Method, Precision};
-use pinhole_core::steering::Keep;
-use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Shade, Viewport};
+use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Viewport};
 use serde::{Deserialize, Serialize};
+
+pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
 
 use crate::exercises::Exercises;
 use crate::handles::Hand;
@@ -11,7 +14,9 @@ use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
 use crate::mistakes::Gallery;
 use crate::observer::Observer;
-use crate::overlay::OverlayItems;
+use crate::overlay::{OverlayItems, Scheme};
+use crate::plot::Heights;
+use crate::presenter::{Presenting, SMALLEST_TEXT};
 use crate::thing::{Pointed, Thing};
 
 /// Everything about the window that is not the document. Changing it never marks the document as
@@ -36,6 +41,10 @@ pub struct Session {
     pub gallery: Gallery,
     /// The exercise at hand, and what was answered.
     pub exercises: Exercises,
+    /// Presenter mode, while it is on.
+    pub presenting: Option<Presenting>,
+    /// All but what is round the pointer is dimmed.
+    pub spotlight: bool,
     /// What is taken in the hand, or could be.
     pub hand: Hand,
     /// What is remembered across runs as it is.
@@ -86,6 +95,8 @@ pub struct Settings {
     pub frame_height: f32,
     /// The height of the plot of f(p + t d), in points.
     pub plot_height: f32,
+    /// In that plot, values beyond 1 unit are compressed.
+    pub plot_compressed: bool,
     /// The height of what is said of a wrong camera, in points.
     pub mistakes_height: f32,
     /// The ledger's share of the width.
@@ -98,104 +109,15 @@ pub struct Settings {
     pub compared: MethodName,
     /// Dark, light, or what the system says.
     pub theme: ThemeName,
+    /// The colours that things are told apart by.
+    pub scheme: Scheme,
+    /// Nothing moves by itself: no transitions, and what plays goes in steps.
+    pub reduced_motion: bool,
+    /// No text is smaller than this while presenting, in points of a window of 1024 × 768; in a
+    /// larger one it is larger in proportion.
+    pub smallest_text: f32,
     /// Zoom of the whole window.
     pub zoom: f32,
-}
-
-/// Which of the two views are shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum ViewLayout {
-    /// Side by side.
-    #[default]
-    Both,
-    /// The world view alone.
-    World,
-    /// The camera view alone.
-    Camera,
-    /// The camera view, where another method errs in it, and error against run time.
-    Accuracy,
-    /// Both views, and what a frame takes and leaves out.
-    Frame,
-    /// Both views, one above the other, and the derivation of every number beside them.
-    Ledger,
-    /// Both views, and every object's f(p + t d) against t below them.
-    Plot,
-    /// Lines in two dimensions, implicit and parametric.
-    Lines,
-    /// The right picture beside that of a classic wrong camera.
-    Mistakes,
-    /// Questions with fields for the answers.
-    Exercises,
-}
-
-/// [`Method`], in a form that is written to disk: its name. One that no method has any more is the
-/// ladder.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(from = "String", into = "&'static str")]
-pub struct MethodName(pub Method);
-
-impl From<String> for MethodName {
-    fn from(name: String) -> MethodName {
-        MethodName(Method::from_name(&name).unwrap_or(Method::Ladder))
-    }
-}
-
-impl From<MethodName> for &'static str {
-    fn from(name: MethodName) -> &'static str {
-        name.0.name()
-    }
-}
-
-/// [`Shade`], in a form that is written to disk.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[allow(missing_docs, reason = "the same names as pinhole_core::Shade, explained there")]
-pub enum ShadeName {
-    #[default]
-    Lambert,
-    Normal,
-    T,
-    Object,
-}
-
-/// [`Keep`], in a form that is written to disk.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[allow(missing_docs, reason = "the same names as pinhole_core::steering::Keep, explained there")]
-pub enum EyeKeeps {
-    #[default]
-    At,
-    View,
-}
-
-impl EyeKeeps {
-    /// The other one.
-    #[must_use]
-    pub fn other(self) -> EyeKeeps {
-        match self {
-            EyeKeeps::At => EyeKeeps::View,
-            EyeKeeps::View => EyeKeeps::At,
-        }
-    }
-}
-
-impl From<EyeKeeps> for Keep {
-    fn from(keeps: EyeKeeps) -> Keep {
-        match keeps {
-            EyeKeeps::At => Keep::At,
-            EyeKeeps::View => Keep::View,
-        }
-    }
-}
-
-/// The window's colours.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum ThemeName {
-    /// As the system says; dark where it says nothing.
-    #[default]
-    System,
-    /// Dark.
-    Dark,
-    /// Light.
-    Light,
 }
 
 impl Default for Settings {
@@ -215,18 +137,27 @@ impl Default for Settings {
             accuracy_height: 370.0,
             frame_height: 350.0,
             plot_height: 300.0,
+            plot_compressed: false,
             mistakes_height: 330.0,
             ledger_split: 0.5,
             stack_split: 0.55,
             method: MethodName(Method::Ladder),
             compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
             theme: ThemeName::System,
+            scheme: Scheme::Standard,
+            reduced_motion: false,
+            smallest_text: SMALLEST_TEXT.usual,
             zoom: 1.0,
         }
     }
 }
 
 impl Settings {
+    /// How the plot of f(p + t d) shows values.
+    pub fn plot_heights(&self) -> Heights {
+        if self.plot_compressed { Heights::Compressed } else { Heights::Even }
+    }
+
     /// The same with every value in the range that the window works with; what is remembered comes
     /// from a file that anyone may have edited.
     #[must_use]
@@ -245,30 +176,10 @@ impl Settings {
             finite(self.mistakes_height, default.mistakes_height).clamp(0.0, 10_000.0);
         self.ledger_split = finite(self.ledger_split, default.ledger_split).clamp(0.0, 1.0);
         self.stack_split = finite(self.stack_split, default.stack_split).clamp(0.0, 1.0);
+        self.smallest_text = finite(self.smallest_text, default.smallest_text)
+            .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
         self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
         self
-    }
-}
-
-impl From<ShadeName> for Shade {
-    fn from(name: ShadeName) -> Shade {
-        match name {
-            ShadeName::Lambert => Shade::Lambert,
-            ShadeName::Normal => Shade::Normal,
-            ShadeName::T => Shade::T,
-            ShadeName::Object => Shade::Object,
-        }
-    }
-}
-
-impl From<Shade> for ShadeName {
-    fn from(shade: Shade) -> ShadeName {
-        match shade {
-            Shade::Lambert => ShadeName::Lambert,
-            Shade::Normal => ShadeName::Normal,
-            Shade::T => ShadeName::T,
-            Shade::Object => ShadeName::Object,
-        }
     }
 }
 
@@ -284,6 +195,8 @@ impl Default for Session {
             sections: LedgerSections::default(),
             gallery: Gallery::default(),
             exercises: Exercises::default(),
+            presenting: None,
+            spotlight: false,
             hand: Hand::default(),
             settings: Settings::default(),
         }

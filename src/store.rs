@@ -98,6 +98,11 @@ impl Store {
         self.path.with_file_name("unsaved.toml")
     }
 
+    /// Whether there was no run before this one.
+    pub fn is_new(&self) -> bool {
+        !self.path.exists()
+    }
+
     /// What was remembered; the defaults where nothing was, or where it cannot be read.
     pub fn load(&self) -> Remembered {
         let text = std::fs::read_to_string(&self.path).unwrap_or_default();

@@ -4,6 +4,8 @@ use std::fmt;
 use std::io::Cursor;
 use std::path::Path;
 
+use etcetera::{BaseStrategy as _, choose_base_strategy};
+
 use crate::app::{App, complain};
 use crate::arguments::WindowArguments;
 use crate::document::Document;
@@ -12,7 +14,7 @@ use crate::formats::FileError;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::frame_log::{FRAME_TIMES, FrameLog};
-use crate::present::{self, FrameTimes, PresentError, Program, WindowOptions};
+use crate::present::{self, FrameTimes, PresentError, Program, WindowOptions, motion};
 use crate::store::{Remembered, Store};
 
 /// Why the window did not open, or broke off.
@@ -43,7 +45,10 @@ impl std::error::Error for WindowError {}
 pub fn run(arguments: &WindowArguments) -> Result<(), WindowError> {
     let WindowArguments { scene, lesson, renderer } = arguments;
     let store = Store::of_user();
-    let remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    let mut remembered = store.as_ref().map(Store::load).unwrap_or_default();
+    if store.as_ref().is_none_or(Store::is_new) {
+        remembered.settings.reduced_motion = wants_less_motion();
+    }
     let lesson = match (lesson, scene) {
         (Some(lesson), _) => Some(lesson.load().map_err(WindowError::Scene)?),
         (None, Some(_)) => None,
@@ -71,6 +76,11 @@ pub fn run(arguments: &WindowArguments) -> Result<(), WindowError> {
         Box::new(InWindow { app, frame_log }) as Box<dyn Program>
     };
     present::run(*renderer, options, make).map_err(WindowError::Present)
+}
+
+/// Whether the desktop's settings say so.
+fn wants_less_motion() -> bool {
+    choose_base_strategy().is_ok_and(|places| motion::is_reduced(&places.config_dir()))
 }
 
 /// The picture in the title bar. Not having one is no reason not to open the window.

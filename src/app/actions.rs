@@ -40,6 +40,15 @@ impl App {
                 self.discarded = matches!(*then, Action::Quit);
                 self.proceed(ctx, *then);
             }
+            Action::Next | Action::Previous => {
+                let open = self.lessons.open.as_ref();
+                let is_next = action == Action::Next;
+                let to = open.and_then(|open| if is_next { open.next() } else { open.previous() });
+                if let Some(place) = to {
+                    self.apply(ctx, Action::GoTo(place));
+                }
+            }
+            Action::CloseLesson if self.lessons.open.is_none() => {}
             Action::CloseLesson => self.close_lesson(ctx),
             Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
@@ -67,6 +76,7 @@ impl App {
                     self.session.selection = selection.stepped(&posed, rows, columns);
                 }
             }
+            look => self.change_look(ctx, look),
         }
     }
 

@@ -24,14 +24,14 @@ impl App {
     pub(super) fn ask_export(&mut self, ctx: &Context) {
         let first = match self.session.settings.layout {
             ViewLayout::Camera | ViewLayout::Accuracy | ViewLayout::Mistakes => Subject::Camera,
-            ViewLayout::Ledger => Subject::Ledger,
+            ViewLayout::Ledger | ViewLayout::LedgerAlone => Subject::Ledger,
             ViewLayout::Lines => Subject::Lines,
             _ => Subject::World,
         };
         let mut subjects = Subject::ALL.map(|subject| self.on_screen(ctx, subject)).to_vec();
         subjects.sort_by_key(|shown| shown.subject != first);
         let dark = ctx.theme() == egui::Theme::Dark;
-        let style = if dark { Style::Dark } else { Style::Light };
+        let style = Style::of(self.session.settings.scheme, dark);
         self.dialog = Some(Dialog::Export(ExportForm::new(self.open.file(), subjects, style)));
     }
 

@@ -178,10 +178,19 @@ impl App {
     fn go_back(&mut self, whereabouts: Whereabouts) {
         let Whereabouts { open, lessons, session, chosen_object } = whereabouts;
         let now = &self.session.settings;
-        let settings = Settings { theme: now.theme, zoom: now.zoom, ..session.settings };
+        let settings = Settings {
+            theme: now.theme,
+            scheme: now.scheme,
+            reduced_motion: now.reduced_motion,
+            smallest_text: now.smallest_text,
+            zoom: now.zoom,
+            ..session.settings
+        };
+        let (presenting, spotlight) = (self.session.presenting, self.session.spotlight);
         self.open = open;
         self.lessons = lessons;
-        self.session = Session { settings, hand: Hand::default(), ..session };
+        let hand = Hand::default();
+        self.session = Session { settings, presenting, spotlight, hand, ..session };
         self.chosen_object = chosen_object;
         // What was good in another scene is nothing to show in this one.
         self.deriver = Deriver::default();

@@ -1,35 +1,20 @@
 //! What comes from outside the panels: keys, dropped files and the close button.
 
-use egui::{Context, Key, KeyboardShortcut, Modifiers, ViewportCommand};
+use egui::{Context, Key, Modifiers, Popup, ViewportCommand};
 
 use super::App;
 use crate::action::Action;
 use crate::formats::scene_argument::SceneSource;
+use crate::verbs::{self, When};
 
 impl App {
     /// Keys, dropped files and the close button.
     pub(super) fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         actions.append(&mut self.waiting);
-        self.lesson_keys(ctx, actions);
-        let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
-        let shifted = KeyboardShortcut::new(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
-        let pressed = |shortcut| ctx.input_mut(|i| i.consume_shortcut(&shortcut));
-        // The longer shortcut first: the shorter one would match it too.
-        for (shortcut, action) in [
-            (shifted, Action::AskSaveAs),
-            (command(Key::S), Action::Save),
-            (command(Key::O), Action::AskOpen),
-            (command(Key::E), Action::AskExport),
-            (command(Key::Q), Action::Quit),
-        ] {
-            if pressed(shortcut) && self.dialog.is_none() {
-                self.after_typing(ctx, action, actions);
-            }
-        }
-        self.history_keys(ctx, actions);
+        self.keys(ctx, actions);
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
         // Not under a dialog: its answer would then be about another scene.
-        let dropped = dropped.filter(|_| self.dialog.is_none());
+        let dropped = dropped.filter(|_| !self.is_covered());
         actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
         if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
             if self.open.has_changes() {
@@ -60,18 +45,36 @@ impl App {
         }
     }
 
-    /// Undo and redo; a text that is being typed has an undo of its own.
-    fn history_keys(&self, ctx: &Context, actions: &mut Vec<Action>) {
-        if ctx.text_edit_focused() || self.dialog.is_some() {
+    /// The keys of all commands but those of the views, which [`crate::panels::views`] knows.
+    fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        if self.is_covered() {
             return;
         }
-        let pressed = |modifiers, key| ctx.input_mut(|i| i.consume_key(modifiers, key));
-        // The longer one first: the shorter one would match it too.
-        let redo = pressed(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
-        if redo || pressed(Modifiers::COMMAND, Key::Y) {
-            actions.push(Action::Redo);
-        } else if pressed(Modifiers::COMMAND, Key::Z) {
-            actions.push(Action::Undo);
+        let is_typing = ctx.text_edit_focused();
+        let has_focus = ctx.memory(|memory| memory.focused().is_some());
+        let has_lesson = self.lessons.open.is_some();
+        let presenting = self.session.presenting.is_some();
+        let pressed = verbs::pressed(ctx, |when| match when {
+            When::Anywhere => true,
+            When::Untyped => !is_typing,
+            When::Lesson => has_lesson,
+            When::LessonUntyped => has_lesson && !is_typing,
+            When::LessonUnfocused => has_lesson && !has_focus,
+            When::Presenting => presenting && !is_typing,
+            When::View => false,
+        });
+        for (when, action) in pressed {
+            if matches!(when, When::Anywhere | When::Lesson) {
+                self.after_typing(ctx, action, actions);
+            } else {
+                actions.push(action);
+            }
+        }
+        // Escape ends a drag, closes a menu and lets go of the focus before it ends presenting.
+        let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
+        if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
+        {
+            actions.push(Action::Present);
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use egui::{Context, Key, Modifiers, Panel, Ui};
+use egui::{Context, Panel, Ui};
 
 use super::App;
 use crate::action::Action;
@@ -131,26 +131,11 @@ impl App {
         let Some(open) = &self.lessons.open else { return };
         Panel::top("lesson").show(ui, |ui| {
             let file = self.lessons.file.as_deref();
-            lesson_strip::ui(ui, open, file, self.differs_from_step(), actions);
+            if self.session.presenting.is_some() {
+                lesson_strip::slim(ui, open);
+            } else {
+                lesson_strip::ui(ui, open, file, self.differs_from_step(), actions);
+            }
         });
-    }
-
-    /// Page Up and Page Down, as presenters' remote controls send them, the arrow keys where
-    /// neither a view nor a field has the focus, and R unless it is typed into a field.
-    pub(super) fn lesson_keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
-        let (Some(open), None) = (&self.lessons.open, &self.dialog) else { return };
-        let (previous, next) = (open.previous(), open.next());
-        let nothing_focused = ctx.memory(|memory| memory.focused().is_none());
-        let pressed = |key| ctx.input_mut(|i| i.consume_key(Modifiers::NONE, key));
-        if !ctx.text_edit_focused() && pressed(Key::R) {
-            actions.push(Action::BackToStep);
-        }
-        let go = |page, arrow| pressed(page) || (nothing_focused && pressed(arrow));
-        let back = go(Key::PageUp, Key::ArrowLeft);
-        let on = go(Key::PageDown, Key::ArrowRight);
-        let place = if back { previous } else { next.filter(|_| on) };
-        if let Some(place) = place {
-            self.after_typing(ctx, Action::GoTo(place), actions);
-        }
     }
 }

@@ -22,7 +22,9 @@ impl App {
     /// The pictures with what is written on them.
     fn views(&mut self, ui: &mut Ui, places: &Places) {
         let image = self.open.document.camera.image;
-        views::strips(ui, places, &mut self.session.settings, image);
+        if self.session.presenting.is_none() {
+            views::strips(ui, places, &mut self.session.settings, image);
+        }
         let dimmed = self.derived.fault.is_some();
         if let (Some(rect), Some(shown)) = (places.world, &self.derived.world_view) {
             let stale = matches!(self.derived.fault, Some(Fault::Scene(_)));
@@ -69,9 +71,9 @@ impl App {
             ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
             ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
             ViewLayout::Plot => {
-                plot::ui(ui, &mut self.session.walked, &self.derived, style.digits);
+                plot::ui(ui, &mut self.session, &self.derived, style.digits);
             }
-            ViewLayout::Ledger => {
+            ViewLayout::Ledger | ViewLayout::LedgerAlone => {
                 let Session { sections, pointed, .. } = &mut self.session;
                 if let Some(ledger) = &self.derived.ledger {
                     self.ledger.ui(ui, ledger, sections, *pointed, lit);
@@ -84,6 +86,7 @@ impl App {
                 let exercises = &mut self.session.exercises;
                 exercises::ui(ui, exercises, style, &mut self.waiting);
             }
+            _ if self.session.presenting.is_some() => (),
             _ => readouts::ui(ui, &self.derived, document, style),
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Derived, Fault};
 use crate::document::Document;
 use crate::ledger::{Ledger, LedgerSections, Sources, ledger};
-use crate::session::{Selection, Session, ViewLayout};
+use crate::session::{Selection, Session};
 
 /// The last ledger, and what it was made of.
 #[derive(Debug, Default)]
@@ -29,7 +29,7 @@ impl Ledgers {
         session: &Session,
         derived: &Derived,
     ) -> Option<Arc<Ledger>> {
-        if session.settings.layout != ViewLayout::Ledger {
+        if !session.settings.layout.shows_ledger() {
             return None;
         }
         let looked = Looked {

@@ -6,6 +6,7 @@ use pinhole_core::{Object, Rgb, Scene, SceneError};
 
 use crate::document::{CsvSpheres, Document, Item};
 use crate::observer::{hidden, seen_scene};
+use crate::overlay::Scheme;
 
 /// The objects of a document, all of which are some.
 #[derive(Clone, Debug)]
@@ -31,6 +32,8 @@ pub(super) struct Objects {
     good: Option<GoodWorld>,
     /// The CSV file's spheres in the good world.
     csv: Option<CsvSpheres>,
+    /// The scheme of the good world's colours.
+    scheme: Scheme,
     /// The good world's scene as the observer sees it past these spheres.
     seen: Option<(Enclosing, Arc<Scene>)>,
 }
@@ -49,8 +52,9 @@ impl Objects {
     ///
     /// # Errors
     /// The first object that is none; the good world is then the one before.
-    pub(super) fn update(&mut self, document: &Document) -> Result<(), SceneError> {
+    pub(super) fn update(&mut self, document: &Document, scheme: Scheme) -> Result<(), SceneError> {
         check(document)?;
+        let is_same_scheme = std::mem::replace(&mut self.scheme, scheme) == scheme;
         let changed = self.good.as_ref().and_then(|good| self.changed(good, document));
         match (&mut self.good, changed) {
             (Some(good), Some(changed)) => {
@@ -59,7 +63,12 @@ impl Objects {
                     self.seen.take_if(|(hidden, _)| hidden.is_empty());
                     replace(good, self.seen.as_mut(), &changed)?;
                 }
-                recolor(good, document);
+                if is_same_scheme {
+                    recolor(good, document, scheme);
+                } else {
+                    good.colors = Arc::new(colors(document, scheme));
+                    good.palette += 1;
+                }
             }
             _ => self.make(document)?,
         }
@@ -110,13 +119,19 @@ impl Objects {
 
     fn make(&mut self, document: &Document) -> Result<(), SceneError> {
         let scene = Arc::new(document.scene()?);
-        let colors = (0..document.object_count() as u32).map(|i| document.color_of(i)).collect();
+        let colors = colors(document, self.scheme);
         let next = |number: fn(&GoodWorld) -> u64| self.good.as_ref().map_or(0, number) + 1;
         let (generation, palette) = (next(|good| good.generation), next(|good| good.palette));
         self.good = Some(GoodWorld { scene, colors: Arc::new(colors), generation, palette });
         self.seen = None;
         Ok(())
     }
+}
+
+/// Every object's colour.
+fn colors(document: &Document, scheme: Scheme) -> Vec<Rgb> {
+    let all = 0..document.object_count() as u32;
+    all.map(|index| scheme.object(index, document.color_of(index))).collect()
 }
 
 /// Checks what can be edited; the CSV file's spheres were checked when they were read.
@@ -168,11 +183,11 @@ fn replace(
 }
 
 /// Takes over the colours of what can be edited.
-fn recolor(good: &mut GoodWorld, document: &Document) {
+fn recolor(good: &mut GoodWorld, document: &Document, scheme: Scheme) {
     let planes = document.sphere_count()..document.object_count();
     let changed: Vec<(usize, Rgb)> = (0..document.spheres.len())
         .chain(planes)
-        .map(|index| (index, document.color_of(index as u32)))
+        .map(|index| (index, scheme.object(index as u32, document.color_of(index as u32))))
         .filter(|(index, color)| good.colors[*index] != *color)
         .collect();
     if changed.is_empty() {

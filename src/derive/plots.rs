@@ -7,7 +7,8 @@ use pinhole_core::PosedCamera;
 use super::Derived;
 use super::memo::Memo;
 use crate::document::Document;
-use crate::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
+use crate::overlay::Scheme;
+use crate::plot::{Curve, Heights, Named, Plot, Samples, curves, range, samples, shown, values};
 use crate::session::{Selection, Session, ViewLayout};
 
 /// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
@@ -17,7 +18,7 @@ type Key = (PosedCamera, u64, Selection, Vec<Named>);
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<Key, Arc<Vec<Curve>>>,
-    samples: Memo<(u64, [f64; 2]), Arc<Samples>>,
+    samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
     walked: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// How often curves were made, which tells some from the next.
     made: u64,
@@ -31,6 +32,7 @@ impl Plots {
         session: &Session,
         derived: &Derived,
         generation: u64,
+        scheme: Scheme,
     ) -> Option<Plot> {
         if session.settings.layout != ViewLayout::Plot {
             return None;
@@ -42,7 +44,8 @@ impl Plots {
         let named = |object: u32| {
             let title = document.title_of(object as usize);
             let name = document.name_of(object).map_or_else(|| title.clone(), str::to_owned);
-            Named { object, title, name, color: document.color_of(object) }
+            let color = scheme.object(object, document.color_of(object));
+            Named { object, title, name, color }
         };
         let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
         let made = &mut self.made;
@@ -52,13 +55,15 @@ impl Plots {
         });
         let range = range(&curves, session.walked);
         let ends = [*range.start(), *range.end()];
-        let samples =
-            self.samples.get((*made, ends), |_| Arc::new(samples(&curves, scene, &ray, &range)));
+        let heights = session.settings.plot_heights();
+        let samples = self.samples.get((*made, ends, heights), |_| {
+            Arc::new(samples(&curves, scene, &ray, &range, heights))
+        });
         let walked = session.walked.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
             (t, self.walked.get((*made, t), make))
         });
         let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, samples, walked })
+        Some(Plot { curves, left_out, range, heights, samples, walked })
     }
 }

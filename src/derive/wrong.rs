@@ -110,6 +110,7 @@ impl WrongPictures {
                 };
                 let mut pixels = blank(size);
                 let labels = overlay::camera(&view, &mut pixels);
+                sizes.style.finish(&mut pixels);
                 Shown::new(size, pixels, labels)
             })
         });

@@ -52,15 +52,13 @@ pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -
 fn context(style: Style) -> Context {
     let ctx = Context::default();
     look::install(&ctx);
+    panels::look::install(&ctx, panels::look::Look::in_scheme(style.scheme()));
     ctx.set_theme(theme(style));
     ctx
 }
 
 fn theme(style: Style) -> Theme {
-    match style {
-        Style::Light => Theme::Light,
-        Style::Dark => Theme::Dark,
-    }
+    if style.is_dark() { Theme::Dark } else { Theme::Light }
 }
 
 fn dots(points: Vec2, scale: f32) -> [usize; 2] {

@@ -223,7 +223,21 @@ impl<'a> Field<'a> {
 
     /// A list of tables.
     pub(crate) fn sections(&self) -> Result<Vec<Section<'a>>, FileError> {
-        let name = |k: usize| format!("{}[{k}]", self.name);
+        self.sections_named(|k| format!("{}[{k}]", self.name))
+    }
+
+    /// The same; errors count them from 1, as people do.
+    ///
+    /// # Errors
+    /// Where it is no array of tables.
+    pub(crate) fn sections_from_one(&self) -> Result<Vec<Section<'a>>, FileError> {
+        self.sections_named(|k| format!("{} {}", self.name, k + 1))
+    }
+
+    fn sections_named(
+        &self,
+        name: impl Fn(usize) -> String,
+    ) -> Result<Vec<Section<'a>>, FileError> {
         let right = format!("each one must be a table that begins with [[{}]]", self.name);
         match self.item {
             Entry::Tables(tables) => {

@@ -91,7 +91,7 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     version(&root)?;
     root.only(&TOP, &[])?;
     let title = line(&root.need("title", "title = \"What the lesson is about\"")?)?;
-    let sections = root.need("step", "[[step]] with title, text and scene")?.sections()?;
+    let sections = root.need("step", "[[step]] with title, text and scene")?.sections_from_one()?;
     let mut steps: Vec<Step> = Vec::new();
     for section in &sections {
         steps.push(step(section, &steps, base)?);
@@ -298,7 +298,8 @@ fn lit(field: &Field) -> Result<Option<Thing>, FileError> {
     if numbered.is_some() {
         return Ok(numbered);
     }
-    let known: Vec<&str> = [NOTHING].into_iter().chain(Thing::names()).collect();
+    let numbered = ["object 0", "root 0 1"];
+    let known: Vec<&str> = [NOTHING].into_iter().chain(Thing::names()).chain(numbered).collect();
     Ok(Thing::from_name(field.one_of(&known)?))
 }
 

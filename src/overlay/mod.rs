@@ -45,7 +45,7 @@ pub use lit::Lit;
 pub use loupe::{Loupe, loupe_window};
 pub use path::{Ink, Outline, Path};
 pub use picture::Picture;
-pub use style::{Colors, Style};
+pub use style::{Colors, Scheme, Style};
 pub use world_view::{WorldView, pick, t_towards, world, world_apart, world_position_of};
 
 #[cfg(test)]

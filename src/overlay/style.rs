@@ -5,7 +5,22 @@
 //! have three different heads, x, y, z are thin, and all have labels.
 
 use egui::Color32;
+use pinhole_core::Rgb;
 use serde::{Deserialize, Serialize};
+
+use crate::document::default_color;
+
+/// Which colours things are told apart by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Scheme {
+    /// Objects in their own colours; u, v, w, as everywhere in the lecture, by hue.
+    #[default]
+    Standard,
+    /// Told apart by all kinds of colour-blind viewers: by hue and by lightness.
+    ColourBlind,
+    /// Greys alone, for print: u, v, w by their heads and names.
+    Grey,
+}
 
 /// Colours for a light or for a dark window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -15,6 +30,14 @@ pub enum Style {
     Light,
     /// Light lines on a dark background.
     Dark,
+    /// [`Style::Light`] in [`Scheme::ColourBlind`].
+    ColourBlindLight,
+    /// [`Style::Dark`] in [`Scheme::ColourBlind`].
+    ColourBlindDark,
+    /// [`Style::Light`] in [`Scheme::Grey`].
+    GreyLight,
+    /// [`Style::Dark`] in [`Scheme::Grey`].
+    GreyDark,
 }
 
 /// The colours of one [`Style`].
@@ -68,12 +91,145 @@ const DARK: Colors = Colors {
     mark: rgb(0xc39bff),
 };
 
+const COLOUR_BLIND_LIGHT: Colors = Colors {
+    ink: rgb(0x15181d),
+    basis: [rgb(0x754007), rgb(0x29604b), rgb(0x1d86fb)],
+    axes: [rgb(0x7d7468), rgb(0x5f6f69), rgb(0x56708c)],
+    given: rgb(0x978b02),
+    ray: rgb(0xf141a8),
+    mark: rgb(0x5b3a8c),
+    ..LIGHT
+};
+
+const COLOUR_BLIND_DARK: Colors = Colors {
+    ink: rgb(0xf2f4f8),
+    basis: [rgb(0xb2682f), rgb(0x00fe94), rgb(0x2e8fe5)],
+    axes: [rgb(0xa89a8c), rgb(0x9db8ad), rgb(0x8ba3c0)],
+    given: rgb(0xecc805),
+    ray: rgb(0xef2c83),
+    mark: rgb(0xc9b3ff),
+    ..DARK
+};
+
+const GREY_LIGHT: Colors = Colors {
+    background: rgb(0xffffff),
+    halo: rgb(0xffffff),
+    ink: rgb(0x2e2e2e),
+    basis: [rgb(0x000000), rgb(0x454545), rgb(0x717171)],
+    axes: [rgb(0x767676), rgb(0x767676), rgb(0x767676)],
+    given: rgb(0x5a5a5a),
+    ray: rgb(0x000000),
+    hit: rgb(0x000000),
+    mark: rgb(0x3a3a3a),
+};
+
+const GREY_DARK: Colors = Colors {
+    background: rgb(0x121212),
+    halo: rgb(0x000000),
+    ink: rgb(0xdddddd),
+    basis: [rgb(0xffffff), rgb(0xc4c4c4), rgb(0x949494)],
+    axes: [rgb(0x9a9a9a), rgb(0x9a9a9a), rgb(0x9a9a9a)],
+    given: rgb(0xb0b0b0),
+    ray: rgb(0xffffff),
+    hit: rgb(0xffffff),
+    mark: rgb(0xd0d0d0),
+};
+
 impl Style {
+    /// A scheme's colours on a dark or on a light background.
+    pub fn of(scheme: Scheme, is_dark: bool) -> Style {
+        match (scheme, is_dark) {
+            (Scheme::Standard, false) => Style::Light,
+            (Scheme::Standard, true) => Style::Dark,
+            (Scheme::ColourBlind, false) => Style::ColourBlindLight,
+            (Scheme::ColourBlind, true) => Style::ColourBlindDark,
+            (Scheme::Grey, false) => Style::GreyLight,
+            (Scheme::Grey, true) => Style::GreyDark,
+        }
+    }
+
+    /// Which scheme it is of.
+    pub fn scheme(self) -> Scheme {
+        match self {
+            Style::Light | Style::Dark => Scheme::Standard,
+            Style::ColourBlindLight | Style::ColourBlindDark => Scheme::ColourBlind,
+            Style::GreyLight | Style::GreyDark => Scheme::Grey,
+        }
+    }
+
+    /// Whether it has light lines on a dark background.
+    pub fn is_dark(self) -> bool {
+        matches!(self, Style::Dark | Style::ColourBlindDark | Style::GreyDark)
+    }
+
     /// Its colours.
     pub fn colors(self) -> &'static Colors {
         match self {
             Style::Light => &LIGHT,
             Style::Dark => &DARK,
+            Style::ColourBlindLight => &COLOUR_BLIND_LIGHT,
+            Style::ColourBlindDark => &COLOUR_BLIND_DARK,
+            Style::GreyLight => &GREY_LIGHT,
+            Style::GreyDark => &GREY_DARK,
+        }
+    }
+
+    /// A finished picture's dots as this style has them: without hue where it has none.
+    pub fn finish(self, dots: &mut [Color32]) {
+        if self.scheme() == Scheme::Grey {
+            for dot in dots {
+                *dot = grey(*dot);
+            }
         }
     }
 }
+
+/// What is as bright, without hue (luma of ITU-R BT.709).
+fn grey(color: Color32) -> Color32 {
+    let [r, g, b, a] = color.to_array();
+    let luma = 2126 * u32::from(r) + 7152 * u32::from(g) + 722 * u32::from(b);
+    let luma = ((luma + 5000) / 10_000) as u8;
+    Color32::from_rgba_premultiplied(luma, luma, luma, a)
+}
+
+/// Greys of objects, neighbours far apart.
+const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
+
+impl Scheme {
+    /// All of them.
+    pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
+
+    /// What a menu calls it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Scheme::Standard => "Standard colours",
+            Scheme::ColourBlind => "Colour-blind safe",
+            Scheme::Grey => "Greys for print",
+        }
+    }
+
+    /// What it does.
+    pub fn about(self) -> &'static str {
+        match self {
+            Scheme::Standard => "Objects in their own colours, vectors by hue",
+            Scheme::ColourBlind => "Colours that colour-blind viewers tell apart, objects in turn",
+            Scheme::Grey => "Greys alone: vectors by their heads and names",
+        }
+    }
+
+    /// The colour of the object with this index whose own colour is `own`. What is grey stays so:
+    /// floors and walls are no objects to be told apart.
+    pub fn object(self, index: u32, own: Rgb) -> Rgb {
+        let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
+        match self {
+            Scheme::Standard => own,
+            _ if hue < 0x18 => own,
+            Scheme::ColourBlind => default_color(index as usize),
+            Scheme::Grey => [GREYS[index as usize % GREYS.len()]; 3],
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "tests/style.rs"]
+mod tests;

@@ -8,7 +8,7 @@ use super::dialogs::{PathField, save_ui};
 use super::number::error_color;
 use crate::action::Action;
 use crate::figures::{Content, Order, Subject};
-use crate::overlay::Style;
+use crate::overlay::{Scheme, Style};
 
 /// No figure is larger, in dots.
 const LARGEST: u32 = 16_384;
@@ -133,8 +133,17 @@ impl ExportForm {
         }
         ui.label("colours");
         ui.horizontal(|ui| {
-            ui.radio_value(&mut self.style, Style::Light, "light");
-            ui.radio_value(&mut self.style, Style::Dark, "dark");
+            let scheme = self.style.scheme();
+            ui.radio_value(&mut self.style, Style::of(scheme, false), "light");
+            ui.radio_value(&mut self.style, Style::of(scheme, true), "dark");
+        });
+        ui.end_row();
+        ui.label("");
+        ui.horizontal_wrapped(|ui| {
+            let dark = self.style.is_dark();
+            for scheme in Scheme::ALL {
+                ui.radio_value(&mut self.style, Style::of(scheme, dark), scheme.label());
+            }
         });
         ui.end_row();
         ui.label("background");

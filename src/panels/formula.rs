@@ -5,7 +5,7 @@ use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2
 
 use crate::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
 use crate::letters::plain_scalars;
-use crate::overlay::Style;
+use crate::panels::look;
 use crate::present::fonts;
 use crate::symbols::{Kind, words};
 
@@ -41,7 +41,7 @@ pub(crate) struct Inks {
 
 impl Inks {
     pub(crate) fn of(ui: &Ui) -> Inks {
-        let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+        let style = look::style(ui);
         let colors = style.colors();
         Inks {
             text: ui.visuals().text_color(),

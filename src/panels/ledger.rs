@@ -10,6 +10,7 @@ use egui::{
 };
 
 use super::formula::{self, Inks};
+use super::look;
 use super::number::error_color;
 use crate::formula::{Column, Layout};
 use crate::ledger::{Ledger, LedgerSection, LedgerSections, Line, Markup, Section, left_out};
@@ -92,7 +93,9 @@ impl LedgerPanel {
         pointed: Option<Pointed>,
         lit: Option<Thing>,
     ) {
-        self.head(ui, ledger, sections);
+        if !look::installed(ui.ctx()).presenting {
+            self.head(ui, ledger, sections);
+        }
         // Where a view points, the panel goes once.
         let by_view = pointed.filter(|pointed| pointed.by == Pointing::View);
         let goal = by_view.map(|pointed| pointed.thing);

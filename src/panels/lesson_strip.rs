@@ -8,6 +8,7 @@ use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 use super::marked_text;
 use crate::action::Action;
 use crate::lessons::{Lesson, OpenLesson, Place, Which, builtin, title_of};
+use crate::verbs::{keys_text, shortcut};
 
 /// Of the text, in points: legible from the back row.
 const TEXT: f32 = 18.0;
@@ -32,6 +33,17 @@ pub(crate) fn ui(
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open));
         });
     });
+    text(ui, open);
+}
+
+/// The strip while presenting: what is said, and nothing to press.
+pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson) {
+    ui.add_space(2.0);
+    ui.horizontal(|ui| titles(ui, open));
+    text(ui, open);
+}
+
+fn text(ui: &mut Ui, open: &OpenLesson) {
     let size = vec2(ui.available_width(), LINES * marked_text::row_height(ui, TEXT));
     ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
         ui.set_min_size(size);
@@ -68,11 +80,19 @@ fn buttons(
     };
     button(ui, "×", "Close the lesson", "Close the lesson", Some(Action::CloseLesson));
     let back = changed.then_some(Action::BackToStep);
-    button(ui, "Back to the step (R)", "Back to the step", "Everything as the step says", back);
+    button(
+        ui,
+        &format!("Back to the step ({})", shortcut(&Action::BackToStep)),
+        "Back to the step",
+        "Everything as the step says",
+        back,
+    );
     let next = open.next().map(Action::GoTo);
-    button(ui, "Next →", "Next", "The next step: right arrow, Page Down", next);
+    let hint = |text: &str, action: &Action| format!("{text}: {}", keys_text(action));
+    button(ui, "Next →", "Next", &hint("The next step", &Action::Next), next);
     let previous = open.previous().map(Action::GoTo);
-    button(ui, "← Previous", "Previous", "The step before: left arrow, Page Up", previous);
+    let hint = hint("The step before", &Action::Previous);
+    button(ui, "← Previous", "Previous", &hint, previous);
     // Laid out like every menu, whatever the buttons' direction is.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file, actions));

@@ -11,7 +11,8 @@ use pinhole_core::{DVec3, shortest};
 
 use crate::expression::evaluate;
 pub(crate) use crate::number::significant;
-use crate::overlay::Style;
+use crate::overlay::Scheme;
+use crate::panels::look;
 
 /// Significant digits shown in a field that is not being typed in.
 const FIELD_DIGITS: usize = 5;
@@ -172,7 +173,7 @@ pub(super) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
 
 /// The colour that a vector has in the views; `None` for the other names.
 pub(super) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
-    let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+    let style = look::style(ui);
     let colors = style.colors();
     Some(match name {
         "u" => colors.basis[0],
@@ -186,7 +187,10 @@ pub(super) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
 
 /// The colour of what is wrong, legible on the theme's background.
 pub(super) fn error_color(ui: &Ui) -> Color32 {
-    if ui.visuals().dark_mode {
+    if look::style(ui).scheme() == Scheme::Grey {
+        // What is wrong is also said.
+        ui.visuals().strong_text_color()
+    } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
     } else {
         Color32::from_rgb(0xb0, 0x20, 0x00)

@@ -3,6 +3,7 @@
 use egui::{Button, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
+use super::look;
 use super::number::{NumberField, error_color, vector_row};
 use crate::document::{Document, Item};
 use crate::letters::told;
@@ -56,7 +57,7 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
         .show_rows(ui, row_height, document.object_count(), |ui, rows| {
             for index in rows {
                 ui.horizontal(|ui| {
-                    swatch(ui, document.color_of(index as u32));
+                    swatch(ui, look::object_color(ui, document, index as u32));
                     // A long name is cut off: it may not widen the panel.
                     let title = document.title_of(index);
                     let label = ui.add(Button::selectable(*chosen == index, title).truncate());

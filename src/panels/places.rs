@@ -1,6 +1,6 @@
 //! Where the views and what stands beside them lie, for every layout of the window.
 
-use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Key, Rect, Sense, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
 use crate::panels::accuracy;
@@ -10,6 +10,8 @@ use crate::session::{Settings, ViewLayout};
 pub(crate) const STRIP: f32 = 26.0;
 /// Width of the handle between two areas.
 const HANDLE: f32 = 8.0;
+/// How far an arrow key pushes a handle, in points.
+const PUSH: f32 = 16.0;
 /// No view gets smaller than this.
 const SMALLEST: f32 = 120.0;
 
@@ -33,11 +35,20 @@ pub(crate) struct Places {
 }
 
 /// Lays out views and readouts, with handles between them that change `settings`.
-pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> Places {
+pub(crate) fn places(
+    ui: &mut Ui,
+    settings: &mut Settings,
+    image: ImageSize,
+    presenting: bool,
+) -> Places {
     let area = ui.available_rect_before_wrap();
     let (views, rest) = match settings.layout {
-        ViewLayout::Lines | ViewLayout::Exercises => {
-            return Places::of([None; 3], area, image, 1.0);
+        ViewLayout::Lines | ViewLayout::Exercises | ViewLayout::LedgerAlone => {
+            return Places::of([None; 3], area, image, 1.0, 0.0);
+        }
+        // Nothing but the views.
+        ViewLayout::Both | ViewLayout::World | ViewLayout::Camera if presenting => {
+            (area, Rect::from_min_size(area.left_bottom(), Vec2::ZERO))
         }
         ViewLayout::Ledger => split_across(ui, area, &mut settings.ledger_split, "ledger handle"),
         _ => split_at_bottom(ui, area, settings),
@@ -64,14 +75,21 @@ pub(crate) fn places(ui: &mut Ui, settings: &mut Settings, image: ImageSize) -> 
             [Some(left), Some(right), None]
         }
     };
-    Places::of(parts, rest, image, ui.ctx().pixels_per_point())
+    let strip = if presenting { 0.0 } else { STRIP };
+    Places::of(parts, rest, image, ui.ctx().pixels_per_point(), strip)
 }
 
 impl Places {
     /// World view, camera view and what is beside it in these parts of the window, strips included.
-    fn of(parts: [Option<Rect>; 3], rest: Rect, image: ImageSize, per_point: f32) -> Places {
+    fn of(
+        parts: [Option<Rect>; 3],
+        rest: Rect,
+        image: ImageSize,
+        per_point: f32,
+        strip: f32,
+    ) -> Places {
         let below_strip = |rect: Rect| {
-            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + STRIP), rect.max), per_point)
+            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
         };
         let [world, camera_area, beside_area] = parts.map(|part| part.map(below_strip));
         let fitted = |area| fitted(area, image, per_point);
@@ -141,6 +159,10 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     };
     let response =
         ui.interact(rect, ui.scope_id().with(name), Sense::drag()).on_hover_cursor(cursor);
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(egui::accesskit::Role::Splitter);
+        node.set_label(name);
+    });
     let visuals = ui.style().interact(&response);
     let line = if vertical {
         Rect::from_center_size(rect.center(), vec2(2.0, 36.0))
@@ -148,7 +170,27 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
         Rect::from_center_size(rect.center(), vec2(36.0, 2.0))
     };
     ui.painter().rect_filled(line, 1.0, visuals.fg_stroke.color.gamma_multiply(0.5));
-    response.drag_delta()
+    response.drag_delta() + pushed(ui, &response, vertical)
+}
+
+/// How far the arrow keys push a handle that has the focus.
+fn pushed(ui: &Ui, response: &egui::Response, vertical: bool) -> Vec2 {
+    if !response.has_focus() {
+        return Vec2::ZERO;
+    }
+    let arrows = egui::EventFilter {
+        horizontal_arrows: vertical,
+        vertical_arrows: !vertical,
+        ..Default::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    let presses = |key| ui.input(|i| i.num_presses(key)) as f32;
+    let along = |back, forth| PUSH * (presses(forth) - presses(back));
+    if vertical {
+        vec2(along(Key::ArrowLeft, Key::ArrowRight), 0.0)
+    } else {
+        vec2(0.0, along(Key::ArrowUp, Key::ArrowDown))
+    }
 }
 
 /// The rectangle with its corners on physical pixels, so that pictures stay sharp.

@@ -12,6 +12,7 @@ use super::number::{NumberField, error_color};
 use crate::derive::Derived;
 use crate::letters::told;
 use crate::plot::{Curve, Plot};
+use crate::session::Session;
 use crate::thing::{Pointed, Pointing, Thing};
 
 /// Size of the text, in points: for the back row.
@@ -19,8 +20,9 @@ const TEXT: f32 = 15.5;
 /// What is said is at most so wide, in points, and at most so much of the whole.
 const WORDS: (f32, f32) = (430.0, 0.44);
 
-/// Shows plot and words. `walked` is the t of the point that walks along the ray.
-pub(crate) fn ui(ui: &mut Ui, walked: &mut Option<f64>, derived: &Derived, digits: usize) {
+/// Shows plot and words.
+pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: usize) {
+    let walked = &mut session.walked;
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
         ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
@@ -45,6 +47,9 @@ pub(crate) fn ui(ui: &mut Ui, walked: &mut Option<f64>, derived: &Derived, digit
             for k in 0..plot.curves.len() {
                 said(ui, plot, k, first, digits);
             }
+            let text = "Compress values beyond ±1 unit";
+            let hint = "The axis is then logarithmic there: lines and parabolas are bent";
+            ui.checkbox(&mut session.settings.plot_compressed, text).on_hover_text(hint);
             if plot.left_out > 0 {
                 ui.label(left_out(plot.left_out));
             }

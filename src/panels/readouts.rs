@@ -170,7 +170,8 @@ fn basis(ui: &mut Ui, posed: &PosedCamera, angle: Option<UpAngle>, style: Number
         let text = if conditioning < 1.5 {
             "up is well away from view".to_owned()
         } else {
-            format!("1° of up tipped sideways rolls the camera {}°", style.number(conditioning))
+            let roll = style.number(conditioning);
+            format!("{roll}° of roll for each degree that up is tipped sideways, for small tips")
         };
         ui.weak(text);
     }

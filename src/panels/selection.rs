@@ -28,7 +28,13 @@ pub(crate) fn ui(
         let from = u32::from(count_from_one);
         let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
         let image = posed.image();
-        let known = inside.is_some();
+        // A place on an edge or corner is that of no one pixel.
+        let known = match *selection {
+            Selection::Pixel(_) => true,
+            Selection::Uv(_) => posed
+                .pixel_of_uv(uv)
+                .is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
+        };
         let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
         let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);
         ui.end_row();
@@ -47,7 +53,7 @@ pub(crate) fn ui(
     });
 }
 
-/// A row or column; a dash where the ray passes beside the image.
+/// A row or column; a dash where the ray passes beside the image, or between pixels.
 fn index_field(
     ui: &mut Ui,
     name: &str,

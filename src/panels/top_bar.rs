@@ -11,8 +11,10 @@ use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::ledger::Markup;
 use crate::lessons::{self, Place, Which};
-use crate::overlay::Item;
+use crate::overlay::{Item, Scheme};
+use crate::presenter::{Range, SMALLEST_TEXT};
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
+use crate::verbs::shortcut;
 
 /// What the history would undo and redo.
 pub(crate) struct Steps<'a> {
@@ -67,18 +69,13 @@ fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
 }
 
 fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {
-    let mut entry = |ui: &mut Ui, text: &str, keys: &str, action: Action| {
-        if ui.add(egui::Button::new(text).shortcut_text(keys)).clicked() {
-            actions.push(action);
-        }
-    };
-    entry(ui, "Open…", "Ctrl+O", Action::AskOpen);
-    entry(ui, "Save", "Ctrl+S", Action::Save);
-    entry(ui, "Save as…", "Ctrl+Shift+S", Action::AskSaveAs);
+    entry(ui, "Open…", Action::AskOpen, actions);
+    entry(ui, "Save", Action::Save, actions);
+    entry(ui, "Save as…", Action::AskSaveAs, actions);
     ui.separator();
-    entry(ui, "Export a figure…", "Ctrl+E", Action::AskExport);
-    entry(ui, "Copy the ledger as LaTeX", "", Action::CopyLedger(Markup::Latex));
-    entry(ui, "Copy the ledger as Markdown", "", Action::CopyLedger(Markup::Markdown));
+    entry(ui, "Export a figure…", Action::AskExport, actions);
+    entry(ui, "Copy the ledger as LaTeX", Action::CopyLedger(Markup::Latex), actions);
+    entry(ui, "Copy the ledger as Markdown", Action::CopyLedger(Markup::Markdown), actions);
     ui.separator();
     ui.menu_button("Recent", |ui| {
         if recent.is_empty() {
@@ -91,27 +88,33 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
         }
     });
     ui.separator();
-    if ui.add(egui::Button::new("Quit").shortcut_text("Ctrl+Q")).clicked() {
-        actions.push(Action::Quit);
+    entry(ui, "Quit", Action::Quit, actions);
+}
+
+/// A command, with its key.
+fn entry(ui: &mut Ui, text: &str, action: Action, actions: &mut Vec<Action>) {
+    if ui.add(egui::Button::new(text).shortcut_text(shortcut(&action))).clicked() {
+        actions.push(action);
     }
 }
 
 fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
-    let mut entry = |verb: &str, step: Option<&str>, keys: &str, action: Action| {
+    let mut entry = |verb: &str, step: Option<&str>, action: Action| {
         let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
-        let button = egui::Button::new(text).shortcut_text(keys);
+        let button = egui::Button::new(text).shortcut_text(shortcut(&action));
         if ui.add_enabled(step.is_some(), button).clicked() {
             actions.push(action);
         }
     };
-    entry("Undo", steps.undo, "Ctrl+Z", Action::Undo);
-    entry("Redo", steps.redo, "Ctrl+Shift+Z", Action::Redo);
+    entry("Undo", steps.undo, Action::Undo);
+    entry("Redo", steps.redo, Action::Redo);
 }
 
 fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
-    if ui.add(egui::Button::new("Frame all").shortcut_text("F")).clicked() {
-        actions.push(Action::FrameAll);
-    }
+    entry(ui, "Presenter mode", Action::Present, actions);
+    entry(ui, "Frame all", Action::FrameAll, actions);
+    entry(ui, "Command palette", Action::Palette, actions);
+    entry(ui, "Keys", Action::KeySheet, actions);
     ui.separator();
     ui.label("Drawn over the views");
     for item in Item::ALL {
@@ -128,16 +131,31 @@ fn show_menu(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
         }
     });
     ui.separator();
-    ui.label("Colours");
-    for (theme, text) in [
-        (ThemeName::System, "As the system"),
-        (ThemeName::Dark, "Dark"),
-        (ThemeName::Light, "Light"),
-    ] {
-        ui.radio_value(&mut settings.theme, theme, text);
-    }
+    ui.menu_button("Colours", |ui| {
+        for theme in ThemeName::ALL {
+            ui.radio_value(&mut settings.theme, theme, theme.label());
+        }
+        ui.separator();
+        for scheme in Scheme::ALL {
+            let radio = ui.radio_value(&mut settings.scheme, scheme, scheme.label());
+            radio.on_hover_text(scheme.about());
+        }
+    });
+    ui.checkbox(&mut settings.reduced_motion, "Reduced motion");
+    ui.horizontal(|ui| {
+        ui.label("Smallest text while presenting");
+        let Range { least, most, .. } = SMALLEST_TEXT;
+        let field = egui::DragValue::new(&mut settings.smallest_text).range(least..=most);
+        let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(
+            "Points in a window of 1024 × 768; in a larger one it grows with the window",
+        );
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_label("smallest text while presenting");
+        });
+    });
     ui.separator();
-    ui.weak("Zoom: Ctrl + and Ctrl −");
+    let zoom = |by| shortcut(&Action::ZoomBy(by));
+    ui.weak(format!("Zoom: {} and {}", zoom(1), zoom(-1)));
 }
 
 fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
@@ -151,33 +169,18 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
 }
 
 fn layout(ui: &mut Ui, settings: &mut Settings) {
-    for (layout, text, hint) in [
-        (ViewLayout::Both, "Both views", "World view and camera view side by side"),
-        (ViewLayout::World, "World", "The world view alone"),
-        (ViewLayout::Camera, "Camera", "The camera view alone"),
-        (ViewLayout::Ledger, "Ledger", "Every number's derivation, line by line"),
-        (ViewLayout::Plot, "Plot", "Every object's f(p + t d) against t"),
-        (ViewLayout::Lines, "Lines", "Implicit and parametric lines in two dimensions"),
-        (ViewLayout::Mistakes, "Mistakes", "The classic wrong cameras beside the right one"),
-        (ViewLayout::Exercises, "Exercises", "Questions, and what is wrong with an answer"),
-        (ViewLayout::Accuracy, "Accuracy", "How right each method is here, and how fast"),
-        (ViewLayout::Frame, "Frame", "What a frame takes, and what it leaves out"),
-    ] {
-        ui.selectable_value(&mut settings.layout, layout, text).on_hover_text(hint);
+    for layout in ViewLayout::LISTED {
+        let value = ui.selectable_value(&mut settings.layout, layout, layout.label());
+        value.on_hover_text(layout.about());
     }
 }
 
 fn shade(ui: &mut Ui, chosen: &mut ShadeName) {
-    let names = [
-        (ShadeName::Lambert, "Lit from the eye"),
-        (ShadeName::Normal, "The normal's x, y, z as red, green, blue"),
-        (ShadeName::T, "Nearest t white, farther darker"),
-        (ShadeName::Object, "Each object's own colour, flat"),
-    ];
     let text = format!("Shade: {}", Shade::from(*chosen).name());
     ui.menu_button(text, |ui| {
-        for (name, hint) in names {
-            ui.radio_value(chosen, name, Shade::from(name).name()).on_hover_text(hint);
+        for name in ShadeName::ALL {
+            let radio = ui.radio_value(chosen, name, Shade::from(name).name());
+            radio.on_hover_text(name.about());
         }
     });
 }

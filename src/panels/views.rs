@@ -1,7 +1,7 @@
 //! The two views: what the mouse and keys do in them, and putting the finished pictures there.
 
 use egui::{
-    Color32, EventFilter, Key, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+    Color32, EventFilter, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::{ImageSize, NO_OBJECT};
 
@@ -11,10 +11,12 @@ use crate::document::Document;
 use crate::label_text;
 use crate::letters::told;
 use crate::overlay;
+use crate::panels::look;
 use crate::panels::places::{Places, STRIP};
 use crate::panels::walking;
 use crate::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::thing::{Pointed, Pointing, Thing};
+use crate::verbs::{self, When};
 use crate::view_texture::ViewTexture;
 
 /// The world view's name, on the screen and for screen readers.
@@ -41,7 +43,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         map: beside(ViewLayout::Accuracy),
         wrong: beside(ViewLayout::Mistakes),
         scale: per_point,
-        style: if ui.visuals().dark_mode { overlay::Style::Dark } else { overlay::Style::Light },
+        style: look::style(ui),
         purpose: Purpose::Window,
     }
 }
@@ -74,7 +76,8 @@ pub(crate) fn inputs(
     let focused = ui.memory(|memory| memory.focused());
     let is_here = focused.is_none_or(|id| views.iter().any(|view| view.id == id));
     if is_here && !views.is_empty() {
-        keys(ui, actions);
+        let pressed = verbs::pressed(ui.ctx(), |when| when == When::View);
+        actions.extend(pressed.into_iter().map(|(_, action)| action));
     }
 }
 
@@ -113,25 +116,6 @@ pub(crate) fn spoken(shown: &Derived) -> String {
     match inspection.first_hit() {
         Some(hit) => format!("{place}: hits object {} at t = {}", hit.object, hit.t),
         None => format!("{place}: hits nothing"),
-    }
-}
-
-fn keys(ui: &Ui, actions: &mut Vec<Action>) {
-    let pressed = |key| ui.input(|i| i.modifiers.is_none() && i.key_pressed(key));
-    for (key, rows, columns) in [
-        (Key::ArrowUp, -1, 0),
-        (Key::ArrowDown, 1, 0),
-        (Key::ArrowLeft, 0, -1),
-        (Key::ArrowRight, 0, 1),
-    ] {
-        let presses = ui.input(|i| i.num_presses(key));
-        if presses > 0 && ui.input(|i| !i.modifiers.ctrl && !i.modifiers.alt) {
-            let by = presses as i64 * if ui.input(|i| i.modifiers.shift) { 10 } else { 1 };
-            actions.push(Action::Step { rows: rows * by, columns: columns * by });
-        }
-    }
-    if pressed(Key::F) || pressed(Key::Home) {
-        actions.push(Action::FrameAll);
     }
 }
 
@@ -201,12 +185,18 @@ const ASKED_OBJECTS: usize = 4096;
 
 /// What the mouse points at in a view: the nearest mark, or else the object under it.
 pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Pointed> {
+    // The pointer rests somewhere while one speaks: a floor or wall under it would dim all else.
+    let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
+    let presenting = look::installed(ui.ctx()).presenting;
+    let is_ground = |thing: &Thing| {
+        presenting && matches!(thing, Thing::Object(index) if *index as usize >= planes_from)
+    };
     let thing = ui.input(|i| !i.pointer.any_down()).then(|| {
         in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
             .or_else(|| {
                 let rect = places.camera?;
-                let seen =
-                    |at| object_in_picture(shown, rect.size() * ui.ctx().pixels_per_point(), at);
+                let size = rect.size() * ui.ctx().pixels_per_point();
+                let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
                 in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
             })
     })??;

@@ -16,6 +16,7 @@ pub mod fonts;
 mod gpu;
 pub mod headless;
 pub(crate) mod look;
+pub(crate) mod motion;
 mod open;
 pub mod painter;
 mod start;

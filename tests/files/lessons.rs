@@ -167,7 +167,7 @@ const WHOLE_FILES: Cases = &[
     ),
     (
         "pinhole_lesson = 1\ntitle = \"A\"\n[[step]]\ntext = \"B\"\n",
-        "3:1: step[0].title is missing: write title = \"What the step is about\"",
+        "3:1: step 1.title is missing: write title = \"What the step is about\"",
     ),
     (
         "pinhole_lesson = 1\ntitle = A\n",
@@ -179,110 +179,110 @@ const WHOLE_FILES: Cases = &[
 const STEPS: Cases = &[
     (
         "",
-        "3:1: step[0].camera is missing: write scene = \"canonical\", or [step.camera] with eye, at and up",
+        "3:1: step 1.camera is missing: write scene = \"canonical\", or [step.camera] with eye, at and up",
     ),
-    ("scne = \"canonical\"\n", "6:1: step[0].scne is unknown: did you mean scene?"),
+    ("scne = \"canonical\"\n", "6:1: step 1.scne is unknown: did you mean scene?"),
     (
         "pinhole_lesson = 1\n",
-        "6:1: step[0].pinhole_lesson is unknown: it belongs at the top of the file, before the first [table]",
+        "6:1: step 1.pinhole_lesson is unknown: it belongs at the top of the file, before the first [table]",
     ),
-    ("scene = \"canonicle\"\n", "6:9: step[0].scene is \"canonicle\": did you mean \"canonical\"?"),
+    ("scene = \"canonicle\"\n", "6:9: step 1.scene is \"canonicle\": did you mean \"canonical\"?"),
     (
         "scene = \"zzz\"\n",
-        "6:9: step[0].scene is \"zzz\": it must be a built-in scene, or the path of a .toml file",
+        "6:9: step 1.scene is \"zzz\": it must be a built-in scene, or the path of a .toml file",
     ),
     (
         "scene = \"gone.toml\"\n",
-        "6:9: step[0].scene is \"gone.toml\": gone.toml: cannot be read: no such file or directory",
+        "6:9: step 1.scene is \"gone.toml\": gone.toml: cannot be read: no such file or directory",
     ),
-    ("scene = 3\n", "6:9: step[0].scene is 3: it must be a scene's name in quotes"),
+    ("scene = 3\n", "6:9: step 1.scene is 3: it must be a scene's name in quotes"),
     (
         "scene = \"canonical\"\npixel = [400, 0]\n",
-        "7:10: step[0].pixel[0] is 400: it must be a row of the image, 0 to 399",
+        "7:10: step 1.pixel[0] is 400: it must be a row of the image, 0 to 399",
     ),
     (
         "scene = \"canonical\"\npixel = [1]\n",
-        "7:9: step[0].pixel is [1]: it must be row and column, counted from 0, such as [99, 199]",
+        "7:9: step 1.pixel is [1]: it must be row and column, counted from 0, such as [99, 199]",
     ),
     (
         "scene = \"canonical\"\nuv = [0, 0]\npixel = [1, 1]\n",
-        "8:9: step[0].pixel is there beside uv: keep exactly one of them",
+        "8:9: step 1.pixel is there beside uv: keep exactly one of them",
     ),
     (
         "scene = \"canonical\"\nuv = [0, \"a\"]\n",
-        "7:10: step[0].uv[1] is \"a\": it must be a number",
+        "7:10: step 1.uv[1] is \"a\": it must be a number",
     ),
     (
         "scene = \"canonical\"\nlayout = \"leger\"\n",
-        "7:10: step[0].layout is \"leger\": did you mean \"ledger\"?",
+        "7:10: step 1.layout is \"leger\": did you mean \"ledger\"?",
     ),
     (
         "scene = \"canonical\"\nlayout = \"side\"\n",
-        "7:10: step[0].layout is \"side\": it must be one of both, world, camera, ledger, plot, lines, mistakes, exercises",
+        "7:10: step 1.layout is \"side\": it must be one of both, world, camera, ledger, plot, lines, mistakes, exercises",
     ),
     (
         "scene = \"canonical\"\nshow = [\"eye\", \"frustrum\"]\n",
-        "7:16: step[0].show[1] is \"frustrum\": did you mean \"frustum\"?",
+        "7:16: step 1.show[1] is \"frustrum\": did you mean \"frustum\"?",
     ),
     (
         "scene = \"canonical\"\nshow = \"eye\"\n",
-        "7:8: step[0].show is \"eye\": it must be a list, such as [\"eye\", \"basis\", \"ray\"]",
+        "7:8: step 1.show is \"eye\": it must be a list, such as [\"eye\", \"basis\", \"ray\"]",
     ),
     (
         "scene = \"canonical\"\nledger = [\"basics\"]\n",
-        "7:11: step[0].ledger[0] is \"basics\": did you mean \"basis\"?",
+        "7:11: step 1.ledger[0] is \"basics\": did you mean \"basis\"?",
     ),
     (
         "scene = \"canonical\"\nlit = \"up-cross-v\"\n",
-        "7:7: step[0].lit is \"up-cross-v\": did you mean \"up-cross-w\"?",
+        "7:7: step 1.lit is \"up-cross-v\": did you mean \"up-cross-w\"?",
     ),
     (
         "scene = \"canonical\"\nshade = \"phong\"\n",
-        "7:9: step[0].shade is \"phong\": it must be one of lambert, normal, t, object",
+        "7:9: step 1.shade is \"phong\": it must be one of lambert, normal, t, object",
     ),
     (
         "scene = \"canonical\"\nteaching = 1\n",
-        "7:12: step[0].teaching is 1: it must be true or false",
+        "7:12: step 1.teaching is 1: it must be true or false",
     ),
     (
         "scene = \"canonical\"\ndigits = 40\n",
-        "7:10: step[0].digits is 40: it must be a number of significant digits, 2 to 17",
+        "7:10: step 1.digits is 40: it must be a number of significant digits, 2 to 17",
     ),
     (
         "scene = \"canonical\"\nobserver = { target = [0, 0, 0] }\n",
-        "7:12: step[0].observer.azimuth is missing: write azimuth = 40.0 (degrees, from +z towards +x)",
+        "7:12: step 1.observer.azimuth is missing: write azimuth = 40.0 (degrees, from +z towards +x)",
     ),
     (
         "scene = \"canonical\"\nexercise = \"sfere\"\n",
-        "7:12: step[0].exercise is \"sfere\": did you mean \"sphere\"?",
+        "7:12: step 1.exercise is \"sfere\": did you mean \"sphere\"?",
     ),
     (
         "scene = \"canonical\"\nexercise = \"circle\"\n",
-        "7:12: step[0].exercise is \"circle\": it must be one of warm-up-ray, warm-up-plane, distance, turned-basis, view-up, eye-at-up, sphere, lines",
+        "7:12: step 1.exercise is \"circle\": it must be one of warm-up-ray, warm-up-plane, distance, turned-basis, view-up, eye-at-up, sphere, lines",
     ),
     (
         "scene = \"canonical\"\nseed = 3\n",
-        "7:8: step[0].seed is there without exercise: say which, or leave the seed out",
+        "7:8: step 1.seed is there without exercise: say which, or leave the seed out",
     ),
     (
         "scene = \"canonical\"\nexercise = \"lines\"\nseed = -1\n",
-        "8:8: step[0].seed is -1: it must be a whole number, 0 to 9223372036854775807",
+        "8:8: step 1.seed is -1: it must be a whole number, 0 to 9223372036854775807",
     ),
     (
         "scene = \"canonical\"\nlines = { implicit = [1, 2], p = [0, 0], d = [1, 1] }\n",
-        "7:22: step[0].lines.implicit is [1, 2]: it must be a, b and c, such as [1.0, 1.0, -2.0]",
+        "7:22: step 1.lines.implicit is [1, 2]: it must be a, b and c, such as [1.0, 1.0, -2.0]",
     ),
     (
         "scene = \"canonical\"\nlines = { implicit = [1, 2, 3], p = [0, 0], d = [0, 0] }\n",
-        "7:49: step[0].lines.d: d is (0, 0): every t gives the one point (0, 0)",
+        "7:49: step 1.lines.d: d is (0, 0): every t gives the one point (0, 0)",
     ),
     (
         "scene = \"canonical\"\n[[step.sphere]]\ncenter = [0, 0, -5]\nradius = 0\n",
-        "9:10: step[0].sphere[0].radius is 0: it must be greater than 0",
+        "9:10: step 1.sphere[0].radius is 0: it must be greater than 0",
     ),
     (
         "scene = \"canonical\"\n[step.camera]\neye = [0, 0, 0]\n",
-        "7:1: step[0].camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
+        "7:1: step 1.camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
     ),
 ];
 

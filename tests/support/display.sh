@@ -20,6 +20,15 @@ start_display() {
   until DISPLAY=$display xdotool get_num_desktops >/dev/null 2>&1; do sleep 0.1; done
 }
 
+# Waits a little; after a minute of that, gives up for the reason.
+wait_once() {
+  sleep 0.1
+  if ((++tries > 600)); then
+    echo "$1" >&2
+    exit 1
+  fi
+}
+
 # open_window PROGRAM SETTINGS ARGUMENT...: the program's window on all of the display; sets `process`
 # and `window`.
 open_window() {
@@ -29,13 +38,14 @@ open_window() {
   printf '{"settings": %s, "window": {"maximized": true}}' "$settings" >"$work/pinhole/state.json"
   DISPLAY=$display "$program" "$@" 2>/dev/null &
   process=$!
+  local tries=0
   until window=$(DISPLAY=$display xdotool search --onlyvisible --name ' - Pinhole'); do
-    sleep 0.1
+    wait_once 'no window appears'
   done
   # It is maximised a little later; the borders may stay.
   local WIDTH=0
   until ((WIDTH > display_width - 10)); do
-    sleep 0.1
+    wait_once 'the window is not maximised: are the settings as the program writes them?'
     eval "$(DISPLAY=$display xdotool getwindowgeometry --shell "$window" | grep WIDTH)"
   done
 }

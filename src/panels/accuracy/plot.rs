@@ -36,7 +36,7 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
         }
         HoverPosition::Elsewhere { .. } => None,
     };
-    Plot::new("error against time")
+    let shown = Plot::new("error against time")
         .x_axis_label("nanoseconds a pixel")
         .y_axis_label("largest error in t, ulps of f64")
         .x_axis_formatter(|mark, _| short(10f64.powf(mark.value)))
@@ -65,6 +65,11 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
             // The first method on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark));
         });
+    let name = "Every method's error against its time";
+    ui.ctx().accesskit_node_builder(shown.response.id, |node| {
+        node.set_role(egui::accesskit::Role::Image);
+        node.set_label(name);
+    });
 }
 
 fn draw(plot: &mut PlotUi, mark: &Mark) {

@@ -18,7 +18,7 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
     let top = top(&records);
     let right = KEPT as f64;
     let line = ui.visuals().text_color();
-    Plot::new("frame times")
+    let shown = Plot::new("frame times")
         .x_axis_label("the last 200 new pictures; dashed: 16.7 ms")
         .y_axis_label("ms")
         .show_axes([true, true])
@@ -43,6 +43,10 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
             let smooth = HLine::new("60 frames a second", SMOOTH).allow_hover(false);
             plot.hline(smooth.color(line).width(2.0).style(LineStyle::dashed_loose()));
         });
+    ui.ctx().accesskit_node_builder(shown.response.id, |node| {
+        node.set_role(egui::accesskit::Role::Image);
+        node.set_label("The last frames' times, part by part");
+    });
 }
 
 /// The bars of one part, the last frame's at the right end.

@@ -11,6 +11,7 @@ use super::sheet::{Sheet, round_step};
 use super::steps::number;
 use crate::lines::{Handle, LinesLab};
 use crate::overlay::Style;
+use crate::panels::look;
 use crate::panels::words::{Font, Words, around};
 
 /// Sizes of text, in points: coordinates, names, regions.
@@ -32,8 +33,8 @@ pub(super) struct Ink {
 }
 
 impl Ink {
-    fn of(dark: bool) -> (Ink, Color32, Color32) {
-        let colors = if dark { Style::Dark } else { Style::Light }.colors();
+    fn of(style: Style) -> (Ink, Color32, Color32) {
+        let colors = style.colors();
         let ink = Ink {
             text: colors.ink,
             implicit: colors.mark,
@@ -49,7 +50,7 @@ impl Ink {
 /// Shows the drawing and takes what is dragged in it.
 pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
-    let (ink, background, halo) = Ink::of(ui.visuals().dark_mode);
+    let (ink, background, halo) = Ink::of(look::style(ui));
     let sheet = |lab: &LinesLab| Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
     let grabbed = handles::inputs(ui, &sheet(lab), lab);
     let sheet = sheet(lab);
@@ -65,7 +66,7 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
 
 /// Draws the plane without its background and with nothing to drag.
 pub(super) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
-    let (ink, _, halo) = Ink::of(ui.visuals().dark_mode);
+    let (ink, _, halo) = Ink::of(look::style(ui));
     let sheet = Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
     paint(&sheet, lab, &ink, |_| false, digits);
 }

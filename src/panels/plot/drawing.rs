@@ -8,17 +8,18 @@ use egui::{
 };
 
 use super::captions::Captions;
-use crate::overlay::Style;
 use crate::panels::lines::{number, round_step};
+use crate::panels::look;
 use crate::panels::notation::formula;
 use crate::panels::words::{Font, Words};
-use crate::plot::{Curve, Plot, compressed};
+use crate::plot::{Curve, Heights, Plot};
 
 /// Size of text, in points.
 pub(super) const TEXT: f32 = 15.0;
 
-/// f, in units, at the upper edge, and at the lower one with and without planes.
-const TOP: f64 = 45.0;
+/// f, in units, at the upper edge: even, and compressed.
+const TOP: (f64, f64) = (4.4, 45.0);
+/// At the lower edge: with planes, and without.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
 /// Dash and gap in points, by a curve's place; 0 is an unbroken line.
@@ -59,21 +60,25 @@ pub(super) fn ui(
     first: Option<(u32, f64)>,
     walked: &mut Option<f64>,
 ) {
-    let style = if ui.visuals().dark_mode { Style::Dark } else { Style::Light };
+    let style = look::style(ui);
     let colors = style.colors();
     let planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if planes { BOTTOM.0 } else { BOTTOM.1 };
     // Room for the numbers at the left, for those of t below, and for what is plotted above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
-    let height = (compressed(bottom), compressed(TOP));
+    let top = if plot.heights == Heights::Even { TOP.0 } else { TOP.1 };
+    let height = (plot.heights.of(bottom), plot.heights.of(top));
     let axes = Axes { rect: inner, t: plot.range.clone(), height };
     input(ui, &axes, walked);
     let painter = ui.painter_at(rect);
     painter.rect_filled(inner, 0.0, colors.background);
-    let title = "f(p + t d) / unit;  beyond ±1 compressed";
+    let title = match plot.heights {
+        Heights::Even => "f(p + t d) / unit",
+        Heights::Compressed => "f(p + t d) / unit;  beyond ±1 compressed",
+    };
     let title = painter.layout_job(formula(title, TEXT + 0.5, colors.ink));
     painter.galley(rect.min + vec2(6.0, 2.0), title, colors.ink);
-    scales(&painter, &axes, colors.ink, planes);
+    scales(&painter, &axes, colors.ink, plot.heights);
     let inside = ui.painter_at(inner);
     let within = inner.shrink(2.0);
     let mut words = Words::new(inside.clone(), colors.halo, within);
@@ -141,20 +146,19 @@ fn input(ui: &Ui, axes: &Axes, walked: &mut Option<f64>) {
 }
 
 /// The numbers of t and f, the line f = 0, and the part behind the eye greyed.
-fn scales(painter: &Painter, axes: &Axes, ink: Color32, planes: bool) {
+fn scales(painter: &Painter, axes: &Axes, ink: Color32, heights: Heights) {
     let rect = axes.rect;
     let eye = axes.x(0.0).clamp(rect.left(), rect.right());
     let behind = Rect::from_min_max(rect.min, pos2(eye, rect.bottom()));
     painter.rect_filled(behind, 0.0, ink.gamma_multiply(0.14));
     let faint = Stroke::new(1.0, ink.gamma_multiply(0.2));
     let font = FontId::proportional(TEXT);
-    let marks: &[f64] = if planes {
-        &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0]
-    } else {
-        &[-1.0, 0.0, 1.0, 3.0, 10.0, 30.0]
+    let marks: &[f64] = match heights {
+        Heights::Even => &[-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0],
+        Heights::Compressed => &[-2.0, -1.0, 0.0, 1.0, 3.0, 10.0, 30.0],
     };
-    for value in marks {
-        let y = axes.y(compressed(*value));
+    for value in marks.iter().filter(|value| heights.of(**value) > axes.height.0) {
+        let y = axes.y(heights.of(*value));
         let line = if *value == 0.0 { Stroke::new(2.5, ink) } else { faint };
         painter.hline(rect.x_range(), y, line);
         let text = number(*value, 3);
@@ -357,7 +361,7 @@ fn point_that_walks(
     painter.vline(x, rect.y_range(), Stroke::new(6.0, colors.halo));
     painter.vline(x, rect.y_range(), Stroke::new(3.0, colors.ray));
     for (curve, f) in plot.curves.iter().zip(values.iter()) {
-        let at = pos2(x, axes.y(curve.height(*f)));
+        let at = pos2(x, axes.y(curve.height(*f, plot.heights)));
         if rect.contains(at) {
             painter.circle(at, 5.5, colors.ray, Stroke::new(2.5, color_of(curve)));
         }

@@ -1,0 +1,211 @@
+//! Settings that are one of several, in the form in which they are written to disk.
+
+use pinhole_core::Shade;
+use pinhole_core::methods::Method;
+use pinhole_core::steering::Keep;
+use serde::{Deserialize, Serialize};
+
+/// Which of the two views are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ViewLayout {
+    /// Side by side.
+    #[default]
+    Both,
+    /// The world view alone.
+    World,
+    /// The camera view alone.
+    Camera,
+    /// The camera view, where another method errs in it, and error against run time.
+    Accuracy,
+    /// Both views, and what a frame takes and leaves out.
+    Frame,
+    /// Both views, one above the other, and the derivation of every number beside them.
+    Ledger,
+    /// The derivation of every number alone.
+    LedgerAlone,
+    /// Both views, and every object's f(p + t d) against t below them.
+    Plot,
+    /// Lines in two dimensions, implicit and parametric.
+    Lines,
+    /// The right picture beside that of a classic wrong camera.
+    Mistakes,
+    /// Questions with fields for the answers.
+    Exercises,
+}
+
+impl ViewLayout {
+    /// Those that one chooses from; the ledger alone is for presenting.
+    pub const LISTED: [ViewLayout; 10] = [
+        ViewLayout::Both,
+        ViewLayout::World,
+        ViewLayout::Camera,
+        ViewLayout::Ledger,
+        ViewLayout::Plot,
+        ViewLayout::Lines,
+        ViewLayout::Mistakes,
+        ViewLayout::Exercises,
+        ViewLayout::Accuracy,
+        ViewLayout::Frame,
+    ];
+
+    /// What it is called.
+    pub fn label(self) -> &'static str {
+        match self {
+            ViewLayout::Both => "Both views",
+            ViewLayout::World => "World",
+            ViewLayout::Camera => "Camera",
+            ViewLayout::Ledger => "Ledger",
+            ViewLayout::LedgerAlone => "Ledger alone",
+            ViewLayout::Plot => "Plot",
+            ViewLayout::Lines => "Lines",
+            ViewLayout::Mistakes => "Mistakes",
+            ViewLayout::Exercises => "Exercises",
+            ViewLayout::Accuracy => "Accuracy",
+            ViewLayout::Frame => "Frame",
+        }
+    }
+
+    /// What it shows.
+    pub fn about(self) -> &'static str {
+        match self {
+            ViewLayout::Both => "World view and camera view side by side",
+            ViewLayout::World => "The world view alone",
+            ViewLayout::Camera => "The camera view alone",
+            ViewLayout::Ledger => "Every number's derivation, line by line",
+            ViewLayout::LedgerAlone => "Every number's derivation, without the views",
+            ViewLayout::Plot => "Every object's f(p + t d) against t",
+            ViewLayout::Lines => "Implicit and parametric lines in two dimensions",
+            ViewLayout::Mistakes => "The classic wrong cameras beside the right one",
+            ViewLayout::Exercises => "Questions, and what is wrong with an answer",
+            ViewLayout::Accuracy => "How right each method is here, and how fast",
+            ViewLayout::Frame => "What a frame takes, and what it leaves out",
+        }
+    }
+
+    /// Whether the ledger is on the screen.
+    pub fn shows_ledger(self) -> bool {
+        matches!(self, ViewLayout::Ledger | ViewLayout::LedgerAlone)
+    }
+}
+
+impl ShadeName {
+    /// All of them.
+    pub const ALL: [ShadeName; 4] =
+        [ShadeName::Lambert, ShadeName::Normal, ShadeName::T, ShadeName::Object];
+
+    /// What its colours mean.
+    pub fn about(self) -> &'static str {
+        match self {
+            ShadeName::Lambert => "Lit from the eye",
+            ShadeName::Normal => "The normal's x, y, z as red, green, blue",
+            ShadeName::T => "Nearest t white, farther darker",
+            ShadeName::Object => "Each object's own colour, flat",
+        }
+    }
+}
+
+impl ThemeName {
+    /// All of them.
+    pub const ALL: [ThemeName; 3] = [ThemeName::System, ThemeName::Dark, ThemeName::Light];
+
+    /// What a menu calls it.
+    pub fn label(self) -> &'static str {
+        match self {
+            ThemeName::System => "As the system",
+            ThemeName::Dark => "Dark",
+            ThemeName::Light => "Light",
+        }
+    }
+}
+
+/// [`Method`], in a form that is written to disk: its name. One that no method has any more is the
+/// ladder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "String", into = "&'static str")]
+pub struct MethodName(pub Method);
+
+impl From<String> for MethodName {
+    fn from(name: String) -> MethodName {
+        MethodName(Method::from_name(&name).unwrap_or(Method::Ladder))
+    }
+}
+
+impl From<MethodName> for &'static str {
+    fn from(name: MethodName) -> &'static str {
+        name.0.name()
+    }
+}
+
+/// [`Shade`], in a form that is written to disk.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the same names as pinhole_core::Shade, explained there")]
+pub enum ShadeName {
+    #[default]
+    Lambert,
+    Normal,
+    T,
+    Object,
+}
+
+/// [`Keep`], in a form that is written to disk.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the same names as pinhole_core::steering::Keep, explained there")]
+pub enum EyeKeeps {
+    #[default]
+    At,
+    View,
+}
+
+impl EyeKeeps {
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> EyeKeeps {
+        match self {
+            EyeKeeps::At => EyeKeeps::View,
+            EyeKeeps::View => EyeKeeps::At,
+        }
+    }
+}
+
+impl From<EyeKeeps> for Keep {
+    fn from(keeps: EyeKeeps) -> Keep {
+        match keeps {
+            EyeKeeps::At => Keep::At,
+            EyeKeeps::View => Keep::View,
+        }
+    }
+}
+
+/// The window's colours.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ThemeName {
+    /// As the system says; dark where it says nothing.
+    #[default]
+    System,
+    /// Dark.
+    Dark,
+    /// Light.
+    Light,
+}
+
+impl From<ShadeName> for Shade {
+    fn from(name: ShadeName) -> Shade {
+        match name {
+            ShadeName::Lambert => Shade::Lambert,
+            ShadeName::Normal => Shade::Normal,
+            ShadeName::T => Shade::T,
+            ShadeName::Object => Shade::Object,
+        }
+    }
+}
+
+impl From<Shade> for ShadeName {
+    fn from(shade: Shade) -> ShadeName {
+        match shade {
+            Shade::Lambert => ShadeName::Lambert,
+            Shade::Normal => ShadeName::Normal,
+            Shade::T => ShadeName::T,
+            Shade::Object => ShadeName::Object,
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! Presenter mode, by keyboard alone: what fills the window, how large text is, and what comes back.
+
+use egui::epaint::Shape;
+use egui::{Key, Modifiers, Rect, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::presenter::{WRITTEN, zoom};
+use pinhole::session::{Settings, ViewLayout};
+use pinhole::store::{Remembered, Store};
+
+use crate::harness::{assert_says, says, window, window_with};
+
+fn press(harness: &mut Harness<'_, App>, key: Key) {
+    harness.key_press(key);
+    harness.run();
+}
+
+fn layout(harness: &Harness<'_, App>) -> ViewLayout {
+    harness.state().session().settings.layout
+}
+
+/// The window is that large on the screen, in pixels.
+fn resize(harness: &mut Harness<'_, App>, pixels: [f32; 2]) {
+    // A window tells its size in points, of which a pixel has more where less is zoomed.
+    for _ in 0..6 {
+        let size = vec2(pixels[0], pixels[1]) / harness.ctx.zoom_factor();
+        harness.set_size(size);
+        let viewport = harness.input_mut().viewports.get_mut(&egui::ViewportId::ROOT).unwrap();
+        viewport.inner_rect = Some(Rect::from_min_size(pos2(0.0, 0.0), size));
+        harness.step();
+    }
+}
+
+/// Every text that is painted, with its size in points before zoom.
+fn texts(harness: &Harness<'_, App>) -> Vec<(String, f32)> {
+    fn walk(shape: &Shape, clip: Rect, found: &mut Vec<(String, f32)>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| walk(shape, clip, found)),
+            Shape::Text(text) if clip.intersects(text.visual_bounding_rect()) => {
+                let job = &text.galley.job;
+                for section in &job.sections {
+                    let range = section.byte_range.start.0..section.byte_range.end.0;
+                    let part = job.text[range].to_owned();
+                    if !part.trim().is_empty() {
+                        found.push((part, section.format.font_id.size));
+                    }
+                }
+            }
+            _ => (),
+        }
+    }
+    let mut found = Vec::new();
+    for clipped in &harness.output().shapes {
+        walk(&clipped.shape, clipped.clip_rect, &mut found);
+    }
+    assert!(!found.is_empty());
+    found
+}
+
+#[track_caller]
+fn assert_texts_are_large(harness: &Harness<'_, App>) {
+    for (text, size) in texts(harness) {
+        assert!(size >= WRITTEN, "“{text}” is written in {size}");
+    }
+}
+
+#[test]
+fn panels_go_and_everything_comes_back() {
+    let mut harness = window("canonical");
+    let before = harness.state().session().clone();
+    let zoom_before = harness.ctx.zoom_factor();
+    press(&mut harness, Key::F5);
+    assert!(harness.state().session().presenting.is_some());
+    for gone in ["File", "Viewport and image", "Objects", "Maximise"] {
+        assert!(!says(&harness, gone), "{gone}");
+    }
+    assert!(harness.query_by_label("World view").is_some());
+    assert!(harness.ctx.zoom_factor() > zoom_before);
+    press(&mut harness, Key::Num3);
+    press(&mut harness, Key::S);
+    assert!(harness.state().session().spotlight);
+    press(&mut harness, Key::F5);
+    assert_eq!(harness.state().session().settings, before.settings);
+    assert_eq!(harness.state().session().spotlight, before.spotlight);
+    assert_eq!(harness.state().session().presenting, None);
+    assert_eq!(harness.ctx.zoom_factor(), zoom_before);
+    assert_says(&harness, "File");
+    press(&mut harness, Key::F5);
+    press(&mut harness, Key::Escape);
+    assert_eq!(harness.state().session().presenting, None);
+}
+
+#[test]
+fn a_key_each_fills_the_window() {
+    let mut harness = window("canonical");
+    press(&mut harness, Key::Num1);
+    assert_eq!(layout(&harness), ViewLayout::Both, "it is a key of presenting");
+    press(&mut harness, Key::F5);
+    let window = harness.ctx.content_rect();
+    for (key, world, camera) in [
+        (Key::Num1, false, false),
+        (Key::Num2, true, false),
+        (Key::Num3, false, true),
+        (Key::Num4, true, true),
+    ] {
+        press(&mut harness, key);
+        let rect = |name: &str| harness.query_by_label(name).map(|node| node.rect());
+        let (seen_world, seen_camera) = (rect("World view"), rect("Camera view"));
+        assert_eq!((seen_world.is_some(), seen_camera.is_some()), (world, camera), "{key:?}");
+        let widest = seen_world.into_iter().chain(seen_camera).map(|rect| rect.height());
+        if let Some(height) = widest.reduce(f32::max) {
+            assert!(height > 0.9 * window.height().min(0.5 * window.width()), "{key:?}: {height}");
+        }
+        let ledger = harness.state().derived().ledger.is_some();
+        assert_eq!(ledger, key == Key::Num1);
+    }
+    press(&mut harness, Key::F5);
+    assert_eq!(layout(&harness), ViewLayout::Both);
+}
+
+#[test]
+fn no_text_is_smaller_than_the_setting() {
+    let mut harness = window("canonical");
+    press(&mut harness, Key::F5);
+    for pixels in [[1024.0, 768.0], [1280.0, 720.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
+        let smallest = harness.state().session().settings.smallest_text;
+        let scale = zoom(pixels, smallest);
+        resize(&mut harness, pixels);
+        let zoomed = harness.ctx.zoom_factor();
+        assert!((zoomed - scale).abs() < 0.01 * scale, "{pixels:?}: {zoomed} for {scale}");
+        assert!(WRITTEN * zoomed >= 0.99 * smallest);
+        for key in [Key::Num1, Key::Num2, Key::Num3, Key::Num4] {
+            press(&mut harness, key);
+            assert_texts_are_large(&harness);
+        }
+    }
+    // Sheets and palette, too.
+    press(&mut harness, Key::F1);
+    assert_texts_are_large(&harness);
+    press(&mut harness, Key::Escape);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
+    harness.run();
+    assert_texts_are_large(&harness);
+}
+
+#[test]
+fn lessons_texts_are_large_and_their_keys_go_on() {
+    let mut harness = window("canonical");
+    press(&mut harness, Key::F5);
+    for lesson in 1..=13 {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
+        harness.run();
+        harness.get_by_label("Command").type_text(&format!("step lesson {lesson}: 1."));
+        harness.run();
+        press(&mut harness, Key::Enter);
+        let steps = harness.state().lesson().unwrap().lesson().steps.len();
+        for step in 0..steps {
+            assert_eq!(harness.state().lesson().unwrap().place().step, step);
+            assert_texts_are_large(&harness);
+            assert!(harness.query_by_label("Next").is_none(), "the strip is slim");
+            if step + 1 < steps {
+                press(&mut harness, Key::PageDown);
+            }
+        }
+    }
+    let shown = layout(&harness);
+    press(&mut harness, Key::F5);
+    assert_eq!(layout(&harness), shown, "what a step has set stays");
+}
+
+#[test]
+fn the_smallest_text_is_set_by_keys_while_presenting() {
+    let mut harness = window("canonical");
+    let usual = Settings::default().smallest_text;
+    let zoom_before = harness.ctx.zoom_factor();
+    press(&mut harness, Key::F5);
+    let small = harness.ctx.zoom_factor();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Plus);
+    harness.run();
+    assert!(harness.state().session().settings.smallest_text > usual);
+    assert!(harness.ctx.zoom_factor() > small);
+    press(&mut harness, Key::F5);
+    assert_eq!(harness.ctx.zoom_factor(), zoom_before);
+}
+
+#[test]
+fn keys_of_presenting_are_typed_into_fields_and_the_next_run_does_not_present() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.json"));
+    let mut harness = window_with("canonical", Remembered::default(), Some(store.clone()));
+    press(&mut harness, Key::F5);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
+    harness.run();
+    harness.get_by_label("Command").type_text("exercise sphere");
+    harness.run();
+    press(&mut harness, Key::Enter);
+    press(&mut harness, Key::Num2);
+    assert_eq!(layout(&harness), ViewLayout::World);
+    harness.state_mut().on_exit();
+    assert_eq!(store.load().settings.layout, ViewLayout::Exercises);
+}
+
+#[test]
+fn the_spotlight_is_a_ring_in_reduced_motion() {
+    let meshes = |harness: &Harness<'_, App>| {
+        let is_mesh =
+            |shape: &Shape| matches!(shape, Shape::Mesh(mesh) if mesh.vertices.len() > 100);
+        harness.output().shapes.iter().filter(|clipped| is_mesh(&clipped.shape)).count()
+    };
+    let mut harness = window("canonical");
+    press(&mut harness, Key::F5);
+    harness.hover_at(pos2(300.0, 200.0));
+    harness.run();
+    assert_eq!(meshes(&harness), 0);
+    press(&mut harness, Key::S);
+    assert_eq!(meshes(&harness), 1);
+    let settings = Settings { reduced_motion: true, ..Settings::default() };
+    let remembered = Remembered { settings, ..Remembered::default() };
+    let mut harness = window_with("canonical", remembered, None);
+    press(&mut harness, Key::F5);
+    harness.hover_at(pos2(300.0, 200.0));
+    harness.run();
+    let circles = |harness: &Harness<'_, App>| {
+        let is_ring =
+            |shape: &Shape| matches!(shape, Shape::Circle(circle) if circle.radius > 40.0);
+        harness.output().shapes.iter().filter(|clipped| is_ring(&clipped.shape)).count()
+    };
+    let before = circles(&harness);
+    press(&mut harness, Key::S);
+    assert_eq!(meshes(&harness), 0);
+    assert_eq!(circles(&harness), before + 2);
+}
