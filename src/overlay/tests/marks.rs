@@ -103,8 +103,11 @@ fn lines_behind_a_wall_are_dashed() {
 #[test]
 fn each_item_can_be_drawn_alone_and_left_out() {
     let mut stage = canonical();
+    let eye = HandleMark { at: DVec3::ZERO, knob: Knob::Round, state: KnobState::Plain };
+    let handles = Handles { marks: vec![eye], ..Handles::default() };
     let of_marks = |stage: &Stage| {
-        let Drawing { marks, labels, .. } = stage.view().drawing();
+        let view = WorldView { handles: &handles, ..stage.view() };
+        let Drawing { marks, labels, .. } = view.drawing();
         let of: Vec<Item> =
             marks.iter().map(|m| m.item).chain(labels.iter().map(|l| l.item)).collect();
         of
@@ -122,6 +125,35 @@ fn each_item_can_be_drawn_alone_and_left_out() {
         stage.items = OverlayItems::default().with(item, false);
         assert!(!of_marks(&stage).contains(&item), "{item:?}");
     }
+}
+
+#[test]
+fn handles_keep_their_size_and_stand_out_by_form() {
+    let stage = canonical();
+    let mark = |at: DVec3, state: KnobState| {
+        let handles = Handles {
+            marks: vec![HandleMark { at, knob: Knob::Round, state }],
+            ..Handles::default()
+        };
+        let drawing = WorldView { handles: &handles, ..stage.view() }.drawing();
+        let own = drawing.marks.into_iter().filter(|mark| mark.item == Item::Handles);
+        own.map(|mark| mark.shape).collect::<Vec<_>>()
+    };
+    let radii = |shapes: &[Shape]| -> Vec<f32> {
+        let radius = |shape: &Shape| match shape {
+            Shape::Disc { radius, .. } => Some(*radius),
+            _ => None,
+        };
+        shapes.iter().filter_map(radius).collect()
+    };
+    let near = mark(DVec3::ZERO, KnobState::Plain);
+    let far = mark(DVec3::new(0.0, 0.0, -5.0), KnobState::Plain);
+    assert_eq!(radii(&near), radii(&far));
+    let (over, held) = (mark(DVec3::ZERO, KnobState::Over), mark(DVec3::ZERO, KnobState::Held));
+    assert!(radii(&over)[0] > radii(&near)[0]);
+    // What is held is full, with a ring around it.
+    assert_eq!((radii(&near).len(), radii(&over).len(), radii(&held).len()), (2, 2, 1));
+    assert_eq!(held.len(), 2);
 }
 
 #[test]
