@@ -1,5 +1,7 @@
 //! Phases in numbers, and going through them.
 
+#![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
+
 use pinhole_core::{DVec2, DVec3, ImageSize, Orientation};
 
 use super::*;
