@@ -208,6 +208,41 @@ fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
     assert_eq!(t(7.0), Verdict::Wrong(vec![Finding::Another]));
 }
 
+/// The truth less 1 in the last place typed is no cut-off truth, whatever binary subtraction gives.
+#[test]
+fn a_number_just_below_a_short_one_is_wrong() {
+    for (exercise, asked, answer) in [
+        (Exercise::Sphere, Asked::T, vec![3.99]),
+        (Exercise::WarmUpPlane, Asked::T, vec![5.9]),
+        (Exercise::WarmUpPlane, Asked::T, vec![5.99]),
+        (Exercise::Distance, Asked::T, vec![2.99]),
+        (Exercise::WarmUpPlane, Asked::Point, vec![1.1, -0.6, -6.0]),
+        // Nor are these the mistakes that give 6, 8 and 5.
+        (Exercise::Sphere, Asked::T, vec![5.99]),
+        (Exercise::Sphere, Asked::T, vec![7.9]),
+        (Exercise::WarmUpPlane, Asked::T, vec![4.9]),
+    ] {
+        let verdict = judged(exercise, asked, numbers(&answer));
+        assert!(matches!(verdict, Verdict::Wrong(_)), "{exercise:?} {answer:?}: {verdict:?}");
+    }
+}
+
+#[test]
+fn digits_cut_off_are_told_like_rounded_ones() {
+    let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));
+    // 7.0710678...
+    assert_eq!(t(7.071067), Verdict::Rounded { digits: 7 });
+    assert!(matches!(t(7.071066), Verdict::Wrong(_)));
+    let u = |x: f64, z: f64| judged(Exercise::EyeAtUp, Asked::U, numbers(&[x, 0.0, z]));
+    // 0.581238..., -0.813733...
+    assert_eq!(u(0.5812, -0.8137), Verdict::Rounded { digits: 4 });
+    assert_eq!(u(0.58123, -0.81373), Verdict::Rounded { digits: 5 });
+    assert!(matches!(u(0.58122, -0.81373), Verdict::Wrong(_)));
+    // The mistakes' numbers may be cut off, too: 6 |d| = 6.1481...
+    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[6.14]));
+    assert_eq!(t, Verdict::Slips(vec![Slip::TForDistance]));
+}
+
 #[test]
 fn otherwise_it_says_what_is_wrong() {
     let of = |asked, v: [f64; 3]| match judged(Exercise::ViewUp, asked, numbers(&v)) {

@@ -243,15 +243,15 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
         if (x - y).abs() <= TOLERANCE * size(truth) * times {
             continue;
         }
-        let (digits, unit) = precision(*x);
+        let (digits, place) = precision(*x);
         // The multiple is known no better than the number that it comes from.
         let slack = if may_be_scaled {
-            0.5 * precision(given[largest]).1 * (y / given[largest]).abs()
+            0.5 * unit(precision(given[largest]).1) * (y / given[largest]).abs()
         } else {
             0.0
         };
-        let is_rounded = (x - y).abs() <= 0.5 * unit * (1.0 + TOLERANCE) + slack;
-        let is_cut_off = x.abs() < y.abs() && (x - y).abs() < unit && x * y > 0.0;
+        let is_rounded = (x - y).abs() <= 0.5 * unit(place) * (1.0 + TOLERANCE) + slack;
+        let is_cut_off = x * y > 0.0 && cut_off(y, place) == Some(x.abs());
         if digits < 2 || !(is_rounded || is_cut_off) {
             return None;
         }
@@ -260,12 +260,29 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     least
 }
 
-/// How many significant digits a number is written with, and what 1 in the last place is.
-fn precision(x: f64) -> (usize, f64) {
+/// How many significant digits a number is written with, and the power of ten of its last place.
+fn precision(x: f64) -> (usize, i32) {
     let text = shortest(x.abs());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let digits = mantissa.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
     let exponent: i32 = exponent.parse().unwrap_or_default();
-    (digits, 10f64.powi(exponent - decimals as i32))
+    (digits, exponent - decimals as i32)
+}
+
+fn unit(place: i32) -> f64 {
+    10f64.powi(place)
+}
+
+/// |y| with the digits behind a place left out. In digits: 4 - 3.99 is below 0.01 by the luck of
+/// binary rounding, and yet 4 cut off is never 3.99.
+fn cut_off(y: f64, place: i32) -> Option<f64> {
+    // Rounded to as many digits as can be trusted: what should be 6 may be 5.999999999999999.
+    let text = format!("{:.11e}", y.abs());
+    let (mantissa, exponent) = text.split_once('e')?;
+    let first: i32 = exponent.parse().ok()?;
+    let kept = usize::try_from(first - place + 1).ok().filter(|kept| *kept > 0)?;
+    // The point stands behind the first digit.
+    let cut: String = mantissa.chars().take(if kept == 1 { 1 } else { kept + 1 }).collect();
+    format!("{cut}e{exponent}").parse().ok()
 }
