@@ -70,12 +70,12 @@ pub(super) fn constructed(given: &Given) -> Parts {
     ];
     let basis =
         |slip, u, v, w| Wrong { slip, answers: basis_answers(u, v, w).into_iter().collect() };
-    let mut wrongs: Vec<Wrong> = wrong_cameras(&camera)
-        .map(|wrong| {
-            let slip = Slip::Camera(wrong.mistakes()[0]);
-            basis(slip, wrong.u(), wrong.v(), wrong.w())
-        })
-        .collect();
+    // What is seen comes before what may have led to it.
+    let mut wrongs = vec![basis(Slip::ULeftwards, -u, v, w)];
+    wrongs.extend(wrong_cameras(&camera).map(|wrong| {
+        let slip = Slip::Camera(wrong.mistakes()[0]);
+        basis(slip, wrong.u(), wrong.v(), wrong.w())
+    }));
     let (view, up) = (camera.view(), camera.up());
     wrongs.push(basis(Slip::Camera(Mistake::UpAsV), u, up.normalize(), w));
     // Nothing is normalized; then with w = view, u or not.

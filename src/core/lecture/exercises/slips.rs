@@ -111,12 +111,16 @@ pub enum Slip {
 }
 
 impl Slip {
-    /// Whether this mistake is made in the other, too, with one more.
+    /// Whether this mistake is made in the other, too, with one more, or is how the other comes about
+    /// and says it, too.
     pub fn is_part_of(self, other: Slip) -> bool {
         matches!(
             (self, other),
             (Slip::Camera(Mistake::WNotNormalized), Slip::NothingNormalized)
-                | (Slip::Camera(Mistake::UIsWCrossUp), Slip::Camera(Mistake::LeftHanded))
+                | (
+                    Slip::Camera(Mistake::UIsWCrossUp),
+                    Slip::Camera(Mistake::LeftHanded) | Slip::ULeftwards
+                )
         )
     }
 
