@@ -1,6 +1,6 @@
 //! What is said of an answer, in words.
 
-use pinhole_core::lecture::exercises::{Finding, Part, Slip, Verdict};
+use pinhole_core::lecture::exercises::{Asked, Finding, Part, Slip, Verdict};
 
 use super::Said;
 use super::answers::short;
@@ -57,15 +57,58 @@ fn named(slips: &[Slip]) -> String {
 }
 
 fn found(finding: &Finding, part: &Part) -> String {
-    match finding {
+    let is_t = part.asked == Asked::T;
+    match *finding {
         Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
-        Finding::Coordinate(k) => format!("{} is another number", ["𝑥", "𝑦", "𝑧"][(*k).min(2)]),
-        Finding::Length(length) => format!("its length is {}, not 1", short(*length)),
-        Finding::NotOrthogonal { to, dot } => {
-            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(*dot))
+        Finding::Coordinate(k) => {
+            format!("{} should be another number", ["𝑥", "𝑦", "𝑧"][k.min(2)])
         }
-        Finding::Another if part.count() == 1 => "it is another number".to_owned(),
-        Finding::Another => "every coordinate is another one".to_owned(),
+        Finding::Length(length) => format!("its length is {}, not 1", short(length)),
+        Finding::NotOrthogonal { to, dot } => {
+            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(dot))
+        }
+        Finding::Angle { degrees } => {
+            let from = match part.asked {
+                Asked::U => "right in the image",
+                Asked::V => "up in the image",
+                Asked::W => "straight backwards",
+                _ => "the direction from the centre to the hit",
+            };
+            format!("it is {}° off {from}", short(degrees))
+        }
+        Finding::OffWall { z, wall } if is_t => {
+            format!("at this 𝑡, 𝑧 is {}, not the wall's {}", short(z), short(wall))
+        }
+        Finding::OffWall { z, wall } => {
+            format!("its 𝑧 is {}, not the wall's {}", short(z), short(wall))
+        }
+        Finding::OffSphere { distance, radius } => format!(
+            "{} is not on the sphere: it is {} from the centre, and the radius is {}",
+            if is_t { "the point at this 𝑡" } else { "it" },
+            short(distance),
+            short(radius)
+        ),
+        Finding::OffLine { value } => format!(
+            "{} is not on the line: put into its equation, it gives {}, not 0",
+            if is_t { "the point at this 𝑡" } else { "it" },
+            short(value)
+        ),
+        Finding::OffRay { distance } => {
+            format!("it is not on the ray, but {} beside it", short(distance))
+        }
+        Finding::OffEye { distance } => {
+            format!("it is {} from the eye, where every view ray starts", short(distance))
+        }
+        Finding::OffUv { uv, wanted } => {
+            let [passed, wanted] =
+                [uv, wanted].map(|uv| format!("({}, {})", short(uv.x), short(uv.y)));
+            format!("it passes the viewport at (𝑢, 𝑣) = {passed}, not {wanted}")
+        }
+        Finding::NotForwards { along_w } => {
+            format!("it does not point forwards: 𝐝 · 𝐰 is {}, and must be below 0", short(along_w))
+        }
+        Finding::Another if part.count() == 1 => "it should be another number".to_owned(),
+        Finding::Another => "every coordinate should be another number".to_owned(),
     }
 }
 

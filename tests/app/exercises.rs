@@ -133,7 +133,10 @@ fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
         ),
         (["0.2", "-0.1", "1"], "Wrong: 𝑧 has the wrong sign: the camera looks along −𝑧."),
         (["-0.1", "0.2", "-1"], "Wrong: 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),
-        (["0.2", "-0.3", "-1"], "Wrong: 𝑦 is another number."),
+        (
+            ["0.2", "-0.3", "-1"],
+            "Wrong: 𝑦 should be another number; it passes the viewport at (𝑢, 𝑣) = (0.2, −0.3), not (0.2, −0.1).",
+        ),
     ] {
         answers(&mut window, "d", &texts);
         window.key_press(egui::Key::Enter);
@@ -160,6 +163,44 @@ fn classic_mistakes_and_bad_input_are_named() {
     let up_as_v = "Wrong: up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.";
     assert!(said(&window, "v").starts_with(up_as_v), "{}", said(&window, "v"));
     assert_eq!(texts_with(&window, "All of it is right"), Vec::<String>::new());
+}
+
+#[test]
+fn a_wrong_number_is_told_by_what_it_leaves_over() {
+    let mut window = open(Exercise::WarmUpPlane);
+    for (t, point, of_t, of_point) in [
+        (
+            "5.5",
+            ["1.2", "0", "-6"],
+            "Wrong: at this 𝑡, 𝑧 is −5.5, not the wall's −6.",
+            "Wrong: 𝑦 should be another number; it is not on the ray, but 0.59714 beside it.",
+        ),
+        (
+            "8",
+            ["2.4", "-1.2", "-12"],
+            "Wrong: at this 𝑡, 𝑧 is −8, not the wall's −6.",
+            "Wrong: its 𝑧 is −12, not the wall's −6.",
+        ),
+    ] {
+        answer(&mut window, "t", t);
+        answers(&mut window, "point", &point);
+        click(&mut window, "Check");
+        assert_eq!((said(&window, "t"), said(&window, "point")), (of_t.into(), of_point.into()));
+    }
+    click(&mut window, title(Exercise::Sphere));
+    answer(&mut window, "t", "2.5");
+    answers(&mut window, "point", &["3", "4", "-5"]);
+    answers(&mut window, "normal", &["0", "0.6", "0.8"]);
+    click(&mut window, "Check");
+    let t = "Wrong: the point at this 𝑡 is not on the sphere: it is 2.5 from the centre, and the \
+             radius is 1.";
+    assert_eq!(said(&window, "t"), t);
+    let point = "Wrong: it is not on the sphere: it is 5 from the centre, and the radius is 1; it is \
+                 not on the ray, but 5 beside it.";
+    assert_eq!(said(&window, "point"), point);
+    let normal = "Wrong: 𝑦 should be another number; 𝑧 should be another number; it is 36.87° off the \
+                  direction from the centre to the hit.";
+    assert_eq!(said(&window, "normal"), normal);
 }
 
 #[test]

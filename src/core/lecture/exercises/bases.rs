@@ -3,7 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::rays::wrong_t_of_wall;
-use super::solve::{Parts, Wrong, camera, first, number, part, vector, view_ray, wall};
+use super::solve::{Parts, Wrong, camera, first, number, part, vector, view_ray, wall, wanting};
+use super::wanted::{Surface, Wanted};
 use super::{Asked, Given, Part, Slip, turned};
 use crate::basis::Basis;
 use crate::camera::{Camera, Orientation};
@@ -13,12 +14,13 @@ pub(super) fn turned_by_hand(given: &Given, right: DVec3, uv: DVec2, z: f64) -> 
     let Basis { u, v, w } = turned(right);
     let ray = view_ray(given, uv);
     let t = first(wall(z).roots(&ray));
+    let through = Wanted::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
     let parts = vec![
         Part { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
         Part { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
         Part { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
-        part(Asked::Direction, vector(ray.direction)),
-        part(Asked::T, number(t)),
+        wanting(Asked::Direction, vector(ray.direction), vec![through]),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
     ];
     // The wall's t is along the wrong direction.
     let direction = |slip, d: DVec3| Wrong {

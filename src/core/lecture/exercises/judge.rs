@@ -1,11 +1,11 @@
 //! What is to be said of an answer.
 
-use super::{Answer, Part, Slip};
+use super::{Answer, Finding, Part, Slip};
 use crate::number::shortest;
 use glam::DVec3;
 
 /// How far an answer may be from the truth, relative to it.
-const TOLERANCE: f64 = 1e-9;
+pub(super) const TOLERANCE: f64 = 1e-9;
 
 /// What is to be said of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,26 +36,6 @@ pub enum Verdict {
     Slips(Vec<Slip>),
     /// No mistake that is known gives it; what is wrong with it.
     Wrong(Vec<Finding>),
-}
-
-/// Something that is wrong with an answer.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Finding {
-    /// It is (0, 0, 0).
-    Zero,
-    /// This coordinate, counted from 0, is another; the other coordinates are right.
-    Coordinate(usize),
-    /// The length should be 1, and is this.
-    Length(f64),
-    /// It should be at right angles to the named vector; the dot product.
-    NotOrthogonal {
-        /// `up`, `u`, `w`, ...
-        to: &'static str,
-        /// Which should be 0.
-        dot: f64,
-    },
-    /// The number is another one.
-    Another,
 }
 
 impl Verdict {
@@ -178,9 +158,6 @@ fn giving(part: &Part, answer: &Answer) -> Vec<Slip> {
 }
 
 fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
-    if given.len() == 1 {
-        return vec![Finding::Another];
-    }
     if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
         return vec![Finding::Zero];
     }
@@ -191,20 +168,36 @@ fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     if off.len() < truth.len() {
         findings.extend(off.into_iter().map(Finding::Coordinate));
     }
-    if let ([x, y, z], true) = (given[..].try_into().unwrap_or([0.0; 3]), given.len() == 3) {
-        let given = DVec3::new(x, y, z);
-        let length = given.length();
-        if part.asked.is_unit() && (length - 1.0).abs() > TOLERANCE {
-            findings.push(Finding::Length(length));
-        }
-        for (to, vector) in &part.orthogonal_to {
-            let dot = given.dot(*vector);
-            if dot.abs() > TOLERANCE * length * vector.length() {
-                findings.push(Finding::NotOrthogonal { to, dot });
-            }
-        }
-    }
+    findings.extend(part.wanted.iter().filter_map(|wanted| wanted.missed_by(given)));
+    findings.extend(of_direction(part, truth, given));
     if findings.is_empty() { vec![Finding::Another] } else { findings }
+}
+
+/// What is wrong with the length and the direction of a vector that should be of length 1.
+fn of_direction(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+    let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
+    let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
+    else {
+        return Vec::new();
+    };
+    let length = given.length();
+    let mut findings = Vec::new();
+    if (length - 1.0).abs() > TOLERANCE {
+        findings.push(Finding::Length(length));
+    }
+    let others = part.orthogonal_to.iter().filter_map(|(to, vector)| {
+        let dot = given.dot(*vector);
+        let is_off = dot.abs() > TOLERANCE * length * vector.length();
+        is_off.then_some(Finding::NotOrthogonal { to, dot })
+    });
+    let count = findings.len();
+    findings.extend(others);
+    // That it is not orthogonal says where to look; without that, at least how far off it is.
+    if findings.len() == count {
+        let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
+        findings.push(Finding::Angle { degrees });
+    }
+    findings
 }
 
 fn size(numbers: &[f64]) -> f64 {

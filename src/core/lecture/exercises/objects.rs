@@ -2,7 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
-use super::solve::{Parts, Wrong, first, number, one, part, place, vector, wrong_t};
+use super::solve::{Parts, Wrong, first, number, one, part, place, vector, wanting, wrong_t};
+use super::wanted::{Surface, Wanted};
 use super::{Answer, Asked, Slip};
 use crate::ray::Ray;
 use crate::roots::Roots;
@@ -14,9 +15,10 @@ pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Parts {
     let normal = |point: DVec3| (point - sphere.center) / sphere.radius;
     let point = ray.at(t);
     let n = normal(point);
+    let surface = Surface::Sphere(*sphere);
     let parts = vec![
-        part(Asked::T, number(t)),
-        part(Asked::Point, vector(point)),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(*ray, surface)]),
+        wanting(Asked::Point, vector(point), vec![Wanted::On(surface), Wanted::OnRay(*ray)]),
         part(Asked::Normal, vector(n)),
     ];
     let mut wrongs: Vec<Wrong> = Vec::new();
@@ -65,9 +67,11 @@ pub(super) fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
     let (gap, step) = (normal.dot(origin) + c, normal.dot(direction));
     let at = |t: f64| place(origin + t * direction);
     let t = -gap / step;
+    let ray = Ray { origin: origin.extend(0.0), direction: direction.extend(0.0) };
+    let surface = Surface::Line(line);
     let parts = vec![
-        part(Asked::T, number(t)),
-        part(Asked::Point, at(t)),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, surface)]),
+        wanting(Asked::Point, at(t), vec![Wanted::On(surface), Wanted::OnRay(ray)]),
         part(Asked::Hits, Answer::Yes(t > 0.0)),
     ];
     let mut wrongs: Vec<Wrong> = [

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::wanted::Wanted;
 use super::{Answer, Asked, Given, Part, Slip, camera as camera_of, turned};
 use super::{bases, objects, rays};
 use crate::camera::{Camera, Orientation};
@@ -76,8 +77,19 @@ pub(super) fn wall(z: f64) -> Plane {
 }
 
 pub(super) fn part(asked: Asked, truth: Answer) -> Part {
-    let may_be_scaled = false;
-    Part { asked, truth, may_be_scaled, slips: Vec::new(), orthogonal_to: Vec::new() }
+    Part {
+        asked,
+        truth,
+        may_be_scaled: false,
+        slips: Vec::new(),
+        orthogonal_to: Vec::new(),
+        wanted: Vec::new(),
+    }
+}
+
+/// A part whose answer has to fulfil these.
+pub(super) fn wanting(asked: Asked, truth: Answer, wanted: Vec<Wanted>) -> Part {
+    Part { wanted, ..part(asked, truth) }
 }
 
 pub(super) fn number(x: f64) -> Answer {
