@@ -4,6 +4,7 @@ use pinhole_core::lecture::exercises::{Asked, Finding, Part, Slip, Verdict};
 
 use super::Said;
 use super::answers::short;
+use super::texts::name;
 
 /// Whether what is said is that the answer is right.
 pub(crate) fn is_good(said: &Said) -> bool {
@@ -17,6 +18,7 @@ pub(crate) fn said(said: &Said, part: &Part) -> String {
         Said::Missing => "One of the numbers is missing.".to_owned(),
         Said::NoNumber(why) => format!("{why}."),
         Said::Judged(verdict) => judged(verdict, part),
+        Said::Follows(source) => format!("Wrong: it follows from {}.", name(*source)),
     }
 }
 
@@ -29,8 +31,12 @@ fn judged(verdict: &Verdict, part: &Part) -> String {
         Verdict::Rounded { digits } => format!(
             "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
         ),
+        // What is −1 but for the last digits is written as −1.
+        Verdict::Backwards { times } if short(*times) == "−1" => {
+            "Wrong: it points the opposite way: it is minus ours.".to_owned()
+        }
         Verdict::Backwards { times } => {
-            format!("Wrong: it points the opposite way, and is {} times ours.", short(*times))
+            format!("Wrong: it points the opposite way: it is {} times ours.", short(*times))
         }
         Verdict::OtherLength { times } if part.asked.is_unit() => {
             format!(

@@ -126,7 +126,7 @@ impl Slip {
 
     /// Whether what is said of it is about this answer itself, and not about another one from which
     /// this follows.
-    pub(super) fn is_told_by(self, asked: Asked) -> bool {
+    pub fn is_told_by(self, asked: Asked) -> bool {
         match self {
             Slip::Camera(
                 Mistake::WAsPrinted | Mistake::WIsAtMinusEye | Mistake::WNotNormalized,
