@@ -205,7 +205,8 @@ fn size(numbers: &[f64]) -> f64 {
     if size == 0.0 { 1.0 } else { size }
 }
 
-fn is_near(given: &[f64], truth: &[f64]) -> bool {
+/// Whether these are the true numbers, but for rounding in what was calculated.
+pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
     let size = size(truth);
     given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)
 }

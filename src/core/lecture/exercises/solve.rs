@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::judge::is_near;
 use super::wanted::Wanted;
 use super::{Answer, Asked, Given, Part, Slip, camera as camera_of, turned};
 use super::{bases, objects, rays};
@@ -44,8 +45,7 @@ pub(super) fn parts(given: &Given) -> Vec<Part> {
 fn is_another(truth: &Answer, answer: &Answer) -> bool {
     match (truth, answer) {
         (Answer::Numbers(truth), Answer::Numbers(answer)) => {
-            let is_near = |(x, y): (&f64, &f64)| (x - y).abs() <= 1e-6 * y.abs().max(1.0);
-            answer.iter().all(|x| x.is_finite()) && !truth.iter().zip(answer).all(is_near)
+            answer.iter().all(|x| x.is_finite()) && !is_near(answer, truth)
         }
         (truth, answer) => truth != answer,
     }
