@@ -6,7 +6,9 @@ use std::collections::HashSet;
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
 use pinhole_core::DVec2;
-use pinhole_core::lecture::exercises::{Answer, Asked, Exercise, Finding, Question, Slip, Verdict};
+use pinhole_core::lecture::exercises::{
+    Answer, Asked, Exercise, Finding, Part, Question, Slip, Verdict,
+};
 
 #[path = "exercises/classic.rs"]
 mod classic;
@@ -137,6 +139,26 @@ fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
                     }
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn every_seed_gives_a_question_that_can_be_solved() {
+    for exercise in Exercise::ALL {
+        let asked = |question: &Question| -> Vec<Asked> {
+            question.parts.iter().map(|part| part.asked).collect()
+        };
+        let known = asked(&Question::new(exercise, None));
+        assert!(!known.is_empty(), "{exercise:?}");
+        for seed in (0..3000).chain(1_000_000_000 - 100..=1_000_000_000) {
+            let question = Question::new(exercise, Some(seed));
+            assert_eq!(asked(&question), known, "{exercise:?} {seed}");
+            let is_finite = |part: &Part| match &part.truth {
+                Answer::Numbers(truth) => truth.iter().all(|x| x.is_finite()),
+                Answer::Yes(_) => true,
+            };
+            assert!(question.parts.iter().all(is_finite), "{question:?}");
         }
     }
 }

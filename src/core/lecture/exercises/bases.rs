@@ -3,17 +3,17 @@
 use glam::{DVec2, DVec3};
 
 use super::rays::wrong_t_of_wall;
-use super::solve::{Parts, Wrong, camera, first, number, part, vector, view_ray, wall, wanting};
+use super::solve::{Parts, Wrong, camera, number, part, t_of_wall, vector, view_ray, wanting};
 use super::wanted::{Surface, Wanted};
 use super::{Asked, Given, Part, Slip, turned};
 use crate::basis::Basis;
 use crate::camera::{Camera, Orientation};
 use crate::lecture::mistakes::{Mistake, WrongCamera};
 
-pub(super) fn turned_by_hand(given: &Given, right: DVec3, uv: DVec2, z: f64) -> Parts {
+pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let Basis { u, v, w } = turned(right);
-    let ray = view_ray(given, uv);
-    let t = first(wall(z).roots(&ray));
+    let ray = view_ray(Basis { u, v, w }, 1.0, uv);
+    let t = t_of_wall(&ray, z);
     let through = Wanted::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
     let parts = vec![
         Part { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
@@ -60,10 +60,10 @@ fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, super::Answer); 3] {
     [(Asked::U, vector(u)), (Asked::V, vector(v)), (Asked::W, vector(w))]
 }
 
-pub(super) fn constructed(given: &Given) -> Parts {
-    // Every question's camera has a basis.
-    let Some(camera) = camera(given) else { return Default::default() };
-    let Ok(Basis { u, v, w }) = camera.basis() else { return Default::default() };
+/// Nothing where up does not fix a basis.
+pub(super) fn constructed(given: &Given) -> Option<Parts> {
+    let camera = camera(given)?;
+    let Basis { u, v, w } = camera.basis().ok()?;
     // In the order in which they are found.
     let parts = vec![
         part(Asked::W, vector(w)),
@@ -90,7 +90,7 @@ pub(super) fn constructed(given: &Given) -> Parts {
         let Basis { u, v, w } = Basis::from_view_up(-back, up).ok()?;
         Some(basis(slip, u, v, w))
     }));
-    (parts, wrongs)
+    Some((parts, wrongs))
 }
 
 fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = WrongCamera> {

@@ -2,16 +2,17 @@
 
 use glam::{DVec2, DVec3};
 
-use super::solve::{Parts, Wrong, first, number, one, part, place, vector, wanting, wrong_t};
+use super::solve::{Parts, Wrong, number, one, part, place, vector, wanting, wrong_t};
 use super::wanted::{Surface, Wanted};
 use super::{Answer, Asked, Slip};
 use crate::ray::Ray;
 use crate::roots::Roots;
 use crate::sphere::Sphere;
 
-pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Parts {
+/// Nothing where the ray's line misses the sphere.
+pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     let roots = sphere.roots(ray);
-    let t = first(roots);
+    let t = roots.iter().next()?;
     let normal = |point: DVec3| (point - sphere.center) / sphere.radius;
     let point = ray.at(t);
     let n = normal(point);
@@ -44,7 +45,7 @@ pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Parts {
         (Slip::NormalFromOrigin, point.normalize_or_zero()),
     ];
     wrongs.extend(normals.map(of_normal));
-    (parts, wrongs)
+    Some((parts, wrongs))
 }
 
 /// Wrong solutions of `a t^2 + 2 b t + c = 0`; NaN where D is below 0.

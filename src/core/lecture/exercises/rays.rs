@@ -2,15 +2,15 @@
 
 use glam::{DVec2, DVec3};
 
-use super::solve::{Parts, Wrong, first, number, one, vector, view_ray, wall, wanting, wrong_t};
+use super::solve::{Parts, Wrong, number, one, t_of_wall, vector, view_ray, wanting, wrong_t};
 use super::wanted::{Surface, Wanted};
-use super::{Asked, Given, Part, Slip};
+use super::{Asked, Part, Slip};
 use crate::basis::Basis;
 use crate::lecture::mistakes::Mistake;
 use crate::ray::Ray;
 
 pub(super) fn of_uv(uv: DVec2) -> Parts {
-    let ray = view_ray(&Given::Uv(uv), uv);
+    let ray = view_ray(Basis::CANONICAL, 1.0, uv);
     let parts = vec![
         wanting(Asked::Origin, vector(ray.origin), vec![Wanted::Eye(ray.origin)]),
         Part {
@@ -58,9 +58,9 @@ pub(super) fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
     .into()
 }
 
-pub(super) fn and_wall(given: &Given, uv: DVec2, z: f64) -> Parts {
-    let ray = view_ray(given, uv);
-    let t = first(wall(z).roots(&ray));
+pub(super) fn and_wall(uv: DVec2, z: f64) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, 1.0, uv);
+    let t = t_of_wall(&ray, z);
     let point = ray.at(t);
     let parts = vec![
         wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
@@ -82,9 +82,9 @@ pub(super) fn and_wall(given: &Given, uv: DVec2, z: f64) -> Parts {
     (parts, wrongs)
 }
 
-pub(super) fn at_distance(given: &Given, uv: DVec2, distance: f64, z: f64) -> Parts {
-    let ray = view_ray(given, uv);
-    let t = first(wall(z).roots(&ray));
+pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, distance, uv);
+    let t = t_of_wall(&ray, z);
     let parts = vec![
         wanting(Asked::Direction, vector(ray.direction), vec![through(distance, uv)]),
         wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
