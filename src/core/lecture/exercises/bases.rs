@@ -38,7 +38,7 @@ pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let mut wrongs = vec![
         basis(Slip::WForwards, u, v, -w),
         basis(Slip::ULeftwards, -u, v, w),
-        basis(Slip::Camera(Mistake::VIsUCrossW), u, -v, w),
+        basis(Slip::VIsUCrossW, u, -v, w),
         basis(Slip::UAndWSwapped, w, v, u),
         basis(Slip::TurnedOtherWay, other_way.u, other_way.v, other_way.w),
         basis(Slip::BasisUnnormalized, sum(u), v, sum(w)),
@@ -74,12 +74,11 @@ pub(super) fn constructed(given: &Given) -> Option<Parts> {
         |slip, u, v, w| Wrong { slip, answers: basis_answers(u, v, w).into_iter().collect() };
     // What is seen comes before what may have led to it.
     let mut wrongs = vec![basis(Slip::ULeftwards, -u, v, w)];
-    wrongs.extend(wrong_cameras(&camera).map(|wrong| {
-        let slip = Slip::Camera(wrong.mistakes()[0]);
-        basis(slip, wrong.u(), wrong.v(), wrong.w())
-    }));
+    wrongs.extend(
+        wrong_cameras(&camera).map(|(slip, wrong)| basis(slip, wrong.u(), wrong.v(), wrong.w())),
+    );
     let (view, up) = (camera.view(), camera.up());
-    wrongs.push(basis(Slip::Camera(Mistake::UpAsV), u, up.normalize(), w));
+    wrongs.push(basis(Slip::UpAsV, u, up.normalize(), w));
     // Nothing is normalized; then with w = view, u or not.
     let plain_u = up.cross(-view);
     wrongs.push(basis(Slip::NothingNormalized, plain_u, (-view).cross(plain_u), -view));
@@ -93,21 +92,25 @@ pub(super) fn constructed(given: &Given) -> Option<Parts> {
     Some((parts, wrongs))
 }
 
-fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = WrongCamera> {
+/// The gallery's wrong cameras that an answer can come from.
+fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Slip, WrongCamera)> {
     let mistakes = [
-        Mistake::WAsPrinted,
-        Mistake::WIsAtMinusEye,
-        Mistake::VIsUCrossW,
-        Mistake::UIsWCrossUp,
-        Mistake::LeftHanded,
-        Mistake::NotNormalized,
-        Mistake::WNotNormalized,
-        Mistake::UpAsV,
+        (Slip::WAsPrinted, Mistake::WAsPrinted),
+        (Slip::WIsAtMinusEye, Mistake::WIsAtMinusEye),
+        (Slip::VIsUCrossW, Mistake::VIsUCrossW),
+        (Slip::UIsWCrossUp, Mistake::UIsWCrossUp),
+        (Slip::LeftHanded, Mistake::LeftHanded),
+        (Slip::UNotNormalized, Mistake::NotNormalized),
+        (Slip::WNotNormalized, Mistake::WNotNormalized),
+        (Slip::UpAsV, Mistake::UpAsV),
     ];
     let is_at = matches!(camera.orientation, Orientation::At { .. });
     // Given points, at - eye is what is taken for w.
-    let fits = move |mistake: &Mistake| !(is_at && *mistake == Mistake::WAsPrinted);
-    mistakes.into_iter().filter(fits).filter_map(|mistake| WrongCamera::new(camera, mistake).ok())
+    let fits = move |(_, mistake): &(Slip, Mistake)| !(is_at && *mistake == Mistake::WAsPrinted);
+    mistakes
+        .into_iter()
+        .filter(fits)
+        .filter_map(|(slip, mistake)| Some((slip, WrongCamera::new(camera, mistake).ok()?)))
 }
 
 /// What is often taken for eye - at.

@@ -6,7 +6,6 @@ use super::solve::{Parts, Wrong, number, one, t_of_wall, vector, view_ray, wanti
 use super::wanted::{Surface, Wanted};
 use super::{Asked, Part, Slip};
 use crate::basis::Basis;
-use crate::lecture::mistakes::Mistake;
 use crate::ray::Ray;
 
 pub(super) fn of_uv(uv: DVec2) -> Parts {
@@ -95,7 +94,7 @@ pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
         answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
     };
     let of_distance = [
-        (Slip::Camera(Mistake::DistanceDropped), uv.extend(-1.0)),
+        (Slip::DistanceDropped, uv.extend(-1.0)),
         (Slip::DistanceOnAll, scaled.extend(-distance)),
         (Slip::DistanceOnUv, scaled.extend(-1.0)),
         (Slip::ViewportAtOne, (uv / distance).extend(-1.0)),
