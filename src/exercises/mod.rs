@@ -14,8 +14,8 @@ pub(crate) use verdicts::{is_good, said};
 use crate::document::{Document, Item};
 use crate::expression::evaluate;
 
-/// The largest seed of a question: every field and file shows it as it is, which numbers above 2^53
-/// are not in all of them.
+/// The largest seed of a question. The field calculates in `f64`: it would show another number for
+/// some above 2^53.
 pub const LARGEST_SEED: u64 = 1_000_000_000;
 
 /// The exercise at hand. A lesson's step sets it with [`Exercises::show`].
