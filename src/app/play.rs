@@ -26,6 +26,7 @@ impl App {
         player.start.camera.image = camera.image;
         player.start.camera.viewport = camera.viewport;
         player.start.end = walk_end(self.derived.inspection.as_deref());
+        player.reduced = self.session.settings.reduced_motion;
         player.go_on(ctx.input(|input| input.time));
         Panel::bottom("play").show(ui, |ui| play::ui(ui, player, actions));
         let still = player.still();

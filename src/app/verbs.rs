@@ -130,12 +130,10 @@ impl App {
             None => return,
             Some(Sheet::Keys) => key_sheet::ui(ctx),
             Some(Sheet::Palette(palette)) => {
-                let mut extra = Vec::new();
-                if let Some(open) = self.lessons.open.as_ref() {
-                    if open.place().lesson == Which::File {
-                        extra = verbs::of_lesson(Which::File, open.lesson());
-                    }
-                }
+                let open = self.lessons.open.as_ref();
+                let own = open.filter(|open| open.place().lesson == Which::File);
+                let mut extra =
+                    own.map_or_else(Vec::new, |own| verbs::of_lesson(Which::File, own.lesson()));
                 extra.extend(self.recent.iter().map(|path| recent(path)));
                 palette::ui(ctx, palette, &extra, &self.session, actions)
             }

@@ -67,7 +67,38 @@ pub(super) fn number(x: f64) -> String {
     shortest(x).replace('-', "−")
 }
 
+/// The largest number in a fraction or below a root that is still read at a glance.
+const SHORT: u64 = 100;
+
 /// For sentences: exact where it is short.
 pub(super) fn short(x: f64) -> String {
-    NumberForm::of(x).map(form).unwrap_or_else(|| written(x, 5))
+    let is_short = |form: &NumberForm| match form.decimals() {
+        Some(decimals) => decimals <= 5,
+        None => [form.numerator().unsigned_abs(), form.root(), form.denominator()]
+            .into_iter()
+            .all(|n| n <= SHORT),
+    };
+    NumberForm::of(x).filter(is_short).map(form).unwrap_or_else(|| written(x, 5))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_holds_no_long_fraction_or_root() {
+        for (x, text) in [
+            (50f64.sqrt(), "5√2"),
+            (74f64.sqrt(), "√74"),
+            (-1.0 / 3.0, "−1/3"),
+            (-2.5, "−2.5"),
+            (4241f64.sqrt() / 5.0, "13.025"),
+            (101f64.sqrt(), "10.05"),
+            (22.0 / 113.0, "0.19469"),
+            (1.0 / 512.0, "0.0019531"),
+            (250.0, "250"),
+        ] {
+            assert_eq!(short(x), text);
+        }
+    }
 }

@@ -5,7 +5,7 @@ mod answers;
 mod texts;
 mod verdicts;
 
-use pinhole_core::lecture::exercises::{Answer, Exercise, Question, Verdict};
+use pinhole_core::lecture::exercises::{Answer, Asked, Exercise, Part, Question, Verdict};
 
 pub use answers::solution;
 pub use texts::{asked, question, title};
@@ -13,6 +13,10 @@ pub(crate) use verdicts::{is_good, said};
 
 use crate::document::{Document, Item};
 use crate::expression::evaluate;
+
+/// The largest seed of a question. The field calculates in `f64`: it would show another number for
+/// some above 2^53.
+pub const LARGEST_SEED: u64 = 1_000_000_000;
 
 /// The exercise at hand. A lesson's step sets it with [`Exercises::show`].
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +53,8 @@ pub(crate) enum Said {
     NoNumber(String),
     /// The answer was judged.
     Judged(Verdict),
+    /// It comes of what is wrong in another part, and is told there.
+    Follows(Asked),
 }
 
 impl Default for Exercises {
@@ -90,10 +96,12 @@ impl Exercises {
         let known: Vec<Option<Answer>> =
             answers.iter().map(|answer| answer.as_ref().ok().cloned()).collect();
         let verdicts = self.question.judge(&known);
-        for ((typed, answer), verdict) in self.answers.iter_mut().zip(answers).zip(verdicts) {
-            typed.said = Some(match verdict {
-                Some(verdict) => Said::Judged(verdict),
-                None => answer.err().unwrap_or(Said::NotAnswered),
+        let parts = &self.question.parts;
+        for (k, (typed, answer)) in self.answers.iter_mut().zip(answers).enumerate() {
+            typed.said = Some(match (source_of(k, parts, &verdicts), &verdicts[k]) {
+                (Some(source), _) => Said::Follows(source),
+                (None, Some(verdict)) => Said::Judged(verdict.clone()),
+                (None, None) => answer.err().unwrap_or(Said::NotAnswered),
             });
         }
     }
@@ -115,6 +123,22 @@ impl Exercises {
             ..Document::default()
         })
     }
+}
+
+/// The part that is told every mistake that this part is told, where all of them are about that one's
+/// answer and none is about this one's.
+fn source_of(k: usize, parts: &[Part], verdicts: &[Option<Verdict>]) -> Option<Asked> {
+    let Some(Verdict::Slips(slips)) = &verdicts[k] else { return None };
+    let tells = |asked, verdict: &Option<Verdict>| match verdict {
+        Some(Verdict::Slips(told)) => {
+            slips.iter().all(|slip| slip.is_told_by(asked) && told.contains(slip))
+        }
+        _ => false,
+    };
+    if slips.iter().any(|slip| slip.is_told_by(parts[k].asked)) {
+        return None;
+    }
+    parts.iter().zip(verdicts).find(|(part, told)| tells(part.asked, told)).map(|(p, _)| p.asked)
 }
 
 impl Typed {

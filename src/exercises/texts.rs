@@ -135,7 +135,12 @@ fn implicit(line: DVec3) -> String {
 
 /// What a part is called in front of its fields.
 pub fn asked(part: &Part) -> &'static str {
-    match part.asked {
+    name(part.asked)
+}
+
+/// What is asked for, as it is written.
+pub(super) fn name(asked: Asked) -> &'static str {
+    match asked {
         Asked::Origin => "𝐩",
         Asked::Direction => "𝐝",
         Asked::T => "𝑡",

@@ -1,9 +1,10 @@
 //! What is said of an answer, in words.
 
-use pinhole_core::lecture::exercises::{Finding, Part, Slip, Verdict};
+use pinhole_core::lecture::exercises::{Asked, Finding, Part, Slip, Verdict};
 
 use super::Said;
 use super::answers::short;
+use super::texts::name;
 
 /// Whether what is said is that the answer is right.
 pub(crate) fn is_good(said: &Said) -> bool {
@@ -17,6 +18,7 @@ pub(crate) fn said(said: &Said, part: &Part) -> String {
         Said::Missing => "One of the numbers is missing.".to_owned(),
         Said::NoNumber(why) => format!("{why}."),
         Said::Judged(verdict) => judged(verdict, part),
+        Said::Follows(source) => format!("Wrong: it follows from {}.", name(*source)),
     }
 }
 
@@ -29,8 +31,12 @@ fn judged(verdict: &Verdict, part: &Part) -> String {
         Verdict::Rounded { digits } => format!(
             "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
         ),
+        // What is −1 but for the last digits is written as −1.
+        Verdict::Backwards { times } if short(*times) == "−1" => {
+            "Wrong: it points the opposite way: it is minus ours.".to_owned()
+        }
         Verdict::Backwards { times } => {
-            format!("Wrong: it points the opposite way, and is {} times ours.", short(*times))
+            format!("Wrong: it points the opposite way: it is {} times ours.", short(*times))
         }
         Verdict::OtherLength { times } if part.asked.is_unit() => {
             format!(
@@ -57,15 +63,58 @@ fn named(slips: &[Slip]) -> String {
 }
 
 fn found(finding: &Finding, part: &Part) -> String {
-    match finding {
+    let is_t = part.asked == Asked::T;
+    match *finding {
         Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
-        Finding::Coordinate(k) => format!("{} is another number", ["𝑥", "𝑦", "𝑧"][(*k).min(2)]),
-        Finding::Length(length) => format!("its length is {}, not 1", short(*length)),
-        Finding::NotOrthogonal { to, dot } => {
-            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(*dot))
+        Finding::Coordinate(k) => {
+            format!("{} should be another number", ["𝑥", "𝑦", "𝑧"][k.min(2)])
         }
-        Finding::Another if part.count() == 1 => "it is another number".to_owned(),
-        Finding::Another => "every coordinate is another one".to_owned(),
+        Finding::Length(length) => format!("its length is {}, not 1", short(length)),
+        Finding::NotOrthogonal { to, dot } => {
+            format!("it is not orthogonal to {}: the dot product is {}", bold(to), short(dot))
+        }
+        Finding::Angle { degrees } => {
+            let from = match part.asked {
+                Asked::U => "right in the image",
+                Asked::V => "up in the image",
+                Asked::W => "straight backwards",
+                _ => "the direction from the centre to the hit",
+            };
+            format!("it is {}° off {from}", short(degrees))
+        }
+        Finding::OffWall { z, wall } if is_t => {
+            format!("at this 𝑡, 𝑧 is {}, not the wall's {}", short(z), short(wall))
+        }
+        Finding::OffWall { z, wall } => {
+            format!("its 𝑧 is {}, not the wall's {}", short(z), short(wall))
+        }
+        Finding::OffSphere { distance, radius } => format!(
+            "{} is not on the sphere: it is {} from the centre, and the radius is {}",
+            if is_t { "the point at this 𝑡" } else { "it" },
+            short(distance),
+            short(radius)
+        ),
+        Finding::OffLine { value } => format!(
+            "{} is not on the line: put into its equation, it gives {}, not 0",
+            if is_t { "the point at this 𝑡" } else { "it" },
+            short(value)
+        ),
+        Finding::OffRay { distance } => {
+            format!("it is not on the ray, but {} beside it", short(distance))
+        }
+        Finding::OffEye { distance } => {
+            format!("it is {} from the eye, where every view ray starts", short(distance))
+        }
+        Finding::OffUv { uv, wanted } => {
+            let [passed, wanted] =
+                [uv, wanted].map(|uv| format!("({}, {})", short(uv.x), short(uv.y)));
+            format!("it passes the viewport at (𝑢, 𝑣) = {passed}, not {wanted}")
+        }
+        Finding::NotForwards { along_w } => {
+            format!("it does not point forwards: 𝐝 · 𝐰 is {}, and must be below 0", short(along_w))
+        }
+        Finding::Another if part.count() == 1 => "it should be another number".to_owned(),
+        Finding::Another => "every coordinate should be another number".to_owned(),
     }
 }
 

@@ -11,6 +11,7 @@ use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Looks, Step};
 use crate::document::Document;
+use crate::exercises::LARGEST_SEED;
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::scene_file::{TABLES, not_toml, tables};
@@ -259,7 +260,8 @@ fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
     let id = field.one_of(&Exercise::ALL.map(Exercise::id))?;
     let exercise = Exercise::from_id(id)
         .ok_or_else(|| field.error("it must be an exercise of the exercises layout"))?;
-    let seed = seed.map(|seed| seed.whole(0..=i64::MAX, "a whole number")).transpose()?;
+    let largest = i64::try_from(LARGEST_SEED).unwrap_or(i64::MAX);
+    let seed = seed.map(|seed| seed.whole(0..=largest, "a whole number")).transpose()?;
     Ok(Some(AskedExercise { exercise, seed: seed.map(i64::unsigned_abs) }))
 }
 

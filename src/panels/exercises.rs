@@ -10,7 +10,7 @@ use super::number::{error_color, vector_color};
 use super::readouts::NumberStyle;
 use super::sign::sign;
 use crate::action::{Action, MadeUp};
-use crate::exercises::{self, Exercises, Said, Typed};
+use crate::exercises::{self, Exercises, LARGEST_SEED, Said, Typed};
 
 /// Size of what is read, in points.
 const TEXT: f32 = 17.0;
@@ -127,14 +127,18 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
         }
         let hint = "Other numbers, from the next seed";
         if ui.button("Another one like it").on_hover_text(hint).clicked() {
-            let next = seed.map_or(1, |seed| seed.wrapping_add(1));
+            let next = seed.map_or(1, |seed| if seed < LARGEST_SEED { seed + 1 } else { 0 });
             *exercises = Exercises::open(exercise, Some(next));
         }
         if let Some(seed) = seed {
             ui.label("seed");
             let mut typed = seed;
-            let field = egui::DragValue::new(&mut typed).speed(0.1).update_while_editing(false);
-            let response = ui.add(field);
+            let field = egui::DragValue::new(&mut typed)
+                .speed(0.1)
+                .range(0..=LARGEST_SEED)
+                .update_while_editing(false);
+            let hint = format!("A whole number, 0 to {LARGEST_SEED}");
+            let response = ui.add(field).on_hover_text(hint);
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("exercise seed"));
             if typed != seed {
                 *exercises = Exercises::open(exercise, Some(typed));
@@ -212,7 +216,7 @@ fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let text = if is_wrong { text.color(error_color(ui)) } else { text };
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
-        if let Said::Judged(_) = said {
+        if let Said::Judged(_) | Said::Follows(_) = said {
             sign(ui, exercises::is_good(said));
         }
         let response = ui.add(egui::Label::new(text).wrap());

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
-use pinhole::exercises::title;
+use pinhole::exercises::{LARGEST_SEED, title};
 use pinhole::session::{Selection, ViewLayout};
 use pinhole_core::lecture::exercises::{Exercise, Given, Question};
 use pinhole_core::{DVec2, Orientation};
@@ -126,14 +126,18 @@ fn a_scaled_a_backward_a_rounded_and_a_wrong_ray_are_told_apart() {
     let mut window = open(Exercise::WarmUpRay);
     for (texts, verdict) in [
         (["0.4", "-0.2", "-2"], "Right: yours is 2 times ours, the same ray."),
-        (["-0.2", "0.1", "1"], "Wrong: it points the opposite way, and is −1 times ours."),
+        (["-0.2", "0.1", "1"], "Wrong: it points the opposite way: it is minus ours."),
+        (["-0.4", "0.2", "2"], "Wrong: it points the opposite way: it is −2 times ours."),
         (
             ["0.195", "-0.0976", "-0.976"],
             "Right to 3 digits: give it exactly, as in 1/sqrt(2), or with more digits.",
         ),
         (["0.2", "-0.1", "1"], "Wrong: 𝑧 has the wrong sign: the camera looks along −𝑧."),
         (["-0.1", "0.2", "-1"], "Wrong: 𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up."),
-        (["0.2", "-0.3", "-1"], "Wrong: 𝑦 is another number."),
+        (
+            ["0.2", "-0.3", "-1"],
+            "Wrong: 𝑦 should be another number; it passes the viewport at (𝑢, 𝑣) = (0.2, −0.3), not (0.2, −0.1).",
+        ),
     ] {
         answers(&mut window, "d", &texts);
         window.key_press(egui::Key::Enter);
@@ -163,6 +167,44 @@ fn classic_mistakes_and_bad_input_are_named() {
 }
 
 #[test]
+fn a_wrong_number_is_told_by_what_it_leaves_over() {
+    let mut window = open(Exercise::WarmUpPlane);
+    for (t, point, of_t, of_point) in [
+        (
+            "5.5",
+            ["1.2", "0", "-6"],
+            "Wrong: at this 𝑡, 𝑧 is −5.5, not the wall's −6.",
+            "Wrong: 𝑦 should be another number; it is not on the ray, but 0.59714 beside it.",
+        ),
+        (
+            "8",
+            ["2.4", "-1.2", "-12"],
+            "Wrong: at this 𝑡, 𝑧 is −8, not the wall's −6.",
+            "Wrong: its 𝑧 is −12, not the wall's −6.",
+        ),
+    ] {
+        answer(&mut window, "t", t);
+        answers(&mut window, "point", &point);
+        click(&mut window, "Check");
+        assert_eq!((said(&window, "t"), said(&window, "point")), (of_t.into(), of_point.into()));
+    }
+    click(&mut window, title(Exercise::Sphere));
+    answer(&mut window, "t", "2.5");
+    answers(&mut window, "point", &["3", "4", "-5"]);
+    answers(&mut window, "normal", &["0", "0.6", "0.8"]);
+    click(&mut window, "Check");
+    let t = "Wrong: the point at this 𝑡 is not on the sphere: it is 2.5 from the centre, and the \
+             radius is 1.";
+    assert_eq!(said(&window, "t"), t);
+    let point = "Wrong: it is not on the sphere: it is 5 from the centre, and the radius is 1; it is \
+                 not on the ray, but 5 beside it.";
+    assert_eq!(said(&window, "point"), point);
+    let normal = "Wrong: 𝑦 should be another number; 𝑧 should be another number; it is 36.87° off the \
+                  direction from the centre to the hit.";
+    assert_eq!(said(&window, "normal"), normal);
+}
+
+#[test]
 fn a_part_that_is_right_is_not_blamed_for_another() {
     let mut window = open(Exercise::ViewUp);
     let question = "A camera looks along view = (0, −2, 0), with up = (2, 2, 0).";
@@ -177,21 +219,34 @@ fn a_part_that_is_right_is_not_blamed_for_another() {
     click(&mut window, "Check");
     assert_eq!(said(&window, "w"), "Right.");
     let left = "Wrong: 𝐮 = 𝐰 × up points left: the factors are exchanged.";
-    assert_eq!((said(&window, "u"), said(&window, "v")), (left.to_owned(), left.to_owned()));
+    let follows = |part| format!("Wrong: it follows from {part}.");
+    assert_eq!((said(&window, "u"), said(&window, "v")), (left.to_owned(), follows("𝐮")));
     // The same u, but with a w that it follows from.
     answers(&mut window, "w", &["0", "-1", "0"]);
     answers(&mut window, "v", &["1", "0", "0"]);
     click(&mut window, "Check");
     assert_eq!(said(&window, "v"), "Right.");
-    assert_eq!(said(&window, "u"), said(&window, "w"));
-    assert!(said(&window, "u").starts_with("Wrong: 𝐰 is made of view without the minus"));
+    assert_eq!(said(&window, "u"), follows("𝐰"));
+    assert!(said(&window, "w").starts_with("Wrong: 𝐰 is made of view without the minus"));
     // up × w as it is, which is of length 2 here.
     answers(&mut window, "w", &["0", "1", "0"]);
     answers(&mut window, "u", &["0", "0", "2"]);
     answers(&mut window, "v", &["2", "0", "0"]);
     click(&mut window, "Check");
     let long = "Wrong: 𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.";
-    assert_eq!((said(&window, "u"), said(&window, "v")), (long.to_owned(), long.to_owned()));
+    assert_eq!((said(&window, "u"), said(&window, "v")), (long.to_owned(), follows("𝐮")));
+    // w = view, and what is made of it; with the right w, u is told in itself again.
+    answers(&mut window, "w", &["0", "-2", "0"]);
+    answers(&mut window, "u", &["0", "0", "-1"]);
+    click(&mut window, "Check");
+    assert!(said(&window, "w").starts_with("Wrong: 𝐰 is view itself"), "{}", said(&window, "w"));
+    let both = (said(&window, "u"), said(&window, "v"));
+    assert_eq!(both, (follows("𝐰"), follows("𝐰")));
+    answers(&mut window, "w", &["0", "1", "0"]);
+    answers(&mut window, "v", &["1", "0", "0"]);
+    click(&mut window, "Check");
+    let left = "Wrong: 𝐮 points left here: it must point right in the image. Or: Both cross";
+    assert!(said(&window, "u").starts_with(left), "{}", said(&window, "u"));
 }
 
 #[test]
@@ -238,6 +293,11 @@ fn another_one_like_it_has_a_seed_that_can_be_typed() {
     let Given::Uv(uv) = exercises.question().given else { panic!() };
     let text = format!("{:?}", (uv.x, uv.y)).replace('-', "−").replace(' ', "\u{a0}");
     assert!(!texts_with(&window, &text).is_empty(), "{text}: {:?}", texts_with(&window, "ray"));
+    // A seed that not every number field can show is not taken.
+    type_into(&mut window, "exercise seed", "9007199254740993");
+    assert_eq!(window.state().session().exercises.seed(), Some(LARGEST_SEED));
+    click(&mut window, "Another one like it");
+    assert_eq!(window.state().session().exercises.seed(), Some(0));
     click(&mut window, "The lecture's");
     assert_eq!(window.state().session().exercises.seed(), None);
 }

@@ -266,7 +266,11 @@ const STEPS: Cases = &[
     ),
     (
         "scene = \"canonical\"\nexercise = \"lines\"\nseed = -1\n",
-        "8:8: step 1.seed is -1: it must be a whole number, 0 to 9223372036854775807",
+        "8:8: step 1.seed is -1: it must be a whole number, 0 to 1000000000",
+    ),
+    (
+        "scene = \"canonical\"\nexercise = \"lines\"\nseed = 9007199254740993\n",
+        "8:8: step 1.seed is 9007199254740993: it must be a whole number, 0 to 1000000000",
     ),
     (
         "scene = \"canonical\"\nlines = { implicit = [1, 2], p = [0, 0], d = [1, 1] }\n",

@@ -8,11 +8,13 @@ mod pick;
 mod rays;
 mod slips;
 mod solve;
+mod wanted;
 
 use glam::{DVec2, DVec3};
 
-pub use judge::{Finding, Verdict};
+pub use judge::Verdict;
 pub use slips::Slip;
+pub use wanted::Finding;
 
 use crate::basis::Basis;
 use crate::camera::{Camera, Orientation};
@@ -151,6 +153,8 @@ pub struct Part {
     pub slips: Vec<(Slip, Answer)>,
     /// What the vector has to be at right angles to, by name.
     orthogonal_to: Vec<(&'static str, DVec3)>,
+    /// What else it has to fulfil.
+    wanted: Vec<wanted::Wanted>,
 }
 
 /// A question with everything that is known of it.
@@ -233,7 +237,8 @@ impl Question {
             None => pick::lecture(exercise),
             Some(seed) => pick::seeded(exercise, seed),
         };
-        Question { exercise, given, parts: solve::parts(&given) }
+        // What is picked can be solved: every basis exists, and every sphere is met.
+        Question { exercise, given, parts: solve::parts(&given).unwrap_or_default() }
     }
 
     /// What is to be said of the answers, one a part; nothing of a part that was not answered.

@@ -5,7 +5,10 @@
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
-use pinhole_core::lecture::exercises::{Answer, Asked, Exercise, Finding, Question, Slip, Verdict};
+use pinhole_core::DVec2;
+use pinhole_core::lecture::exercises::{
+    Answer, Asked, Exercise, Finding, Part, Question, Slip, Verdict,
+};
 
 #[path = "exercises/classic.rs"]
 mod classic;
@@ -141,6 +144,26 @@ fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
 }
 
 #[test]
+fn every_seed_gives_a_question_that_can_be_solved() {
+    for exercise in Exercise::ALL {
+        let asked = |question: &Question| -> Vec<Asked> {
+            question.parts.iter().map(|part| part.asked).collect()
+        };
+        let known = asked(&Question::new(exercise, None));
+        assert!(!known.is_empty(), "{exercise:?}");
+        for seed in (0..3000).chain(1_000_000_000 - 100..=1_000_000_000) {
+            let question = Question::new(exercise, Some(seed));
+            assert_eq!(asked(&question), known, "{exercise:?} {seed}");
+            let is_finite = |part: &Part| match &part.truth {
+                Answer::Numbers(truth) => truth.iter().all(|x| x.is_finite()),
+                Answer::Yes(_) => true,
+            };
+            assert!(question.parts.iter().all(is_finite), "{question:?}");
+        }
+    }
+}
+
+#[test]
 fn seeds_are_kept_and_differ() {
     for exercise in Exercise::ALL {
         assert_eq!(Question::new(exercise, Some(7)), Question::new(exercise, Some(7)));
@@ -204,8 +227,43 @@ fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
     let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));
     assert_eq!(t(7.07), Verdict::Rounded { digits: 3 });
     assert_eq!(t(7.0710678), Verdict::Rounded { digits: 8 });
-    assert_eq!(t(7.08), Verdict::Wrong(vec![Finding::Another]));
-    assert_eq!(t(7.0), Verdict::Wrong(vec![Finding::Another]));
+    assert!(matches!(t(7.08), Verdict::Wrong(_)));
+    assert!(matches!(t(7.0), Verdict::Wrong(_)));
+}
+
+/// The truth less 1 in the last place typed is no cut-off truth, whatever binary subtraction gives.
+#[test]
+fn a_number_just_below_a_short_one_is_wrong() {
+    for (exercise, asked, answer) in [
+        (Exercise::Sphere, Asked::T, vec![3.99]),
+        (Exercise::WarmUpPlane, Asked::T, vec![5.9]),
+        (Exercise::WarmUpPlane, Asked::T, vec![5.99]),
+        (Exercise::Distance, Asked::T, vec![2.99]),
+        (Exercise::WarmUpPlane, Asked::Point, vec![1.1, -0.6, -6.0]),
+        // Nor are these the mistakes that give 6, 8 and 5.
+        (Exercise::Sphere, Asked::T, vec![5.99]),
+        (Exercise::Sphere, Asked::T, vec![7.9]),
+        (Exercise::WarmUpPlane, Asked::T, vec![4.9]),
+    ] {
+        let verdict = judged(exercise, asked, numbers(&answer));
+        assert!(matches!(verdict, Verdict::Wrong(_)), "{exercise:?} {answer:?}: {verdict:?}");
+    }
+}
+
+#[test]
+fn digits_cut_off_are_told_like_rounded_ones() {
+    let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));
+    // 7.0710678...
+    assert_eq!(t(7.071067), Verdict::Rounded { digits: 7 });
+    assert!(matches!(t(7.071066), Verdict::Wrong(_)));
+    let u = |x: f64, z: f64| judged(Exercise::EyeAtUp, Asked::U, numbers(&[x, 0.0, z]));
+    // 0.581238..., -0.813733...
+    assert_eq!(u(0.5812, -0.8137), Verdict::Rounded { digits: 4 });
+    assert_eq!(u(0.58123, -0.81373), Verdict::Rounded { digits: 5 });
+    assert!(matches!(u(0.58122, -0.81373), Verdict::Wrong(_)));
+    // The mistakes' numbers may be cut off, too: 6 |d| = 6.1481...
+    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[6.14]));
+    assert_eq!(t, Verdict::Slips(vec![Slip::TForDistance]));
 }
 
 #[test]
@@ -232,8 +290,6 @@ fn otherwise_it_says_what_is_wrong() {
             Finding::NotOrthogonal { to: "u", dot: 0.8 }
         ]
     );
-    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[5.5]));
-    assert_eq!(t, Verdict::Wrong(vec![Finding::Another]));
     // A point has no length and does not point anywhere.
     let of_point = |v: [f64; 3]| judged(Exercise::WarmUpPlane, Asked::Point, numbers(&v));
     for v in [[0.2, -0.1, -1.0], [0.0; 3]] {
@@ -242,6 +298,74 @@ fn otherwise_it_says_what_is_wrong() {
     }
     let none = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[f64::NAN]));
     assert_eq!(none, Verdict::Wrong(vec![Finding::Another]));
+}
+
+/// What is left over where the answer is put in.
+#[test]
+fn a_wrong_number_is_told_by_what_it_leaves_over() {
+    let wrong = |exercise, asked, answer: &[f64]| match judged(exercise, asked, numbers(answer)) {
+        Verdict::Wrong(findings) => findings,
+        other => panic!("{exercise:?} {asked:?} {answer:?}: {other:?}"),
+    };
+    let wall = Exercise::WarmUpPlane;
+    assert_eq!(wrong(wall, Asked::T, &[5.5]), [Finding::OffWall { z: -5.5, wall: -6.0 }]);
+    let findings = wrong(wall, Asked::Point, &[0.0, 1.0, 0.0]);
+    let [Finding::OffWall { z: 0.0, wall: -6.0 }, Finding::OffRay { distance }] = findings[..]
+    else {
+        panic!("{findings:?}")
+    };
+    // |(0, 1, 0)|^2 less the square of d's share, (-0.1)^2/1.05.
+    assert!((distance.powi(2) - (1.0 - 0.01 / 1.05)).abs() < 1e-12);
+    let ray = Exercise::WarmUpRay;
+    assert_eq!(
+        wrong(ray, Asked::Origin, &[3.0, 4.0, 0.0])[2..],
+        [Finding::OffEye { distance: 5.0 }]
+    );
+    let findings = wrong(ray, Asked::Direction, &[1.0, 0.5, -2.0]);
+    let (uv, wanted) = (DVec2::new(0.5, 0.25), DVec2::new(0.2, -0.1));
+    assert_eq!(findings, [Finding::OffUv { uv, wanted }]);
+    let findings = wrong(ray, Asked::Direction, &[1.0, 0.5, 2.0]);
+    assert_eq!(findings, [Finding::NotForwards { along_w: 2.0 }]);
+    // Straight along -w = (-s, 0, -s), and half of u = (s, 0, -s) more.
+    let findings = wrong(Exercise::Turned, Asked::Direction, &[-0.5 * S, 0.0, -1.5 * S]);
+    let [Finding::OffUv { uv, .. }] = findings[..] else { panic!("{findings:?}") };
+    assert!(uv.distance(DVec2::new(0.5, 0.0)) < 1e-12);
+    let sphere = Exercise::Sphere;
+    assert_eq!(
+        wrong(sphere, Asked::T, &[2.5]),
+        [Finding::OffSphere { distance: 2.5, radius: 1.0 }]
+    );
+    let [.., on, beside] = &wrong(sphere, Asked::Point, &[3.0, 4.0, -5.0])[..] else { panic!() };
+    assert_eq!(*on, Finding::OffSphere { distance: 5.0, radius: 1.0 });
+    assert_eq!(*beside, Finding::OffRay { distance: 5.0 });
+    let findings = wrong(sphere, Asked::Normal, &[0.0, 0.6, 0.8]);
+    let [Finding::Coordinate(1), Finding::Coordinate(2), Finding::Angle { degrees }] = findings[..]
+    else {
+        panic!("{findings:?}")
+    };
+    assert!((degrees - 0.8f64.acos().to_degrees()).abs() < 1e-12);
+    let lines = Exercise::Lines;
+    assert_eq!(wrong(lines, Asked::T, &[2.5]), [Finding::OffLine { value: 3.0 }]);
+    // On the line, and beside the ray: (3, -1) is 2 √2 from (1, 1) across it.
+    let findings = wrong(lines, Asked::Point, &[3.0, -1.0]);
+    let [Finding::OffRay { distance }] = findings[..] else { panic!("{findings:?}") };
+    assert!((distance - 2.0 * SQRT_2).abs() < 1e-12);
+}
+
+/// Whatever is typed for a number, what is said of it is more than that it is another one.
+#[test]
+fn every_wrong_number_gets_a_reason() {
+    for question in questions() {
+        for (index, part) in question.parts.iter().enumerate() {
+            let Answer::Numbers(truth) = &part.truth else { continue };
+            // All coordinates wrong, by nothing that a mistake would give.
+            let given: Vec<f64> =
+                (0..truth.len()).map(|k| truth[k] + 0.128_374_65 + 0.037_1 * k as f64).collect();
+            let verdict = alone(&question, index, numbers(&given));
+            let Verdict::Wrong(findings) = verdict else { panic!("{question:?}: {verdict:?}") };
+            assert!(!findings.contains(&Finding::Another), "{:?} {given:?}", question.given);
+        }
+    }
 }
 
 #[test]

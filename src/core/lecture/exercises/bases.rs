@@ -3,22 +3,24 @@
 use glam::{DVec2, DVec3};
 
 use super::rays::wrong_t_of_wall;
-use super::solve::{Parts, Wrong, camera, first, number, part, vector, view_ray, wall};
+use super::solve::{Parts, Wrong, camera, number, part, t_of_wall, vector, view_ray, wanting};
+use super::wanted::{Surface, Wanted};
 use super::{Asked, Given, Part, Slip, turned};
 use crate::basis::Basis;
 use crate::camera::{Camera, Orientation};
 use crate::lecture::mistakes::{Mistake, WrongCamera};
 
-pub(super) fn turned_by_hand(given: &Given, right: DVec3, uv: DVec2, z: f64) -> Parts {
+pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let Basis { u, v, w } = turned(right);
-    let ray = view_ray(given, uv);
-    let t = first(wall(z).roots(&ray));
+    let ray = view_ray(Basis { u, v, w }, 1.0, uv);
+    let t = t_of_wall(&ray, z);
+    let through = Wanted::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
     let parts = vec![
         Part { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
         Part { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
         Part { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
-        part(Asked::Direction, vector(ray.direction)),
-        part(Asked::T, number(t)),
+        wanting(Asked::Direction, vector(ray.direction), vec![through]),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
     ];
     // The wall's t is along the wrong direction.
     let direction = |slip, d: DVec3| Wrong {
@@ -36,7 +38,7 @@ pub(super) fn turned_by_hand(given: &Given, right: DVec3, uv: DVec2, z: f64) -> 
     let mut wrongs = vec![
         basis(Slip::WForwards, u, v, -w),
         basis(Slip::ULeftwards, -u, v, w),
-        basis(Slip::Camera(Mistake::VIsUCrossW), u, -v, w),
+        basis(Slip::VIsUCrossW, u, -v, w),
         basis(Slip::UAndWSwapped, w, v, u),
         basis(Slip::TurnedOtherWay, other_way.u, other_way.v, other_way.w),
         basis(Slip::BasisUnnormalized, sum(u), v, sum(w)),
@@ -58,10 +60,10 @@ fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, super::Answer); 3] {
     [(Asked::U, vector(u)), (Asked::V, vector(v)), (Asked::W, vector(w))]
 }
 
-pub(super) fn constructed(given: &Given) -> Parts {
-    // Every question's camera has a basis.
-    let Some(camera) = camera(given) else { return Default::default() };
-    let Ok(Basis { u, v, w }) = camera.basis() else { return Default::default() };
+/// Nothing where up does not fix a basis.
+pub(super) fn constructed(given: &Given) -> Option<Parts> {
+    let camera = camera(given)?;
+    let Basis { u, v, w } = camera.basis().ok()?;
     // In the order in which they are found.
     let parts = vec![
         part(Asked::W, vector(w)),
@@ -70,14 +72,13 @@ pub(super) fn constructed(given: &Given) -> Parts {
     ];
     let basis =
         |slip, u, v, w| Wrong { slip, answers: basis_answers(u, v, w).into_iter().collect() };
-    let mut wrongs: Vec<Wrong> = wrong_cameras(&camera)
-        .map(|wrong| {
-            let slip = Slip::Camera(wrong.mistakes()[0]);
-            basis(slip, wrong.u(), wrong.v(), wrong.w())
-        })
-        .collect();
+    // What is seen comes before what may have led to it.
+    let mut wrongs = vec![basis(Slip::ULeftwards, -u, v, w)];
+    wrongs.extend(
+        wrong_cameras(&camera).map(|(slip, wrong)| basis(slip, wrong.u(), wrong.v(), wrong.w())),
+    );
     let (view, up) = (camera.view(), camera.up());
-    wrongs.push(basis(Slip::Camera(Mistake::UpAsV), u, up.normalize(), w));
+    wrongs.push(basis(Slip::UpAsV, u, up.normalize(), w));
     // Nothing is normalized; then with w = view, u or not.
     let plain_u = up.cross(-view);
     wrongs.push(basis(Slip::NothingNormalized, plain_u, (-view).cross(plain_u), -view));
@@ -88,24 +89,28 @@ pub(super) fn constructed(given: &Given) -> Parts {
         let Basis { u, v, w } = Basis::from_view_up(-back, up).ok()?;
         Some(basis(slip, u, v, w))
     }));
-    (parts, wrongs)
+    Some((parts, wrongs))
 }
 
-fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = WrongCamera> {
+/// The gallery's wrong cameras that an answer can come from.
+fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Slip, WrongCamera)> {
     let mistakes = [
-        Mistake::WAsPrinted,
-        Mistake::WIsAtMinusEye,
-        Mistake::VIsUCrossW,
-        Mistake::UIsWCrossUp,
-        Mistake::LeftHanded,
-        Mistake::NotNormalized,
-        Mistake::WNotNormalized,
-        Mistake::UpAsV,
+        (Slip::WAsPrinted, Mistake::WAsPrinted),
+        (Slip::WIsAtMinusEye, Mistake::WIsAtMinusEye),
+        (Slip::VIsUCrossW, Mistake::VIsUCrossW),
+        (Slip::UIsWCrossUp, Mistake::UIsWCrossUp),
+        (Slip::LeftHanded, Mistake::LeftHanded),
+        (Slip::UNotNormalized, Mistake::NotNormalized),
+        (Slip::WNotNormalized, Mistake::WNotNormalized),
+        (Slip::UpAsV, Mistake::UpAsV),
     ];
     let is_at = matches!(camera.orientation, Orientation::At { .. });
     // Given points, at - eye is what is taken for w.
-    let fits = move |mistake: &Mistake| !(is_at && *mistake == Mistake::WAsPrinted);
-    mistakes.into_iter().filter(fits).filter_map(|mistake| WrongCamera::new(camera, mistake).ok())
+    let fits = move |(_, mistake): &(Slip, Mistake)| !(is_at && *mistake == Mistake::WAsPrinted);
+    mistakes
+        .into_iter()
+        .filter(fits)
+        .filter_map(|(slip, mistake)| Some((slip, WrongCamera::new(camera, mistake).ok()?)))
 }
 
 /// What is often taken for eye - at.

@@ -1,11 +1,11 @@
 //! What is to be said of an answer.
 
-use super::{Answer, Part, Slip};
+use super::{Answer, Finding, Part, Slip};
 use crate::number::shortest;
 use glam::DVec3;
 
 /// How far an answer may be from the truth, relative to it.
-const TOLERANCE: f64 = 1e-9;
+pub(super) const TOLERANCE: f64 = 1e-9;
 
 /// What is to be said of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,26 +36,6 @@ pub enum Verdict {
     Slips(Vec<Slip>),
     /// No mistake that is known gives it; what is wrong with it.
     Wrong(Vec<Finding>),
-}
-
-/// Something that is wrong with an answer.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Finding {
-    /// It is (0, 0, 0).
-    Zero,
-    /// This coordinate, counted from 0, is another; the other coordinates are right.
-    Coordinate(usize),
-    /// The length should be 1, and is this.
-    Length(f64),
-    /// It should be at right angles to the named vector; the dot product.
-    NotOrthogonal {
-        /// `up`, `u`, `w`, ...
-        to: &'static str,
-        /// Which should be 0.
-        dot: f64,
-    },
-    /// The number is another one.
-    Another,
 }
 
 impl Verdict {
@@ -178,9 +158,6 @@ fn giving(part: &Part, answer: &Answer) -> Vec<Slip> {
 }
 
 fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
-    if given.len() == 1 {
-        return vec![Finding::Another];
-    }
     if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
         return vec![Finding::Zero];
     }
@@ -191,20 +168,36 @@ fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     if off.len() < truth.len() {
         findings.extend(off.into_iter().map(Finding::Coordinate));
     }
-    if let ([x, y, z], true) = (given[..].try_into().unwrap_or([0.0; 3]), given.len() == 3) {
-        let given = DVec3::new(x, y, z);
-        let length = given.length();
-        if part.asked.is_unit() && (length - 1.0).abs() > TOLERANCE {
-            findings.push(Finding::Length(length));
-        }
-        for (to, vector) in &part.orthogonal_to {
-            let dot = given.dot(*vector);
-            if dot.abs() > TOLERANCE * length * vector.length() {
-                findings.push(Finding::NotOrthogonal { to, dot });
-            }
-        }
-    }
+    findings.extend(part.wanted.iter().filter_map(|wanted| wanted.missed_by(given)));
+    findings.extend(of_direction(part, truth, given));
     if findings.is_empty() { vec![Finding::Another] } else { findings }
+}
+
+/// What is wrong with the length and the direction of a vector that should be of length 1.
+fn of_direction(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+    let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
+    let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
+    else {
+        return Vec::new();
+    };
+    let length = given.length();
+    let mut findings = Vec::new();
+    if (length - 1.0).abs() > TOLERANCE {
+        findings.push(Finding::Length(length));
+    }
+    let others = part.orthogonal_to.iter().filter_map(|(to, vector)| {
+        let dot = given.dot(*vector);
+        let is_off = dot.abs() > TOLERANCE * length * vector.length();
+        is_off.then_some(Finding::NotOrthogonal { to, dot })
+    });
+    let count = findings.len();
+    findings.extend(others);
+    // That it is not orthogonal says where to look; without that, at least how far off it is.
+    if findings.len() == count {
+        let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
+        findings.push(Finding::Angle { degrees });
+    }
+    findings
 }
 
 fn size(numbers: &[f64]) -> f64 {
@@ -212,7 +205,8 @@ fn size(numbers: &[f64]) -> f64 {
     if size == 0.0 { 1.0 } else { size }
 }
 
-fn is_near(given: &[f64], truth: &[f64]) -> bool {
+/// Whether these are the true numbers, but for rounding in what was calculated.
+pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
     let size = size(truth);
     given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)
 }
@@ -243,15 +237,15 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
         if (x - y).abs() <= TOLERANCE * size(truth) * times {
             continue;
         }
-        let (digits, unit) = precision(*x);
+        let (digits, place) = precision(*x);
         // The multiple is known no better than the number that it comes from.
         let slack = if may_be_scaled {
-            0.5 * precision(given[largest]).1 * (y / given[largest]).abs()
+            0.5 * unit(precision(given[largest]).1) * (y / given[largest]).abs()
         } else {
             0.0
         };
-        let is_rounded = (x - y).abs() <= 0.5 * unit * (1.0 + TOLERANCE) + slack;
-        let is_cut_off = x.abs() < y.abs() && (x - y).abs() < unit && x * y > 0.0;
+        let is_rounded = (x - y).abs() <= 0.5 * unit(place) * (1.0 + TOLERANCE) + slack;
+        let is_cut_off = x * y > 0.0 && cut_off(y, place) == Some(x.abs());
         if digits < 2 || !(is_rounded || is_cut_off) {
             return None;
         }
@@ -260,12 +254,29 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     least
 }
 
-/// How many significant digits a number is written with, and what 1 in the last place is.
-fn precision(x: f64) -> (usize, f64) {
+/// How many significant digits a number is written with, and the power of ten of its last place.
+fn precision(x: f64) -> (usize, i32) {
     let text = shortest(x.abs());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let digits = mantissa.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
     let exponent: i32 = exponent.parse().unwrap_or_default();
-    (digits, 10f64.powi(exponent - decimals as i32))
+    (digits, exponent - decimals as i32)
+}
+
+fn unit(place: i32) -> f64 {
+    10f64.powi(place)
+}
+
+/// |y| with the digits behind a place left out. In digits: 4 - 3.99 is below 0.01 by the luck of
+/// binary rounding, and yet 4 cut off is never 3.99.
+fn cut_off(y: f64, place: i32) -> Option<f64> {
+    // Rounded to as many digits as can be trusted: what should be 6 may be 5.999999999999999.
+    let text = format!("{:.11e}", y.abs());
+    let (mantissa, exponent) = text.split_once('e')?;
+    let first: i32 = exponent.parse().ok()?;
+    let kept = usize::try_from(first - place + 1).ok().filter(|kept| *kept > 0)?;
+    // The point stands behind the first digit.
+    let cut: String = mantissa.chars().take(if kept == 1 { 1 } else { kept + 1 }).collect();
+    format!("{cut}e{exponent}").parse().ok()
 }

@@ -2,21 +2,24 @@
 
 use glam::{DVec2, DVec3};
 
-use super::solve::{Parts, Wrong, first, number, one, part, place, vector, wrong_t};
+use super::solve::{Parts, Wrong, number, one, part, place, vector, wanting, wrong_t};
+use super::wanted::{Surface, Wanted};
 use super::{Answer, Asked, Slip};
 use crate::ray::Ray;
 use crate::roots::Roots;
 use crate::sphere::Sphere;
 
-pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Parts {
+/// Nothing where the ray's line misses the sphere.
+pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     let roots = sphere.roots(ray);
-    let t = first(roots);
+    let t = roots.iter().next()?;
     let normal = |point: DVec3| (point - sphere.center) / sphere.radius;
     let point = ray.at(t);
     let n = normal(point);
+    let surface = Surface::Sphere(*sphere);
     let parts = vec![
-        part(Asked::T, number(t)),
-        part(Asked::Point, vector(point)),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(*ray, surface)]),
+        wanting(Asked::Point, vector(point), vec![Wanted::On(surface), Wanted::OnRay(*ray)]),
         part(Asked::Normal, vector(n)),
     ];
     let mut wrongs: Vec<Wrong> = Vec::new();
@@ -42,7 +45,7 @@ pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Parts {
         (Slip::NormalFromOrigin, point.normalize_or_zero()),
     ];
     wrongs.extend(normals.map(of_normal));
-    (parts, wrongs)
+    Some((parts, wrongs))
 }
 
 /// Wrong solutions of `a t^2 + 2 b t + c = 0`; NaN where D is below 0.
@@ -65,9 +68,11 @@ pub(super) fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
     let (gap, step) = (normal.dot(origin) + c, normal.dot(direction));
     let at = |t: f64| place(origin + t * direction);
     let t = -gap / step;
+    let ray = Ray { origin: origin.extend(0.0), direction: direction.extend(0.0) };
+    let surface = Surface::Line(line);
     let parts = vec![
-        part(Asked::T, number(t)),
-        part(Asked::Point, at(t)),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, surface)]),
+        wanting(Asked::Point, at(t), vec![Wanted::On(surface), Wanted::OnRay(ray)]),
         part(Asked::Hits, Answer::Yes(t > 0.0)),
     ];
     let mut wrongs: Vec<Wrong> = [

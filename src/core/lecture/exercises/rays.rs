@@ -2,22 +2,30 @@
 
 use glam::{DVec2, DVec3};
 
-use super::solve::{Parts, Wrong, first, number, one, part, vector, view_ray, wall, wrong_t};
-use super::{Asked, Given, Part, Slip};
-use crate::lecture::mistakes::Mistake;
+use super::solve::{Parts, Wrong, number, one, t_of_wall, vector, view_ray, wanting, wrong_t};
+use super::wanted::{Surface, Wanted};
+use super::{Asked, Part, Slip};
+use crate::basis::Basis;
 use crate::ray::Ray;
 
 pub(super) fn of_uv(uv: DVec2) -> Parts {
-    let ray = view_ray(&Given::Uv(uv), uv);
+    let ray = view_ray(Basis::CANONICAL, 1.0, uv);
     let parts = vec![
-        part(Asked::Origin, vector(ray.origin)),
-        Part { may_be_scaled: true, ..part(Asked::Direction, vector(ray.direction)) },
+        wanting(Asked::Origin, vector(ray.origin), vec![Wanted::Eye(ray.origin)]),
+        Part {
+            may_be_scaled: true,
+            ..wanting(Asked::Direction, vector(ray.direction), vec![through(1.0, uv)])
+        },
     ];
     let p = |x, y, z| one(Slip::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
     let mut wrongs = vec![p(0.0, 0.0, -1.0), p(uv.x, uv.y, -1.0), p(uv.x, uv.y, 0.0)];
     let d = |(slip, d)| one(slip, Asked::Direction, vector(d));
     wrongs.extend(wrong_directions(uv, 1.0).map(d));
     (parts, wrongs)
+}
+
+fn through(distance: f64, uv: DVec2) -> Wanted {
+    Wanted::Through { basis: Basis::CANONICAL, distance, uv }
 }
 
 /// What is often given for the direction of a canonical camera's ray.
@@ -49,11 +57,18 @@ pub(super) fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
     .into()
 }
 
-pub(super) fn and_wall(given: &Given, uv: DVec2, z: f64) -> Parts {
-    let ray = view_ray(given, uv);
-    let t = first(wall(z).roots(&ray));
+pub(super) fn and_wall(uv: DVec2, z: f64) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, 1.0, uv);
+    let t = t_of_wall(&ray, z);
     let point = ray.at(t);
-    let parts = vec![part(Asked::T, number(t)), part(Asked::Point, vector(point))];
+    let parts = vec![
+        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+        wanting(
+            Asked::Point,
+            vector(point),
+            vec![Wanted::On(Surface::Wall(z)), Wanted::OnRay(ray)],
+        ),
+    ];
     let mut wrongs = wrong_t_of_wall(&ray, t, z);
     // The wrong ray's t, and the wrong ray's point.
     wrongs.extend(wrong_directions(uv, 1.0).map(|(slip, d)| {
@@ -66,17 +81,20 @@ pub(super) fn and_wall(given: &Given, uv: DVec2, z: f64) -> Parts {
     (parts, wrongs)
 }
 
-pub(super) fn at_distance(given: &Given, uv: DVec2, distance: f64, z: f64) -> Parts {
-    let ray = view_ray(given, uv);
-    let t = first(wall(z).roots(&ray));
-    let parts = vec![part(Asked::Direction, vector(ray.direction)), part(Asked::T, number(t))];
+pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
+    let ray = view_ray(Basis::CANONICAL, distance, uv);
+    let t = t_of_wall(&ray, z);
+    let parts = vec![
+        wanting(Asked::Direction, vector(ray.direction), vec![through(distance, uv)]),
+        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+    ];
     let scaled = distance * uv;
     let wrong = |(slip, d): (Slip, DVec3)| Wrong {
         slip,
         answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
     };
     let of_distance = [
-        (Slip::Camera(Mistake::DistanceDropped), uv.extend(-1.0)),
+        (Slip::DistanceDropped, uv.extend(-1.0)),
         (Slip::DistanceOnAll, scaled.extend(-distance)),
         (Slip::DistanceOnUv, scaled.extend(-1.0)),
         (Slip::ViewportAtOne, (uv / distance).extend(-1.0)),

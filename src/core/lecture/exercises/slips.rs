@@ -1,13 +1,28 @@
 //! The mistakes that answers tell.
 
 use super::Asked;
-use crate::lecture::mistakes::Mistake;
 
 /// A classic mistake in an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slip {
-    /// One of the wrong cameras'.
-    Camera(Mistake),
+    /// `w = normalize(view)`, as the lecture prints it.
+    WAsPrinted,
+    /// `w = normalize(at - eye)`.
+    WIsAtMinusEye,
+    /// `w = -view`, not normalized, and with it v.
+    WNotNormalized,
+    /// `u = up x w`, and with it v, not normalized.
+    UNotNormalized,
+    /// `u = normalize(w x up)`.
+    UIsWCrossUp,
+    /// `v = u x w`.
+    VIsUCrossW,
+    /// Both cross products the other way round.
+    LeftHanded,
+    /// `v = up`.
+    UpAsV,
+    /// `direction = u*U + v*V - W`.
+    DistanceDropped,
     /// A point of the viewport taken for the eye.
     ViewportForEye,
     /// The direction's z without its minus.
@@ -111,38 +126,37 @@ pub enum Slip {
 }
 
 impl Slip {
-    /// Whether this mistake is made in the other, too, with one more.
+    /// Whether this mistake is made in the other, too, with one more, or is how the other comes about
+    /// and says it, too.
     pub fn is_part_of(self, other: Slip) -> bool {
         matches!(
             (self, other),
-            (Slip::Camera(Mistake::WNotNormalized), Slip::NothingNormalized)
-                | (Slip::Camera(Mistake::UIsWCrossUp), Slip::Camera(Mistake::LeftHanded))
+            (Slip::WNotNormalized, Slip::NothingNormalized)
+                | (Slip::UIsWCrossUp, Slip::LeftHanded | Slip::ULeftwards)
         )
     }
 
     /// Whether what is said of it is about this answer itself, and not about another one from which
     /// this follows.
-    pub(super) fn is_told_by(self, asked: Asked) -> bool {
+    pub fn is_told_by(self, asked: Asked) -> bool {
         match self {
-            Slip::Camera(
-                Mistake::WAsPrinted | Mistake::WIsAtMinusEye | Mistake::WNotNormalized,
-            )
+            Slip::WAsPrinted
+            | Slip::WIsAtMinusEye
+            | Slip::WNotNormalized
             | Slip::WForwards
             | Slip::WIsView
             | Slip::EyeForgotten
             | Slip::AtForgotten
             | Slip::EyePlusAt => asked == Asked::W,
-            Slip::Camera(Mistake::UIsWCrossUp | Mistake::NotNormalized) | Slip::ULeftwards => {
-                asked == Asked::U
-            }
-            Slip::Camera(Mistake::VIsUCrossW) => asked == Asked::V,
-            Slip::Camera(Mistake::LeftHanded)
+            Slip::UIsWCrossUp | Slip::UNotNormalized | Slip::ULeftwards => asked == Asked::U,
+            Slip::VIsUCrossW => asked == Asked::V,
+            Slip::LeftHanded
             | Slip::TurnedOtherWay
             | Slip::UAndVSwapped
             | Slip::UAndWSwapped
             | Slip::BasisUnnormalized
             | Slip::NothingNormalized => false,
-            Slip::Camera(Mistake::DistanceDropped)
+            Slip::DistanceDropped
             | Slip::SignOfZ
             | Slip::FlatDirection
             | Slip::UvSwapped
@@ -162,7 +176,17 @@ impl Slip {
     /// What was done, and what to look at.
     pub fn look_at(self) -> &'static str {
         match self {
-            Slip::Camera(mistake) => camera(mistake),
+            Slip::WAsPrinted => {
+                "𝐰 is made of view without the minus: 𝐰 points backwards, so 𝐰 · view must be below 0."
+            }
+            Slip::WIsAtMinusEye => "at − eye is the view: 𝐰 points the other way, from at to eye.",
+            Slip::VIsUCrossW => "𝐯 = 𝐮 × 𝐰 points down: the factors are exchanged.",
+            Slip::UNotNormalized => "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
+            Slip::WNotNormalized => "𝐰 = −view is not normalized, and what is made of it.",
+            Slip::DistanceDropped => "The distance is left out: the part along 𝐰 is −distance.",
+            Slip::UpAsV => "up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.",
+            Slip::UIsWCrossUp => "𝐮 = 𝐰 × up points left: the factors are exchanged.",
+            Slip::LeftHanded => "Both cross products are the other way round: up × 𝐰 and 𝐰 × 𝐮.",
             Slip::ViewportForEye => {
                 "Every view ray starts at the eye. (𝑢, 𝑣) is where it passes the viewport."
             }
@@ -269,26 +293,5 @@ impl Slip {
                 "Look at the sign of 𝑡: the line is met behind the ray's origin where 𝑡 < 0."
             }
         }
-    }
-}
-
-fn camera(mistake: Mistake) -> &'static str {
-    match mistake {
-        Mistake::WAsPrinted => {
-            "𝐰 is made of view without the minus: 𝐰 points backwards, so 𝐰 · view must be below 0."
-        }
-        Mistake::WIsAtMinusEye => "at − eye is the view: 𝐰 points the other way, from at to eye.",
-        Mistake::VIsUCrossW => "𝐯 = 𝐮 × 𝐰 points down: the factors are exchanged.",
-        Mistake::NotNormalized => "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
-        Mistake::WNotNormalized => "𝐰 = −view is not normalized, and what is made of it.",
-        Mistake::DistanceDropped => "The distance is left out: the part along 𝐰 is −distance.",
-        Mistake::UpAsV => "up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.",
-        Mistake::UIsWCrossUp => "𝐮 = 𝐰 × up points left: the factors are exchanged.",
-        Mistake::LeftHanded => "Both cross products are the other way round: up × 𝐰 and 𝐰 × 𝐮.",
-        Mistake::PixelCorner
-        | Mistake::RowsFromBottom
-        | Mistake::RowsColumnsSwapped
-        | Mistake::CountedFromOne
-        | Mistake::AspectDropped => mistake.shows(),
     }
 }

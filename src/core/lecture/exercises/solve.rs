@@ -2,12 +2,14 @@
 
 use glam::{DVec2, DVec3};
 
+use super::judge::is_near;
+use super::wanted::Wanted;
 use super::{Answer, Asked, Given, Part, Slip, camera as camera_of, turned};
 use super::{bases, objects, rays};
+use crate::basis::Basis;
 use crate::camera::{Camera, Orientation};
 use crate::plane::Plane;
 use crate::ray::Ray;
-use crate::roots::Roots;
 
 /// A wrong answer: each of the things asked for that a mistake changes.
 pub(super) struct Wrong {
@@ -18,15 +20,16 @@ pub(super) struct Wrong {
 /// What a question asks for, and the answers that mistakes give.
 pub(super) type Parts = (Vec<Part>, Vec<Wrong>);
 
-/// What a question asks for. A mistake that changes nothing in its numbers is no wrong answer.
-pub(super) fn parts(given: &Given) -> Vec<Part> {
+/// What a question asks for; nothing where a basis cannot be found or a sphere is not met. A mistake
+/// that changes nothing in its numbers is no wrong answer.
+pub(super) fn parts(given: &Given) -> Option<Vec<Part>> {
     let (mut parts, wrongs) = match *given {
         Given::Uv(uv) => rays::of_uv(uv),
-        Given::UvAndWall { uv, z } => rays::and_wall(given, uv, z),
-        Given::Distance { uv, distance, z } => rays::at_distance(given, uv, distance, z),
-        Given::Turned { right, uv, z } => bases::turned_by_hand(given, right, uv, z),
-        Given::ViewUp { .. } | Given::EyeAtUp { .. } => bases::constructed(given),
-        Given::Sphere { ray, sphere } => objects::sphere(&ray, &sphere),
+        Given::UvAndWall { uv, z } => rays::and_wall(uv, z),
+        Given::Distance { uv, distance, z } => rays::at_distance(uv, distance, z),
+        Given::Turned { right, uv, z } => bases::turned_by_hand(right, uv, z),
+        Given::ViewUp { .. } | Given::EyeAtUp { .. } => bases::constructed(given)?,
+        Given::Sphere { ray, sphere } => objects::sphere(&ray, &sphere)?,
         Given::Lines { line, origin, direction } => objects::lines(line, origin, direction),
     };
     for Wrong { slip, answers } in wrongs {
@@ -37,14 +40,13 @@ pub(super) fn parts(given: &Given) -> Vec<Part> {
             }
         }
     }
-    parts
+    Some(parts)
 }
 
 fn is_another(truth: &Answer, answer: &Answer) -> bool {
     match (truth, answer) {
         (Answer::Numbers(truth), Answer::Numbers(answer)) => {
-            let is_near = |(x, y): (&f64, &f64)| (x - y).abs() <= 1e-6 * y.abs().max(1.0);
-            answer.iter().all(|x| x.is_finite()) && !truth.iter().zip(answer).all(is_near)
+            answer.iter().all(|x| x.is_finite()) && !is_near(answer, truth)
         }
         (truth, answer) => truth != answer,
     }
@@ -76,8 +78,19 @@ pub(super) fn wall(z: f64) -> Plane {
 }
 
 pub(super) fn part(asked: Asked, truth: Answer) -> Part {
-    let may_be_scaled = false;
-    Part { asked, truth, may_be_scaled, slips: Vec::new(), orthogonal_to: Vec::new() }
+    Part {
+        asked,
+        truth,
+        may_be_scaled: false,
+        slips: Vec::new(),
+        orthogonal_to: Vec::new(),
+        wanted: Vec::new(),
+    }
+}
+
+/// A part whose answer has to fulfil these.
+pub(super) fn wanting(asked: Asked, truth: Answer, wanted: Vec<Wanted>) -> Part {
+    Part { wanted, ..part(asked, truth) }
 }
 
 pub(super) fn number(x: f64) -> Answer {
@@ -96,19 +109,16 @@ pub(super) fn one(slip: Slip, asked: Asked, answer: Answer) -> Wrong {
     Wrong { slip, answers: vec![(asked, answer)] }
 }
 
-/// The first root; every question has one.
-pub(super) fn first(roots: Roots) -> f64 {
-    match roots {
-        Roots::None => f64::NAN,
-        Roots::One(t) | Roots::Two(t, _) => t,
-    }
+/// The ray from the origin through a place in the viewport: `u U + v V - distance W`.
+pub(super) fn view_ray(basis: Basis, distance: f64, uv: DVec2) -> Ray {
+    let Basis { u, v, w } = basis;
+    Ray { origin: DVec3::ZERO, direction: uv.x * u + uv.y * v - distance * w }
 }
 
-/// The question's view ray; every question's camera has one.
-pub(super) fn view_ray(given: &Given, uv: DVec2) -> Ray {
-    let posed = camera(given).and_then(|camera| camera.posed().ok());
-    let none = Ray { origin: DVec3::ZERO, direction: DVec3::ZERO };
-    posed.map_or(none, |posed| posed.ray(uv))
+/// Where a ray from the origin meets the plane at this z, to which no question's ray is parallel: u is
+/// below 1, so `-distance w` outweighs `u U` in z.
+pub(super) fn t_of_wall(ray: &Ray, z: f64) -> f64 {
+    z / ray.direction.z
 }
 
 /// The wrong t, each with the point that is found with it.
