@@ -265,7 +265,8 @@ impl App {
         self.sheets(&ctx, actions);
         self.follow_look(&ctx);
         if self.session.presenting.is_some() {
-            return self.lesson_strip(ui, actions);
+            self.lesson_strip(ui, actions);
+            return self.play_on(ui, actions);
         }
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
@@ -277,6 +278,9 @@ impl App {
         });
         self.lesson_strip(ui, actions);
         self.play_on(ui, actions);
+        if !self.session.settings.layout.shows_the_scene() {
+            return;
+        }
         let panel =
             Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
         panel.show(ui, |ui| {

@@ -2,7 +2,7 @@
 //!
 //! Nothing is drawn a second time. The overlay's marks come from its [`Drawing`], and labels, the
 //! ledger and the lab of lines are drawn by the window's own code into an egui pass without a window.
-//! PNG is painted from both as the window is. For SVG and PDF, both become the same [`Part`]s: paths,
+//! PNG is painted from both as the window is. For SVG and PDF, both become the same `Part`s: paths,
 //! text and one picture. So what is on the screen is what is in the file.
 //!
 //! - `order`: what is asked for;

@@ -31,7 +31,7 @@ pub struct Player {
     pub speed: f64,
     /// After the end it begins again.
     pub loops: bool,
-    /// Only whole steps are shown, [two a second](REDUCED).
+    /// Only whole steps are shown, two a second.
     pub reduced: bool,
     /// Why it does not move.
     pub fault: Option<PlayError>,

@@ -51,6 +51,11 @@ impl ViewLayout {
         ViewLayout::Frame,
     ];
 
+    /// Whether it is about the camera and what it looks at, so that both can be edited beside it.
+    pub fn shows_the_scene(self) -> bool {
+        !matches!(self, ViewLayout::Lines | ViewLayout::Exercises)
+    }
+
     /// What it is called.
     pub fn label(self) -> &'static str {
         match self {

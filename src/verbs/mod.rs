@@ -2,7 +2,7 @@
 //!
 //! Menus take their keys' names from this table, [`pressed`] looks keys up in it, and the command
 //! palette and the key sheet list it, so that a key stands in one place. A command that is added
-//! to [`table`] is found by all of them; one that is carried out elsewhere, because it needs to
+//! to `table` is found by all of them; one that is carried out elsewhere, because it needs to
 //! know what is under the pointer, is a [`Gesture`].
 
 mod keys;

@@ -265,3 +265,15 @@ fn a_camera_that_cannot_move_says_why() {
     assert!(!harness.state().player().unwrap().running);
     assert!(harness.state().player().unwrap().fault.is_some());
 }
+
+#[test]
+fn an_animation_goes_on_while_presenting() {
+    let mut harness = playing("canonical", "Swing up round the view");
+    press(&mut harness, Key::F5);
+    assert!(harness.state().session().presenting.is_some());
+    for _ in 0..6 {
+        press(&mut harness, Key::Period);
+    }
+    assert_eq!(up(&harness), DVec3::NEG_X);
+    assert_says(&harness, "90°");
+}

@@ -92,10 +92,10 @@ fn next_goes_through_every_step_and_each_sets_all_that_it_says() {
     assert_eq!(place(&window), (13, 2));
 }
 
-/// Drags the eye, another layout and the observer.
+/// Another layout, which has the camera's fields; another eye, and another observer.
 fn disturb(window: &mut Window) {
-    type_into(window, "eye x", "0.125");
     press(window, "World");
+    type_into(window, "eye x", "0.125");
     let view = window.get_by_role_and_label(Role::Image, "World view").rect();
     drag_from(window, view.min + egui::vec2(60.0, 60.0), egui::vec2(50.0, 20.0));
 }
