@@ -31,6 +31,8 @@ pub enum Group {
     Presenting,
     /// The selected pixel and the observer.
     Views,
+    /// The camera in the hand: handles, and dragging in the camera view.
+    Hand,
     /// Animations, and the camera to compare with.
     Play,
     /// The program itself.
@@ -64,6 +66,7 @@ impl Group {
             Group::Lesson => "Lesson",
             Group::Presenting => "Presenting",
             Group::Views => "Views",
+            Group::Hand => "In the hand",
             Group::Play => "Play and compare",
             Group::Program => "Program",
             Group::Layout => "Layout",
