@@ -48,7 +48,11 @@ for scene in "${scenes[@]}"; do
       x=$((width * 75 / 100)) y=$((height * 45 / 100))
       [ "$layout" = Ledger ] && x=$((width * 36 / 100)) y=$((height * 80 / 100))
       DISPLAY=$display drag "$x" "$y"
-      close_window
+      # The log is written when the window is closed, which asks about changes if there are any.
+      DISPLAY=$display xdotool key ctrl+z
+      sleep 0.5
+      DISPLAY=$display xdotool key ctrl+q
+      wait "$process" || true
       printf '%-16s %-8s %-8s' "$scene" "$layout" "$renderer"
       for name in since_input frame ui upload paint wait; do printf ' %s' "$(median "$name")"; done
       echo

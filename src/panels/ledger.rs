@@ -101,7 +101,7 @@ impl LedgerPanel {
         let goal = by_view.map(|pointed| pointed.thing);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
         self.scrolled_to = by_view.map(|pointed| pointed.thing);
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ScrollArea::vertical().id_salt("ledger scrolled").auto_shrink(false).show(ui, |ui| {
             self.lay_out(ui, ledger);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
             let inks = Inks::of(ui);

@@ -46,7 +46,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ScrollArea::vertical().id_salt("lines words scrolled").auto_shrink(false).show(ui, |ui| {
             examples(ui, lab);
             fields(ui, lab);
             time(ui, lab);

@@ -9,6 +9,9 @@ use crate::play::{Kind, Player};
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
 
+/// In a narrower strip, in points, how it ends and where it is have a row of their own.
+const NARROW: f32 = 1180.0;
+
 /// The width that is kept for where the animation is, in points.
 const PLACE: f32 = 64.0;
 const SCAN_PLACE: f32 = 196.0;
@@ -26,41 +29,52 @@ pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
 pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);
+    let is_narrow = ui.available_width() < NARROW;
+    let right_to_left = egui::Layout::right_to_left(egui::Align::Center);
     ui.horizontal(|ui| {
-        let mut button = |ui: &mut Ui, text: &str, name: &str, hint: &str, play: PlayMove| {
-            let response = ui.add(Button::new(text)).on_hover_text(hint);
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
-            if response.clicked() {
-                actions.push(Action::Play(play));
-            }
-        };
         let chosen = kinds(ui, player.kind);
-        let mut asks = false;
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
-        button(ui, text, name, "Space", PlayMove::Toggle);
-        button(ui, "← Step", "Step back", "A step back: comma", PlayMove::Step(-1));
-        button(ui, "Step →", "Step on", "A step on: full stop", PlayMove::Step(1));
+        button(ui, [text, name, "Space"], PlayMove::Toggle, actions);
+        button(ui, ["← Step", "Step back", "A step back: comma"], PlayMove::Step(-1), actions);
+        button(ui, ["Step →", "Step on", "A step on: full stop"], PlayMove::Step(1), actions);
         speed(ui, &mut player.speed);
         ui.add(Checkbox::new(&mut player.loops, "Loop"));
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let hint = "Close, with everything as it was at the start";
-            button(ui, "Stop", "Stop and go back", hint, PlayMove::Close);
-            let hint = "Close, with everything as it is now";
-            button(ui, "Keep", "Keep this", hint, PlayMove::Keep);
-            asks |= ui.button("Export…").clicked();
-            place(ui, player);
-        });
-        if asks {
-            actions.push(Action::AskExportAnimation);
+        if !is_narrow {
+            ui.with_layout(right_to_left, |ui| ends(ui, player, actions));
         }
         if let Some(kind) = chosen {
             actions.push(Action::Play(PlayMove::Open(kind)));
         }
     });
+    if is_narrow {
+        let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(row, right_to_left, |ui| ends(ui, player, actions));
+    }
     if let Some(fault) = player.fault {
         ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
     }
     ui.add_space(2.0);
+}
+
+/// A button: what it says, what it is called, and its hint.
+fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayMove, actions: &mut Vec<Action>) {
+    let response = ui.add(Button::new(text)).on_hover_text(hint);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    if response.clicked() {
+        actions.push(Action::Play(play));
+    }
+}
+
+/// How it can end, and where it is; from right to left.
+fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
+    let hint = "Close, with everything as it was at the start";
+    button(ui, ["Stop", "Stop and go back", hint], PlayMove::Close, actions);
+    let hint = "Close, with everything as it is now";
+    button(ui, ["Keep", "Keep this", hint], PlayMove::Keep, actions);
+    if ui.button("Export…").clicked() {
+        actions.push(Action::AskExportAnimation);
+    }
+    place(ui, player);
 }
 
 /// What moves; another one where that was chosen.

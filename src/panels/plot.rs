@@ -35,7 +35,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: 
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
     drawing::ui(ui, left, plot, first, walked);
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
             walk(ui, walked, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
             if let Some((t, values)) = &plot.walked {
                 let point = inspection.ray.at(*t);

@@ -53,7 +53,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     if let Some(fault) = derived.fault {
         ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
     }
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+    ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
             // As wide as the widest numbers: nothing moves sideways while they change.
             let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;

@@ -56,7 +56,9 @@ impl Words {
         let galley = self.galley(text, font);
         for (at, align) in places {
             let rect = align.anchor_size(at, galley.size());
-            let free = self.taken.iter().all(|taken| !taken.intersects(rect));
+            // Two numbers side by side would read as one.
+            let room = rect.expand2(Vec2::new(3.0, 0.0));
+            let free = self.taken.iter().all(|taken| !taken.intersects(room));
             let clear = !points.iter().any(|point| rect.contains(*point));
             if free && clear && self.within.contains_rect(rect) {
                 self.put(galley, rect, font.color);

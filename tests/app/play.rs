@@ -6,6 +6,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
+use pinhole::play::Kind;
 use pinhole::session::Selection;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel};
 
@@ -276,4 +277,40 @@ fn an_animation_goes_on_while_presenting() {
     }
     assert_eq!(up(&harness), DVec3::NEG_X);
     assert_says(&harness, "90°");
+}
+
+#[test]
+fn nothing_in_the_strip_lies_over_anything_else() {
+    let controls = [
+        "what moves",
+        "Play on",
+        "Step back",
+        "Step on",
+        "speed",
+        "Loop",
+        "Export…",
+        "Keep this",
+        "Stop and go back",
+        "position",
+    ];
+    for kind in Kind::ALL {
+        let mut harness = playing("canonical", kind.label());
+        harness.set_size(egui::vec2(1024.0, 768.0));
+        harness.run();
+        for presents in [false, true] {
+            if presents {
+                press(&mut harness, Key::F5);
+                harness.run_steps(6);
+            }
+            let rects = controls.map(|name| {
+                let all = harness.get_all_by_label(name);
+                all.map(|node| node.rect()).last().unwrap()
+            });
+            for (k, rect) in rects.iter().enumerate() {
+                let under = (0..k).find(|other| rects[*other].shrink(1.0).intersects(*rect));
+                let under = under.map(|other| controls[other]);
+                assert_eq!(under, None, "{kind:?}: {} while presenting: {presents}", controls[k]);
+            }
+        }
+    }
 }
