@@ -302,10 +302,8 @@ fn nothing_in_the_strip_lies_over_anything_else() {
                 press(&mut harness, Key::F5);
                 harness.run_steps(6);
             }
-            let rects = controls.map(|name| {
-                let all = harness.get_all_by_label(name);
-                all.map(|node| node.rect()).last().unwrap()
-            });
+            let rects =
+                controls.map(|name| harness.get_all_by_label(name).next_back().unwrap().rect());
             for (k, rect) in rects.iter().enumerate() {
                 let under = (0..k).find(|other| rects[*other].shrink(1.0).intersects(*rect));
                 let under = under.map(|other| controls[other]);
