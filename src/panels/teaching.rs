@@ -32,14 +32,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
 pub(super) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
     let kept = Kept::of(ui, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
-    let distance = if edited.distance != old.distance {
-        edited.distance
-    } else if edited.width != old.width {
-        from.distance * (edited.width / from.width)
-    } else {
-        from.distance * (edited.height / from.height)
-    };
-    let Ok(scaled) = kept.from.scaled_picture(distance) else {
+    let Ok(scaled) = kept.from.picture_scaled_as(&old, &edited) else {
         // A measure that is none is told below the fields, as without the lock; the next one that is
         // one finds the picture again.
         if from.check().is_ok() {
@@ -50,7 +43,7 @@ pub(super) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
     let as_typed = |typed, old, scaled| if typed == old { scaled } else { typed };
     camera.viewport.width = as_typed(edited.width, old.width, scaled.viewport.width);
     camera.viewport.height = as_typed(edited.height, old.height, scaled.viewport.height);
-    camera.viewport.distance = distance;
+    camera.viewport.distance = scaled.viewport.distance;
     Kept { made: *camera, ..kept }.keep(ui, "kept picture");
 }
 

@@ -135,6 +135,27 @@ impl Camera {
         Ok(Camera { viewport, ..*self })
     }
 
+    /// The camera with its picture scaled so that the measure of its viewport that is not the same in
+    /// `edited` and `before` becomes the edited one; see [`Camera::scaled_picture`]. Of several, it is
+    /// the distance, or else the width.
+    ///
+    /// # Errors
+    /// Where the viewport is none, before or after.
+    pub fn picture_scaled_as(
+        &self,
+        before: &Viewport,
+        edited: &Viewport,
+    ) -> Result<Camera, ViewportError> {
+        let Viewport { width, height, distance } = self.viewport;
+        self.scaled_picture(if edited.distance != before.distance {
+            edited.distance
+        } else if edited.width != before.width {
+            distance * (edited.width / width)
+        } else {
+            distance * (edited.height / height)
+        })
+    }
+
     /// The camera moved by an offset, in world units, with the point it looks at, if it is given by
     /// one: p changes, d does not (but for the rounding of eye and at).
     ///

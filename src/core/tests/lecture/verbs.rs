@@ -207,3 +207,19 @@ fn swings_of_ups_of_any_length() {
         assert!(ulps(ratio.dot(before.w), (camera.up() / size).dot(before.w)) < 16);
     }
 }
+
+#[test]
+fn a_picture_is_scaled_as_the_measure_that_was_edited() {
+    let before = Viewport { width: 2.0, height: 1.0, distance: 4.0 };
+    let camera = Camera { viewport: before, ..Camera::CANONICAL };
+    let tripled = Viewport { width: 6.0, height: 3.0, distance: 12.0 };
+    for edited in [
+        Viewport { width: 6.0, ..before },
+        Viewport { height: 3.0, ..before },
+        Viewport { distance: 12.0, ..before },
+    ] {
+        assert_eq!(camera.picture_scaled_as(&before, &edited).unwrap().viewport, tripled);
+    }
+    let none = Viewport { width: 0.0, ..before };
+    assert!(camera.picture_scaled_as(&before, &none).is_err());
+}
