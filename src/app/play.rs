@@ -1,6 +1,6 @@
 //! Animations: opening one, what it shows in each frame, and what is left of it when it ends.
 
-use egui::{Context, Key, Modifiers, Panel, Ui};
+use egui::{Context, Panel, Ui};
 
 use super::App;
 use crate::action::{Action, GhostMove, PlayMove};
@@ -13,7 +13,6 @@ impl App {
     /// drawn of it.
     pub(super) fn play_on(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) {
         let ctx = ui.ctx().clone();
-        self.play_keys(&ctx, actions);
         let Some(player) = &mut self.player else { return };
         let camera = &self.open.document.camera;
         let moved =
@@ -128,19 +127,6 @@ impl App {
             _ => {}
         }
         false
-    }
-
-    /// Full stop and comma go on and back by single steps.
-    fn play_keys(&self, ctx: &Context, actions: &mut Vec<Action>) {
-        if self.player.is_none() || self.dialog.is_some() || ctx.text_edit_focused() {
-            return;
-        }
-        for (key, by) in [(Key::Period, 1), (Key::Comma, -1)] {
-            let presses = ctx.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key));
-            if presses > 0 {
-                actions.push(Action::Play(PlayMove::Step(by * presses as i64)));
-            }
-        }
     }
 
     /// The animation that is open.

@@ -47,11 +47,6 @@ pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Hand, how: "Middle drag there", does: "Orbit round at" },
     Gesture { group: Group::Hand, how: "Wheel there", does: "Field of view" },
     Gesture { group: Group::Hand, how: "Ctrl+wheel there", does: "Dolly" },
-    Gesture {
-        group: Group::Play,
-        how: "Full stop, comma",
-        does: "A step of the animation on, or back",
-    },
     Gesture { group: Group::Program, how: "Tab, Shift+Tab", does: "Next and previous control" },
     Gesture { group: Group::Program, how: "Enter, Space", does: "Press the control in focus" },
 ];
@@ -170,6 +165,10 @@ fn playing() -> Vec<Verb> {
             [], play(Kind::Scan);
         Play, "Play or pause", "Lets the open animation run, or rest.",
             [plain(View, Key::Space)], Action::Play(PlayMove::Toggle);
+        Play, "Step on", "Takes the open animation a step on.",
+            [plain(Untyped, Key::Period)], Action::Play(PlayMove::Step(1));
+        Play, "Step back", "Takes the open animation a step back.",
+            [plain(Untyped, Key::Comma)], Action::Play(PlayMove::Step(-1));
         Play, "Freeze the camera", "Makes the camera the ghost, to compare with.",
             [plain(Untyped, Key::G)], Action::Ghost(GhostMove::Freeze);
         Play, "Drop the ghost", "Takes the frozen camera away.",

@@ -1,7 +1,6 @@
 //! Exporting a figure from the window, and the ledger to the clipboard.
 
 use std::fs;
-use std::path::Path;
 
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, OutputCommand};
@@ -12,22 +11,12 @@ use pinhole::figures::{Format, Look, View, of_view};
 use pinhole::overlay::Style;
 use pinhole_core::ImageSize;
 
-use super::harness::{assert_says, says, texts_with, type_into, window};
+use super::harness::{assert_says, export_to, says, texts_with, type_into, window};
 
 fn open_dialog(window: &mut Harness<'_, App>) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::E);
     window.run();
     assert_says(window, "Export a figure");
-}
-
-fn export_to(window: &mut Harness<'_, App>, path: &Path) {
-    window.get_by_role_and_label(Role::TextInput, "path").focus();
-    window.run();
-    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
-    window.run();
-    window.key_press(Key::Enter);
-    window.run();
 }
 
 /// What the window draws is what is in the file: the same dots.
@@ -38,6 +27,7 @@ fn the_world_view_as_it_is_on_the_screen() {
     let mut window = window("look-at");
     open_dialog(&mut window);
     export_to(&mut window, &path);
+    window.run();
     assert!(!says(&window, "Export a figure"), "the dialog is closed");
     let (app, scale) = (window.state(), window.ctx.pixels_per_point());
     let shown = app.derived().world_view.clone().unwrap();
@@ -64,6 +54,7 @@ fn the_camera_view_keeps_its_proportions() {
     window.get_by_label("transparent").click();
     window.run();
     export_to(&mut window, &path);
+    window.run();
     let svg = fs::read_to_string(&path).unwrap();
     assert!(svg.contains("width=\"640\" height=\"640\""), "{}", &svg[..300]);
     assert!(!svg.contains("<rect "), "transparent");
@@ -79,6 +70,7 @@ fn the_layout_chooses_what_is_exported_first() {
         open_dialog(&mut window);
         let path = folder.path().join(file);
         export_to(&mut window, &path);
+        window.run();
         assert!(fs::read(&path).unwrap().starts_with(b"%PDF-"), "{file}");
     }
 }
@@ -89,10 +81,12 @@ fn another_format_is_refused_and_an_existing_file_asked_about() {
     let mut window = window("canonical");
     open_dialog(&mut window);
     export_to(&mut window, &folder.path().join("world.jpg"));
+    window.run();
     assert!(!texts_with(&window, "Export writes SVG, PDF or PNG: not ").is_empty());
     let path = folder.path().join("there.svg");
     fs::write(&path, "mine").unwrap();
     export_to(&mut window, &path);
+    window.run();
     assert!(!texts_with(&window, "exists. Export once more to replace it.").is_empty());
     assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
     window.get_by_role_and_label(Role::Button, "Export").click();
@@ -106,6 +100,7 @@ fn a_folder_that_is_not_there_is_told() {
     let mut window = window("canonical");
     open_dialog(&mut window);
     export_to(&mut window, &folder.path().join("no").join("world.svg"));
+    window.run();
     assert_says(&window, "The figure was not exported");
 }
 

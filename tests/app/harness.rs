@@ -101,3 +101,13 @@ pub(crate) fn drag_from(harness: &mut Harness<'_, App>, from: egui::Pos2, by: eg
     harness.drop_at(from + by);
     harness.run();
 }
+
+/// Types the path into the dialog that is open, and presses Enter, which is answered in the next frame.
+pub(crate) fn export_to(window: &mut Harness<'_, App>, path: &Path) {
+    window.get_by_role_and_label(Role::TextInput, "path").focus();
+    window.run();
+    window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
+    window.run();
+    window.key_press(egui::Key::Enter);
+}

@@ -2,10 +2,9 @@
 
 use std::fs::{self, File};
 use std::io::BufReader;
-use std::path::Path;
 
+use egui::Color32;
 use egui::accesskit::Role;
-use egui::{Color32, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
@@ -14,7 +13,7 @@ use pinhole::overlay::Style;
 use pinhole::play::Kind;
 use pinhole_core::ImageSize;
 
-use crate::harness::{assert_says, says, texts_with, type_into, window};
+use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
 
 /// A window that asks how to export so many frames of this animation, `size` dots wide.
 fn asked(animation: &str, frames: u32, size: u32) -> Harness<'static, App> {
@@ -32,15 +31,6 @@ fn asked(animation: &str, frames: u32, size: u32) -> Harness<'static, App> {
         type_into(&mut window, field, &number.to_string());
     }
     window
-}
-
-fn export_to(window: &mut Harness<'_, App>, path: &Path) {
-    window.get_by_role_and_label(Role::TextInput, "path").focus();
-    window.run();
-    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.get_by_role_and_label(Role::TextInput, "path").type_text(path.to_str().unwrap());
-    window.run();
-    window.key_press(Key::Enter);
 }
 
 /// The figure of the world view at a phase of what plays.
