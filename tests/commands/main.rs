@@ -6,6 +6,7 @@ mod figure;
 mod figure_read_back;
 mod inspect;
 mod lesson;
+mod molecule;
 mod render;
 mod report;
 mod scenes;

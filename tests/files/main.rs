@@ -5,6 +5,7 @@ mod bad_scenes;
 mod csv;
 mod good_scenes;
 mod lessons;
+mod molecules;
 mod open_document;
 mod round_trip;
 mod saving;
