@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod bad_scenes;
+mod code;
 mod csv;
 mod good_scenes;
 mod lessons;
