@@ -65,6 +65,9 @@ fn error(camera: &PosedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) ->
     apart(ray.origin, origin).max(apart(ray.direction, direction))
 }
 
+/// Names and texts.
+type Files = Vec<(&'static str, String)>;
+
 /// Runs a program on the code of some cameras; what it prints is six numbers a pixel.
 struct Runner {
     language: &'static str,
@@ -72,7 +75,7 @@ struct Runner {
     needs: &'static [&'static str],
     tolerance: f64,
     /// From the code and the calls of it to a file, and to the command lines that run it.
-    files: fn(&str, &[Pixel]) -> Vec<(&'static str, String)>,
+    files: fn(&str, &[Pixel]) -> Files,
     run: &'static [&'static [&'static str]],
 }
 
@@ -246,14 +249,14 @@ fn the_shader_is_glsl() {
 
 #[test]
 fn rust_gives_this_programs_rays() {
-    let rust: [(PosedCamera, fn(u32, u32) -> (glam::DVec3, glam::DVec3)); 2] =
-        [(camera("look-at"), glam_look_at::of), (extreme(), glam_extreme::of)];
-    for (camera, ray) in rust {
+    let assert_rays = |camera: PosedCamera, ray: fn(u32, u32) -> (DVec3, DVec3)| {
         for pixel in pixels(&camera) {
             let (origin, direction) = ray(pixel.row, pixel.column);
             assert!(error(&camera, pixel, origin, direction) <= 1e-12, "{pixel:?}");
         }
-    }
+    };
+    assert_rays(camera("look-at"), glam_look_at::of);
+    assert_rays(extreme(), glam_extreme::of);
 }
 
 /// `UPDATE_EXPECT=1` writes them anew.
