@@ -4,6 +4,7 @@
 mod bench;
 mod figure;
 mod figure_read_back;
+mod generated;
 mod inspect;
 mod lesson;
 mod molecule;
