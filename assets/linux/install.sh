@@ -19,7 +19,6 @@ else
   assets=$(dirname "$here")
 fi
 put "$here/pinhole.desktop" share/applications/pinhole.desktop 644
-put "$here/pinhole.metainfo.xml" share/metainfo/pinhole.metainfo.xml 644
 put "$assets/icon.png" share/icons/hicolor/128x128/apps/pinhole.png 644
 for page in "$assets"/man/*.1; do
   put "$page" "share/man/man1/$(basename "$page")" 644
