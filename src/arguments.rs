@@ -18,8 +18,10 @@ use crate::present::Renderer;
 #[derive(Clone, Debug, Parser)]
 #[command(
     version,
+    long_version = env!("PINHOLE_VERSION"),
     args_conflicts_with_subcommands = true,
-    after_help = "SCENE is the path of a scene file or the name of a built-in scene."
+    after_help = "SCENE is the path of a scene file or of a molecule (.xyz, .pdb), or the name of a built-in \
+                  scene."
 )]
 pub struct Arguments {
     /// What to do instead of opening the window.

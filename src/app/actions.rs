@@ -55,7 +55,7 @@ impl App {
             Action::CloseLesson => self.close_lesson(ctx),
             Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
-                self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
+                self.dialog = Some(Dialog::Open(PathField::to_open(self.open.file())));
             }
             Action::Save => self.save(ctx, None),
             Action::AskSaveAs => self.ask_save_as(None),
@@ -107,7 +107,7 @@ impl App {
 
     /// Saves to the scene's own file, or asks for one.
     fn save(&mut self, ctx: &Context, then: Option<Box<Action>>) {
-        match self.open.file().map(Path::to_owned) {
+        match self.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_then(ctx, &path, then),
             None => self.ask_save_as(then),
         }
@@ -125,7 +125,7 @@ impl App {
     }
 
     fn ask_save_as(&mut self, then: Option<Box<Action>>) {
-        let field = PathField::near(self.open.file(), &self.open.file_name());
+        let field = PathField::to_save(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
     }
 

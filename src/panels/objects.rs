@@ -6,6 +6,7 @@ use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use super::look;
 use super::number::{NumberField, error_color, vector_row};
 use crate::document::{Document, Item};
+use crate::formats::molecule;
 use crate::letters::told;
 
 /// Rows of the list that are visible at once.
@@ -86,8 +87,9 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
         sphere(ui, &mut document.spheres[index].shape);
     } else if index < first_plane {
         let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
+        let row = if molecule::is_molecule(file.as_ref()) { "atom" } else { "row" };
         ui.label(format!(
-            "Sphere {index} is row {} of {file}: edit it there.",
+            "Sphere {index} is {row} {} of {file}: edit it there.",
             index - spheres + 1
         ));
     } else {

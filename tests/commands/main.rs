@@ -4,8 +4,10 @@
 mod bench;
 mod figure;
 mod figure_read_back;
+mod generated;
 mod inspect;
 mod lesson;
+mod molecule;
 mod render;
 mod report;
 mod scenes;
