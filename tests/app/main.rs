@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod compare;
+mod covered;
 mod edits;
 mod exercises;
 mod export;
