@@ -3,11 +3,13 @@
 use egui::{Rect, Ui, UiBuilder};
 
 use super::App;
+use crate::action::{Action, Observe};
 use crate::derive::Fault;
 use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, compare, exercises, frame, lines, mistakes, plot, readouts, views};
+use crate::panels::{accuracy, compare, exercises, frame, framing, lines, mistakes};
+use crate::panels::{plot, readouts, views};
 use crate::session::{Session, ViewLayout};
 
 impl App {
@@ -53,6 +55,13 @@ impl App {
             views::reason(ui, rect, &told(fault));
         }
         self.tell_hand(ui, places);
+        let framing = places.world.filter(|rect| {
+            framing::hint(ui, *rect, &self.derived, &self.open.document, &self.session)
+        });
+        if framing.is_some() {
+            self.waiting.push(Action::Observe(Observe::FrameCamera));
+            ui.ctx().request_repaint();
+        }
     }
 
     /// What the layout has beside the views, or below them.
