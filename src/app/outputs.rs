@@ -37,7 +37,9 @@ impl App {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
             views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
         }
-        if self.session.hand.over.is_none() {
+        // One of them speaks at a time.
+        let is_steered = self.navigation.has_word(ui.input(|i| i.time));
+        if self.session.hand.over.is_none() && !is_steered {
             views::tell_pointed(ui, self.session.pointed, &self.open.document);
         }
         if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {

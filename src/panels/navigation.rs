@@ -211,6 +211,11 @@ impl Navigation {
         self.steered = Some(Steered { way, before, made, total, time, by_keys });
     }
 
+    /// Whether [`Navigation::tell`] has something to say.
+    pub(crate) fn has_word(&self, time: f64) -> bool {
+        self.turn.is_some() || self.steered.as_ref().is_some_and(|last| time - last.time < PAUSE)
+    }
+
     /// What is said beside the pointer of what is being done. The camera view is at `place` now.
     pub(crate) fn tell(
         &mut self,

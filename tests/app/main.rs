@@ -15,6 +15,7 @@ mod frame;
 mod handles;
 mod harness;
 mod history;
+mod labels;
 mod ledger;
 mod lessons;
 mod lines;
