@@ -136,6 +136,28 @@ const GREY_DARK: Colors = Colors {
 };
 
 impl Style {
+    /// All of them.
+    pub const ALL: [Style; 6] = [
+        Style::Light,
+        Style::Dark,
+        Style::ColourBlindLight,
+        Style::ColourBlindDark,
+        Style::GreyLight,
+        Style::GreyDark,
+    ];
+
+    /// In one word, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Style::Light => "light",
+            Style::Dark => "dark",
+            Style::ColourBlindLight => "colour-blind",
+            Style::ColourBlindDark => "colour-blind-dark",
+            Style::GreyLight => "grey",
+            Style::GreyDark => "grey-dark",
+        }
+    }
+
     /// A scheme's colours on a dark or on a light background.
     pub fn of(scheme: Scheme, is_dark: bool) -> Style {
         match (scheme, is_dark) {

@@ -145,7 +145,8 @@ fn transparent_figures_have_no_ground() {
 #[test]
 fn the_theme_is_that_of_the_window() {
     let folder = tempfile::tempdir().unwrap();
-    for (theme, style) in [("light", Style::Light), ("dark", Style::Dark)] {
+    for style in Style::ALL {
+        let theme = style.name();
         let line = format!("canonical --view world -o out.png --width 600 --theme {theme}");
         figure(folder.path(), &line).done();
         let (.., pixels, _) = decode(&folder.path().join("out.png"));
@@ -155,7 +156,7 @@ fn the_theme_is_that_of_the_window() {
         figure(folder.path(), &line.replace("world", "ledger")).done();
         let (.., pixels, _) = decode(&folder.path().join("out.png"));
         let is_dark = pixels[0][0] < 100;
-        assert_eq!(is_dark, style == Style::Dark);
+        assert_eq!(is_dark, style.is_dark());
         assert!(pixels.contains(&rgba(colors.basis[2])), "w has the same colour as in the views");
     }
 }
@@ -222,7 +223,14 @@ fn what_does_not_fit_is_refused() {
     at("canonical -o out.svg").refused("--view <world|camera|ledger|lines>");
     at("canonical --view side -o out.svg").refused("world, camera, ledger, lines");
     at("canonical --view world").refused("--output <OUT.svg|pdf|png>");
-    at("canonical --view world -o a.svg --theme grey").refused("light, dark");
+    at("canonical --view world -o a.svg --theme sepia")
+        .refused("light, dark, colour-blind, colour-blind-dark, grey, grey-dark");
+    at("canonical --view world -o a.png --frames 3").refused("--play <KIND>");
+    at("canonical --view world -o a.png --play dance").refused("swing-up, orbit, walk, scan");
+    at("canonical --view ledger -o a.png --play orbit")
+        .failed(2, "--play shows a view: --view world or --view camera");
+    at("canonical --view world -o a.svg --play orbit")
+        .failed(2, "-o writes animations as PNG: end the name with .png");
     at("canonical --view world -o a.svg --width 0").refused("0 is not in 1..=16384");
     at("canonical --view world -o a.svg --uv 0,0 --pixel 1,1").refused("cannot be used with");
     at("canonical --view world -o out.jpg")
