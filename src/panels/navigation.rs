@@ -168,8 +168,10 @@ impl Navigation {
         let time = ctx.input(|i| i.time);
         self.steered =
             self.steered.take().filter(|last| last.made == now && time - last.time < PAUSE);
-        let escape = ctx.input(|i| i.key_pressed(Key::Escape));
-        if let Some(last) = self.steered.take_if(|_| escape) {
+        // Taken here, it does not end presenting, too.
+        let taken =
+            |_: &mut Steered| ctx.input_mut(|i| i.consume_key(egui::Modifiers::NONE, Key::Escape));
+        if let Some(last) = self.steered.take_if(taken) {
             edited.document.camera = last.before;
             if last.by_keys {
                 // Which Escape takes away everywhere.

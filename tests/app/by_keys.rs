@@ -270,3 +270,17 @@ fn a_handle_goes_in_a_plane_and_in_round_steps() {
     let hundredths = x * 100.0;
     assert!(x != 0.037 && (hundredths - hundredths.round()).abs() < 1e-9, "{x} is no round one");
 }
+
+#[test]
+fn escape_takes_back_what_keys_did_and_goes_on_presenting() {
+    let mut harness = window("look-at");
+    press(&mut harness, Modifiers::NONE, Key::F5);
+    press(&mut harness, Modifiers::NONE, Key::Num3);
+    let before = camera(&harness);
+    // The only view needs no focus.
+    press_at_once(&mut harness, Modifiers::COMMAND, Key::ArrowLeft);
+    assert_ne!(camera(&harness), before);
+    press_at_once(&mut harness, Modifiers::NONE, Key::Escape);
+    assert_eq!(camera(&harness), before);
+    assert!(harness.state().session().presenting.is_some());
+}
