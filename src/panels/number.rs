@@ -17,6 +17,9 @@ use crate::panels::look;
 /// Significant digits shown in a field that is not being typed in.
 const FIELD_DIGITS: usize = 5;
 
+/// And these in any case.
+const LEAST_DIGITS: usize = 2;
+
 /// One number to edit.
 pub(super) struct NumberField<'a> {
     name: &'a str,
@@ -111,8 +114,8 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
         };
         is_short || ctx.fonts_mut(laid_out) <= room
     };
-    let texts = (2..=FIELD_DIGITS).rev().map(|digits| rounded(value, digits));
-    texts.clone().find(fits).or(texts.last()).unwrap_or_default()
+    let mut texts = (LEAST_DIGITS..=FIELD_DIGITS).rev().map(|digits| rounded(value, digits));
+    texts.find(fits).unwrap_or_else(|| rounded(value, LEAST_DIGITS))
 }
 
 /// The number, or which ones would do.
