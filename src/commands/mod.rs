@@ -1,5 +1,6 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 
+mod animation;
 mod bench;
 mod figure;
 mod inspect;

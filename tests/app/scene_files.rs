@@ -200,6 +200,35 @@ fn a_broken_store_is_no_reason_not_to_start() {
 }
 
 #[test]
+fn one_wrong_value_in_the_store_takes_no_other_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.json");
+    let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
+    right.settings.digits = 9;
+    right.settings.scheme = pinhole::overlay::Scheme::Grey;
+    right.settings.items.set(pinhole::overlay::Item::Labels, false);
+    right.selection = Some(pinhole::store::RememberedRay::Pixel(3, 4));
+    Store::at(&path).save(&right).unwrap();
+    let text = fs::read_to_string(&path).unwrap();
+    let wrong = [
+        ("\"digits\": 9", "\"digits\": \"nine\"", Remembered::default().settings.digits),
+        ("\"Grey\"", "\"Purple\"", 9),
+        ("\"zoom\": 1.0", "\"zoom\": null", 9),
+    ];
+    for (value, by, digits) in wrong {
+        assert!(text.contains(value), "{value} in {text}");
+        fs::write(&path, text.replace(value, by)).unwrap();
+        let read = Store::at(&path).load();
+        let mut expected = right.clone();
+        expected.settings.digits = digits;
+        if value == "\"Grey\"" {
+            expected.settings.scheme = pinhole::overlay::Scheme::Standard;
+        }
+        assert_eq!(read, expected, "{by}");
+    }
+}
+
+#[test]
 fn a_window_that_goes_away_leaves_the_changes() {
     let folder = tempfile::tempdir().unwrap();
     let store = Store::at(&folder.path().join("state.json"));

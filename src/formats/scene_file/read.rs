@@ -52,10 +52,10 @@ pub(crate) fn tables(root: &Section, document: &mut Document) -> Result<(), File
         camera.image = image(&section.section()?)?;
     }
     if let Some(field) = root.get("sphere") {
-        document.spheres = objects(&field, sphere)?;
+        document.spheres = objects(&field, sphere)?.into();
     }
     if let Some(field) = root.get("plane") {
-        document.planes = objects(&field, plane)?;
+        document.planes = objects(&field, plane)?.into();
     }
     Ok(())
 }
