@@ -15,6 +15,7 @@ mod columns;
 pub mod commands;
 pub mod derive;
 pub mod document;
+pub mod exchange;
 pub mod exercises;
 pub mod expression;
 pub mod figures;
