@@ -118,12 +118,16 @@ pub(crate) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
         .unwrap_or(x)
 }
 
+/// `ratio` times as much, in as few digits as keep the ratio to its last one.
+pub(crate) fn in_ratio(x: f64, ratio: f64) -> f64 {
+    shortest_where(x * ratio, |y| (y / x / ratio - 1.0).abs() <= 2.0 * f64::EPSILON)
+}
+
 /// The viewport at `distance` that is seen under this vertical angle and is `aspect` times as wide as
 /// high.
 pub(crate) fn upright(degrees: f64, aspect: f64, distance: f64) -> Viewport {
     let height = extent(degrees, distance);
-    let width = shortest_where(aspect * height, |width| width / height == aspect);
-    Viewport { width, height, distance }
+    Viewport { width: in_ratio(height, aspect), height, distance }
 }
 
 /// The image of `height` rows that has this ratio of width to height.

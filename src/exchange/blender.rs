@@ -4,7 +4,7 @@
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Sphere, Viewport};
 
 use super::affine::Affine;
-use super::back::{extent, image_of, shortest_where};
+use super::back::{extent, image_of, in_ratio, shortest_where};
 use super::code::{Code, Comments};
 use super::gltf::placed;
 use super::sheet::{Sheet, commas, light, n, quotable, real};
@@ -168,10 +168,10 @@ fn viewport(
     };
     let wide = |width: f64| Viewport {
         width,
-        height: shortest_where(width / frame, |height| width / height == frame),
+        height: in_ratio(width, 1.0 / frame),
         distance,
     };
-    let high = |height: f64| Viewport { width: frame * height, height, distance };
+    let high = |height: f64| Viewport { width: in_ratio(height, frame), height, distance };
     if let Some(width) = angle("angle_x")? {
         return Ok(wide(width));
     }

@@ -117,6 +117,10 @@ impl<'a> Code<'a> {
             }
             return Ok(());
         }
+        let parts = split(piece);
+        if parts.len() > 1 {
+            return parts.into_iter().try_for_each(|part| self.collect(field, part, into));
+        }
         match number(piece.text) {
             Some(number) => into.push(number),
             None => return Err(self.fault(field, piece, "it must be a finite number")),

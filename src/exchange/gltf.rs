@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::affine::Affine;
 use super::back::{
-    MIRRORED, Mirrored, Stance, image_of, image_of_aspect, shortest_where,
+    MIRRORED, Mirrored, Stance, image_of, image_of_aspect, in_ratio, shortest_where,
 };
 use super::gltf_mesh::Meshes;
 use super::json::{self, Node};
@@ -141,8 +141,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
 fn upright_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
     let near = pinhole_core::extent_of_fov(fov, distance);
     let height = shortest_where(near, |h| pinhole_core::fov_of_extent(h, distance) == fov);
-    let width = shortest_where(aspect * height, |width| width / height == aspect);
-    Viewport { width, height, distance }
+    Viewport { width: in_ratio(height, aspect), height, distance }
 }
 
 /// A camera's orientation and eye from its node's frame in the world. Scales are no matter.

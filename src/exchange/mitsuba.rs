@@ -4,7 +4,7 @@ use pinhole_core::{Camera, DVec3, Orientation, Plane, Sphere, Viewport};
 use roxmltree::{Document as Xml, Node};
 
 use super::affine::Affine;
-use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, shortest_where};
+use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
 use super::code::{error_at, number};
 use super::sheet::{Sheet, byte_of_light, commas, light, n, quotable};
 use super::subject::square_note;
@@ -202,8 +202,8 @@ fn viewport(
         }
     };
     let (width, height) = match horizontal {
-        true => (across, shortest_where(across / aspect, |height| across / height == aspect)),
-        false => (shortest_where(across * aspect, |width| width / across == aspect), across),
+        true => (across, in_ratio(across, 1.0 / aspect)),
+        false => (in_ratio(across, aspect), across),
     };
     Ok(Viewport { width, height, distance })
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use pinhole_core::{Camera, DVec3, Orientation, Sphere, Viewport};
 
 use super::affine::Affine;
-use super::back::{MIRRORED, Mirrored, Stance, extent, image_of};
+use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
 use super::code::error_at;
 use super::sheet::{byte_of_light, n};
 use super::{Taken, Text};
@@ -272,7 +272,7 @@ impl Found {
                 return Err(error("screenwindow: it must have 0 in its middle".to_owned()));
             }
         }
-        let viewport = Viewport { width: wide * short, height: high * short, distance };
+        let viewport = Viewport { width: in_ratio(short, wide), height: in_ratio(short, high), distance };
         let world_from_camera = transform
             .inverse()
             .ok_or_else(|| error("the camera's transformation has no inverse".to_owned()))?;

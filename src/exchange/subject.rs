@@ -168,7 +168,8 @@ impl<'a> Subject<'a> {
         let middle = self.posed.eye() - height * normal;
         let basis = normal.any_orthonormal_pair();
         let reach = (self.posed.eye() - plane.point).length().max(1.0);
-        (middle, 1e3 * reach, [basis.0, basis.1])
+        // A thousand times as far as anything that matters, and round.
+        (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }
 }
 

@@ -3,7 +3,7 @@
 
 use pinhole_core::{Camera, ImageSize, Orientation, Sphere, Viewport};
 
-use super::back::{extent, image_of, shortest_where};
+use super::back::{extent, image_of, in_ratio};
 use super::code::{Code, Comments, Piece, number, split, trimmed};
 use super::sheet::{Sheet, commas, light, n, real};
 use super::terms::{Pixels, Terms};
@@ -103,7 +103,7 @@ fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
     let image = image(&code)?;
     let distance = code.number_of("focus_dist")?.unwrap_or(10.0);
     let height = extent(vfov, distance);
-    let width = shortest_where(height * image.aspect(), |w| w / height == image.aspect());
+    let width = in_ratio(height, image.aspect());
     if code.number_of("defocus_angle")?.is_some_and(|angle| angle > 0.0) {
         notes.push("defocus_angle is left out: a pinhole is sharp everywhere".to_owned());
     }
