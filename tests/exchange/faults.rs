@@ -88,7 +88,7 @@ fn faults_name_place_field_and_what_would_be_right() {
         (
             "gltf",
             "{\"asset\": {}, \"cameras\": [], \"nodes\": [{\"camera\": 3}]}",
-            "in:1:42: nodes[0].camera is 3: it must be the number of one of the cameras",
+            "in:1:41: nodes[0].camera is 3: it must be the number of one of the cameras",
         ),
         (
             "opencv",
