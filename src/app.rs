@@ -30,7 +30,7 @@ use crate::derive::{Derived, Deriver};
 use crate::document::Document;
 use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
-use crate::frame_times::{FrameHistory, Stopwatch};
+use crate::frame_times::{FrameHistory, Stopwatch, WorkTimes};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
@@ -72,6 +72,7 @@ pub struct App {
     beside_texture: ViewTexture,
     measuring: Measuring,
     frames: FrameHistory,
+    logs_frame_times: bool,
     hand: HandInput,
     navigation: Navigation,
     store: Option<Store>,
@@ -114,6 +115,7 @@ impl App {
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
+            logs_frame_times: false,
             hand: HandInput::default(),
             navigation: Navigation::default(),
             store,
@@ -174,9 +176,19 @@ impl App {
         self.deriver.traced()
     }
 
-    /// Whether the user looks at what frames take.
-    pub fn shows_frame_times(&self) -> bool {
-        self.session.settings.layout == ViewLayout::Frame
+    /// Has all frames timed from now on, for those who keep a log.
+    pub(crate) fn time_frames(&mut self) {
+        self.logs_frame_times = true;
+    }
+
+    /// Whether somebody looks at what frames take.
+    pub fn times_frames(&self) -> bool {
+        self.logs_frame_times || self.session.settings.layout == ViewLayout::Frame
+    }
+
+    /// What went into the frame presented last, if it showed a new picture and is timed.
+    pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
+        self.frames.work_presented()
     }
 
     /// The last frame was handed to the display.
@@ -210,10 +222,11 @@ impl App {
             let sizes = views::sizes(ui, &places, self.session.settings.layout);
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
-            stopwatch = self.shows_frame_times().then(Stopwatch::start);
+            stopwatch = self.times_frames().then(Stopwatch::start);
             let tell = |work| stopwatch.iter().for_each(|stopwatch| stopwatch.tell(work));
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
+            stopwatch.iter().for_each(Stopwatch::derived);
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(self.open.origin());
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);

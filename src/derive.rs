@@ -36,7 +36,7 @@ use crate::document::Document;
 use crate::handles::{self, Stage};
 use crate::observer::Observer;
 use crate::overlay::{
-    self, CameraView, Handles, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
+    self, Backdrop, CameraView, Handles, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
 };
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
@@ -307,7 +307,6 @@ impl Deriver {
         };
         let (posed, inspection) = (derived.posed, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
-            let mut pixels = world.pixels.clone();
             let view = WorldView {
                 camera: &document.camera,
                 posed: posed.as_ref(),
@@ -327,12 +326,18 @@ impl Deriver {
                 ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
             };
-            let drawing = watched(watch, Work::Overlay, || match key.purpose {
-                Purpose::Window => overlay::world(&view, &mut pixels),
-                Purpose::Figure { .. } => overlay::world_apart(&view, &mut pixels),
-            });
-            key.style.finish(&mut pixels);
-            Shown::new(size, pixels, drawing)
+            let backdrop = Backdrop::of(&view);
+            let before = pictures.before(&world, &backdrop, watch);
+            watched(watch, Work::Overlay, || {
+                let mut pixels = before.to_vec();
+                let draw = match key.purpose {
+                    Purpose::Window => overlay::world,
+                    Purpose::Figure { .. } => overlay::world_apart,
+                };
+                let drawing = draw(&view, &backdrop, &world.pixels, &mut pixels);
+                key.style.finish(&mut pixels);
+                Shown::new(size, pixels, drawing)
+            })
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);

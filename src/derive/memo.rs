@@ -1,5 +1,7 @@
 //! Values that are made once for each input.
 
+use std::sync::Arc;
+
 /// A value remembered with what it was made from.
 #[derive(Debug)]
 pub(super) struct Memo<K, V>(Option<(K, V)>);
@@ -21,5 +23,15 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
                 value
             }
         }
+    }
+}
+
+/// A part of a key that is the same only if it is the very same value.
+#[derive(Debug)]
+pub(super) struct Same<T>(pub(super) Arc<T>);
+
+impl<T> PartialEq for Same<T> {
+    fn eq(&self, other: &Same<T>) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
     }
 }

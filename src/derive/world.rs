@@ -5,10 +5,11 @@ use std::sync::Arc;
 use egui::Color32;
 use pinhole_core::{DVec3, Frame, Outputs, PosedCamera, Raster, Shade};
 
-use super::memo::Memo;
+use super::memo::{Memo, Same};
 use super::objects::{Enclosing, Objects};
-use super::watch::{Watch, picture, repainted};
+use super::watch::{Watch, Work, picture, repainted, watched};
 use crate::observer::enclosing;
+use crate::overlay::Backdrop;
 
 /// The scene as the observer sees it.
 #[derive(Debug)]
@@ -30,6 +31,7 @@ pub(super) struct WorldPictures {
     frame: Memo<Seen, Arc<Frame<f32>>>,
     /// With the palette's number.
     picture: Memo<(Seen, u64), Arc<WorldPicture>>,
+    backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     traced: u64,
 }
 
@@ -68,5 +70,22 @@ impl WorldPictures {
             let pixels = fresh.unwrap_or_else(|| repainted(&frame, &scene, colors, watch));
             Arc::new(WorldPicture { frame, pixels, enclosing: Arc::clone(&seen.2) })
         }))
+    }
+
+    /// What the observer sees with a backdrop painted over it.
+    pub(super) fn before(
+        &mut self,
+        world: &Arc<WorldPicture>,
+        backdrop: &Backdrop,
+        watch: Watch<'_>,
+    ) -> Arc<Vec<Color32>> {
+        let key = (Same(Arc::clone(world)), backdrop.clone());
+        self.backdrop.get(key, |(world, backdrop)| {
+            watched(watch, Work::Overlay, || {
+                let mut dots = world.0.pixels.clone();
+                backdrop.paint(&world.0.frame, &mut dots);
+                Arc::new(dots)
+            })
+        })
     }
 }

@@ -42,6 +42,7 @@ pub(crate) struct PictureLookup<'a> {
 
 /// The part of an infinite plane near what the observer looks at, fading outwards, with grid lines
 /// in world units.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Patch {
     /// (a, b) are world units from the patch's centre.
     pub(crate) flat: Flat,
@@ -174,6 +175,29 @@ impl<'a> Layers<'a> {
 
     /// Paints all layers over the traced picture.
     pub(crate) fn paint(&self, dots: &mut [Color32]) {
+        self.paint_parts(dots, |_| 0..self.width, |_, _, _| ());
+    }
+
+    /// Paints all layers over the `traced` picture where the viewport is. Elsewhere the dots have to
+    /// show what [`Layers::paint`] makes of it without the viewport.
+    pub(crate) fn paint_viewport(&self, traced: &[Color32], dots: &mut [Color32]) {
+        let Some(viewport) = &self.viewport else { return };
+        if traced.len() == dots.len() {
+            let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
+            self.paint_parts(dots, part, |row, part, dots| {
+                let start = row * self.width;
+                dots.copy_from_slice(&traced[start + part.start..start + part.end]);
+            });
+        }
+    }
+
+    /// Paints all layers over a part of each row, after something was done to its dots.
+    fn paint_parts(
+        &self,
+        dots: &mut [Color32],
+        part_of: impl Fn(usize) -> Range<usize> + Sync,
+        before: impl Fn(usize, Range<usize>, &mut [Color32]) + Sync,
+    ) {
         if !self.is_traced() || dots.len() != self.frame.t.len() {
             return;
         }
@@ -181,28 +205,33 @@ impl<'a> Layers<'a> {
         rows.for_each_init(
             || vec![FlatRow::default(); self.patches.len() + 1],
             |layers, (row, dots)| {
-                self.fill(layers, row);
-                self.paint_row(layers, row, dots);
+                let part = part_of(row);
+                if !part.is_empty() {
+                    before(row, part.clone(), &mut dots[part.clone()]);
+                    self.fill(layers, row, &part);
+                    self.paint_row(layers, row, &part, dots);
+                }
             },
         );
     }
 
-    /// The viewport's row of dots, then the patches'.
-    fn fill(&self, layers: &mut [FlatRow], row: usize) {
-        let (y, width) = (row as f64 + 0.5, self.width);
+    /// A part of the viewport's row of dots, then of the patches'.
+    fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
+        let y = row as f64 + 0.5;
         if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
             let grid = grid.as_ref().map(|(grid, _)| grid);
-            flat.fill_row(&mut layers[0], y, width, HALF_VIEWPORT, grid);
+            flat.fill_row(&mut layers[0], y, part, HALF_VIEWPORT, grid);
         }
         for (layer, Patch { flat, radius, grid, .. }) in layers[1..].iter_mut().zip(&self.patches) {
-            flat.fill_row(layer, y, width, *radius, Some(grid));
+            flat.fill_row(layer, y, part, *radius, Some(grid));
         }
     }
 
-    fn paint_row(&self, layers: &[FlatRow], row: usize, dots: &mut [Color32]) {
+    fn paint_row(&self, layers: &[FlatRow], row: usize, part: &Range<usize>, dots: &mut [Color32]) {
         let start = row * self.width;
         let t = &self.frame.t[start..start + self.width];
-        for (dot, object) in dots.iter_mut().zip(&self.frame.object[start..]) {
+        let objects = &self.frame.object[start..start + self.width];
+        for (dot, object) in dots[part.clone()].iter_mut().zip(&objects[part.clone()]) {
             if *object == NO_OBJECT {
                 *dot = self.background;
             }

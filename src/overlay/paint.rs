@@ -1,6 +1,7 @@
 //! Marks into pixels, by tiny-skia, straight into the picture's bytes.
 
 use egui::Color32;
+use rayon::prelude::*;
 use tiny_skia::{
     FillRule, LineCap, LineJoin, Paint, PathBuilder, PixmapMut, Stroke, StrokeDash, Transform,
 };
@@ -8,38 +9,71 @@ use tiny_skia::{
 use crate::overlay::drawing::Drawing;
 use crate::overlay::path::{Ink, Outline, Path};
 
+/// Rows of dots that are painted at a time: the same ones however many threads there are, so that
+/// the dots are the same, too.
+const BAND: usize = 64;
+
 impl Drawing {
     /// Paints the marks over a picture of `width` dots a row.
     pub fn paint(&self, width: usize, dots: &mut [Color32]) {
         let height = dots.len().checked_div(width).unwrap_or(0);
-        let bytes = bytemuck::cast_slice_mut(&mut dots[..width * height]);
-        let Some(mut pixmap) = PixmapMut::from_bytes(bytes, width as u32, height as u32) else {
+        if height == 0 {
             return;
-        };
-        for path in self.paths() {
-            paint(&path, &mut pixmap);
         }
+        let strokes: Vec<_> = self.paths().filter_map(|path| Stroked::of(&path)).collect();
+        let bands = dots[..width * height].par_chunks_mut(BAND * width).enumerate();
+        bands.for_each(|(band, dots)| {
+            let (top, rows) = ((band * BAND) as f32, dots.len() / width);
+            let bytes = bytemuck::cast_slice_mut(dots);
+            let pixmap = PixmapMut::from_bytes(bytes, width as u32, rows as u32);
+            let Some(mut pixmap) = pixmap else { return };
+            let strokes = strokes.iter().filter(|stroke| stroke.reaches(top, rows as f32));
+            strokes.for_each(|stroke| stroke.paint(top, &mut pixmap));
+        });
     }
 }
 
-fn paint(path: &Path, pixmap: &mut PixmapMut) {
-    let Some(outline) = built(&path.outline) else { return };
-    let mut color = Paint::default();
-    let [r, g, b, a] = path.color.to_srgba_unmultiplied();
-    color.set_color_rgba8(r, g, b, a);
-    match path.ink {
-        Ink::Fill => {
-            pixmap.fill_path(&outline, &color, FillRule::Winding, Transform::identity(), None);
-        }
-        Ink::Stroke { width, round, dash } => {
-            let stroke = Stroke {
+/// A path as tiny-skia takes it.
+struct Stroked {
+    outline: tiny_skia::Path,
+    paint: Paint<'static>,
+    /// `None` where it is filled.
+    stroke: Option<Stroke>,
+}
+
+impl Stroked {
+    fn of(path: &Path) -> Option<Stroked> {
+        let mut paint = Paint::default();
+        let [r, g, b, a] = path.color.to_srgba_unmultiplied();
+        paint.set_color_rgba8(r, g, b, a);
+        let stroke = match path.ink {
+            Ink::Fill => None,
+            Ink::Stroke { width, round, dash } => Some(Stroke {
                 width,
                 line_cap: if round { LineCap::Round } else { LineCap::Butt },
                 line_join: LineJoin::Round,
                 dash: dash.and_then(|dash| StrokeDash::new(dash.to_vec(), 0.0)),
                 ..Stroke::default()
-            };
-            pixmap.stroke_path(&outline, &color, &stroke, Transform::identity(), None);
+            }),
+        };
+        Some(Stroked { outline: built(&path.outline)?, paint, stroke })
+    }
+
+    /// Whether anything of it lies in so many rows from the top.
+    fn reaches(&self, top: f32, rows: f32) -> bool {
+        let bounds = self.outline.bounds();
+        // With round joins and ends, half of the pen; one more dot for what is blurred.
+        let pen = 1.0 + self.stroke.as_ref().map_or(0.0, |stroke| 0.5 * stroke.width);
+        bounds.top() - pen < top + rows && bounds.bottom() + pen > top
+    }
+
+    /// Paints it into a picture that starts so many dots from the top.
+    fn paint(&self, top: f32, pixmap: &mut PixmapMut) {
+        let place = Transform::from_translate(0.0, -top);
+        let (outline, paint) = (&self.outline, &self.paint);
+        match &self.stroke {
+            None => pixmap.fill_path(outline, paint, FillRule::Winding, place, None),
+            Some(stroke) => pixmap.stroke_path(outline, paint, stroke, place, None),
         }
     }
 }
