@@ -93,6 +93,14 @@ pub enum Action {
     },
     /// Put the ledger on the clipboard.
     CopyLedger(Markup),
+    /// Ask for the clipboard's text.
+    AskPaste,
+    /// Set the camera from another program's text.
+    Paste(String),
+    /// Ask where to write the camera in another program's terms.
+    AskTranslate,
+    /// Write it there.
+    Translate(PathBuf),
     /// Close the window, asking first if there are unsaved changes.
     Quit,
     /// Show this step of a lesson, asking first if there are unsaved changes of a scene.

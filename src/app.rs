@@ -6,6 +6,7 @@
 
 mod actions;
 mod animation;
+mod exchange;
 mod figures;
 mod ghost;
 mod hand;
@@ -38,6 +39,7 @@ use crate::panels::handles::HandInput;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::look::{self, Look};
 use crate::panels::navigation::Navigation;
+use crate::panels::translator::TranslatorPanel;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::play::Player;
 use crate::present::{FrameTimes, WindowGeometry};
@@ -68,6 +70,7 @@ pub struct App {
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
     ledger: LedgerPanel,
+    translator: TranslatorPanel,
     /// The error map, or what a wrong camera sees.
     beside_texture: ViewTexture,
     measuring: Measuring,
@@ -112,6 +115,7 @@ impl App {
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
             ledger: LedgerPanel::default(),
+            translator: TranslatorPanel::default(),
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
@@ -234,6 +238,7 @@ impl App {
             self.outputs(ui, &places);
         });
         self.over_all(ui);
+        self.paste_notice(&ctx);
         self.keep_history(&ctx);
         self.record(&ctx);
         self.window_outputs(&ctx);

@@ -49,6 +49,7 @@ pub mod session;
 pub mod store;
 mod symbols;
 pub mod thing;
+pub mod translator;
 pub mod verbs;
 mod view_texture;
 pub mod window;

@@ -103,12 +103,16 @@ fn program() -> Vec<Verb> {
             [], Action::CopyLedger(Markup::Latex);
         File, "Copy the ledger as Markdown", "Puts the ledger on the clipboard as Markdown.",
             [], Action::CopyLedger(Markup::Markdown);
+        File, "Save the camera for another program…", "Asks which file to write the translator's text to.",
+            [], Action::AskTranslate;
         File, "Quit", "Closes the window.",
             [key(Anywhere, CTRL, Key::Q)], Action::Quit;
         Edit, "Undo", "Takes back the last change of the scene.",
             [key(Untyped, CTRL, Key::Z)], Action::Undo;
         Edit, "Redo", "Does again what was taken back last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], Action::Redo;
+        Edit, "Paste a camera", "Sets the camera from another program's text on the clipboard.",
+            [key(Untyped, CTRL, Key::V)], Action::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], Action::Next;
         Lesson, "Previous step", "Goes to the lesson's step before this one.",
