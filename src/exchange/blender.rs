@@ -17,6 +17,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "blender",
     label: "Blender Python",
+    short: "Blender",
     ending: "py",
     terms: Terms {
         axes: Terms::OURS,

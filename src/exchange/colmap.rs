@@ -14,6 +14,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "colmap",
     label: "COLMAP",
+    short: "COLMAP",
     ending: "txt",
     terms: Terms {
         axes: [Axis::U, Axis::MinusV, Axis::MinusW],

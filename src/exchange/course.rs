@@ -13,6 +13,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "course",
     label: "PerspectiveCamera of the course",
+    short: "Course",
     ending: "jl",
     terms: Terms {
         axes: Terms::OURS,
@@ -41,7 +42,8 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let camera = subject.camera();
     let [width, height] = subject.size();
     let text = format!(
-        "PerspectiveCamera(Vec3({}), Vec3({}), Vec3({}), {}, {height}, {width})\n",
+        "PerspectiveCamera(\n    Vec3({}), # eye\n    Vec3({}), # view\n    Vec3({}), # up\n    {}, # focal\n    \
+         {height}, {width}) # H, W\n",
         commas(camera.eye),
         commas(camera.view()),
         commas(camera.up()),

@@ -18,6 +18,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "gltf",
     label: "glTF 2.0",
+    short: "glTF",
     ending: "gltf",
     terms: Terms {
         axes: Terms::OURS,

@@ -16,6 +16,7 @@ use crate::formats::{FileError, color};
 pub(super) const FORMAT: Format = Format {
     name: "mitsuba",
     label: "Mitsuba 3",
+    short: "Mitsuba",
     ending: "xml",
     terms: Terms {
         axes: [Axis::MinusU, Axis::V, Axis::MinusW],

@@ -50,6 +50,8 @@ pub struct Format {
     pub name: &'static str,
     /// What people call it.
     pub label: &'static str,
+    /// The same in a word or two.
+    pub short: &'static str,
     /// How its files end, without the dot.
     pub ending: &'static str,
     /// Its conventions.

@@ -18,6 +18,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "opencv",
     label: "OpenCV K [R|t]",
+    short: "OpenCV",
     ending: "json",
     terms: Terms {
         axes: [Axis::U, Axis::MinusV, Axis::MinusW],

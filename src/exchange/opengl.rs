@@ -12,6 +12,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "opengl",
     label: "gluLookAt + gluPerspective",
+    short: "gluLookAt",
     ending: "c",
     terms: Terms {
         axes: Terms::OURS,

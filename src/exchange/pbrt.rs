@@ -16,6 +16,7 @@ use super::{Format, Subject, Unsayable, Written};
 pub(super) const FORMAT: Format = Format {
     name: "pbrt",
     label: "pbrt-v4",
+    short: "pbrt",
     ending: "pbrt",
     terms: Terms {
         axes: [Axis::U, Axis::V, Axis::MinusW],
@@ -55,7 +56,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         "Scale {} 1 1\nLookAt {}\n       {}\n       {}\nCamera \"perspective\"\n    \
          \"float fov\" [ {} ]{frame}\n    \"float focaldistance\" [ {} ]\n\
          Film \"rgb\" \"string filename\" [ \"scene.exr\" ]\n    \
-         \"integer xresolution\" [ {width} ] \"integer yresolution\" [ {height} ]\n",
+         \"integer xresolution\" [ {width} ]\n    \"integer yresolution\" [ {height} ]\n",
         flipped("-1"),
         spaces(eye),
         spaces(at),

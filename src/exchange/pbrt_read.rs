@@ -59,7 +59,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let mut saved = Vec::new();
     while let Some((token, at)) = reader.take() {
         let Token::Word(word) = token else {
-            return Err(reader.error(at, format!("{token:?} stands where a directive must be")));
+            return Err(reader.error(at, "a value stands where a directive must be".to_owned()));
         };
         reader.directive(word, at, &mut state, &mut saved, &mut found)?;
     }
@@ -176,6 +176,9 @@ impl<'t> Reader<'t> {
             }
             "WorldBegin" => *state = State { transform: Affine::IDENTITY, color: None },
             _ => {}
+        }
+        if !word.chars().all(char::is_alphanumeric) {
+            return Err(self.error(at, format!("{word}: no directive of pbrt")));
         }
         let (kind, parameters) = self.parameters();
         match word {

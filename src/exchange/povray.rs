@@ -14,6 +14,7 @@ use super::{Format, Subject, Unsayable, Written};
 pub(super) const FORMAT: Format = Format {
     name: "povray",
     label: "POV-Ray",
+    short: "POV-Ray",
     ending: "pov",
     terms: Terms {
         axes: [Axis::U, Axis::V, Axis::MinusW],

@@ -17,6 +17,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "three",
     label: "three.js",
+    short: "three.js",
     ending: "json",
     terms: Terms {
         axes: Terms::OURS,

@@ -14,6 +14,7 @@ use crate::formats::FileError;
 pub(super) const FORMAT: Format = Format {
     name: "weekend",
     label: "Ray Tracing in One Weekend",
+    short: "One Weekend",
     ending: "cc",
     terms: Terms {
         axes: Terms::OURS,

@@ -75,7 +75,7 @@ impl TranslatorPanel {
             let shown = if choice.every_digit { 17 } else { digits };
             text(ui, translation, shown);
             ui.add_space(6.0);
-            table(ui, &translation.rows, choice.chosen().label);
+            table(ui, &translation.rows, choice.chosen().short);
         });
     }
 
@@ -120,7 +120,8 @@ fn choice(ui: &mut Ui, translator: &mut Translator) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
         for (index, format) in FORMATS.iter().enumerate() {
-            ui.selectable_value(&mut translator.format, index, format.label);
+            let button = ui.selectable_value(&mut translator.format, index, format.short);
+            button.on_hover_text(format.label);
         }
     });
 }

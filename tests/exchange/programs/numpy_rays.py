@@ -54,7 +54,8 @@ def pbrt():
 
 
 def course():
-    call = text[text.index("(") + 1 :].replace("Vec3", "").replace("(", "").replace(")", "")
+    plain = re.sub(r"#.*", "", text)
+    call = plain[plain.index("(") + 1 :].replace("Vec3", "").replace("(", "").replace(")", "")
     numbers = [float(x) for x in call.split(",")]
     eye, view, up = np.array(numbers[:9]).reshape(3, 3)
     focal, rows, columns = numbers[9:]
