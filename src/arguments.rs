@@ -263,9 +263,11 @@ pub struct BenchArguments {
 }
 
 fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
-    PossibleValuesParser::new(FORMATS.iter().map(|format| {
-        clap::builder::PossibleValue::new(format.name).help(format.label)
-    }))
+    PossibleValuesParser::new(
+        FORMATS
+            .iter()
+            .map(|format| clap::builder::PossibleValue::new(format.name).help(format.label)),
+    )
     .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
 }
 

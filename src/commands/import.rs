@@ -43,9 +43,9 @@ fn read(path: &Path) -> Result<String, FileError> {
     if path == Path::new("-") {
         let mut text = String::new();
         let read = io::stdin().lock().read_to_string(&mut text);
-        return read.map(|_| text).map_err(|error| {
-            FileError::unreadable(Path::new("standard input"), &error)
-        });
+        return read
+            .map(|_| text)
+            .map_err(|error| FileError::unreadable(Path::new("standard input"), &error));
     }
     let pair = ["cameras.txt", "images.txt"];
     let folder = match path.file_name().and_then(|name| name.to_str()) {

@@ -28,8 +28,7 @@ impl Affine {
         let axis = axis.try_normalize()?;
         let (sin, cos) = degrees.to_radians().sin_cos();
         // Rodrigues' formula.
-        let turned =
-            |v: DVec3| cos * v + sin * axis.cross(v) + (1.0 - cos) * axis.dot(v) * axis;
+        let turned = |v: DVec3| cos * v + sin * axis.cross(v) + (1.0 - cos) * axis.dot(v) * axis;
         Some(Affine {
             x: turned(DVec3::X),
             y: turned(DVec3::Y),

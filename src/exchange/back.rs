@@ -165,14 +165,14 @@ pub(crate) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
 }
 
 /// Whether what was written, read again, sends out other rays; by how much.
-pub(super) fn difference(format: &Format, written: &Written, posed: &PosedCamera) -> Option<String> {
+pub(super) fn difference(
+    format: &Format,
+    written: &Written,
+    posed: &PosedCamera,
+) -> Option<String> {
     const ENOUGH: f64 = 1e-9;
     let text = written.joined().text;
-    let at_hand = Camera {
-        viewport: *posed.viewport(),
-        image: posed.image(),
-        ..Camera::CANONICAL
-    };
+    let at_hand = Camera { viewport: *posed.viewport(), image: posed.image(), ..Camera::CANONICAL };
     let read = (format.read)(&Text { path: Path::new(""), text: &text }, &at_hand);
     let Some(back) = read.ok().and_then(|taken| taken.camera.posed().ok()) else {
         return Some("its numbers make no camera any more when they are read again".to_owned());

@@ -112,9 +112,8 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
 fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::Hash);
     let mut notes = Vec::new();
-    let number = |name: &str, or: f64| -> Result<f64, FileError> {
-        Ok(code.number_of(name)?.unwrap_or(or))
-    };
+    let number =
+        |name: &str, or: f64| -> Result<f64, FileError> { Ok(code.number_of(name)?.unwrap_or(or)) };
     let given = code.number_of("resolution_x")?.zip(code.number_of("resolution_y")?);
     let image = match given {
         Some((width, height)) => {
@@ -167,11 +166,7 @@ fn viewport(
         let fits = |x| pinhole_core::fov_of_extent(x, distance) == angle;
         Ok(Some(shortest_where(near, fits)))
     };
-    let wide = |width: f64| Viewport {
-        width,
-        height: in_ratio(width, 1.0 / frame),
-        distance,
-    };
+    let wide = |width: f64| Viewport { width, height: in_ratio(width, 1.0 / frame), distance };
     let high = |height: f64| Viewport { width: in_ratio(height, frame), height, distance };
     if let Some(width) = angle("angle_x")? {
         return Ok(wide(width));
@@ -239,7 +234,8 @@ fn spheres(code: &Code, taken: &mut Taken) -> Result<(), FileError> {
             })
         };
         let radius = argument("radius").map_or(Ok(1.0), |piece| code.number("radius", piece))?;
-        let center = argument("location").map(|piece| code.vector("location", piece)).transpose()?;
+        let center =
+            argument("location").map(|piece| code.vector("location", piece)).transpose()?;
         if radius <= 0.0 {
             return Err(code.fault("radius", call, "it must be greater than 0"));
         }

@@ -172,12 +172,14 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let k = Intrinsics { fx, fy, cx: rest[0], cy: rest[1] };
     off_centre(&k, size, &mut notes);
     if rest[2..].iter().any(|k| *k != 0.0) {
-        notes.push("the distortion is left out: a pinhole draws straight lines straight".to_owned());
+        notes
+            .push("the distortion is left out: a pinhole draws straight lines straight".to_owned());
     }
     let number = |k: usize| image.cells[k].parse::<f64>().unwrap_or_default();
-    let turn = Basis::of_quaternion([number(1), number(2), number(3), number(4)]).ok_or_else(|| {
-        error(image.at, "QW QX QY QZ are 0 0 0 0: they must be a rotation".to_owned())
-    })?;
+    let turn =
+        Basis::of_quaternion([number(1), number(2), number(3), number(4)]).ok_or_else(|| {
+            error(image.at, "QW QX QY QZ are 0 0 0 0: they must be a rotation".to_owned())
+        })?;
     // Its columns are the world's axes in the camera; R's rows are wanted.
     let rows = [0, 1, 2].map(|k| DVec3::new(turn.u[k], turn.v[k], turn.w[k]));
     let t = DVec3::new(number(5), number(6), number(7));

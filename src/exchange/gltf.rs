@@ -62,10 +62,12 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         With::Meshes => Meshes::of(subject, &mut notes),
         _ => Meshes::default(),
     };
-    if subject.with == With::Objects && !(subject.spheres().is_empty() && subject.planes().is_empty())
+    if subject.with == With::Objects
+        && !(subject.spheres().is_empty() && subject.planes().is_empty())
     {
         notes.push(
-            "objects are left out: glTF has meshes only, which are written when asked for".to_owned(),
+            "objects are left out: glTF has meshes only, which are written when asked for"
+                .to_owned(),
         );
     }
     let nodes: Vec<String> = (0..=meshes.nodes.len()).map(|k| k.to_string()).collect();
@@ -119,8 +121,9 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let extra = |name: &str| camera.get("extras").and_then(|extras| extras.get(name));
     let size = extra("imageWidth").zip(extra("imageHeight"));
     let image = match size {
-        Some((width, height)) => image_of(width.number()?, height.number()?)
-            .map_err(|right| width.fault(&right))?,
+        Some((width, height)) => {
+            image_of(width.number()?, height.number()?).map_err(|right| width.fault(&right))?
+        }
         None => {
             let aspect = aspect.unwrap_or(at_hand.image.aspect());
             image_of_aspect(at_hand.image, aspect, "glTF", &mut notes)
@@ -169,7 +172,9 @@ fn world_of(nodes: &[Node], index: usize, depth: usize) -> Result<Affine, FileEr
     };
     match nodes.iter().position(is_child) {
         // More than there are nodes: a ring, which no glTF may have.
-        Some(_) if depth > nodes.len() => Err(nodes[index].fault("a node must not be its own child")),
+        Some(_) if depth > nodes.len() => {
+            Err(nodes[index].fault("a node must not be its own child"))
+        }
         Some(parent) => Ok(world_of(nodes, parent, depth + 1)?.of(&own)),
         None => Ok(own),
     }

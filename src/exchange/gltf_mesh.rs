@@ -65,7 +65,9 @@ impl Meshes {
         }
         if !spheres.is_empty() {
             let triangles = sphere().triangles.len();
-            notes.push(format!("each sphere is a mesh of {triangles} triangles, inside its outline"));
+            notes.push(format!(
+                "each sphere is a mesh of {triangles} triangles, inside its outline"
+            ));
         }
         Meshes { nodes, tables: tables(&colors) }
     }
@@ -90,7 +92,8 @@ fn tables(colors: &[Rgb]) -> String {
         views.push(format!(
             "{{ \"buffer\": 0, \"byteOffset\": {from}, \"byteLength\": {length}, \"target\": 34963 }}"
         ));
-        let (view, points_count, index_count) = (accessors.len(), points.len(), 3 * triangles.len());
+        let (view, points_count, index_count) =
+            (accessors.len(), points.len(), 3 * triangles.len());
         let bound = |of: fn(f32, f32) -> f32| {
             let bound = |k: usize| points.iter().map(|p| p[k]).reduce(of).unwrap_or_default();
             [0, 1, 2].map(|k| bound(k).to_string()).join(", ")

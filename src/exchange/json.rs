@@ -37,13 +37,15 @@ impl<'a> Node<'a> {
 
     pub(crate) fn get(&self, key: &str) -> Option<Node<'a>> {
         let value = self.value.get(key)?;
-        let path = if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) };
+        let path =
+            if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) };
         Some(Node { text: self.text, path, value })
     }
 
     pub(crate) fn need(&self, key: &str, right: &str) -> Result<Node<'a>, FileError> {
         self.get(key).ok_or_else(|| {
-            let within = if self.path.is_empty() { String::new() } else { format!("{}.", self.path) };
+            let within =
+                if self.path.is_empty() { String::new() } else { format!("{}.", self.path) };
             let problem = format!("{within}{key} is missing: {right}");
             FileError::of_file(self.text.path, problem)
         })

@@ -77,13 +77,20 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     for plane in planes {
         let (middle, half, [a, b]) = subject.square_of(&plane.shape);
         let normal = a.cross(b);
-        let rows = [0, 1, 2].map(|k| format!("{} {} {} {}", n(half * a[k]), n(half * b[k]), n(normal[k]), n(middle[k])));
+        let rows = [0, 1, 2].map(|k| {
+            format!("{} {} {} {}", n(half * a[k]), n(half * b[k]), n(normal[k]), n(middle[k]))
+        });
         text.push_str(&format!(
             "  <shape type=\"rectangle\" id=\"{}\">\n    <transform name=\"to_world\">\n      \
              <matrix value=\"{} 0 0 0 1\"/>\n    </transform>\n{}  </shape>\n",
             quotable(&plane.title),
             rows.join(" "),
-            bsdf(plane.color).replace("<bsdf type=\"diffuse\">", "<bsdf type=\"twosided\"><bsdf type=\"diffuse\">").replace("</bsdf>\n", "</bsdf></bsdf>\n")
+            bsdf(plane.color)
+                .replace(
+                    "<bsdf type=\"diffuse\">",
+                    "<bsdf type=\"twosided\"><bsdf type=\"diffuse\">"
+                )
+                .replace("</bsdf>\n", "</bsdf></bsdf>\n")
         ));
         notes.push(square_note(&plane.title, "Mitsuba", half));
     }
@@ -107,7 +114,10 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let mut notes = Vec::new();
     let sensor = xml.descendants().find(|node| node.has_tag_name("sensor"));
     let sensor = sensor.ok_or_else(|| {
-        FileError::of_file(text.path, "sensor is missing: <sensor type=\"perspective\"> must be there")
+        FileError::of_file(
+            text.path,
+            "sensor is missing: <sensor type=\"perspective\"> must be there",
+        )
     })?;
     let kind = sensor.attribute("type").unwrap_or_default();
     if !["perspective", "thinlens"].contains(&kind) {
@@ -146,7 +156,8 @@ fn pose(
     notes: &mut Vec<String>,
 ) -> Result<(Orientation, DVec3, bool), FileError> {
     let transform = named(sensor, "to_world");
-    let steps: Vec<Node> = transform.iter().flat_map(Node::children).filter(Node::is_element).collect();
+    let steps: Vec<Node> =
+        transform.iter().flat_map(Node::children).filter(Node::is_element).collect();
     if let [only] = steps[..]
         && only.has_tag_name("lookat")
     {
@@ -175,7 +186,12 @@ fn viewport(
 ) -> Result<Viewport, FileError> {
     if let Some(node) = named(sensor, "focal_length") {
         let value = node.attribute("value").unwrap_or_default();
-        return Err(file.fault(node, "focal_length", value, "the field of view must be given by fov"));
+        return Err(file.fault(
+            node,
+            "focal_length",
+            value,
+            "the field of view must be given by fov",
+        ));
     }
     let node = named(sensor, "fov").ok_or_else(|| {
         FileError::of_file(file.text.path, "fov is missing: the field of view must be given by it")
@@ -227,13 +243,22 @@ fn shapes(file: &File, xml: &Xml, notes: &mut Vec<String>) -> Result<Shapes, Fil
                 let center = to_world.point(center.unwrap_or_default());
                 let radius = radius.unwrap_or(1.0) * scale;
                 if radius <= 0.0 {
-                    return Err(file.fault(shape, "radius", &n(radius), "it must be greater than 0"));
+                    return Err(file.fault(
+                        shape,
+                        "radius",
+                        &n(radius),
+                        "it must be greater than 0",
+                    ));
                 }
                 spheres.push(Item { name: None, color, shape: Sphere { center, radius } });
             }
             "rectangle" | "disk" => {
                 let normal = to_world.x.cross(to_world.y);
-                planes.push(Item { name: None, color, shape: Plane { point: to_world.at, normal } });
+                planes.push(Item {
+                    name: None,
+                    color,
+                    shape: Plane { point: to_world.at, normal },
+                });
                 notes.push("a rectangle or disk is taken as a plane, which has no end".to_owned());
             }
             other => notes.push(format!("{other} is left out: Pinhole has spheres and planes")),
@@ -342,7 +367,8 @@ impl File<'_> {
                 _ => None,
             };
             let name = step.tag_name().name();
-            let right = "it must be translate, scale, rotate, lookat, or an affine matrix of 16 numbers";
+            let right =
+                "it must be translate, scale, rotate, lookat, or an affine matrix of 16 numbers";
             let one = one.ok_or_else(|| self.fault(step, "to_world", name, right))?;
             whole = one.of(&whole);
         }
@@ -359,4 +385,3 @@ impl File<'_> {
         }))
     }
 }
-

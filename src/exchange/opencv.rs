@@ -42,7 +42,8 @@ pub(super) const FORMAT: Format = Format {
     },
 };
 
-const K_NAMES: [&str; 5] = ["K", "camera_matrix", "cameraMatrix", "camera_intrinsics", "intrinsics"];
+const K_NAMES: [&str; 5] =
+    ["K", "camera_matrix", "cameraMatrix", "camera_intrinsics", "intrinsics"];
 const R_NAMES: [&str; 3] = ["R", "rotation", "rvec"];
 const T_NAMES: [&str; 4] = ["t", "tvec", "translation", "T"];
 
@@ -124,20 +125,25 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let image = size(&code, &intrinsics, at_hand, &mut notes)?;
     off_centre(&intrinsics, image, &mut notes);
     let (rotation, t) = pose(&code, &find)?;
-    if let Some((name, piece)) = find(&["distortion", "dist", "distortion_coefficients", "dist_coeffs"])
+    if let Some((name, piece)) =
+        find(&["distortion", "dist", "distortion_coefficients", "dist_coeffs"])
         && code.numbers(&name, piece)?.iter().any(|k| *k != 0.0)
     {
         notes.push(format!("{name} is left out: a pinhole draws straight lines straight"));
     }
     let stance = stance(rotation, t);
-    let (orientation, eye) = turned(stance, &mut notes)
-        .map_err(|right| code.rotation("R", &right))?;
+    let (orientation, eye) =
+        turned(stance, &mut notes).map_err(|right| code.rotation("R", &right))?;
     let viewport = viewport_of(&intrinsics, image, at_hand.viewport.distance);
     Ok(Taken::camera(Camera { eye, orientation, viewport, image }, notes))
 }
 
 /// The viewport with as few digits as give these focal lengths.
-pub(super) fn viewport_of(k: &Intrinsics, image: pinhole_core::ImageSize, distance: f64) -> Viewport {
+pub(super) fn viewport_of(
+    k: &Intrinsics,
+    image: pinhole_core::ImageSize,
+    distance: f64,
+) -> Viewport {
     let near = k.viewport(image, distance);
     let of = |viewport: Viewport| Intrinsics::of(&viewport, image);
     let width = shortest_where(near.width, |width| of(Viewport { width, ..near }).fx == k.fx);
@@ -231,9 +237,8 @@ fn pose<'t>(
         let m = code.numbers(&name, piece)?;
         let affine = super::affine::Affine::of_rows(&m).filter(|_| matches!(m.len(), 12 | 16));
         let affine = affine.ok_or_else(|| code.fault(&name, piece, "it must be [R|t], 3 × 4"))?;
-        let rows: [DVec3; 3] = std::array::from_fn(|k| {
-            DVec3::new(affine.x[k], affine.y[k], affine.z[k])
-        });
+        let rows: [DVec3; 3] =
+            std::array::from_fn(|k| DVec3::new(affine.x[k], affine.y[k], affine.z[k]));
         return Ok((rows, affine.at));
     }
     let (name, piece) =
@@ -257,4 +262,3 @@ fn rodrigues(vector: DVec3) -> [DVec3; 3] {
     let turn = turn.unwrap_or(super::affine::Affine::IDENTITY);
     std::array::from_fn(|k| DVec3::new(turn.x[k], turn.y[k], turn.z[k]))
 }
-

@@ -81,7 +81,8 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         code.missing("gluPerspective", "fovy, aspect, zNear and zFar must be given by it")
     })?;
     let (fovy, aspect) = field_of_view(&code, lens)?;
-    let size = code.calls("glViewport").last().map(|call| (*call, code.numbers("glViewport", *call)));
+    let size =
+        code.calls("glViewport").last().map(|call| (*call, code.numbers("glViewport", *call)));
     let image = match size {
         Some((call, size)) => match size?[..] {
             [_, _, width, height] => image_of(width, height)

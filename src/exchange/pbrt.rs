@@ -82,8 +82,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     for plane in planes {
         let (middle, half, [a, b]) = subject.square_of(&plane.shape);
         let corner = |x: f64, y: f64| spaces(middle + half * (x * a + y * b));
-        let corners =
-            [corner(-1.0, -1.0), corner(1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0)];
+        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0)];
         text.push_str(&format!(
             "AttributeBegin # {}\n  Material \"diffuse\" \"rgb reflectance\" [ {} ]\n  \
              Shape \"bilinearmesh\" \"point3 P\" [ {} ]\nAttributeEnd\n",

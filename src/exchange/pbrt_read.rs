@@ -79,7 +79,8 @@ impl<'t> Reader<'t> {
 
     fn numbers<const N: usize>(&mut self, word: &str, at: usize) -> Result<[f64; N], FileError> {
         let mut numbers = Vec::new();
-        while let Some((Token::Number(_) | Token::Open | Token::Close, _)) = self.tokens.get(self.next)
+        while let Some((Token::Number(_) | Token::Open | Token::Close, _)) =
+            self.tokens.get(self.next)
         {
             if let Some((Token::Number(number), _)) = self.take() {
                 numbers.push(number);
@@ -197,15 +198,19 @@ impl<'t> Reader<'t> {
                 found.screen = parameters.get("screenwindow").map(|values| numbers_of(values));
             }
             "Film" => {
-                let size = |name: &str, or: f64| parameters.get(name).map_or(or, |v| {
-                    numbers_of(v).first().copied().unwrap_or(or)
-                });
+                let size = |name: &str, or: f64| {
+                    parameters
+                        .get(name)
+                        .map_or(or, |v| numbers_of(v).first().copied().unwrap_or(or))
+                };
                 found.film = Some((size("xresolution", 1280.0), size("yresolution", 720.0)));
             }
-            "Material" => state.color = parameters.get("reflectance").and_then(|values| {
-                let [r, g, b] = numbers_of(values).try_into().ok()?;
-                Some([r, g, b].map(byte_of_light))
-            }),
+            "Material" => {
+                state.color = parameters.get("reflectance").and_then(|values| {
+                    let [r, g, b] = numbers_of(values).try_into().ok()?;
+                    Some([r, g, b].map(byte_of_light))
+                })
+            }
             "Shape" => {
                 let sphere = kind == Some("sphere");
                 match state.transform.scale().filter(|_| sphere) {
@@ -213,7 +218,8 @@ impl<'t> Reader<'t> {
                         let radius = parameters.get("radius").map(|values| numbers_of(values));
                         let radius = radius.and_then(|r| r.first().copied()).unwrap_or(1.0) * scale;
                         if radius <= 0.0 {
-                            let problem = format!("radius is {}: it must be greater than 0", n(radius));
+                            let problem =
+                                format!("radius is {}: it must be greater than 0", n(radius));
                             return Err(self.error(at, problem));
                         }
                         let shape = Sphere { center: state.transform.at, radius };
@@ -258,7 +264,8 @@ impl Found {
         let image = image_of(width, height)
             .map_err(|right| error(format!("xresolution, yresolution: {right}")))?;
         let distance = self.camera.get("focaldistance").copied();
-        let distance = distance.filter(|d| *d > 0.0 && *d < 1e6).unwrap_or(at_hand.viewport.distance);
+        let distance =
+            distance.filter(|d| *d > 0.0 && *d < 1e6).unwrap_or(at_hand.viewport.distance);
         let fov = self.camera.get("fov").copied().unwrap_or(90.0);
         if !(fov > 0.0 && fov < 180.0) {
             return Err(error(format!("fov is {}: it must be between 0 and 180 degrees", n(fov))));
@@ -275,7 +282,8 @@ impl Found {
                 return Err(error("screenwindow: it must have 0 in its middle".to_owned()));
             }
         }
-        let viewport = Viewport { width: in_ratio(short, wide), height: in_ratio(short, high), distance };
+        let viewport =
+            Viewport { width: in_ratio(short, wide), height: in_ratio(short, high), distance };
         let world_from_camera = transform
             .inverse()
             .ok_or_else(|| error("the camera's transformation has no inverse".to_owned()))?;

@@ -11,21 +11,43 @@ use crate::formats::FileError;
 
 /// What may stand in a camera, after whose value the next one begins.
 const WORDS: [&str; 18] = [
-    "perspective", "orthographic", "fisheye", "ultra_wide_angle", "omnimax", "panoramic", "cylinder",
-    "spherical", "location", "right", "up", "direction", "sky", "look_at", "angle", "rotate",
-    "translate", "aperture",
+    "perspective",
+    "orthographic",
+    "fisheye",
+    "ultra_wide_angle",
+    "omnimax",
+    "panoramic",
+    "cylinder",
+    "spherical",
+    "location",
+    "right",
+    "up",
+    "direction",
+    "sky",
+    "look_at",
+    "angle",
+    "rotate",
+    "translate",
+    "aperture",
 ];
 
 /// The projections that are none of a pinhole camera.
 const OTHER_PROJECTIONS: [&str; 7] = [
-    "orthographic", "fisheye", "ultra_wide_angle", "omnimax", "panoramic", "cylinder", "spherical",
+    "orthographic",
+    "fisheye",
+    "ultra_wide_angle",
+    "omnimax",
+    "panoramic",
+    "cylinder",
+    "spherical",
 ];
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::SlashesAndAngles);
     let mut notes = Vec::new();
     let camera = blocks(&code, "camera").last().copied();
-    let camera = camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
+    let camera =
+        camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
     let image = image(text, at_hand, &mut notes);
     let view = View::read(&code, camera, image)?;
     let Frame { right, up, direction } = view.frame();
@@ -84,7 +106,10 @@ fn blocks<'t>(code: &'t Code, name: &str) -> Vec<Piece<'t>> {
     let whole = code.whole();
     let found = words(whole, name).into_iter();
     let open = |at: usize| after_spaces(whole.from(at + name.len()));
-    found.filter(|at| open(*at).text.starts_with('{')).filter_map(|at| bracketed(open(at))).collect()
+    found
+        .filter(|at| open(*at).text.starts_with('{'))
+        .filter_map(|at| bracketed(open(at)))
+        .collect()
 }
 
 /// What follows a word of a camera, up to the next one.
@@ -139,8 +164,9 @@ impl View {
         };
         if let Some(piece) = value(code, camera, "angle") {
             let angle = number(piece.text).filter(|angle| *angle > 0.0 && *angle < 180.0);
-            let angle = angle
-                .ok_or_else(|| code.fault("angle", piece, "it must be between 0 and 180 degrees"))?;
+            let angle = angle.ok_or_else(|| {
+                code.fault("angle", piece, "it must be between 0 and 180 degrees")
+            })?;
             // The horizontal field of view, which sets direction's length.
             let length = 0.5 * view.right.length() / (0.5 * angle.to_radians()).tan();
             view.direction = view.direction.normalize_or_zero() * length;
@@ -216,7 +242,11 @@ fn planes(code: &Code) -> Result<Vec<Item<Plane>>, FileError> {
 }
 
 /// The vector with which an object begins, and what follows its comma.
-fn first<'t>(code: &Code, name: &str, block: Piece<'t>) -> Result<(Piece<'t>, Piece<'t>), FileError> {
+fn first<'t>(
+    code: &Code,
+    name: &str,
+    block: Piece<'t>,
+) -> Result<(Piece<'t>, Piece<'t>), FileError> {
     let parts = split(block);
     match parts[..] {
         [vector, rest, ..] => Ok((vector, rest)),
@@ -236,4 +266,3 @@ fn color(code: &Code, block: Piece) -> Option<[u8; 3]> {
     let numbers: [f64; 3] = code.numbers("color", list).ok()?.try_into().ok()?;
     Some(numbers.map(byte_of_light))
 }
-

@@ -93,6 +93,7 @@ pub(crate) fn light(color: Rgb) -> [String; 3] {
 /// The byte of the screen nearest to that much light.
 pub(crate) fn byte_of_light(light: f64) -> u8 {
     let light = light.clamp(0.0, 1.0);
-    let s = if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    let s =
+        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
     (s * 255.0).round() as u8
 }

@@ -198,7 +198,13 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
         table.push(Row { about, ours, theirs, flipped, differs });
     };
     let right_handed = terms.is_right_handed();
-    line("its axes are", hand(true).into(), hand(right_handed).into(), !right_handed, !right_handed);
+    line(
+        "its axes are",
+        hand(true).into(),
+        hand(right_handed).into(),
+        !right_handed,
+        !right_handed,
+    );
     let looks = |axis: Axis| match axis {
         Axis::MinusW => "along +z",
         _ => "along −z",
@@ -231,7 +237,12 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
     let viewport = subject.viewport();
     line(
         "field of view",
-        format!("width {} × height {} at distance {}", n(viewport.width), n(viewport.height), n(viewport.distance)),
+        format!(
+            "width {} × height {} at distance {}",
+            n(viewport.width),
+            n(viewport.height),
+            n(viewport.distance)
+        ),
         format!("{}: {}", terms.view, (terms.field)(subject)),
         false,
         true,
@@ -241,4 +252,3 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
     line("reckons in", "f64, exact where it matters".into(), terms.lengths.into(), false, false);
     table
 }
-

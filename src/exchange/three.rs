@@ -136,11 +136,8 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let mut viewport = upright(fov, aspect, distance.unwrap_or(at_hand.viewport.distance));
     let zoom = or("zoom", 1.0)?;
     if zoom != 1.0 {
-        viewport = Viewport {
-            width: viewport.width / zoom,
-            height: viewport.height / zoom,
-            ..viewport
-        };
+        viewport =
+            Viewport { width: viewport.width / zoom, height: viewport.height / zoom, ..viewport };
     }
     let view = camera.get("view").and_then(|view| view.get("enabled"));
     let offset = camera.get("filmOffset").map_or(Ok(0.0), |offset| offset.number())?;

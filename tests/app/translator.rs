@@ -132,11 +132,11 @@ fn a_paste_of_every_form_sets_the_camera_in_one_step() {
 #[test]
 fn a_paste_says_what_it_could_not_take_over() {
     let mut harness = window("canonical");
-    paste(
-        &mut harness,
-        "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);",
+    paste(&mut harness, "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);");
+    assert_says(
+        &harness,
+        "GluPerspective does not say how many pixels there are: 800 × 400 taken.",
     );
-    assert_says(&harness, "GluPerspective does not say how many pixels there are: 800 × 400 taken.");
     let at = Orientation::At { at: DVec3::ZERO, up: DVec3::Y };
     assert_eq!(camera(&harness).orientation, at);
     click(&mut harness, "Close");
@@ -151,10 +151,7 @@ fn a_bad_paste_changes_nothing() {
     assert_says(&harness, "This text is no camera: nothing is changed");
     assert_eq!(harness.state().document(), &before);
     paste(&mut harness, "cam.lookfrom = point3(0, 0);");
-    assert_says(
-        &harness,
-        "Not pasted: this camera of Ray Tracing in One Weekend cannot be read",
-    );
+    assert_says(&harness, "Not pasted: this camera of Ray Tracing in One Weekend cannot be read");
     assert_says(&harness, "Pasted:1:16: lookfrom is point3(0, 0): it must be three numbers.");
     assert_eq!(harness.state().document(), &before);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);

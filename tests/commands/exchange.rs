@@ -116,11 +116,17 @@ fn what_cannot_be_said_or_read_is_an_error() {
     let unknown = run("import a.txt");
     assert_eq!(unknown.status, 1);
     // COLMAP's files alone end in .txt.
-    assert!(unknown.stderr.starts_with("pinhole: a.txt: the line of cameras.txt"), "{}", unknown.stderr);
+    assert!(
+        unknown.stderr.starts_with("pinhole: a.txt: the line of cameras.txt"),
+        "{}",
+        unknown.stderr
+    );
     fs::write(folder.path().join("a.dat"), "nothing").unwrap();
     let unknown = run("import a.dat -o a.toml");
     assert_eq!(unknown.status, 1);
-    assert!(unknown.stderr.starts_with("pinhole: a.dat: no camera of a known form: it may be glTF"));
+    assert!(
+        unknown.stderr.starts_with("pinhole: a.dat: no camera of a known form: it may be glTF")
+    );
     fs::write(folder.path().join("b.c"), "gluPerspective(60, 1, 1, 2);\ngluLookAt(1, 2);").unwrap();
     run("import b.c").failed(1, "b.c:2:11: gluLookAt is 1, 2: it must have 9 numbers");
     run("import b.c --from pbrt").failed(1, "b.c:1:1: gluPerspective(60,: no directive of pbrt");

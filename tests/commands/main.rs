@@ -82,7 +82,9 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn commands_that_do_not_exist_yet_are_not_offered() {
     let help = run("--help").done();
-    for command in ["scenes", "inspect", "render", "trace", "report", "bench", "figure", "export", "import"] {
+    for command in
+        ["scenes", "inspect", "render", "trace", "report", "bench", "figure", "export", "import"]
+    {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }

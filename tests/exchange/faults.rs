@@ -149,7 +149,10 @@ fn what_is_no_camera_is_recognised_as_none() {
     assert_eq!(of("a.pov"), Ok("povray"));
     assert_eq!(of("a.pbrt"), Ok("pbrt"));
     let refused = of("a.json").unwrap_err();
-    assert!(refused.starts_with("a.json: no camera of a known form: it may be glTF 2.0, "), "{refused}");
+    assert!(
+        refused.starts_with("a.json: no camera of a known form: it may be glTF 2.0, "),
+        "{refused}"
+    );
     assert!(FORMATS.iter().all(|format| refused.contains(format.label)), "{refused}");
 }
 
@@ -162,7 +165,10 @@ fn broken_texts_are_errors() {
             let Ok(written) = format.write(&subject) else { continue };
             let text = written.joined().text;
             for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)).step_by(7) {
-                for broken in [text[..end].to_owned(), format!("{}{}", &text[..end], text.get(end + 1..).unwrap_or(""))] {
+                for broken in [
+                    text[..end].to_owned(),
+                    format!("{}{}", &text[..end], text.get(end + 1..).unwrap_or("")),
+                ] {
                     let text = Text { path: Path::new("in"), text: &broken };
                     for reader in [Some(format), recognised(&broken)].into_iter().flatten() {
                         if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
@@ -172,5 +178,20 @@ fn broken_texts_are_errors() {
                 }
             }
         }
+    }
+}
+
+/// README's table has a row for each format, with its axes.
+#[test]
+fn the_readme_s_table_is_the_table() {
+    let readme = include_str!("../../README.md");
+    for format in &FORMATS {
+        let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` | ", format.name)));
+        let axes = format.terms.axes.map(|axis| {
+            let letter = axis.letter();
+            letter.replace('𝐮', "u").replace('𝐯', "v").replace('𝐰', "w")
+        });
+        let axes = format!("| {} |", axes.join(", "));
+        assert!(row.is_some_and(|row| row.contains(&axes)), "{}: {row:?} {axes}", format.name);
     }
 }

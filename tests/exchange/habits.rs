@@ -188,7 +188,9 @@ fn blender_by_location_rotation_and_lens() {
 fn the_course_s_call_as_students_write_it() {
     let text = "cam = Cameras.PerspectiveCamera(\n  Vec3(20, 4, 10),\n  Vec3(-1, 0, -5) - Vec3(20, 4, 10),\n  \
                 Vec3(0, 1, 0), # up\n  0.25, 300, 400)";
-    assert!(read("course", text).unwrap_err().problem.starts_with("view is Vec3(-1, 0, -5) - Vec3"));
+    assert!(
+        read("course", text).unwrap_err().problem.starts_with("view is Vec3(-1, 0, -5) - Vec3")
+    );
     let text = "cam = Cameras.PerspectiveCamera(Vec3(20,4,10), [-21, -4, -15], Vec3(0, 1, 0), sqrt(2)/2, 300, 400)";
     let (camera, _, _) = basis_of("course", text);
     assert_eq!(camera.view(), DVec3::new(-21.0, -4.0, -15.0));

@@ -7,7 +7,6 @@ mod habits;
 mod programs;
 mod round_trip;
 
-
 use std::path::Path;
 
 use pinhole::document::{Document, Item};
@@ -65,10 +64,22 @@ fn camera(eye: [f64; 3], at: [f64; 3], up: [f64; 3], size: [f64; 3], image: [u32
 /// square.
 fn proofs() -> Vec<(&'static str, Document)> {
     let cameras = [
-        ("wide", camera([1.0, 2.0, 7.0], [0.2, 0.1, 0.0], [0.0, 1.0, 0.0], [1.6, 0.9, 1.5], [160, 90])),
-        ("high", camera([-6.0, 1.0, 3.0], [0.0, 0.0, 0.2], [0.1, 1.0, 0.3], [0.6, 0.9, 1.2], [80, 120])),
-        ("rolled", camera([3.0, -5.0, 4.0], [0.3, 0.0, 0.0], [1.0, 0.2, 0.4], [1.0, 1.0, 1.2], [100, 100])),
-        ("not-square", camera([0.5, 1.5, -8.0], [0.3, 0.0, 0.0], [0.2, 1.0, 0.0], [0.9, 0.9, 1.4], [140, 70])),
+        (
+            "wide",
+            camera([1.0, 2.0, 7.0], [0.2, 0.1, 0.0], [0.0, 1.0, 0.0], [1.6, 0.9, 1.5], [160, 90]),
+        ),
+        (
+            "high",
+            camera([-6.0, 1.0, 3.0], [0.0, 0.0, 0.2], [0.1, 1.0, 0.3], [0.6, 0.9, 1.2], [80, 120]),
+        ),
+        (
+            "rolled",
+            camera([3.0, -5.0, 4.0], [0.3, 0.0, 0.0], [1.0, 0.2, 0.4], [1.0, 1.0, 1.2], [100, 100]),
+        ),
+        (
+            "not-square",
+            camera([0.5, 1.5, -8.0], [0.3, 0.0, 0.0], [0.2, 1.0, 0.0], [0.9, 0.9, 1.4], [140, 70]),
+        ),
     ];
     let scene = |camera| Document { camera, spheres: marker(), ..Document::default() };
     cameras.into_iter().map(|(name, camera)| (name, scene(camera))).collect()

@@ -135,17 +135,25 @@ fn pov_ray_renders_the_same_picture() {
         fs::write(&file, flat).unwrap();
         let [width, height] = size(&document);
         output(Command::new("povray").current_dir(folder.path()).args([
-            "+Iscene.pov", "+Oout.ppm", "+FP", "-D", "-A", "-GA",
-            &format!("+W{width}"), &format!("+H{height}"),
+            "+Iscene.pov",
+            "+Oout.ppm",
+            "+FP",
+            "-D",
+            "-A",
+            "-GA",
+            &format!("+W{width}"),
+            &format!("+H{height}"),
         ]));
         let picture = fs::read(folder.path().join("out.ppm")).unwrap();
-        let pixels = &picture[picture.len() - 3 * width.parse::<usize>().unwrap() * height.parse::<usize>().unwrap()..];
+        let pixels = &picture[picture.len()
+            - 3 * width.parse::<usize>().unwrap() * height.parse::<usize>().unwrap()..];
         let object = |pixel: &[u8]| {
             let own = document.spheres.iter().position(|s| s.color.unwrap()[..] == *pixel);
             own.map_or("-1".to_owned(), |k| k.to_string())
         };
         let row = |row: &[u8]| row.chunks(3).map(object).collect::<Vec<_>>().join(" ");
-        let rows: Vec<String> = pixels.chunks(3 * width.parse::<usize>().unwrap()).map(row).collect();
+        let rows: Vec<String> =
+            pixels.chunks(3 * width.parse::<usize>().unwrap()).map(row).collect();
         assert_agrees("POV-Ray", name, &document, &rows.join("\n"));
     }
 }
@@ -158,7 +166,8 @@ fn mitsuba_has_the_same_objects() {
     for (name, document) in proofs().into_iter().filter(|(name, _)| *name != "not-square") {
         let folder = folder_of("mitsuba", &document, With::Objects);
         let scene = folder.path().join("scene.xml");
-        let table = output(python().arg(script("mitsuba_rays.py")).arg(scene).args(size(&document)));
+        let table =
+            output(python().arg(script("mitsuba_rays.py")).arg(scene).args(size(&document)));
         assert_agrees("Mitsuba", name, &document, &table);
     }
 }
@@ -211,7 +220,8 @@ fn points(document: &Document) -> (String, Vec<DVec2>) {
     let points: Vec<DVec3> = (0..40)
         .map(|k| {
             let k = f64::from(k);
-            let uv = DVec2::new((1.7 * k).sin() * viewport.width, (2.3 * k).cos() * viewport.height);
+            let uv =
+                DVec2::new((1.7 * k).sin() * viewport.width, (2.3 * k).cos() * viewport.height);
             camera.ray(0.5 * uv).at(1.0 + 0.3 * k)
         })
         .collect();

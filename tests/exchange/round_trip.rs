@@ -23,7 +23,8 @@ fn assert_same_rays(what: &str, before: &Camera, after: &Camera) {
     let (rows, columns) = (a.image().height(), a.image().width());
     for row in 0..rows {
         for column in 0..columns {
-            let [x, y] = [&a, &b].map(|c| c.ray_of_pixel(Pixel { row, column }).direction.normalize());
+            let [x, y] =
+                [&a, &b].map(|c| c.ray_of_pixel(Pixel { row, column }).direction.normalize());
             assert!((x - y).length() <= 1e-12, "{what}: pixel {row}, {column}: {x} {y}");
         }
     }
@@ -106,7 +107,11 @@ fn what_says_the_distance_keeps_t() {
     let image = ImageSize::new(160, 90).unwrap();
     let document = scene_of(Camera { viewport, image, ..Camera::CANONICAL });
     for name in ["povray", "weekend", "pbrt", "gltf", "three"] {
-        assert_eq!(read(name, &text_of(name, &document)).unwrap().camera.viewport, viewport, "{name}");
+        assert_eq!(
+            read(name, &text_of(name, &document)).unwrap().camera.viewport,
+            viewport,
+            "{name}"
+        );
     }
     // The course's viewport is 1 wide.
     let course = read("course", &text_of("course", &document)).unwrap().camera.viewport;
@@ -129,7 +134,8 @@ fn what_is_left_open_is_as_at_hand() {
         assert!((back.viewport.width - scale * 4.0).abs() < 1e-14, "{}", format.name);
     }
     let text = "gluPerspective(60, 2, 0.1, 100); gluLookAt(0,0,0, 0,0,-1, 0,1,0);";
-    let taken = super::format("opengl").read(&Text { path: "in".as_ref(), text }, &at_hand).unwrap();
+    let taken =
+        super::format("opengl").read(&Text { path: "in".as_ref(), text }, &at_hand).unwrap();
     assert_eq!((taken.camera.image.width(), taken.camera.image.height()), (600, 300));
     assert_eq!(
         taken.notes,
