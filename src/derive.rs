@@ -140,6 +140,18 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
+        // On one of rayon's threads from the start: called from another one, each step that is
+        // shared among them would wake them and wait.
+        rayon::join(|| self.derived(document, session, sizes, watch), || ()).0
+    }
+
+    fn derived(
+        &mut self,
+        document: &Document,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) -> Derived {
         let world = self
             .objects
             .update(document, sizes.style.scheme())

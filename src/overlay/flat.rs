@@ -202,6 +202,12 @@ impl FlatRow {
 }
 
 impl FlatRow {
+    /// (a, b, coverage by grid lines) of one dot of the span.
+    #[inline(always)]
+    pub(crate) fn spot(&self, k: usize) -> [f32; 3] {
+        [self.a[k], self.b[k], self.line[k]]
+    }
+
     /// t and (a, b, coverage by grid lines) of a part of the span.
     pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
         let part = part.start - self.span.start..part.end - self.span.start;

@@ -288,8 +288,18 @@ impl<'a> Layers<'a> {
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
+        // The picture lets nothing through: behind it, nothing needs to be sorted.
+        let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
+            if let Some(viewport) = picture {
+                let own = t(&0);
+                if is_nearer(own, traced[column]) && there[1..].iter().all(|layer| t(layer) > own) {
+                    let spot = layers[0].spot(column - layers[0].span.start);
+                    dots[column] = viewport.paint(spot, dots[column]);
+                    continue;
+                }
+            }
             found.clear();
             found.extend(there.iter().map(|index| (t(index), *index)));
             found.retain(|(t, _)| is_nearer(*t, traced[column]));
@@ -301,8 +311,7 @@ impl<'a> Layers<'a> {
     }
 
     fn layer_over(&self, row: &FlatRow, index: usize, column: usize, below: Color32) -> Color32 {
-        let k = column - row.span.start;
-        let spot = [row.a[k], row.b[k], row.line[k]];
+        let spot = row.spot(column - row.span.start);
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => self.patches[patch].paint(spot, true, below),
             (None, Some(viewport)) => viewport.paint(spot, below),

@@ -11,7 +11,7 @@ use crate::overlay::path::{Ink, Outline, Path};
 
 /// Rows of dots that are painted at a time: the same ones however many threads there are, so that
 /// the dots are the same, too.
-const BAND: usize = 64;
+const BAND: usize = 128;
 
 impl Drawing {
     /// Paints the marks over a picture of `width` dots a row.
@@ -33,45 +33,56 @@ impl Drawing {
     }
 }
 
-/// A path as tiny-skia takes it.
+/// A path as tiny-skia takes it: what is outlined once need not be for each band.
 struct Stroked {
     outline: tiny_skia::Path,
     paint: Paint<'static>,
-    /// `None` where it is filled.
-    stroke: Option<Stroke>,
+    /// A pen too thin for an outline around what it draws.
+    hairline: Option<Stroke>,
 }
+
+/// Up to this width, in dots, tiny-skia draws a line one dot wide and pale instead.
+const HAIRLINE: f32 = 1.0;
 
 impl Stroked {
     fn of(path: &Path) -> Option<Stroked> {
         let mut paint = Paint::default();
         let [r, g, b, a] = path.color.to_srgba_unmultiplied();
         paint.set_color_rgba8(r, g, b, a);
-        let stroke = match path.ink {
-            Ink::Fill => None,
-            Ink::Stroke { width, round, dash } => Some(Stroke {
-                width,
-                line_cap: if round { LineCap::Round } else { LineCap::Butt },
-                line_join: LineJoin::Round,
-                dash: dash.and_then(|dash| StrokeDash::new(dash.to_vec(), 0.0)),
-                ..Stroke::default()
-            }),
+        let outline = built(&path.outline)?;
+        let Ink::Stroke { width, round, dash } = path.ink else {
+            return Some(Stroked { outline, paint, hairline: None });
         };
-        Some(Stroked { outline: built(&path.outline)?, paint, stroke })
+        let outline = match dash.and_then(|dash| StrokeDash::new(dash.to_vec(), 0.0)) {
+            Some(dash) => outline.dash(&dash, 1.0)?,
+            None => outline,
+        };
+        let stroke = Stroke {
+            width,
+            line_cap: if round { LineCap::Round } else { LineCap::Butt },
+            line_join: LineJoin::Round,
+            ..Stroke::default()
+        };
+        Some(if width <= HAIRLINE {
+            Stroked { outline, paint, hairline: Some(stroke) }
+        } else {
+            Stroked { outline: outline.stroke(&stroke, 1.0)?, paint, hairline: None }
+        })
     }
 
     /// Whether anything of it lies in so many rows from the top.
     fn reaches(&self, top: f32, rows: f32) -> bool {
         let bounds = self.outline.bounds();
-        // With round joins and ends, half of the pen; one more dot for what is blurred.
-        let pen = 1.0 + self.stroke.as_ref().map_or(0.0, |stroke| 0.5 * stroke.width);
-        bounds.top() - pen < top + rows && bounds.bottom() + pen > top
+        // The hairline's width, and a dot for what is blurred.
+        let margin = HAIRLINE + 1.0;
+        bounds.top() - margin < top + rows && bounds.bottom() + margin > top
     }
 
     /// Paints it into a picture that starts so many dots from the top.
     fn paint(&self, top: f32, pixmap: &mut PixmapMut) {
         let place = Transform::from_translate(0.0, -top);
         let (outline, paint) = (&self.outline, &self.paint);
-        match &self.stroke {
+        match &self.hairline {
             None => pixmap.fill_path(outline, paint, FillRule::Winding, place, None),
             Some(stroke) => pixmap.stroke_path(outline, paint, stroke, place, None),
         }

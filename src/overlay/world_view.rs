@@ -35,7 +35,7 @@ pub struct WorldView<'a> {
     /// Which spheres lie [around the camera](crate::observer::enclosing) and are drawn as circles.
     pub enclosing: &'a [u32],
     /// The colour of each object of the scene.
-    pub color_of: &'a dyn Fn(u32) -> Rgb,
+    pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     /// Who looks.
     pub observer: &'a Observer,
     /// The picture of [`observer::seen_scene`](crate::observer::seen_scene) by the observer's
@@ -106,8 +106,8 @@ pub fn world_apart(
     dots: &mut [Color32],
 ) -> Drawing {
     let layers = view.layers(backdrop);
-    layers.paint_viewport(traced, dots);
-    view.sketch(&layers)
+    // What is drawn does not depend on what is filled.
+    rayon::join(|| view.sketch(&layers), || layers.paint_viewport(traced, dots)).0
 }
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
