@@ -97,6 +97,8 @@ pub enum Action {
     AskPaste,
     /// Set the camera from another program's text.
     Paste(String),
+    /// Show the camera in the terms of the format of this name.
+    TranslateInto(&'static str),
     /// Ask where to write the camera in another program's terms.
     AskTranslate,
     /// Write it there.

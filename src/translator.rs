@@ -8,6 +8,10 @@ use crate::document::Document;
 use crate::exchange::{
     FORMATS, Format, Row, Sheet, Subject, Text, Unsayable, With, Written, recognised, rows, unknown,
 };
+use crate::formats::{FileError, scene_file};
+
+/// No more objects than this are written under the drag, and shown.
+pub const MOST_OBJECTS: usize = 500;
 
 /// What is chosen in the translator.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +39,12 @@ impl Default for Translator {
 }
 
 impl Translator {
+    /// Chooses the format of this name.
+    pub fn choose(&mut self, name: &str) {
+        let place = FORMATS.iter().position(|format| format.name == name);
+        self.format = place.unwrap_or(self.format);
+    }
+
     /// The chosen format.
     pub fn chosen(&self) -> &'static Format {
         FORMATS.get(self.format).unwrap_or(&FORMATS[0])
@@ -64,27 +74,55 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
         let title = title.to_owned();
         (None, Pasted { title, notes: vec![note], worked: false, camera: *at_hand })
     };
+    if let Some(scene) = own_scene(text) {
+        return match scene {
+            Ok(document) => {
+                let title = "Camera pasted: a scene of Pinhole".to_owned();
+                let objects = document.object_count();
+                taken(title, document.camera, Vec::new(), objects)
+            }
+            Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
+        };
+    }
     let Some(format) = recognised(text) else {
         return failed("This text is no camera: nothing is changed", unknown());
     };
     let text = Text { path: Path::new("pasted"), text };
     match format.read(&text, at_hand) {
-        Ok(taken) => {
-            let mut notes = taken.notes;
-            let objects = taken.spheres.len() + taken.planes.len();
-            if objects > 0 {
-                let things = if objects == 1 { "object is" } else { "objects are" };
-                notes.push(format!("{objects} {things} left out: a paste sets the camera alone"));
-            }
-            let title = format!("Camera pasted: {}", format.label);
-            let camera = taken.camera;
-            (Some(camera), Pasted { title, notes, worked: true, camera })
+        Ok(read) => {
+            let objects = read.spheres.len() + read.planes.len();
+            taken(format!("Camera pasted: {}", format.label), read.camera, read.notes, objects)
         }
         Err(error) => {
             let title = format!("Not pasted: this camera of {} cannot be read", format.label);
             failed(&title, error.to_string())
         }
     }
+}
+
+fn taken(
+    title: String,
+    camera: Camera,
+    mut notes: Vec<String>,
+    objects: usize,
+) -> (Option<Camera>, Pasted) {
+    if objects > 0 {
+        let things = if objects == 1 { "object is" } else { "objects are" };
+        notes.push(format!("{objects} {things} left out: a paste sets the camera alone"));
+    }
+    (Some(camera), Pasted { title, notes, worked: true, camera })
+}
+
+/// A scene file of this program, if the text is one.
+fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
+    let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
+    is_one.then(|| scene_file::parse(text, Path::new("pasted"), Path::new("")))
+}
+
+/// What goes with the camera: the objects where they are asked for, and not too many.
+pub fn with(document: &Document, objects: bool) -> With {
+    let few = document.object_count() <= MOST_OBJECTS;
+    if objects && few { With::Meshes } else { With::CameraAlone }
 }
 
 /// A camera in a format's terms.
@@ -105,8 +143,7 @@ impl Translation {
         pixel: Pixel,
         digits: usize,
     ) -> Translation {
-        let with = if objects { With::Meshes } else { With::CameraAlone };
-        match Subject::new(document, with) {
+        match Subject::new(document, with(document, objects)) {
             Ok(subject) => Translation {
                 written: format.write(&subject),
                 rows: rows(format, &subject, pixel, digits),

@@ -8,11 +8,11 @@ use egui::{Context, Event, ViewportCommand};
 
 use super::App;
 use crate::action::Action;
-use crate::exchange::{Subject, With, Written};
+use crate::exchange::{Subject, Written};
 use crate::formats::{FileError, atomic};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::panels::translator;
-use crate::translator::pasted;
+use crate::translator::{pasted, with};
 
 impl App {
     /// A text that was pasted while nothing is typed into.
@@ -61,7 +61,7 @@ impl App {
 
     fn translated(&self) -> Option<Written> {
         let translator = &self.session.translator;
-        let with = if translator.objects { With::Meshes } else { With::CameraAlone };
+        let with = with(&self.open.document, translator.objects);
         let subject = Subject::new(&self.open.document, with).ok()?;
         translator.chosen().write(&subject).ok()
     }

@@ -69,6 +69,13 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         real(aspect_x),
         real(aspect_y),
     );
+    text.push_str(&objects(subject, &mut notes));
+    Ok(Written::of("scene.py", Sheet::of(&text), notes))
+}
+
+/// Meshes in the objects' places.
+fn objects(subject: &Subject, notes: &mut Vec<String>) -> String {
+    let mut text = String::new();
     let (spheres, planes) = (subject.spheres(), subject.planes());
     if !(spheres.is_empty() && planes.is_empty()) {
         text.push_str(
@@ -106,7 +113,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         ));
         notes.push(square_note(&plane.title, "Blender", half));
     }
-    Ok(Written::of("scene.py", Sheet::of(&text), notes))
+    text
 }
 
 fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {

@@ -1,7 +1,7 @@
 //! COLMAP's `cameras.txt` and `images.txt`: K by one line, the pose by a quaternion and a translation
 //! from world to camera.
 
-use pinhole_core::{Basis, Camera, DVec3, Intrinsics};
+use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
 use super::back::image_of;
 use super::code::error_at;
@@ -124,21 +124,13 @@ fn image_line(text: &str) -> Option<Line<'_>> {
     image_lines(text).next()
 }
 
-fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+/// The line of a camera.
+fn intrinsics(
+    text: &Text,
+    camera: &Line,
+    notes: &mut Vec<String>,
+) -> Result<(Intrinsics, ImageSize), FileError> {
     let error = |at: usize, problem: String| error_at(text.path, text.text, at, problem);
-    let missing = |what: &str| FileError::of_file(text.path, what.to_owned());
-    let camera = camera_line(text.text).ok_or_else(|| {
-        missing("the line of cameras.txt is missing: 1 PINHOLE width height fx fy cx cy")
-    })?;
-    let image = image_line(text.text).ok_or_else(|| {
-        missing("the line of images.txt is missing: 1 QW QX QY QZ TX TY TZ CAMERA_ID NAME")
-    })?;
-    let mut notes = Vec::new();
-    let more = image_lines(text.text).count() - 1;
-    if more > 0 {
-        let name = image.cells[9];
-        notes.push(format!("{name} is taken; {more} more images are left out"));
-    }
     let model = camera.cells[1];
     let Some((_, two, distortions)) = MODELS.iter().find(|known| known.0 == model) else {
         let known: Vec<&str> = MODELS.iter().map(|known| known.0).collect();
@@ -170,11 +162,30 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         return Err(error(camera.at, problem));
     }
     let k = Intrinsics { fx, fy, cx: rest[0], cy: rest[1] };
-    off_centre(&k, size, &mut notes);
+    off_centre(&k, size, notes);
     if rest[2..].iter().any(|k| *k != 0.0) {
         notes
             .push("the distortion is left out: a pinhole draws straight lines straight".to_owned());
     }
+    Ok((k, size))
+}
+
+fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    let error = |at: usize, problem: String| error_at(text.path, text.text, at, problem);
+    let missing = |what: &str| FileError::of_file(text.path, what.to_owned());
+    let camera = camera_line(text.text).ok_or_else(|| {
+        missing("the line of cameras.txt is missing: 1 PINHOLE width height fx fy cx cy")
+    })?;
+    let image = image_line(text.text).ok_or_else(|| {
+        missing("the line of images.txt is missing: 1 QW QX QY QZ TX TY TZ CAMERA_ID NAME")
+    })?;
+    let mut notes = Vec::new();
+    let more = image_lines(text.text).count() - 1;
+    if more > 0 {
+        let name = image.cells[9];
+        notes.push(format!("{name} is taken; {more} more images are left out"));
+    }
+    let (k, size) = intrinsics(text, &camera, &mut notes)?;
     let number = |k: usize| image.cells[k].parse::<f64>().unwrap_or_default();
     let turn =
         Basis::of_quaternion([number(1), number(2), number(3), number(4)]).ok_or_else(|| {

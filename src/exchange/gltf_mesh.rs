@@ -73,11 +73,17 @@ impl Meshes {
     }
 }
 
-/// Meshes, two of every colour, with their materials, and the vertices.
-fn tables(colors: &[Rgb]) -> String {
+/// The vertices of all shapes, and how they are found.
+#[derive(Default)]
+struct Vertices {
+    bytes: Vec<u8>,
+    views: Vec<String>,
+    accessors: Vec<String>,
+}
+
+fn vertices() -> Vertices {
+    let Vertices { mut bytes, mut views, mut accessors } = Vertices::default();
     let shapes = [sphere(), square()];
-    let mut bytes = Vec::new();
-    let (mut views, mut accessors) = (Vec::new(), Vec::new());
     for Shape { points, triangles } in &shapes {
         let from = bytes.len();
         bytes.extend(points.iter().flatten().flat_map(|x| x.to_le_bytes()));
@@ -110,6 +116,12 @@ fn tables(colors: &[Rgb]) -> String {
             view + 1
         ));
     }
+    Vertices { bytes, views, accessors }
+}
+
+/// Meshes, two of every colour, with their materials, and the vertices.
+fn tables(colors: &[Rgb]) -> String {
+    let Vertices { bytes, views, accessors } = vertices();
     let material = |color: &Rgb| {
         format!(
             "{{ \"pbrMetallicRoughness\": {{ \"baseColorFactor\": [{}, 1], \"metallicFactor\": 0 }}, \

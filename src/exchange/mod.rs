@@ -18,6 +18,7 @@ mod gltf;
 mod gltf_mesh;
 mod json;
 mod mitsuba;
+mod mitsuba_read;
 mod opencv;
 mod opengl;
 mod pbrt;

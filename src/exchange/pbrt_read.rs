@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use pinhole_core::{Camera, DVec3, Orientation, Sphere, Viewport};
+use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
 
 use super::affine::Affine;
 use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
@@ -133,56 +133,25 @@ impl<'t> Reader<'t> {
         saved: &mut Vec<State>,
         found: &mut Found,
     ) -> Result<(), FileError> {
-        let no_map = |reader: &Self, right: &str| reader.error(at, format!("{word}: {right}"));
-        let map = match word {
-            "LookAt" => {
-                let [a, b, c, d, e, f, g, h, i] = self.numbers(word, at)?;
-                let look = [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)];
-                let mirror = Affine::scaling(DVec3::new(-1.0, 1.0, 1.0));
-                let alone = [Affine::IDENTITY, mirror].contains(&state.transform);
-                found.look_at = (alone && found.camera_from_world.is_none()).then_some(look);
-                let map = look_at(look);
-                Some(map.ok_or_else(|| no_map(self, "eye, at and up make no camera"))?)
-            }
-            "Scale" => Some(Affine::scaling(self.vector(word, at)?)),
-            "Translate" => Some(Affine::translation(self.vector(word, at)?)),
-            "Rotate" => {
-                let [angle, x, y, z] = self.numbers(word, at)?;
-                let map = Affine::rotation(angle, DVec3::new(x, y, z));
-                Some(map.ok_or_else(|| no_map(self, "its axis is (0, 0, 0)"))?)
-            }
-            "Transform" | "ConcatTransform" => {
-                let m: [f64; 16] = self.numbers(word, at)?;
-                let map = Affine::of_columns(&m);
-                let map = map.ok_or_else(|| no_map(self, "the matrix must be affine"))?;
-                if word == "Transform" {
-                    state.transform = Affine::IDENTITY;
-                }
-                Some(map)
-            }
-            _ => None,
-        };
-        if let Some(map) = map {
-            if word != "LookAt" && found.camera_from_world.is_none() && found.look_at.is_some() {
+        if let Some(map) = self.map(word, at, state, found)? {
+            if word != "LookAt" && found.camera_from_world.is_none() {
                 found.look_at = None;
             }
             state.transform = state.transform.of(&map);
             return Ok(());
-        }
-        match word {
-            "Identity" => state.transform = Affine::IDENTITY,
-            "AttributeBegin" | "TransformBegin" | "ObjectBegin" => saved.push(*state),
-            "AttributeEnd" | "TransformEnd" | "ObjectEnd" => {
-                *state = saved.pop().ok_or_else(|| no_map(self, "nothing was begun"))?;
-            }
-            "WorldBegin" => *state = State { transform: Affine::IDENTITY, color: None },
-            _ => {}
         }
         if !word.chars().all(char::is_alphanumeric) {
             return Err(self.error(at, format!("{word}: no directive of pbrt")));
         }
         let (kind, parameters) = self.parameters();
         match word {
+            "Identity" => state.transform = Affine::IDENTITY,
+            "AttributeBegin" | "TransformBegin" | "ObjectBegin" => saved.push(*state),
+            "AttributeEnd" | "TransformEnd" | "ObjectEnd" => {
+                let nothing = || self.error(at, format!("{word}: nothing was begun"));
+                *state = saved.pop().ok_or_else(nothing)?;
+            }
+            "WorldBegin" => *state = State { transform: Affine::IDENTITY, color: None },
             "Camera" => {
                 if kind != Some("perspective") {
                     let kind = kind.unwrap_or_default();
@@ -190,52 +159,67 @@ impl<'t> Reader<'t> {
                 }
                 found.at = at;
                 found.camera_from_world = Some(state.transform);
-                for (name, values) in &parameters {
-                    if let Some(Token::Number(value)) = values.first() {
-                        found.camera.insert((*name).to_owned(), *value);
-                    }
-                }
+                let first = |values: &[Token]| numbers_of(values).first().copied();
+                let numbers = parameters.iter();
+                let numbers = numbers.filter_map(|(k, v)| Some(((*k).to_owned(), first(v)?)));
+                found.camera = numbers.collect();
                 found.screen = parameters.get("screenwindow").map(|values| numbers_of(values));
             }
             "Film" => {
                 let size = |name: &str, or: f64| {
-                    parameters
-                        .get(name)
-                        .map_or(or, |v| numbers_of(v).first().copied().unwrap_or(or))
+                    let given = parameters.get(name).and_then(|v| numbers_of(v).first().copied());
+                    given.unwrap_or(or)
                 };
                 found.film = Some((size("xresolution", 1280.0), size("yresolution", 720.0)));
             }
-            "Material" => {
-                state.color = parameters.get("reflectance").and_then(|values| {
-                    let [r, g, b] = numbers_of(values).try_into().ok()?;
-                    Some([r, g, b].map(byte_of_light))
-                })
-            }
-            "Shape" => {
-                let sphere = kind == Some("sphere");
-                match state.transform.scale().filter(|_| sphere) {
-                    Some(scale) => {
-                        let radius = parameters.get("radius").map(|values| numbers_of(values));
-                        let radius = radius.and_then(|r| r.first().copied()).unwrap_or(1.0) * scale;
-                        if radius <= 0.0 {
-                            let problem =
-                                format!("radius is {}: it must be greater than 0", n(radius));
-                            return Err(self.error(at, problem));
-                        }
-                        let shape = Sphere { center: state.transform.at, radius };
-                        found.spheres.push(Item { name: None, color: state.color, shape });
-                    }
-                    None => {
-                        let kind = kind.unwrap_or("a shape");
-                        let left = format!("{kind} is left out: Pinhole has spheres and planes");
-                        found.notes.push(left);
-                    }
-                }
-            }
+            "Material" => state.color = reflectance(&parameters),
+            "Shape" => found.shape(self, at, kind, &parameters, state)?,
             _ => {}
         }
         Ok(())
     }
+
+    /// What a directive does to the current transformation; `None` of one that does nothing.
+    fn map(
+        &mut self,
+        word: &str,
+        at: usize,
+        state: &mut State,
+        found: &mut Found,
+    ) -> Result<Option<Affine>, FileError> {
+        let (map, right) = match word {
+            "LookAt" => {
+                let [a, b, c, d, e, f, g, h, i] = self.numbers(word, at)?;
+                let look = [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)];
+                let mirror = Affine::scaling(DVec3::new(-1.0, 1.0, 1.0));
+                let alone = [Affine::IDENTITY, mirror].contains(&state.transform);
+                if found.camera_from_world.is_none() {
+                    found.look_at = alone.then_some(look);
+                }
+                (look_at(look), "eye, at and up make no camera")
+            }
+            "Scale" => (Some(Affine::scaling(self.vector(word, at)?)), ""),
+            "Translate" => (Some(Affine::translation(self.vector(word, at)?)), ""),
+            "Rotate" => {
+                let [angle, x, y, z] = self.numbers(word, at)?;
+                (Affine::rotation(angle, DVec3::new(x, y, z)), "its axis is (0, 0, 0)")
+            }
+            "Transform" | "ConcatTransform" => {
+                let m: [f64; 16] = self.numbers(word, at)?;
+                if word == "Transform" {
+                    state.transform = Affine::IDENTITY;
+                }
+                (Affine::of_columns(&m), "the matrix must be affine")
+            }
+            _ => return Ok(None),
+        };
+        map.map(Some).ok_or_else(|| self.error(at, format!("{word}: {right}")))
+    }
+}
+
+fn reflectance(parameters: &Parameters) -> Option<[u8; 3]> {
+    let [r, g, b] = numbers_of(parameters.get("reflectance")?).try_into().ok()?;
+    Some([r, g, b].map(byte_of_light))
 }
 
 fn numbers_of(values: &[Token]) -> Vec<f64> {
@@ -254,8 +238,56 @@ fn look_at([eye, at, up]: [DVec3; 3]) -> Option<Affine> {
 }
 
 impl Found {
+    /// Takes a sphere, and tells of any other shape.
+    fn shape(
+        &mut self,
+        reader: &Reader,
+        at: usize,
+        kind: Option<&str>,
+        parameters: &Parameters,
+        state: &State,
+    ) -> Result<(), FileError> {
+        let scale = state.transform.scale().filter(|_| kind == Some("sphere"));
+        let Some(scale) = scale else {
+            let kind = kind.unwrap_or("a shape");
+            self.notes.push(format!("{kind} is left out: Pinhole has spheres and planes"));
+            return Ok(());
+        };
+        let radius = parameters.get("radius").and_then(|r| numbers_of(r).first().copied());
+        let radius = radius.unwrap_or(1.0) * scale;
+        if radius <= 0.0 {
+            let problem = format!("radius is {}: it must be greater than 0", n(radius));
+            return Err(reader.error(at, problem));
+        }
+        let shape = Sphere { center: state.transform.at, radius };
+        self.spheres.push(Item { name: None, color: state.color, shape });
+        Ok(())
+    }
+
+    fn viewport(&self, image: ImageSize, at_hand: &Camera) -> Result<Viewport, String> {
+        let given = |name: &str| self.camera.get(name).copied();
+        // pbrt's own is 1e6 where none is given.
+        let distance = given("focaldistance").filter(|d| *d > 0.0 && *d < 1e6);
+        let distance = distance.unwrap_or(at_hand.viewport.distance);
+        let fov = given("fov").unwrap_or(90.0);
+        if !(fov > 0.0 && fov < 180.0) {
+            return Err(format!("fov is {}: it must be between 0 and 180 degrees", n(fov)));
+        }
+        let frame = given("frameaspectratio").unwrap_or(image.aspect());
+        let short = extent(fov, distance);
+        let (mut wide, mut high) = if frame > 1.0 { (frame, 1.0) } else { (1.0, 1.0 / frame) };
+        if let Some([left, right, bottom, top]) = self.screen.as_deref() {
+            (wide, high) = (0.5 * (right - left), 0.5 * (top - bottom));
+            if left + right != 0.0 || bottom + top != 0.0 || wide <= 0.0 || high <= 0.0 {
+                return Err("screenwindow: it must have 0 in its middle".to_owned());
+            }
+        }
+        Ok(Viewport { width: in_ratio(short, wide), height: in_ratio(short, high), distance })
+    }
+
     fn camera(mut self, text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-        let error = |problem: String| error_at(text.path, text.text, self.at, problem);
+        let at = self.at;
+        let error = |problem: String| error_at(text.path, text.text, at, problem);
         let Some(transform) = self.camera_from_world else {
             let missing = "Camera is missing: Camera \"perspective\" must be there";
             return Err(FileError::of_file(text.path, missing));
@@ -263,27 +295,10 @@ impl Found {
         let (width, height) = self.film.unwrap_or((1280.0, 720.0));
         let image = image_of(width, height)
             .map_err(|right| error(format!("xresolution, yresolution: {right}")))?;
-        let distance = self.camera.get("focaldistance").copied();
-        let distance =
-            distance.filter(|d| *d > 0.0 && *d < 1e6).unwrap_or(at_hand.viewport.distance);
-        let fov = self.camera.get("fov").copied().unwrap_or(90.0);
-        if !(fov > 0.0 && fov < 180.0) {
-            return Err(error(format!("fov is {}: it must be between 0 and 180 degrees", n(fov))));
-        }
+        let viewport = self.viewport(image, at_hand).map_err(&error)?;
         if self.camera.get("lensradius").is_some_and(|radius| *radius > 0.0) {
             self.notes.push("lensradius is left out: a pinhole is sharp everywhere".to_owned());
         }
-        let frame = self.camera.get("frameaspectratio").copied().unwrap_or(image.aspect());
-        let short = extent(fov, distance);
-        let (mut wide, mut high) = if frame > 1.0 { (frame, 1.0) } else { (1.0, 1.0 / frame) };
-        if let Some([left, right, bottom, top]) = self.screen.as_deref() {
-            (wide, high) = (0.5 * (right - left), 0.5 * (top - bottom));
-            if left + right != 0.0 || bottom + top != 0.0 || wide <= 0.0 || high <= 0.0 {
-                return Err(error("screenwindow: it must have 0 in its middle".to_owned()));
-            }
-        }
-        let viewport =
-            Viewport { width: in_ratio(short, wide), height: in_ratio(short, high), distance };
         let world_from_camera = transform
             .inverse()
             .ok_or_else(|| error("the camera's transformation has no inverse".to_owned()))?;

@@ -170,29 +170,7 @@ impl Pixels {
 pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
     let terms = &format.terms;
     let size = subject.size();
-    let basis = subject.posed().basis();
-    let vector = |v: DVec3| {
-        let number = |x| crate::number::written(x, digits);
-        format!("({}, {}, {})", number(v.x), number(v.y), number(v.z))
-    };
-    let mut table: Vec<Row> = ["x of the camera", "y of the camera", "z of the camera"]
-        .into_iter()
-        .zip(Terms::OURS.into_iter().zip(terms.axes))
-        .map(|(about, (ours, theirs))| {
-            let text = |axis: Axis| {
-                let v = basis.to_world_from_camera(axis.of_basis());
-                // 0 has no sign to read.
-                format!("{} {} = {}", axis.meaning(), axis.letter(), vector(v + DVec3::ZERO))
-            };
-            Row {
-                about,
-                ours: text(ours),
-                theirs: text(theirs),
-                flipped: theirs.is_flipped(),
-                differs: ours != theirs,
-            }
-        })
-        .collect();
+    let mut table = axes(terms, subject, digits);
     let hand = |right| if right { "right-handed" } else { "left-handed" };
     let mut line = |about, ours: String, theirs: String, flipped, differs| {
         table.push(Row { about, ours, theirs, flipped, differs });
@@ -251,4 +229,26 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
     line("pixels' shape", "any".into(), terms.shape.into(), false, !terms.shape.starts_with("any"));
     line("reckons in", "f64, exact where it matters".into(), terms.lengths.into(), false, false);
     table
+}
+
+/// The lines on the camera's axes, with their vectors.
+fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
+    let basis = subject.posed().basis();
+    let text = |axis: Axis| {
+        let v = basis.to_world_from_camera(axis.of_basis());
+        // 0 has no sign to read.
+        let [x, y, z] = (v + DVec3::ZERO).to_array().map(|x| crate::number::written(x, digits));
+        format!("{} {} = ({x}, {y}, {z})", axis.meaning(), axis.letter())
+    };
+    let names = ["x of the camera", "y of the camera", "z of the camera"];
+    let pairs = names.into_iter().zip(Terms::OURS.into_iter().zip(terms.axes));
+    pairs
+        .map(|(about, (ours, theirs))| Row {
+            about,
+            ours: text(ours),
+            theirs: text(theirs),
+            flipped: theirs.is_flipped(),
+            differs: ours != theirs,
+        })
+        .collect()
 }

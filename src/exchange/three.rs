@@ -52,17 +52,44 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         columns(subject),
         n(distance)
     )];
-    let (mut geometries, mut materials) = (Vec::new(), Vec::new());
+    let Things { geometries, materials, meshes } = things(subject, &mut notes);
+    children.extend(meshes);
+    let list = |name: &str, items: Vec<String>| match items.is_empty() {
+        true => String::new(),
+        false => format!("  \"{name}\": [\n    {}\n  ],\n", items.join(",\n    ")),
+    };
+    let text = format!(
+        "{{\n  \"metadata\": {{ \"version\": 4.6, \"type\": \"Object\", \"generator\": \"Pinhole\" }},\n\
+         {}{}  \"object\": {{\n    \"uuid\": \"{}\",\n    \"type\": \"Scene\",\n    \
+         \"matrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],\n    \"children\": [{}]\n  }}\n}}\n",
+        list("geometries", geometries),
+        list("materials", materials),
+        uuid(0),
+        children.join(", ")
+    );
+    Ok(Written::of("scene.json", Sheet::of(&text), notes))
+}
+
+/// What stands for the objects.
+#[derive(Default)]
+struct Things {
+    geometries: Vec<String>,
+    materials: Vec<String>,
+    meshes: Vec<String>,
+}
+
+fn things(subject: &Subject, notes: &mut Vec<String>) -> Things {
+    let mut things = Things::default();
     let mut add = |title: &str, color: [u8; 3], geometry: &str, matrix: String| {
-        let k = 10 + 3 * geometries.len();
+        let k = 10 + 3 * things.geometries.len();
         let (own, shape, looks) = (uuid(k), uuid(k + 1), uuid(k + 2));
-        geometries.push(format!("{{ \"uuid\": \"{shape}\", {geometry} }}"));
+        things.geometries.push(format!("{{ \"uuid\": \"{shape}\", {geometry} }}"));
         let [r, g, b] = color.map(u32::from);
-        materials.push(format!(
+        things.materials.push(format!(
             "{{ \"uuid\": \"{looks}\", \"type\": \"MeshBasicMaterial\", \"color\": {}, \"side\": 2 }}",
             r << 16 | g << 8 | b
         ));
-        children.push(format!(
+        things.meshes.push(format!(
             "{{ \"uuid\": \"{own}\", \"type\": \"Mesh\", \"name\": \"{}\", \"geometry\": \"{shape}\", \
              \"material\": \"{looks}\", \"matrix\": [{matrix}] }}",
             quotable(title)
@@ -90,20 +117,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         add(&plane.title, plane.color, &geometry, matrix);
         notes.push(square_note(&plane.title, "three.js", half));
     }
-    let list = |name: &str, items: Vec<String>| match items.is_empty() {
-        true => String::new(),
-        false => format!("  \"{name}\": [\n    {}\n  ],\n", items.join(",\n    ")),
-    };
-    let text = format!(
-        "{{\n  \"metadata\": {{ \"version\": 4.6, \"type\": \"Object\", \"generator\": \"Pinhole\" }},\n\
-         {}{}  \"object\": {{\n    \"uuid\": \"{}\",\n    \"type\": \"Scene\",\n    \
-         \"matrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],\n    \"children\": [{}]\n  }}\n}}\n",
-        list("geometries", geometries),
-        list("materials", materials),
-        uuid(0),
-        children.join(", ")
-    );
-    Ok(Written::of("scene.json", Sheet::of(&text), notes))
+    things
 }
 
 fn uuid(k: usize) -> String {

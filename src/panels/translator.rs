@@ -14,7 +14,7 @@ use crate::document::Document;
 use crate::exchange::{FORMATS, Row, Sheet};
 use crate::letters::told;
 use crate::session::{Selection, Session};
-use crate::translator::{Pasted, Translation, Translator, shortened};
+use crate::translator::{MOST_OBJECTS, Pasted, Translation, Translator, shortened};
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
@@ -67,7 +67,10 @@ impl TranslatorPanel {
             if ui.button("Paste a camera").clicked() {
                 actions.push(Action::AskPaste);
             }
-            ui.checkbox(&mut choice.objects, "objects, too");
+            let few = document.object_count() <= MOST_OBJECTS;
+            let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
+            let many = "There are too many to show: pinhole export writes them";
+            ui.add_enabled(few, objects).on_disabled_hover_text(many);
             ui.checkbox(&mut choice.every_digit, "every digit");
         });
         ui.separator();

@@ -10,6 +10,7 @@ use pinhole_core::methods::Method;
 
 use super::{Group, Keys, Verb, When};
 use crate::action::{Action, GhostMove, PlayMove, Switch};
+use crate::exchange::FORMATS;
 use crate::exercises;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
@@ -81,6 +82,7 @@ pub(super) fn table() -> Vec<Verb> {
     verbs.extend(playing());
     verbs.extend(pixel_steps());
     verbs.extend(layouts());
+    verbs.extend(translations());
     verbs.extend(switches());
     verbs.extend(looks());
     verbs.extend(places());
@@ -220,6 +222,14 @@ fn layouts() -> impl Iterator<Item = Verb> {
     ViewLayout::LISTED
         .into_iter()
         .map(|layout| verb(Group::Layout, layout.label(), layout.about(), Action::Layout(layout)))
+}
+
+fn translations() -> impl Iterator<Item = Verb> {
+    FORMATS.iter().map(|format| {
+        let name = format!("translate into {}", format.label);
+        let about = "Shows the camera in these terms.";
+        verb(Group::Layout, name, about, Action::TranslateInto(format.name))
+    })
 }
 
 fn switches() -> Vec<Verb> {

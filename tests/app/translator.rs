@@ -168,3 +168,39 @@ fn what_is_pasted_into_a_field_is_typed_there() {
     assert!(!says(&harness, "Camera pasted: gluLookAt + gluPerspective"));
     assert_eq!(camera(&harness).eye.z, 0.0);
 }
+
+#[test]
+fn a_scene_of_our_own_is_a_camera_too() {
+    let mut harness = window("canonical");
+    let text = "pinhole = 1\n[camera]\neye = [1, 2, 3]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
+    paste(&mut harness, text);
+    assert_says(&harness, "Camera pasted: a scene of Pinhole");
+    assert_says(&harness, "1 object is left out: a paste sets the camera alone.");
+    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
+    paste(&mut harness, "pinhole = 1\n[camera]\neye = 3\n");
+    assert_says(&harness, "Not pasted: this scene cannot be read");
+    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
+}
+
+#[test]
+fn objects_go_along_where_they_are_asked_for() {
+    let mut harness = translating("canonical", "POV-Ray");
+    assert!(!shown(&harness).contains("sphere {"));
+    harness.get_by_role_and_label(Role::CheckBox, "objects, too").click_accesskit();
+    harness.run();
+    assert!(shown(&harness).contains("sphere { <0, 0, -5>, 1"), "{}", shown(&harness));
+}
+
+#[test]
+fn the_palette_finds_a_format() {
+    let mut harness = window("canonical");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
+    harness.run();
+    harness.get_by_role(Role::TextInput).type_text("translate blender");
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    harness.run();
+    assert!(shown(&harness).starts_with("import bpy"), "{}", shown(&harness));
+}
