@@ -191,7 +191,8 @@ pub fn shortened(sheet: &Sheet, digits: usize) -> Sheet {
             end += if count > 0 { 1 + sign + count } else { 0 };
         }
         let number = &sheet.text[at..end];
-        let count = number.bytes().filter(u8::is_ascii_digit).count();
+        let mantissa = number.split('e').next().unwrap_or_default().bytes();
+        let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
         if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
             short.text.push_str(&sheet.text[from..at]);
             short.text.push_str(&cut(value, digits));
@@ -215,7 +216,7 @@ mod tests {
     #[test]
     fn long_numbers_are_cut_and_marks_go_along() {
         let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
-        let sheet = Sheet { text: text.to_owned(), flipped: vec![3..21, 23..35] };
+        let sheet = Sheet { text: text.to_owned(), flipped: vec![3..21, 23..34] };
         let short = shortened(&sheet, 4);
         assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
         let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();

@@ -105,29 +105,32 @@ fn value<'t>(code: &'t Code, name: &str) -> Option<Piece<'t>> {
     })
 }
 
+/// The list that one of the names is given, and which.
+fn find<'t>(code: &'t Code, names: &[&'static str]) -> Option<(&'static str, Piece<'t>)> {
+    names.iter().find_map(|name| value(code, name).map(|piece| (*name, piece)))
+}
+
 fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::Hash);
     let mut notes = Vec::new();
-    let find = |names: &[&str]| {
-        names.iter().find_map(|name| value(&code, name).map(|piece| (name.to_string(), piece)))
-    };
     let missing = |name: &str, right: &str| code.missing(name, right);
-    let (k_name, k) = find(&K_NAMES).ok_or_else(|| missing("K", "it must be nine numbers"))?;
-    let numbers = code.numbers(&k_name, k)?;
+    let (k_name, k) =
+        find(&code, &K_NAMES).ok_or_else(|| missing("K", "it must be nine numbers"))?;
+    let numbers = code.numbers(k_name, k)?;
     let [fx, skew, cx, zero, fy, cy, p, q, r] = numbers[..] else {
-        return Err(code.fault(&k_name, k, "it must be 3 × 3 numbers"));
+        return Err(code.fault(k_name, k, "it must be 3 × 3 numbers"));
     };
     if [zero, p, q] != [0.0; 3] || r != 1.0 || skew != 0.0 || fx <= 0.0 || fy <= 0.0 {
         let right = "it must be fx 0 cx, 0 fy cy, 0 0 1 with fx and fy greater than 0";
-        return Err(code.fault(&k_name, k, right));
+        return Err(code.fault(k_name, k, right));
     }
     let intrinsics = Intrinsics { fx, fy, cx: cx + 0.5, cy: cy + 0.5 };
     let image = size(&code, &intrinsics, at_hand, &mut notes)?;
     off_centre(&intrinsics, image, &mut notes);
-    let (rotation, t) = pose(&code, &find)?;
+    let (rotation, t) = pose(&code)?;
     if let Some((name, piece)) =
-        find(&["distortion", "dist", "distortion_coefficients", "dist_coeffs"])
-        && code.numbers(&name, piece)?.iter().any(|k| *k != 0.0)
+        find(&code, &["distortion", "dist", "distortion_coefficients", "dist_coeffs"])
+        && code.numbers(name, piece)?.iter().any(|k| *k != 0.0)
     {
         notes.push(format!("{name} is left out: a pinhole draws straight lines straight"));
     }
@@ -229,31 +232,28 @@ fn after_quoted<'t>(code: &'t Code, quoted: &str) -> Option<Piece<'t>> {
 
 /// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix; R as a matrix or by Rodrigues'
 /// vector.
-fn pose<'t>(
-    code: &'t Code,
-    find: &dyn Fn(&[&str]) -> Option<(String, Piece<'t>)>,
-) -> Result<([DVec3; 3], DVec3), FileError> {
-    if let Some((name, piece)) = find(&["Rt", "extrinsics", "extrinsic"]) {
-        let m = code.numbers(&name, piece)?;
+fn pose(code: &Code) -> Result<([DVec3; 3], DVec3), FileError> {
+    if let Some((name, piece)) = find(code, &["Rt", "extrinsics", "extrinsic"]) {
+        let m = code.numbers(name, piece)?;
         let affine = super::affine::Affine::of_rows(&m).filter(|_| matches!(m.len(), 12 | 16));
-        let affine = affine.ok_or_else(|| code.fault(&name, piece, "it must be [R|t], 3 × 4"))?;
+        let affine = affine.ok_or_else(|| code.fault(name, piece, "it must be [R|t], 3 × 4"))?;
         let rows: [DVec3; 3] =
             std::array::from_fn(|k| DVec3::new(affine.x[k], affine.y[k], affine.z[k]));
         return Ok((rows, affine.at));
     }
-    let (name, piece) =
-        find(&R_NAMES).ok_or_else(|| code.missing("R", "the rotation must be nine numbers"))?;
-    let m = code.numbers(&name, piece)?;
+    let (name, piece) = find(code, &R_NAMES)
+        .ok_or_else(|| code.missing("R", "the rotation must be nine numbers"))?;
+    let m = code.numbers(name, piece)?;
     let rows = match m[..] {
         [a, b, c, d, e, f, g, h, i] => {
             [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)]
         }
         [x, y, z] => rodrigues(DVec3::new(x, y, z)),
-        _ => return Err(code.fault(&name, piece, "it must be 3 × 3 numbers")),
+        _ => return Err(code.fault(name, piece, "it must be 3 × 3 numbers")),
     };
-    let (name, piece) =
-        find(&T_NAMES).ok_or_else(|| code.missing("t", "the translation must be three numbers"))?;
-    Ok((rows, code.vector(&name, piece)?))
+    let (name, piece) = find(code, &T_NAMES)
+        .ok_or_else(|| code.missing("t", "the translation must be three numbers"))?;
+    Ok((rows, code.vector(name, piece)?))
 }
 
 /// Rows of the rotation about a vector by its length in radians.

@@ -197,7 +197,7 @@ fn the_palette_finds_a_format() {
     let mut harness = window("canonical");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
     harness.run();
-    harness.get_by_role(Role::TextInput).type_text("translate blender");
+    harness.get_by_role_and_label(Role::TextInput, "Command").type_text("translate blender");
     harness.run();
     harness.key_press(Key::Enter);
     harness.run();
