@@ -37,20 +37,23 @@ impl Affine {
         })
     }
 
-    /// From 16 numbers, column after column; `None` where the last row is not 0 0 0 1.
+    /// From 16 numbers, column after column; `None` of any other count, or where the last row is not 0 0 0 1.
     pub(crate) fn of_columns(m: &[f64]) -> Option<Affine> {
         let column = |k: usize| DVec3::new(m[4 * k], m[4 * k + 1], m[4 * k + 2]);
         let is_affine = m.len() == 16 && [m[3], m[7], m[11]] == [0.0; 3] && m[15] == 1.0;
         is_affine.then(|| Affine { x: column(0), y: column(1), z: column(2), at: column(3) })
     }
 
-    /// From 12 or 16 numbers, row after row.
+    /// From 12 or 16 numbers, row after row; `None` of any other count, or where the last row is not
+    /// 0 0 0 1.
     pub(crate) fn of_rows(m: &[f64]) -> Option<Affine> {
-        if m.len() != 12 && m[12..] != [0.0, 0.0, 0.0, 1.0] {
-            return None;
-        }
+        let is_affine = match m.len() {
+            12 => true,
+            16 => m[12..] == [0.0, 0.0, 0.0, 1.0],
+            _ => false,
+        };
         let column = |k: usize| DVec3::new(m[k], m[4 + k], m[8 + k]);
-        Some(Affine { x: column(0), y: column(1), z: column(2), at: column(3) })
+        is_affine.then(|| Affine { x: column(0), y: column(1), z: column(2), at: column(3) })
     }
 
     pub(crate) fn direction(&self, v: DVec3) -> DVec3 {

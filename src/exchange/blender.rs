@@ -204,7 +204,7 @@ fn frame(code: &Code) -> Result<Affine, FileError> {
     // The camera's comes first, and those of objects after it.
     if let Some(piece) = code.first_value("matrix_world") {
         let numbers = code.numbers("matrix_world", piece)?;
-        let affine = Affine::of_rows(&numbers).filter(|_| matches!(numbers.len(), 12 | 16));
+        let affine = Affine::of_rows(&numbers);
         let right = "it must be four rows of four numbers, the last one 0, 0, 0, 1";
         return affine.ok_or_else(|| code.fault("matrix_world", piece, right));
     }

@@ -235,7 +235,7 @@ fn after_quoted<'t>(code: &'t Code, quoted: &str) -> Option<Piece<'t>> {
 fn pose(code: &Code) -> Result<([DVec3; 3], DVec3), FileError> {
     if let Some((name, piece)) = find(code, &["Rt", "extrinsics", "extrinsic"]) {
         let m = code.numbers(name, piece)?;
-        let affine = super::affine::Affine::of_rows(&m).filter(|_| matches!(m.len(), 12 | 16));
+        let affine = super::affine::Affine::of_rows(&m);
         let affine = affine.ok_or_else(|| code.fault(name, piece, "it must be [R|t], 3 × 4"))?;
         let rows: [DVec3; 3] =
             std::array::from_fn(|k| DVec3::new(affine.x[k], affine.y[k], affine.z[k]));
