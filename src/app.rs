@@ -14,6 +14,7 @@ mod history;
 mod inputs;
 mod lessons;
 mod outputs;
+mod pace;
 mod play;
 mod verbs;
 
@@ -27,11 +28,12 @@ use self::history::Changes;
 use self::lessons::Lessons;
 use self::verbs::Sheet;
 use crate::action::Action;
+use crate::coarseness::Governor;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
 use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
-use crate::frame_times::{FrameHistory, Stopwatch, WorkTimes};
+use crate::frame_times::{FrameHistory, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
@@ -76,6 +78,7 @@ pub struct App {
     measuring: Measuring,
     frames: FrameHistory,
     logs_frame_times: bool,
+    governor: Governor,
     hand: HandInput,
     navigation: Navigation,
     store: Option<Store>,
@@ -120,6 +123,7 @@ impl App {
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
             logs_frame_times: false,
+            governor: Governor::default(),
             hand: HandInput::default(),
             navigation: Navigation::default(),
             store,
@@ -180,21 +184,6 @@ impl App {
         self.deriver.traced()
     }
 
-    /// Has all frames timed from now on, for those who keep a log.
-    pub(crate) fn time_frames(&mut self) {
-        self.logs_frame_times = true;
-    }
-
-    /// Whether somebody looks at what frames take.
-    pub fn times_frames(&self) -> bool {
-        self.logs_frame_times || self.session.settings.layout == ViewLayout::Frame
-    }
-
-    /// What went into the frame presented last, if it showed a new picture and is timed.
-    pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
-        self.frames.work_presented()
-    }
-
     /// The last frame was handed to the display.
     pub fn presented(&mut self, times: &FrameTimes) {
         self.frames.presented(times);
@@ -223,14 +212,16 @@ impl App {
             for action in actions {
                 self.apply(&ctx, action);
             }
-            let sizes = views::sizes(ui, &places, self.session.settings.layout);
+            let coarseness = self.coarseness(&ctx);
+            let sizes = views::sizes(ui, &places, self.session.settings.layout, coarseness);
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
-            stopwatch = self.times_frames().then(Stopwatch::start);
-            let tell = |work| stopwatch.iter().for_each(|stopwatch| stopwatch.tell(work));
+            let stopwatch = stopwatch.insert(Stopwatch::start());
+            let tell = |work| stopwatch.tell(work);
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
-            stopwatch.iter().for_each(Stopwatch::derived);
+            stopwatch.derived();
+            self.keep_pace(&ctx, coarseness, stopwatch.traced());
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(self.open.origin());
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
@@ -243,7 +234,7 @@ impl App {
         self.record(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
-        self.frames.end(&ctx, stopwatch);
+        self.frames.end(&ctx, stopwatch.filter(|_| self.times_frames()));
     }
 
     /// Panels are drawn from the top while they are edited. Where an edit changed what had already

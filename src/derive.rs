@@ -243,6 +243,7 @@ impl Deriver {
         }
         derived.drawn_by.clone_from(&good.drawn_by);
         derived.too_many = good.too_many;
+        derived.coarseness[0] = good.coarseness;
         (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
     }
@@ -263,6 +264,7 @@ impl Deriver {
                 posed: &good.posed,
                 inspection: &good.inspection,
                 selection: good.selection,
+                coarseness: good.coarseness,
             };
             (right, world)
         });
@@ -286,9 +288,12 @@ impl Deriver {
         let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
         let pictures = &mut self.world_pictures;
-        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, watch) else {
+        let coarseness = sizes.coarseness;
+        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, coarseness, watch)
+        else {
             return;
         };
+        derived.coarseness[1] = world.coarseness;
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
         let lit = lit_key(session);
         let stage = Stage {

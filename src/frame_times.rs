@@ -61,6 +61,12 @@ impl Stopwatch {
         times.readouts = std::mem::take(&mut times.interface);
     }
 
+    /// How long tracing took until now; `None` where nothing was traced.
+    pub(crate) fn traced(&self) -> Option<Duration> {
+        let (_, times) = &*self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        Some(times.plan + times.trace).filter(|traced| !traced.is_zero())
+    }
+
     fn stop(self) -> WorkTimes {
         self.tell(Work::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
