@@ -139,6 +139,16 @@ pub enum Action {
     },
     /// Put the ledger on the clipboard.
     CopyLedger(Markup),
+    /// Ask for the clipboard's text.
+    AskPaste,
+    /// Set the camera from another program's text.
+    Paste(String),
+    /// Show the camera in the terms of the format of this name.
+    TranslateInto(&'static str),
+    /// Ask where to write the camera in another program's terms.
+    AskTranslate,
+    /// Write it there.
+    Translate(PathBuf),
     /// Close the window, asking first if there are unsaved changes.
     Quit,
     /// Show this step of a lesson, asking first if there are unsaved changes of a scene.

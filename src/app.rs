@@ -6,6 +6,7 @@
 
 mod actions;
 mod animation;
+mod exchange;
 mod figures;
 mod ghost;
 mod hand;
@@ -40,6 +41,7 @@ use crate::panels::handles::HandInput;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::look::{self, Look};
 use crate::panels::navigation::Navigation;
+use crate::panels::translator::TranslatorPanel;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::play::Player;
 use crate::present::{FrameTimes, WindowGeometry};
@@ -70,6 +72,7 @@ pub struct App {
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
     ledger: LedgerPanel,
+    translator: TranslatorPanel,
     /// The error map, or what a wrong camera sees.
     beside_texture: ViewTexture,
     measuring: Measuring,
@@ -115,6 +118,7 @@ impl App {
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
             ledger: LedgerPanel::default(),
+            translator: TranslatorPanel::default(),
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
@@ -225,6 +229,7 @@ impl App {
             self.outputs(ui, &places);
         });
         self.over_all(ui);
+        self.paste_notice(&ctx);
         self.keep_history(&ctx);
         self.record(&ctx);
         self.window_outputs(&ctx);

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
+use crate::exchange::{FORMATS, Format};
 use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::lessons::LessonArgument;
@@ -64,6 +65,10 @@ pub enum Command {
     Bench(BenchArguments),
     /// Write a view, the ledger or the lab of lines as a figure for slides
     Figure(FigureArguments),
+    /// Write the camera and the scene as another program has them
+    Export(ExportArguments),
+    /// Read another program's camera and scene, and write a scene file
+    Import(ImportArguments),
 }
 
 /// `pinhole inspect`
@@ -205,6 +210,40 @@ pub struct TraceArguments {
     pub output: Option<PathBuf>,
 }
 
+/// `pinhole export`
+#[derive(Args, Clone, Debug)]
+pub struct ExportArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The other program, or form
+    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
+    pub to: &'static Format,
+    /// Where to write it; else to standard output. Of COLMAP, the folder of its files
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+    /// Leave the objects out
+    #[arg(long, conflicts_with = "meshes")]
+    pub camera_only: bool,
+    /// Write objects as meshes where the format has nothing else: glTF
+    #[arg(long)]
+    pub meshes: bool,
+}
+
+/// `pinhole import`
+#[derive(Args, Clone, Debug)]
+pub struct ImportArguments {
+    /// Another program's file, recognised by what is in it and by its name; - reads standard input
+    ///
+    /// Of COLMAP, the folder of cameras.txt and images.txt, or one of them.
+    pub file: PathBuf,
+    /// The scene file to write; else to standard output
+    #[arg(short, long, value_name = "SCENE.toml")]
+    pub output: Option<PathBuf>,
+    /// Read it as this, whatever it looks like
+    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
+    pub from: Option<&'static Format>,
+}
+
 /// `pinhole report`
 #[derive(Args, Clone, Debug)]
 pub struct ReportArguments {
@@ -236,6 +275,15 @@ pub struct BenchArguments {
     /// Draw time against the number of objects; the ending chooses the format
     #[arg(long, value_name = "OUT.svg|OUT.png")]
     pub plot: Option<PathBuf>,
+}
+
+fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(
+        FORMATS
+            .iter()
+            .map(|format| clap::builder::PossibleValue::new(format.name).help(format.label)),
+    )
+    .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
 }
 
 fn view() -> impl TypedValueParser<Value = View> {

@@ -19,6 +19,7 @@ use crate::overlay::{OverlayItems, Scheme};
 use crate::plot::Heights;
 use crate::presenter::{Presenting, SMALLEST_TEXT};
 use crate::thing::{Pointed, Thing};
+use crate::translator::Translator;
 
 /// Everything about the window that is not the document. Changing it never marks the document as
 /// edited.
@@ -52,6 +53,8 @@ pub struct Session {
     pub spotlight: bool,
     /// What is taken in the hand, or could be.
     pub hand: Hand,
+    /// What is chosen in the translator.
+    pub translator: Translator,
     /// What is remembered across runs as it is.
     pub settings: Settings,
 }
@@ -214,6 +217,7 @@ impl Default for Session {
             presenting: None,
             spotlight: false,
             hand: Hand::default(),
+            translator: Translator::default(),
             settings: Settings::default(),
         }
     }

@@ -77,6 +77,10 @@ impl App {
                 let ledger = ledger_of(&self.open.document, &self.session);
                 ctx.copy_text(ledger.written_in(markup));
             }
+            Action::AskPaste => self.ask_paste(ctx),
+            Action::Paste(text) => self.paste(ctx, &text),
+            Action::AskTranslate => self.ask_translate(),
+            Action::Translate(path) => self.translate(&path),
             Action::Undo => self.undo(ctx),
             Action::Redo => self.redo(ctx),
             Action::Ghost(ghost) => self.move_ghost(ctx, ghost),

@@ -12,6 +12,7 @@ impl App {
     pub(super) fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         actions.append(&mut self.waiting);
         self.keys(ctx, actions);
+        self.pasted_text(ctx, actions);
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
         // Not under a dialog: its answer would then be about another scene.
         let dropped = dropped.filter(|_| !self.is_covered());

@@ -104,6 +104,9 @@ impl App {
                 let (ghost, actions) = (self.session.ghost.as_ref(), &mut self.waiting);
                 compare::ui(ui, &self.derived, document, ghost, style, actions);
             }
+            ViewLayout::Translator => {
+                self.translator.ui(ui, document, &mut self.session, &mut self.waiting);
+            }
             ViewLayout::Exercises => {
                 let exercises = &mut self.session.exercises;
                 exercises::ui(ui, exercises, style, &mut self.waiting);

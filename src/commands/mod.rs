@@ -2,7 +2,9 @@
 
 mod animation;
 mod bench;
+mod export;
 mod figure;
+mod import;
 mod inspect;
 mod outputs;
 mod progress;
@@ -66,6 +68,8 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Report(arguments) => report::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Figure(arguments) => figure::run(arguments),
+        Command::Export(arguments) => export::run(arguments),
+        Command::Import(arguments) => import::run(arguments),
     }
 }
 
@@ -81,6 +85,12 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
         let _ = writeln!(io::stderr(), "pinhole: {error}");
     }
     ExitCode::from(status)
+}
+
+/// Says on standard error what was done otherwise than one may think.
+fn warn(note: &str) {
+    // Where standard error is closed, there is nobody to tell.
+    let _ = writeln!(io::stderr(), "pinhole: note: {note}");
 }
 
 /// Reads the scene that an argument means.

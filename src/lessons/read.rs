@@ -56,7 +56,7 @@ const STEP: [&str; 21] = [
 ];
 
 /// The layouts that a step can ask for, by name.
-const LAYOUTS: [(&str, ViewLayout); 9] = [
+const LAYOUTS: [(&str, ViewLayout); 10] = [
     ("both", ViewLayout::Both),
     ("world", ViewLayout::World),
     ("camera", ViewLayout::Camera),
@@ -65,6 +65,7 @@ const LAYOUTS: [(&str, ViewLayout); 9] = [
     ("lines", ViewLayout::Lines),
     ("mistakes", ViewLayout::Mistakes),
     ("compare", ViewLayout::Compare),
+    ("translator", ViewLayout::Translator),
     ("exercises", ViewLayout::Exercises),
 ];
 

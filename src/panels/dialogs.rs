@@ -21,6 +21,13 @@ pub enum Dialog {
         /// What waits for the scene to be saved.
         then: Option<Box<Action>>,
     },
+    /// Where to write the camera in another program's terms.
+    Translate {
+        /// The path.
+        field: PathField,
+        /// How the file's name ends; a folder's does not.
+        ending: &'static str,
+    },
     /// Which figure to write, and where to.
     Export(ExportForm),
     /// An animation is being written; closed, it is not.
@@ -78,6 +85,11 @@ impl PathField {
     /// Of a scene to save: starts in the folder of `path`, with a name filled in.
     pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
         PathField::of(path, name, &["toml"], "path of a .toml scene")
+    }
+
+    /// Of a camera in another program's terms.
+    pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
+        PathField::of(path, name, &[], "path of the file")
     }
 
     /// Of files with these endings.
@@ -195,6 +207,13 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
                 ui.heading("Save the scene as");
                 if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
                     actions.push(Action::SaveAs { path, then: then.take() });
+                    close = true;
+                }
+            }
+            Dialog::Translate { field, ending } => {
+                ui.heading("Save the camera for another program");
+                if let Some(path) = save_ui(ui, field, "Save", ending, &mut close) {
+                    actions.push(Action::Translate(path));
                     close = true;
                 }
             }

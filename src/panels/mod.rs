@@ -31,6 +31,7 @@ pub(crate) mod selection;
 mod sign;
 mod teaching;
 pub(crate) mod top_bar;
+pub(crate) mod translator;
 pub(crate) mod views;
 mod walking;
 mod words;

@@ -50,7 +50,9 @@ pub(crate) fn places(
         ViewLayout::Both | ViewLayout::World | ViewLayout::Camera if presenting => {
             (area, Rect::from_min_size(area.left_bottom(), Vec2::ZERO))
         }
-        ViewLayout::Ledger => split_across(ui, area, &mut settings.ledger_split, "ledger handle"),
+        ViewLayout::Ledger | ViewLayout::Translator => {
+            split_across(ui, area, &mut settings.ledger_split, "ledger handle")
+        }
         _ => split_at_bottom(ui, area, settings),
     };
     let parts = match settings.layout {
@@ -72,7 +74,7 @@ pub(crate) fn places(
             let (middle, right) = halves(right);
             [Some(left), Some(middle), Some(right)]
         }
-        ViewLayout::Ledger => {
+        ViewLayout::Ledger | ViewLayout::Translator => {
             let (top, bottom) = split_down(ui, views, &mut settings.stack_split);
             [Some(top), Some(bottom), None]
         }

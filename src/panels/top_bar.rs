@@ -111,6 +111,10 @@ fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
     };
     entry("Undo", steps.undo, Action::Undo);
     entry("Redo", steps.redo, Action::Redo);
+    let paste = egui::Button::new("Paste a camera").shortcut_text(shortcut(&Action::AskPaste));
+    if ui.add(paste).clicked() {
+        actions.push(Action::AskPaste);
+    }
 }
 
 fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {

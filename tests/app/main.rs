@@ -34,3 +34,4 @@ mod snapshots;
 #[path = "../support/mod.rs"]
 mod support;
 mod teaching;
+mod translator;

@@ -3,6 +3,7 @@
 
 mod animation;
 mod bench;
+mod exchange;
 mod figure;
 mod figure_read_back;
 mod generated;
@@ -84,13 +85,13 @@ fn entries(folder: &Path) -> Vec<String> {
 #[test]
 fn commands_that_do_not_exist_yet_are_not_offered() {
     let help = run("--help").done();
-    for command in ["scenes", "inspect", "render", "trace", "report", "bench", "figure"] {
+    for command in
+        ["scenes", "inspect", "render", "trace", "report", "bench", "figure", "export", "import"]
+    {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }
-    for command in ["check", "export", "import"] {
-        assert!(!help.contains(&format!("\n  {command} ")), "{help}");
-    }
+    assert!(!help.contains("\n  check "), "{help}");
 }
 
 #[test]
