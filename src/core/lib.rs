@@ -42,7 +42,8 @@
 //! directions and radii are refused at the door, by [`Ray::check`], [`Scene::new`] and
 //! [`Camera::posed`], with typed errors.
 //!
-//! [`methods`] holds the known formulas beside it, to compare; [`steering`] takes a camera in the hand.
+//! [`methods`] holds the known formulas beside it, to compare; [`steering`] takes a camera in the hand;
+//! [`grading`] finds the mistakes in a student's answers.
 //!
 //! # A picture in ten lines
 //!
@@ -151,6 +152,7 @@ mod extent;
 mod fine_basis;
 mod frame;
 mod frame_rays;
+pub mod grading;
 mod image;
 mod kernel;
 mod lane;
