@@ -11,7 +11,9 @@ use super::program::Program;
 pub struct Diagnosis {
     /// The smallest set of known mistakes with which a program gives all of these answers, the right
     /// ones too: one, or two. Of several such sets, the first in the order of
-    /// [`KnownMistake::ALL`]. Empty where there is none, and where nothing is wrong.
+    /// [`KnownMistake::ALL`], in which `v = u x w` comes last unless a basis is answered: rays cannot
+    /// tell it from rows that count from the bottom. Empty where there is none, and where nothing is
+    /// wrong.
     pub mistakes: Vec<KnownMistake>,
     /// Other sets of as many that give the same answers here, in the same order.
     pub alternatives: Vec<Vec<KnownMistake>>,
@@ -21,6 +23,11 @@ pub struct Diagnosis {
 pub(super) trait Fits: Sync {
     /// How many there are.
     fn len(&self) -> usize;
+
+    /// Whether u, v and w themselves are answered.
+    fn shows_basis(&self) -> bool {
+        false
+    }
 
     /// What has to be known before the first answer is looked at.
     fn prepare(&self, _camera: &mut ProgramCamera) {}
@@ -40,10 +47,12 @@ pub(super) fn diagnose(
     may_be_single: bool,
 ) -> Diagnosis {
     let looks = first_looks(is_right);
-    let known = KnownMistake::ALL
-        .into_iter()
-        .filter(|mistake| may_be_single || *mistake != KnownMistake::SinglePrecision);
-    let known: Vec<KnownMistake> = known.collect();
+    let mut known = KnownMistake::ALL.to_vec();
+    known.retain(|mistake| may_be_single || *mistake != KnownMistake::SinglePrecision);
+    if !answers.shows_basis() {
+        // Both turn the picture upside down, and no ray tells them apart. A basis does.
+        known.sort_by_key(|mistake| *mistake == KnownMistake::VIsUCrossW);
+    }
     let one = |mistake: KnownMistake| {
         let ways = mistake.ways().iter();
         ways.map(|way| Program::RIGHT.with(*way)).collect::<Vec<_>>()
@@ -60,7 +69,9 @@ pub(super) fn diagnose(
             let programs = one(*first).into_iter().flat_map(|program| {
                 second.ways().iter().map(move |way| program.with(*way))
             });
-            sets.push((vec![*first, *second], programs.collect()));
+            let mut both = vec![*first, *second];
+            both.sort_unstable();
+            sets.push((both, programs.collect()));
         }
     }
     Diagnosis::of(explaining(given, answers, &looks, &sets))

@@ -22,6 +22,10 @@ impl Fits for Vectors<'_> {
         3
     }
 
+    fn shows_basis(&self) -> bool {
+        true
+    }
+
     fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
         let Measured { value, rounding } = self.answers[index];
         let wanted = [camera.u, camera.v, camera.w][index];
