@@ -1,9 +1,38 @@
 //! Grades in words and as a map: what the command and the window say of a student's answers.
 
+use std::path::PathBuf;
+use std::sync::Arc;
+
 use pinhole_core::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
 
 use crate::number::{grouped, significant};
+
+/// A file of answers, as it was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AnswersFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// What it holds.
+    pub bytes: Vec<u8>,
+}
+
+/// The answers that the window shows the grade of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AnswersAtHand {
+    /// Shared, so that it is compared by where it is.
+    pub file: Arc<AnswersFile>,
+    /// Where its rows and columns begin, 0 or 1.
+    pub count_from: u32,
+}
+
+impl AnswersAtHand {
+    /// The file's name.
+    pub fn name(&self) -> String {
+        let name = self.file.path.file_name().unwrap_or(self.file.path.as_os_str());
+        name.to_string_lossy().into_owned()
+    }
+}
 
 /// Answers with their grade.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,8 +47,8 @@ pub struct Graded {
     pub count_from: u32,
 }
 
-/// What is known of a pixel's answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What is known of a pixel's answer; of several, the greatest is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cell {
     /// There is none.
     Unanswered,
@@ -165,7 +194,11 @@ impl Graded {
             Right::Color(color) => color_words(color),
             Right::NoPixel => {
                 let (rows, columns) = (self.image.height(), self.image.width());
-                format!("that there is none: rows are 0 to {}, columns 0 to {}", rows - 1, columns - 1)
+                format!(
+                    "that there is none: rows are 0 to {}, columns 0 to {}",
+                    rows - 1,
+                    columns - 1
+                )
             }
         }
     }
@@ -173,6 +206,27 @@ impl Graded {
     /// `far-root, negative-t`, or nothing.
     pub fn mistakes(&self) -> String {
         ids(&self.grade.diagnosis.mistakes, ", ")
+    }
+
+    /// What to look at, and how much of a guess that is.
+    pub fn advice(&self) -> String {
+        let advice = self.grade.advice();
+        match self.caveat() {
+            Some(caveat) => format!("{advice} {caveat}"),
+            None => advice,
+        }
+    }
+
+    /// What weakens the diagnosis: misses alone look alike, whatever they come from.
+    pub fn caveat(&self) -> Option<&'static str> {
+        let Answers::Hits(hits) = &self.answers else { return None };
+        let grade = &self.grade;
+        let mut wrong = hits.iter().zip(&grade.is_right).filter(|(_, is_right)| !**is_right);
+        let is_guess =
+            !grade.diagnosis.mistakes.is_empty() && wrong.all(|(hit, _)| hit.hit.is_none());
+        is_guess.then_some(
+            "This is a guess: all wrong answers are misses, and a program may miss for other reasons.",
+        )
     }
 
     /// Other sets of mistakes that explain the answers as well: `negative-t; far-root + negative-t`.

@@ -7,7 +7,9 @@ use crate::derive::Fault;
 use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, compare, exercises, frame, lines, mistakes, plot, readouts, views};
+use crate::panels::{
+    accuracy, answers, compare, exercises, frame, lines, mistakes, plot, readouts, views,
+};
 use crate::session::{Session, ViewLayout};
 
 impl App {
@@ -42,6 +44,7 @@ impl App {
             match self.session.settings.layout {
                 ViewLayout::Mistakes => self.wrong_camera(ui, area, rect, dimmed),
                 ViewLayout::Compare => self.ghost(ui, area, rect),
+                ViewLayout::Answers => self.answers_map(ui, area, rect),
                 _ => self.error_map(ui, area, rect, dimmed),
             }
         }
@@ -87,6 +90,9 @@ impl App {
                 let (ghost, actions) = (self.session.ghost.as_ref(), &mut self.waiting);
                 compare::ui(ui, &self.derived, document, ghost, style, actions);
             }
+            ViewLayout::Answers => {
+                answers::ui(ui, &self.derived, &mut self.session, &mut self.waiting);
+            }
             ViewLayout::Exercises => {
                 let exercises = &mut self.session.exercises;
                 exercises::ui(ui, exercises, style, &mut self.waiting);
@@ -116,6 +122,16 @@ impl App {
         match &self.derived.ghost_view {
             Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, false),
             None => compare::no_picture(ui, rect, self.session.ghost.as_ref()),
+        }
+    }
+
+    /// Beside the camera's picture, where a student's answers are wrong.
+    fn answers_map(&mut self, ui: &mut Ui, area: Rect, rect: Rect) {
+        answers::strip(ui, area, self.session.answers.as_ref());
+        views::speak(ui, views::ANSWERS, &answers::spoken(&self.derived, &self.session));
+        match &self.derived.answers_view {
+            Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, false),
+            None => answers::no_map(ui, rect, &self.derived, &self.session),
         }
     }
 

@@ -46,7 +46,8 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let (path, bytes) = read(&arguments.answers)?;
     let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
     if arguments.map.is_some() && answers.kind() == Kind::Basis {
-        let problem = "--map shows where in the image answers are wrong: a basis has no place there";
+        let problem =
+            "--map shows where in the image answers are wrong: a basis has no place there";
         return Err(CommandError::Arguments(problem.to_owned()));
     }
     let color_of = |object| document.color_of(object);
@@ -99,6 +100,9 @@ fn text(graded: &Graded) -> String {
     let _ = writeln!(text, "mistake: {}", graded.mistakes());
     for mistake in &grade.diagnosis.mistakes {
         let _ = writeln!(text, "  {}", mistake.advice());
+    }
+    if let Some(caveat) = graded.caveat() {
+        let _ = writeln!(text, "  {caveat}");
     }
     if let Some(others) = graded.alternatives() {
         let _ = writeln!(text, "these would give the same answers here: {others}");

@@ -8,9 +8,7 @@
 
 use std::path::Path;
 
-use pinhole_core::grading::{
-    Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written,
-};
+use pinhole_core::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
 use pinhole_core::{DVec3, ImageSize, Pixel};
 
 use super::csv_table::{CsvTable, Row};
@@ -42,6 +40,14 @@ pub fn kind_of(bytes: &[u8]) -> Option<Kind> {
     } else {
         None
     }
+}
+
+/// Whether a file that is dropped on the window is meant as answers: it holds some, or is a table
+/// that is none of spheres either.
+pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
+    let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let is_of_spheres = || header(bytes).iter().any(|name| name == "r");
+    kind_of(bytes).is_some() || is_table && !is_of_spheres()
 }
 
 /// The names in the first line.
@@ -155,8 +161,11 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
             return Ok(());
         }
         if let Some(empty) = answered.iter().copied().find(|column| is_empty(column)) {
-            return Err(row.error(empty, "a miss leaves all cells behind row and column empty, and \
-                                         a hit none"));
+            return Err(row.error(
+                empty,
+                "a miss leaves all cells behind row and column empty, and \
+                                         a hit none",
+            ));
         }
         let is_infinite = |column: &usize| {
             let text = std::str::from_utf8(row.cell(*column)).unwrap_or_default();

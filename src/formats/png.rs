@@ -5,7 +5,8 @@ use std::path::Path;
 
 use pinhole_core::{ImageSize, Rgb};
 use png::{
-    BitDepth, ColorType, Decoder, Encoder, EncodingError, SrgbRenderingIntent, Transformations, Writer,
+    BitDepth, ColorType, Decoder, Encoder, EncodingError, SrgbRenderingIntent, Transformations,
+    Writer,
 };
 
 use super::{FileError, atomic};
@@ -151,9 +152,7 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
         FileError::of_file(path, format!("cannot be read as PNG: {error}"))
     };
     let mut decoder = Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(
-        Transformations::normalize_to_color8() | Transformations::ALPHA,
-    );
+    decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
     let mut reader = decoder.read_info().map_err(|error| at_fault(&error))?;
     let size = [reader.info().width, reader.info().height];
     ImageSize::new(size[0], size[1]).map_err(|error| at_fault(&error))?;

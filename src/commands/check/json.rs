@@ -33,7 +33,7 @@ pub(super) fn of(graded: &Graded) -> Result<String, CommandError> {
         tolerance: grade.tolerance,
         worst: grade.worst.as_ref().map_or(Value::Null, |worst| worst_of(graded, worst)),
         mistakes: diagnosis.mistakes.iter().map(|mistake| mistake.id()).collect(),
-        advice: grade.advice(),
+        advice: graded.advice(),
         alternatives: diagnosis
             .alternatives
             .iter()
@@ -57,13 +57,15 @@ fn worst_of(graded: &Graded, worst: &Worst) -> Value {
             let (origin, direction) = (rays[index].origin.value, rays[index].direction.value);
             json!({"origin": origin.to_array(), "direction": direction.to_array()})
         }
-        Answers::Hits(hits) => hits[index].hit.map_or(Value::Null, |GivenHit { t, point, object }| {
-            json!({
-                "t": t.map(|t| t.value),
-                "point": point.map(|point| point.value.to_array()),
-                "object": object,
+        Answers::Hits(hits) => {
+            hits[index].hit.map_or(Value::Null, |GivenHit { t, point, object }| {
+                json!({
+                    "t": t.map(|t| t.value),
+                    "point": point.map(|point| point.value.to_array()),
+                    "object": object,
+                })
             })
-        }),
+        }
         Answers::Picture(pixels) => json!(pixels[index]),
     };
     let right = match worst.right {

@@ -66,9 +66,9 @@ pub(super) fn diagnose(
     sets.clear();
     for (place, first) in known.iter().enumerate() {
         for second in &known[place + 1..] {
-            let programs = one(*first).into_iter().flat_map(|program| {
-                second.ways().iter().map(move |way| program.with(*way))
-            });
+            let programs = one(*first)
+                .into_iter()
+                .flat_map(|program| second.ways().iter().map(move |way| program.with(*way)));
             let mut both = vec![*first, *second];
             both.sort_unstable();
             sets.push((both, programs.collect()));

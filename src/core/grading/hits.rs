@@ -59,7 +59,8 @@ impl Hits<'_> {
             Measure::PointOfDistance => (length, length * direction),
         };
         let Meeting { object, t, least, most, .. } = *meeting;
-        let is_object = given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
+        let is_object =
+            given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
         let is_t = given.t.is_none_or(|given| {
             let off = self.tolerance * (t_unit * t).abs() + self.digits.of(given.rounding);
             given.value >= t_unit * least - off && given.value <= t_unit * most + off

@@ -222,7 +222,8 @@ pub fn grade(
         } else {
             diagnose(&given, fits, &is_right, may_be_single)
         };
-        let worst = worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
+        let worst =
+            worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
         Grade { kind: answers.kind(), tolerance, is_right, worst, shade: None, diagnosis }
     };
     Ok(match answers {

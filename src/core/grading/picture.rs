@@ -67,7 +67,8 @@ impl Fits for Picture<'_> {
         }
         first.meetings.iter().any(|meeting| {
             let color = |t: f64| self.color(camera, direction, meeting.object, t);
-            let [a, b, c] = [meeting.least.max(f64::MIN_POSITIVE), meeting.t, meeting.most].map(color);
+            let [a, b, c] =
+                [meeting.least.max(f64::MIN_POSITIVE), meeting.t, meeting.most].map(color);
             let least = array::from_fn(|k| a[k].min(b[k]).min(c[k]));
             let most = array::from_fn(|k| a[k].max(b[k]).max(c[k]));
             self.is_near(self.pixels[index], [least, most])

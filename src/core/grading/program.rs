@@ -281,8 +281,7 @@ impl Program {
             Change::Extent(extent) => self.extent = extent,
             Change::Single => self.single = true,
             Change::Quadratic(quadratic) => {
-                self.quadratic =
-                    Quadratic { a_left_out: self.quadratic.a_left_out, ..quadratic };
+                self.quadratic = Quadratic { a_left_out: self.quadratic.a_left_out, ..quadratic };
             }
             Change::Root(root) => self.root = root,
             Change::Sign(sign) => self.sign = sign,

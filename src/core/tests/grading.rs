@@ -6,7 +6,9 @@ mod student;
 
 use pinhole_core::grading::*;
 use pinhole_core::*;
-use student::{Exercise, Student};
+use proptest::prelude::*;
+use student::double::{Student, exactly};
+use student::{Exercise, single};
 
 /// As general as a scene gets: every mistake shows in it. Ball 2 is behind the eye; the back wall
 /// is behind everything.
@@ -17,11 +19,7 @@ fn general() -> Exercise {
         up: [0.5, 2.0, 0.25],
         viewport: [1.5, 1.0, 2.0],
         image: [30, 20],
-        spheres: vec![
-            ([-1.0, 1.0, -2.0], 0.7),
-            ([-3.5, 0.6, -4.5], 1.2),
-            ([2.5, 3.0, 6.5], 1.5),
-        ],
+        spheres: vec![([-1.0, 1.0, -2.0], 0.7), ([-3.5, 0.6, -4.5], 1.2), ([2.5, 3.0, 6.5], 1.5)],
         planes: vec![([0.0, 0.0, -9.0], [0.1, 0.2, 1.0])],
     }
 }
@@ -48,30 +46,498 @@ fn graded(exercise: &Exercise, answers: &Answers) -> Grade {
     grade(&truth, answers, None).unwrap()
 }
 
+fn basis_of(student: &Student) -> Answers {
+    Answers::Basis(student.basis().map(exactly))
+}
+
+fn rays_of(student: &Student) -> Answers {
+    Answers::Rays(student.rays())
+}
+
+fn hits_of(student: &Student) -> Answers {
+    Answers::Hits(student.hits())
+}
+
 fn ids(mistakes: &[KnownMistake]) -> Vec<&'static str> {
     mistakes.iter().map(|mistake| mistake.id()).collect()
 }
 
+/// Whether all answers agree; else, what is said to explain them, and what would as well.
+fn found(exercise: &Exercise, answers: &Answers) -> Vec<Vec<&'static str>> {
+    let grade = graded(exercise, answers);
+    assert_eq!(grade.worst.is_some_and(|worst| grade.is_right[worst.index]), grade.all_agree());
+    if grade.all_agree() {
+        return vec![vec!["right"]];
+    }
+    let Diagnosis { mistakes, alternatives } = grade.diagnosis;
+    [vec![ids(&mistakes)], alternatives.iter().map(|set| ids(set)).collect()].concat()
+}
+
+#[track_caller]
+fn assert_right(exercise: &Exercise, answers: &Answers) {
+    let grade = graded(exercise, answers);
+    let worst = grade.worst;
+    assert!(grade.all_agree(), "{} of {}: {worst:?}", grade.agree(), grade.answers());
+    assert_eq!((grade.diagnosis, worst.is_some()), (Diagnosis::default(), true));
+}
+
+/// The mistakes, each with the ways in which the student makes it. The last one is of `f32` alone.
+const MISTAKES: [(&str, &[&str]); 15] = [
+    ("w-as-printed", &["w-as-printed"]),
+    ("v-is-u-cross-w", &["v-is-u-cross-w"]),
+    ("not-normalized", &["not-normalized", "not-normalized/w", "not-normalized/all"]),
+    ("up-as-v", &["up-as-v"]),
+    ("distance-dropped", &["distance-dropped", "distance-dropped/left-out"]),
+    ("pixel-corner", &["pixel-corner"]),
+    ("rows-from-bottom", &["rows-from-bottom"]),
+    ("rows-columns-swapped", &["rows-columns-swapped"]),
+    ("counted-from-one", &["counted-from-one"]),
+    ("aspect-dropped", &["aspect-dropped"]),
+    ("left-handed", &["left-handed", "left-handed/u"]),
+    ("b-for-half-b", &["b-for-half-b", "b-for-half-b/halved"]),
+    ("far-root", &["far-root"]),
+    ("negative-t", &["negative-t"]),
+    ("t-for-distance", &["t-for-distance", "t-for-distance/point"]),
+];
+
+/// What a basis shows, and what rays show.
+const OF_BASIS: [&str; 5] =
+    ["w-as-printed", "v-is-u-cross-w", "not-normalized", "up-as-v", "left-handed"];
+const OF_HITS: [&str; 4] = ["b-for-half-b", "far-root", "negative-t", "t-for-distance"];
+
 #[test]
-fn look() {
+fn each_mistake_alone_is_found_by_name() {
     let exercise = general();
-    let all = ["w-as-printed","v-is-u-cross-w","not-normalized","up-as-v","distance-dropped","pixel-corner","rows-from-bottom","rows-columns-swapped","counted-from-one","aspect-dropped","left-handed","b-for-half-b","far-root","negative-t","t-for-distance"];
-    let more = ["not-normalized/w","not-normalized/all","not-normalized/a","left-handed/u","distance-dropped/left-out","b-for-half-b/halved","t-for-distance/point"];
-    let mut sets: Vec<Vec<&str>> = vec![vec![]];
-    sets.extend(all.iter().chain(&more).map(|m| vec![*m]));
-    for (i, a) in all.iter().enumerate() { for b in &all[i+1..] { sets.push(vec![*a, *b]); } }
-    for set in sets {
-        let student = Student { exercise: &exercise, mistakes: &set };
-        let mut want: Vec<&str> = set.iter().map(|m| m.split('/').next().unwrap()).collect();
-        want.sort();
-        for (kind, answers) in [
-            ("basis", Answers::Basis(student.basis().map(|v| Written::exactly(DVec3::from(v))))),
-            ("rays", Answers::Rays(student.rays())), ("hits", Answers::Hits(student.hits()))] {
-            let g = graded(&exercise, &answers);
-            let mut got = ids(&g.diagnosis.mistakes); got.sort();
-            if got != want && !(kind == "basis" && got.len() < want.len()) && !(kind=="rays" && got.len() < want.len() && want.iter().any(|w| ["b-for-half-b","far-root","negative-t","t-for-distance"].contains(w))) {
-                println!("{kind} {set:?}: {got:?} alt {:?} agree {}/{}", g.diagnosis.alternatives.iter().map(|a| ids(a)).collect::<Vec<_>>(), g.agree(), g.answers());
+    for (id, ways) in MISTAKES {
+        for way in ways {
+            let mistakes = [*way];
+            let student = Student { exercise: &exercise, mistakes: &mistakes };
+            if OF_BASIS.contains(&id) {
+                assert_eq!(found(&exercise, &basis_of(&student)), [[id]], "{way}");
+            } else {
+                assert_right(&exercise, &basis_of(&student));
             }
+            // Upside down is upside down, whether v or the rows are: no ray tells.
+            let upside_down = vec![vec!["rows-from-bottom"], vec!["v-is-u-cross-w"]];
+            let expected = match id {
+                "v-is-u-cross-w" | "rows-from-bottom" => upside_down,
+                _ => vec![vec![id]],
+            };
+            if !OF_HITS.contains(&id) {
+                assert_eq!(found(&exercise, &rays_of(&student)), expected, "rays, {way}");
+            }
+            assert_eq!(found(&exercise, &hits_of(&student)), expected, "hits, {way}");
+        }
+    }
+    let a_left_out = Student { exercise: &exercise, mistakes: &["not-normalized/a"] };
+    assert_right(&exercise, &rays_of(&a_left_out));
+    assert_eq!(found(&exercise, &hits_of(&a_left_out)), [["not-normalized"]]);
+}
+
+#[test]
+fn pairs_are_found_wherever_they_can_be_told() {
+    let exercise = general();
+    let alone = |exercise: &Exercise| Exercise { planes: vec![], ..exercise.clone() };
+    for (place, (first, _)) in MISTAKES.iter().enumerate() {
+        for (second, _) in &MISTAKES[place + 1..] {
+            let pair = [*first, *second];
+            let student = Student { exercise: &exercise, mistakes: &pair };
+            let of = |known: &[&str]| pair.iter().all(|id| known.contains(id));
+            if of(&OF_BASIS) {
+                let expected: &[&str] = match pair {
+                    // u = w x up, v = u x w is what makes it left-handed already.
+                    ["v-is-u-cross-w", "left-handed"] => &["left-handed"],
+                    // v is up, whatever it would have been made of.
+                    ["v-is-u-cross-w", "up-as-v"] => &["up-as-v"],
+                    _ => &pair,
+                };
+                assert_eq!(found(&exercise, &basis_of(&student))[0], expected, "basis, {pair:?}");
+            }
+            let expected: &[&str] = match pair {
+                ["v-is-u-cross-w", "left-handed"] => &["left-handed"],
+                ["v-is-u-cross-w", "up-as-v"] => &["up-as-v"],
+                // Upside down twice.
+                ["v-is-u-cross-w", "rows-from-bottom"] => &["right"],
+                // u and v the other way round: the same as u alone made the other way round.
+                ["rows-from-bottom", "left-handed"] => &["left-handed"],
+                _ => &pair,
+            };
+            // Of two that look alike, rows are named.
+            let mut alike = expected.to_vec();
+            for id in &mut alike {
+                if *id == "v-is-u-cross-w" {
+                    *id = "rows-from-bottom";
+                }
+            }
+            let order = |id: &&str| MISTAKES.iter().position(|(known, _)| known == id);
+            alike.sort_by_key(order);
+            let check = |kind: &str, sets: Vec<Vec<&str>>| {
+                assert_eq!(sets[0], alike, "{kind}, {pair:?}");
+                assert!(sets.iter().any(|set| set == expected), "{kind}, {pair:?}: {sets:?}");
+            };
+            if !pair.iter().any(|id| OF_HITS.contains(id)) {
+                check("rays", found(&exercise, &rays_of(&student)));
+            }
+            if pair == ["b-for-half-b", "far-root"] {
+                // The far root of a doubled b is behind the wall: hits without it tell.
+                let exercise = alone(&exercise);
+                let student = Student { exercise: &exercise, mistakes: &pair };
+                check("hits", found(&exercise, &hits_of(&student)));
+            } else {
+                check("hits", found(&exercise, &hits_of(&student)));
+            }
+        }
+    }
+}
+
+#[test]
+fn rows_and_columns_from_one_are_right_when_said_and_a_mistake_when_not() {
+    let exercise = general();
+    let student = Student { exercise: &exercise, mistakes: &[] };
+    assert_right(&exercise, &hits_of(&student));
+    // What was said is taken off before: these are the numbers as written.
+    let next = |pixel: Pixel| Pixel { row: pixel.row + 1, column: pixel.column + 1 };
+    let rays = student.rays().into_iter().map(|ray| RayAnswer { pixel: next(ray.pixel), ..ray });
+    let hits = student.hits().into_iter().map(|hit| HitAnswer { pixel: next(hit.pixel), ..hit });
+    let (rays, hits) = (Answers::Rays(rays.collect()), Answers::Hits(hits.collect()));
+    assert_eq!(found(&exercise, &rays), [["counted-from-one"]]);
+    assert_eq!(found(&exercise, &hits), [["counted-from-one"]]);
+    let grade = graded(&exercise, &rays);
+    let worst = grade.worst.unwrap();
+    assert_eq!((worst.right, worst.error), (Right::NoPixel, f64::INFINITY));
+}
+
+#[test]
+fn numbers_of_six_digits_are_right_and_fewer_are_not() {
+    let exercise = general();
+    let student = Student { exercise: &exercise, mistakes: &[] };
+    let to_digits = |x: f64, digits: usize| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap();
+    let written = |digits: usize| {
+        let vector = |v: Measured| Written {
+            value: DVec3::from(v.value.to_array().map(|x| to_digits(x, digits))),
+            rounding: 0.5 * 10f64.powi(1 - digits as i32) * v.value.abs().max_element(),
+        };
+        let number = |t: Written<f64>| Written {
+            value: to_digits(t.value, digits),
+            rounding: 0.5 * 10f64.powi(1 - digits as i32) * t.value.abs(),
+        };
+        let rays = student.rays().into_iter().map(|ray| RayAnswer {
+            origin: vector(ray.origin),
+            direction: vector(ray.direction),
+            ..ray
+        });
+        let hits = student.hits().into_iter().map(|answer| HitAnswer {
+            hit: answer.hit.map(|hit| GivenHit {
+                t: hit.t.map(number),
+                point: hit.point.map(vector),
+                ..hit
+            }),
+            ..answer
+        });
+        let basis = student.basis().map(|v| vector(exactly(v)));
+        [Answers::Basis(basis), Answers::Rays(rays.collect()), Answers::Hits(hits.collect())]
+    };
+    for answers in written(6) {
+        assert_right(&exercise, &answers);
+    }
+    let without_digits = |answers: &Answers| match answers.clone() {
+        Answers::Hits(hits) => Answers::Hits(
+            hits.into_iter()
+                .map(|answer| HitAnswer {
+                    hit: answer.hit.map(|hit| GivenHit {
+                        t: hit.t.map(|t| Written::exactly(t.value)),
+                        point: None,
+                        ..hit
+                    }),
+                    ..answer
+                })
+                .collect(),
+        ),
+        other => other,
+    };
+    let [_, _, hits] = written(3);
+    assert!(!graded(&exercise, &without_digits(&hits)).all_agree());
+}
+
+#[test]
+fn a_stricter_tolerance_wants_its_digits() {
+    let exercise = general();
+    let (camera, scene) = (camera_of(&exercise), scene_of(&exercise));
+    let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [0; 3] };
+    let student = single::Student { exercise: &exercise, mistakes: &[] };
+    let hits = Answers::Hits(student.hits());
+    assert!(grade(&truth, &hits, None).unwrap().all_agree());
+    let strict = grade(&truth, &hits, Some(1e-10)).unwrap();
+    assert!(!strict.all_agree());
+    assert_eq!(ids(&strict.diagnosis.mistakes), ["single-precision"]);
+    let double = Student { exercise: &exercise, mistakes: &[] };
+    assert!(grade(&truth, &hits_of(&double), Some(1e-10)).unwrap().all_agree());
+}
+
+/// Far from the world's origin, where `f32` has three digits behind the point.
+fn far_out() -> Exercise {
+    let by = [8000.25, -3000.5, 5000.125];
+    let moved = |v: [f64; 3]| [v[0] + by[0], v[1] + by[1], v[2] + by[2]];
+    let Exercise { eye, at, spheres, planes, .. } = general();
+    Exercise {
+        eye: moved(eye),
+        at: moved(at),
+        spheres: spheres.into_iter().map(|(center, r)| (moved(center), r)).collect(),
+        planes: planes.into_iter().map(|(point, normal)| (moved(point), normal)).collect(),
+        ..general()
+    }
+}
+
+#[test]
+fn single_precision_is_found_where_it_does_not_suffice() {
+    let exercise = far_out();
+    let student = single::Student { exercise: &exercise, mistakes: &[] };
+    assert_eq!(found(&exercise, &Answers::Hits(student.hits())), [["single-precision"]]);
+    assert_right(&exercise, &hits_of(&Student { exercise: &exercise, mistakes: &[] }));
+    for mistake in ["far-root", "rows-from-bottom", "distance-dropped", "t-for-distance"] {
+        let mistakes = [mistake];
+        let student = single::Student { exercise: &exercise, mistakes: &mistakes };
+        let sets = found(&exercise, &Answers::Hits(student.hits()));
+        let mut wanted = vec![mistake, "single-precision"];
+        wanted.sort_by_key(|id| KnownMistake::from_id(id));
+        assert_eq!(sets[0], wanted);
+        // In double precision, nothing of the kind is said.
+        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        assert_eq!(found(&exercise, &hits_of(&student))[0], [mistake]);
+    }
+}
+
+#[test]
+fn where_a_hair_decides_neither_side_is_wrong() {
+    // The lecture's sphere, touched exactly by the rays of row 0: D is 0, or what rounding makes of it.
+    let exercise = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [2.0, 2.0, 1.0],
+        image: [1, 1],
+        spheres: vec![([1.0, 0.0, -7.0], 1.0), ([0.0, 0.0, -9.0], 1.0)],
+        planes: vec![],
+    };
+    let pixel = Pixel { row: 0, column: 0 };
+    let say = |hit: Option<(f64, u32)>| {
+        let hit = hit.map(|(t, object)| GivenHit {
+            t: Some(Written::exactly(t)),
+            point: None,
+            object: Some(object),
+        });
+        graded(&exercise, &Answers::Hits(vec![HitAnswer { pixel, hit }])).all_agree()
+    };
+    assert!(say(Some((7.0, 0))), "the sphere that is touched");
+    assert!(say(Some((8.0, 1))), "what is behind it");
+    assert!(!say(None), "that there is nothing at all");
+    assert!(!say(Some((10.0, 1))), "the far side of what is behind it");
+    assert!(!say(Some((8.0, 0))));
+}
+
+#[test]
+fn a_broken_camera_is_no_grade() {
+    let exercise = general();
+    let camera = Camera {
+        orientation: Orientation::At { at: exercise.eye.into(), up: DVec3::Y },
+        ..camera_of(&exercise)
+    };
+    let truth = Truth { camera: &camera, scene: &scene_of(&exercise), color_of: &|_| [0; 3] };
+    let basis = Answers::Basis([DVec3::X, DVec3::Y, DVec3::Z].map(Written::exactly));
+    assert!(grade(&truth, &basis, None).is_err());
+}
+
+mod pictures {
+    use super::*;
+
+    const COLORS: [Rgb; 4] = [[230, 159, 0], [86, 180, 233], [0, 158, 115], [204, 121, 167]];
+
+    /// The student's picture, shaded as the exercise says: by a light at the eye.
+    fn painted(student: &Student, lit: bool) -> Answers {
+        let [columns, rows] = student.exercise.image;
+        let linear = |byte: u8| {
+            let s = f64::from(byte) / 255.0;
+            if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
+        };
+        let byte = |x: f64| {
+            let s = if x <= 0.0031308 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+            // Cut off, as `(int)` does.
+            (255.0 * s) as u8
+        };
+        let color = |row: u32, column: u32| {
+            let Some((_, point, object)) = student.hit(row, column) else { return BACKGROUND };
+            let own = COLORS[object as usize];
+            if !lit {
+                return own;
+            }
+            let point = DVec3::from(point);
+            let normal = match student.exercise.spheres.get(object as usize) {
+                Some((center, _)) => point - DVec3::from(*center),
+                None => DVec3::from(student.exercise.planes[0].1),
+            };
+            let d = DVec3::from(student.ray(row, column).1);
+            let light = 0.15 + 0.85 * (normal.dot(d) / normal.length() / d.length()).abs();
+            own.map(|channel| byte(light * linear(channel)))
+        };
+        let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        Answers::Picture(pixels.map(|(row, column)| color(row, column)).collect())
+    }
+
+    fn graded(exercise: &Exercise, answers: &Answers) -> Grade {
+        let (camera, scene) = (camera_of(exercise), scene_of(exercise));
+        let truth =
+            Truth { camera: &camera, scene: &scene, color_of: &|object| COLORS[object as usize] };
+        grade(&truth, answers, None).unwrap()
+    }
+
+    #[test]
+    fn the_right_picture_is_right_in_its_shading() {
+        let exercise = general();
+        let student = Student { exercise: &exercise, mistakes: &[] };
+        for (lit, shade) in [(true, Shade::Lambert), (false, Shade::Object)] {
+            let grade = graded(&exercise, &painted(&student, lit));
+            assert!(grade.all_agree(), "{} of {}", grade.agree(), grade.answers());
+            assert_eq!(grade.shade, Some(shade));
+        }
+    }
+
+    #[test]
+    fn mistakes_that_show_in_a_picture_are_found() {
+        let exercise = general();
+        for (id, ways) in MISTAKES {
+            // A colour is the same along the whole ray.
+            if id == "t-for-distance" {
+                continue;
+            }
+            let student = Student { exercise: &exercise, mistakes: &ways[..1] };
+            for lit in [true, false] {
+                let Diagnosis { mistakes, alternatives } =
+                    graded(&exercise, &painted(&student, lit)).diagnosis;
+                let sets = [vec![ids(&mistakes)], alternatives.iter().map(|a| ids(a)).collect()];
+                assert!(sets.concat().contains(&vec![id]), "{id}, {lit}: {sets:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn another_picture_is_explained_by_nothing() {
+        let exercise = general();
+        let noise = (0..600_u32).map(|k| (k.wrapping_mul(2_654_435_761) >> 8).to_le_bytes());
+        let noise = Answers::Picture(noise.map(|[r, g, b, _]| [r, g, b]).collect());
+        let grade = graded(&exercise, &noise);
+        assert!(!grade.all_agree());
+        assert_eq!(grade.diagnosis, Diagnosis::default());
+        assert_eq!(grade.advice(), "No known mistake explains this.");
+    }
+}
+
+mod random {
+    use super::*;
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        (-1000..1000_i32).prop_map(|k| f64::from(k) * 0.01)
+    }
+
+    fn point() -> impl Strategy<Value = [f64; 3]> {
+        [coordinate(), coordinate(), coordinate()]
+    }
+
+    fn exercise() -> impl Strategy<Value = Exercise> {
+        let measure = || (10..400_i32).prop_map(|k| f64::from(k) * 0.01);
+        let spheres = proptest::collection::vec((point(), measure()), 1..6);
+        let planes = proptest::collection::vec((point(), point()), 0..2);
+        let viewport = [measure(), measure(), measure()];
+        (point(), point(), point(), viewport, [2..24_u32, 2..24_u32], spheres, planes)
+            .prop_map(|(eye, at, up, viewport, image, spheres, planes)| Exercise {
+                eye,
+                at,
+                up,
+                viewport,
+                image,
+                spheres,
+                planes,
+            })
+            .prop_filter("a camera and objects", |exercise| {
+                let Exercise { planes, .. } = exercise;
+                let is_flat = |(_, normal): &([f64; 3], [f64; 3])| *normal != [0.0; 3];
+                camera_of(exercise).posed().is_ok() && planes.iter().all(is_flat)
+            })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 200,
+            failure_persistence: None,
+            ..Default::default()
+        })]
+
+        /// Nobody who is right is called wrong, be the scene and the rounding as they may.
+        #[test]
+        fn right_programs_are_right(exercise in exercise(), scale in 0.01..50.0_f64) {
+            let student = Student { exercise: &exercise, mistakes: &[] };
+            let scaled = student.rays().into_iter().map(|ray| RayAnswer {
+                direction: Written::exactly(scale * ray.direction.value),
+                ..ray
+            });
+            for answers in [
+                basis_of(&student),
+                hits_of(&student),
+                Answers::Rays(scaled.collect()),
+            ] {
+                let grade = graded(&exercise, &answers);
+                prop_assert!(grade.all_agree(), "{:?}: {:?}", grade.kind, grade.worst);
+            }
+        }
+
+        /// In `f32` they are right, or it is said that it does not suffice, and nothing else.
+        #[test]
+        fn single_precision_is_blamed_for_nothing_else(exercise in exercise()) {
+            let student = single::Student { exercise: &exercise, mistakes: &[] };
+            for answers in [Answers::Rays(student.rays()), Answers::Hits(student.hits())] {
+                let sets = found(&exercise, &answers);
+                let known = vec![vec!["single-precision"]];
+                prop_assert!(sets == [["right"]] || sets == known, "{:?}", sets);
+            }
+        }
+
+        /// A mistake that was made is among those that are found, wherever it shows at all.
+        #[test]
+        fn a_mistake_is_found_in_any_scene(exercise in exercise(), which in 0..15_usize) {
+            let (id, ways) = MISTAKES[which];
+            let student = Student { exercise: &exercise, mistakes: &ways[..1] };
+            let sets = found(&exercise, &hits_of(&student));
+            prop_assert!(sets == [["right"]] || sets.contains(&vec![id]), "{id}: {sets:?}");
+        }
+
+        /// Numbers from nowhere are explained by nothing.
+        #[test]
+        fn wrong_numbers_are_explained_by_nothing(
+            factors in proptest::collection::vec(1.06..1.4_f64, 600),
+            turns in proptest::collection::vec([-0.3..0.3_f64, -0.3..0.3_f64, -0.3..0.3_f64], 600),
+        ) {
+            let exercise = general();
+            let student = Student { exercise: &exercise, mistakes: &[] };
+            let mut hits = student.hits();
+            for (answer, factor) in hits.iter_mut().zip(&factors) {
+                if let Some(hit) = &mut answer.hit {
+                    hit.t = hit.t.map(|t| Written::exactly(factor * t.value));
+                }
+            }
+            prop_assert_eq!(found(&exercise, &Answers::Hits(hits)), [[""; 0]]);
+            let mut rays = student.rays();
+            for (ray, turn) in rays.iter_mut().zip(&turns) {
+                ray.direction.value += DVec3::from(*turn);
+            }
+            prop_assert_eq!(found(&exercise, &Answers::Rays(rays)), [[""; 0]]);
+            // One wrong answer among right ones is nobody's way of going wrong.
+            let mut hits = student.hits();
+            let place = (turns[0][0].abs() * 1999.0) as usize % hits.len();
+            hits[place].hit = Some(GivenHit {
+                t: Some(Written::exactly(3.0 * factors[0])),
+                point: None,
+                object: None,
+            });
+            prop_assert_eq!(found(&exercise, &Answers::Hits(hits)), [[""; 0]]);
         }
     }
 }
