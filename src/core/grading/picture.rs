@@ -67,8 +67,10 @@ impl Fits for Picture<'_> {
         }
         first.meetings.iter().any(|meeting| {
             let color = |t: f64| self.color(camera, direction, meeting.object, t);
-            let [a, b, c] =
-                [meeting.least.max(f64::MIN_POSITIVE), meeting.t, meeting.most].map(color);
+            // On the eye's other side lies another colour.
+            let same_side = |t: f64| if t * meeting.t > 0.0 { t } else { meeting.t };
+            let around = [same_side(meeting.least), meeting.t, same_side(meeting.most)];
+            let [a, b, c] = around.map(color);
             let least = array::from_fn(|k| a[k].min(b[k]).min(c[k]));
             let most = array::from_fn(|k| a[k].max(b[k]).max(c[k]));
             self.is_near(self.pixels[index], [least, most])

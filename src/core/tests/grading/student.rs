@@ -2,7 +2,7 @@
 //! Each mistake is a line that is wrong. Once in `f64` and once in `f32`.
 
 /// The exercise as the student reads it.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct Exercise {
     pub(crate) eye: [f64; 3],
     pub(crate) at: [f64; 3],
