@@ -211,7 +211,7 @@ pub struct CheckArguments {
     pub json: bool,
     /// How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many
     /// levels of 255 in a channel, 2 without this
-    #[arg(long, value_name = "X", value_parser = tolerance)]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = tolerance)]
     pub tolerance: Option<f64>,
     /// Where the answers' rows and columns begin
     #[arg(long, value_name = "0|1", default_value_t = 0)]

@@ -127,7 +127,8 @@ impl App {
 
     /// Beside the camera's picture, where a student's answers are wrong.
     fn answers_map(&mut self, ui: &mut Ui, area: Rect, rect: Rect) {
-        answers::strip(ui, area, self.session.answers.as_ref());
+        let has_map = self.derived.answers_view.is_some();
+        answers::strip(ui, area, self.session.answers.as_ref(), has_map);
         views::speak(ui, views::ANSWERS, &answers::spoken(&self.derived, &self.session));
         match &self.derived.answers_view {
             Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, false),

@@ -1,7 +1,12 @@
 //! A student's answers: beside the camera's picture the map of where they are wrong; below, how many
 //! are right, the worst, and the mistake that explains them.
 
-use egui::{Align, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
+use egui::{
+    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
+    pos2, vec2,
+};
+use pinhole_core::grading::Kind;
+use pinhole_core::lecture::mistakes::Mistake;
 
 use super::number::error_color;
 use super::places::STRIP;
@@ -9,7 +14,7 @@ use super::sign::sign;
 use super::views;
 use crate::action::Action;
 use crate::derive::Derived;
-use crate::grades::{AnswersAtHand, Graded};
+use crate::grades::{AnswersAtHand, Cell, Graded};
 use crate::session::{Selection, Session};
 
 /// Size of the text, in points.
@@ -23,7 +28,7 @@ const NONE: &str = "Drop a student’s answers on the window: CSV with the colum
 const FAULT: &str = "The scene has a fault: there is nothing to grade by.";
 
 /// The title above the map: whose answers these are.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>) {
+pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, has_map: bool) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
         ui.horizontal_centered(|ui| {
@@ -31,9 +36,30 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>) {
                 Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
                 None => views::ANSWERS.to_owned(),
             };
-            ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if has_map {
+                    legend(ui);
+                }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
+                });
+            });
         });
     });
+}
+
+/// What the map's colours mean, from the right.
+fn legend(ui: &mut Ui) {
+    let cells =
+        [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
+    for (cell, text) in cells {
+        ui.label(text);
+        let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
+        let [r, g, b] = cell.color();
+        let outline = Stroke::new(1.0, ui.visuals().weak_text_color());
+        let fill = Color32::from_rgb(r, g, b);
+        ui.painter().rect(rect, 2.0, fill, outline, StrokeKind::Inside);
+    }
 }
 
 /// What a screen reader says of the map.
@@ -67,7 +93,7 @@ pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Sessi
 /// What is found, and what can be done with the answers.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    buttons(ui, session, actions);
+    buttons(ui, derived, session, actions);
     ui.add_space(4.0);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         if session.answers.is_none() {
@@ -80,12 +106,12 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
             Some(Err(error)) => {
                 ui.label(RichText::new(&**error).strong().color(error_color(ui)));
             }
-            Some(Ok(graded)) => found(ui, graded, &mut session.selection),
+            Some(Ok(graded)) => found(ui, graded, &mut session.selection, actions),
         }
     });
 }
 
-fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
+fn buttons(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         if ui.button("Check answers…").clicked() {
             actions.push(Action::AskAnswers);
@@ -97,6 +123,13 @@ fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
         if ui.button("Put away").clicked() {
             actions.push(Action::PutAnswersAway);
         }
+        let kind = match &derived.answers {
+            Some(Ok(graded)) => Some(graded.grade.kind),
+            _ => None,
+        };
+        if matches!(kind, Some(Kind::Basis | Kind::Picture)) {
+            return;
+        }
         let mut from_one = answers.count_from == 1;
         let hint = "Whether the file’s rows and columns begin at 1, as the course has them";
         if ui.checkbox(&mut from_one, "They count from 1").on_hover_text(hint).changed() {
@@ -105,7 +138,7 @@ fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     });
 }
 
-fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection) {
+fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut Vec<Action>) {
     let grade = &graded.grade;
     ui.horizontal_top(|ui| {
         sign(ui, grade.all_agree());
@@ -133,6 +166,12 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection) {
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
         ui.label(mistake.advice());
+        let shown = Mistake::from_id(mistake.id());
+        if let Some(shown) = shown
+            && ui.button(format!("See it: {}", shown.name())).clicked()
+        {
+            actions.push(Action::Mistake(shown));
+        }
     }
     if let Some(caveat) = graded.caveat() {
         ui.label(caveat);

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
 
 mod accuracy;
+mod answers;
 mod compare;
 mod edits;
 mod exercises;
