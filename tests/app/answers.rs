@@ -152,7 +152,7 @@ fn answers_are_opened_from_the_menu_and_faults_are_told() {
     assert_eq!(map_says(&window), message);
     // What is none of spheres is meant as answers; a scene is a scene.
     drop_file(&mut window, &write(folder.path(), "typo.csv", "row,colum,t\n0,0,1\n"));
-    assert!(!texts_with(&window, "the first line must name").is_empty());
+    assert!(!texts_with(&window, "is unknown: did you mean column?").is_empty());
     let scene = write(
         folder.path(),
         "far.toml",

@@ -62,7 +62,7 @@ impl Hits<'_> {
         let is_object =
             given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
         let is_t = given.t.is_none_or(|given| {
-            let off = self.tolerance * (t_unit * t).abs() + self.digits.of(given.rounding);
+            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits.of(given.rounding);
             given.value >= t_unit * least - off && given.value <= t_unit * most + off
         });
         let is_point = |given: Measured| {

@@ -135,7 +135,7 @@ impl KnownMistake {
             }
             KnownMistake::SinglePrecision => {
                 "Look at the type of your numbers: this scene needs double precision (f64), and \
-                 these have the errors of single (f32)."
+                 these are off by as much as single (f32) may be."
             }
             KnownMistake::BForHalfB => {
                 "Look at b in the quadratic formula: with b = d . (p - center) it is \

@@ -314,6 +314,28 @@ fn single_precision_is_found_where_it_does_not_suffice() {
 }
 
 #[test]
+fn many_spheres_are_graded_as_few_are() {
+    // Enough for an index over them, in which a ray finds those that are near.
+    let ball = |k: u32| {
+        let part = |by: u32| f64::from(k.wrapping_mul(by) >> 8 & 0xffff) / 65536.0;
+        let [x, y, z] = [2_654_435_761, 2_246_822_519, 3_266_489_917].map(part);
+        ([8.0 * x - 6.0, 6.0 * y - 2.0, -10.0 * z - 1.0], 0.05 + 0.002 * f64::from(k % 50))
+    };
+    let exercise = Exercise { spheres: (0..600).map(ball).collect(), planes: vec![], ..general() };
+    let hits = |mistakes: &[&str]| {
+        let student = Student { exercise: &exercise, mistakes };
+        found(&exercise, &hits_of(&student))
+    };
+    assert_eq!(hits(&[]), [["right"]]);
+    for mistake in
+        ["rows-columns-swapped", "pixel-corner", "b-for-half-b", "far-root", "t-for-distance"]
+    {
+        assert_eq!(hits(&[mistake]), [[mistake]]);
+    }
+    assert_eq!(hits(&["distance-dropped", "far-root"]), [["distance-dropped", "far-root"]]);
+}
+
+#[test]
 fn where_a_hair_decides_neither_side_is_wrong() {
     // The lecture's sphere, touched exactly by the rays of row 0: D is 0, or what rounding makes of it.
     let exercise = Exercise {
