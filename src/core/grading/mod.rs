@@ -29,6 +29,7 @@
 mod answers;
 mod diagnosis;
 mod given;
+mod grader;
 mod hits;
 mod known;
 mod meetings;
@@ -40,14 +41,9 @@ use glam::DVec3;
 
 pub use self::answers::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
 pub use self::diagnosis::Diagnosis;
-use self::diagnosis::diagnose;
-use self::given::Given;
-use self::hits::{Hits, truth_of};
+use self::grader::Grader;
 pub use self::known::KnownMistake;
-use self::picture::{Picture, brightest, off, right_pictures};
-use self::vectors::{Rays, Vectors};
 use crate::camera::{Camera, CameraError};
-use crate::image::Pixel;
 use crate::ray::Ray;
 use crate::scene::Scene;
 use crate::shade::{Rgb, Shade};
@@ -204,120 +200,5 @@ pub fn grade(
     answers: &Answers,
     tolerance: Option<f64>,
 ) -> Result<Grade, CameraError> {
-    let given = Given::new(truth.camera)?;
-    // Made here, and not within the parallel work that asks for it.
-    let _ = truth.scene.index();
-    let usual = match answers.kind() {
-        Kind::Picture => LEVELS_TOLERANCE,
-        _ => RELATIVE_TOLERANCE,
-    };
-    let tolerance = tolerance.unwrap_or(usual);
-    let digits = Digits::for_tolerance(tolerance);
-    let image = given.posed.image();
-    let may_be_single = answers.may_be_single();
-    let done = |judged: &[Judged], fits: &dyn diagnosis::Fits, right: &dyn Fn(usize) -> Right| {
-        let is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
-        let diagnosis = if is_right.iter().all(|is_right| *is_right) {
-            Diagnosis::default()
-        } else {
-            diagnose(&given, fits, &is_right, may_be_single)
-        };
-        let worst =
-            worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
-        Grade { kind: answers.kind(), tolerance, is_right, worst, shade: None, diagnosis }
-    };
-    Ok(match answers {
-        Answers::Basis(vectors) => {
-            let fits = Vectors { answers: vectors, tolerance, digits };
-            let basis = given.posed.basis();
-            done(&fits.judged(&given), &fits, &|index| {
-                Right::Vector([basis.u, basis.v, basis.w][index])
-            })
-        }
-        Answers::Rays(rays) => {
-            let size = given.posed.viewport().distance;
-            let fits = Rays { answers: rays, tolerance, digits, size, image };
-            done(&fits.judged(&given), &fits, &|index| match rays[index].pixel {
-                pixel if image.contains(pixel) => Right::Ray(given.posed.ray_of_pixel(pixel)),
-                _ => Right::NoPixel,
-            })
-        }
-        Answers::Hits(hits) => {
-            let fits = Hits { answers: hits, scene: truth.scene, tolerance, digits };
-            let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
-            let right = truth_of(truth, &given.posed, &pixels);
-            done(&fits.judged(&given, &right), &fits, &|index| match pixels[index] {
-                pixel if image.contains(pixel) => Right::Hit(right[index]),
-                _ => Right::NoPixel,
-            })
-        }
-        Answers::Picture(pixels) => grade_picture(truth, &given, pixels, tolerance, &done),
-    })
-}
-
-/// Grades a picture in the shading that fits best: that in which most pixels agree, or, where no
-/// mistake explains it in that, the first in which one does.
-fn grade_picture(
-    truth: &Truth,
-    given: &Given,
-    pixels: &[Rgb],
-    tolerance: f64,
-    done: &dyn Fn(&[Judged], &dyn diagnosis::Fits, &dyn Fn(usize) -> Right) -> Grade,
-) -> Grade {
-    let (pictures, nearest) = right_pictures(truth, given);
-    let brightest = brightest(pixels);
-    let agree = |right: &[Rgb]| {
-        pixels.iter().zip(right).filter(|(a, b)| off(**a, **b) <= tolerance).count()
-    };
-    let mut order: Vec<usize> = (0..Shade::ALL.len()).collect();
-    order.sort_by_key(|place| std::cmp::Reverse(agree(&pictures[*place])));
-    let grade = |place: usize| {
-        let fits = Picture {
-            pixels,
-            image: given.posed.image(),
-            scene: truth.scene,
-            color_of: truth.color_of,
-            shade: Shade::ALL[place],
-            tolerance,
-            brightest,
-        };
-        let right = &pictures[place];
-        let judged = fits.judged(given, right, nearest);
-        let grade = done(&judged, &fits, &|index| Right::Color(right[index]));
-        Grade { shade: Some(fits.shade), ..grade }
-    };
-    let mut best: Option<Grade> = None;
-    for place in order {
-        let graded = grade(place);
-        let is_settled = graded.all_agree() || !graded.diagnosis.mistakes.is_empty();
-        let fewer = |best: &Grade| graded.diagnosis.mistakes.len() < best.diagnosis.mistakes.len();
-        let is_better = match &best {
-            None => true,
-            Some(best) if best.diagnosis.mistakes.is_empty() => is_settled,
-            Some(best) => is_settled && fewer(best),
-        };
-        let is_done = graded.all_agree() || graded.diagnosis.mistakes.len() == 1;
-        if is_better {
-            best = Some(graded);
-        }
-        if is_done {
-            break;
-        }
-    }
-    best.unwrap_or_else(|| grade(0))
-}
-
-/// The wrong answer that is farthest off, the first among equals; the right one where none is wrong.
-fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
-    let any_wrong = judged.iter().any(|judged| !judged.is_right);
-    let mut worst: Option<(usize, f64)> = None;
-    for (index, judged) in judged.iter().enumerate() {
-        if judged.is_right == any_wrong {
-            continue;
-        }
-        if worst.is_none_or(|(_, error)| judged.error > error) {
-            worst = Some((index, judged.error));
-        }
-    }
-    worst
+    Ok(Grader::new(truth, answers, tolerance)?.grade())
 }
