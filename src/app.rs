@@ -14,6 +14,7 @@ mod history;
 mod inputs;
 mod lessons;
 mod outputs;
+mod pace;
 mod play;
 mod verbs;
 
@@ -27,6 +28,7 @@ use self::history::Changes;
 use self::lessons::Lessons;
 use self::verbs::Sheet;
 use crate::action::Action;
+use crate::coarseness::Governor;
 use crate::derive::{Derived, Deriver};
 use crate::document::Document;
 use crate::figures::Recorder;
@@ -73,6 +75,8 @@ pub struct App {
     beside_texture: ViewTexture,
     measuring: Measuring,
     frames: FrameHistory,
+    logs_frame_times: bool,
+    governor: Governor,
     hand: HandInput,
     navigation: Navigation,
     store: Option<Store>,
@@ -115,6 +119,8 @@ impl App {
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
+            logs_frame_times: false,
+            governor: Governor::default(),
             hand: HandInput::default(),
             navigation: Navigation::default(),
             store,
@@ -175,11 +181,6 @@ impl App {
         self.deriver.traced()
     }
 
-    /// Whether the user looks at what frames take.
-    pub fn shows_frame_times(&self) -> bool {
-        self.session.settings.layout == ViewLayout::Frame
-    }
-
     /// The last frame was handed to the display.
     pub fn presented(&mut self, times: &FrameTimes) {
         self.frames.presented(times);
@@ -208,13 +209,16 @@ impl App {
             for action in actions {
                 self.apply(&ctx, action);
             }
-            let sizes = views::sizes(ui, &places, self.session.settings.layout);
+            let coarseness = self.coarseness(&ctx);
+            let sizes = views::sizes(ui, &places, self.session.settings.layout, coarseness);
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
-            stopwatch = self.shows_frame_times().then(Stopwatch::start);
-            let tell = |work| stopwatch.iter().for_each(|stopwatch| stopwatch.tell(work));
+            let stopwatch = stopwatch.insert(Stopwatch::start());
+            let tell = |work| stopwatch.tell(work);
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
+            stopwatch.derived();
+            self.keep_pace(&ctx, coarseness, stopwatch.traced());
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(self.open.origin());
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
@@ -226,7 +230,7 @@ impl App {
         self.record(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
-        self.frames.end(&ctx, stopwatch);
+        self.frames.end(&ctx, stopwatch.filter(|_| self.times_frames()));
     }
 
     /// Panels are drawn from the top while they are edited. Where an edit changed what had already

@@ -39,7 +39,7 @@ use crate::document::Document;
 use crate::handles::{self, Stage};
 use crate::observer::Observer;
 use crate::overlay::{
-    self, CameraView, Handles, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
+    self, Backdrop, CameraView, Handles, Lit, Loupe, OverlayItems, Picture, Style, WorldView,
 };
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
@@ -144,6 +144,18 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
+        // On one of rayon's threads from the start: called from another one, each step that is
+        // shared among them would wake them and wait.
+        rayon::join(|| self.derived(document, session, sizes, watch), || ()).0
+    }
+
+    fn derived(
+        &mut self,
+        document: &Document,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) -> Derived {
         let world = self
             .objects
             .update(document, sizes.style.scheme())
@@ -235,6 +247,7 @@ impl Deriver {
         }
         derived.drawn_by.clone_from(&good.drawn_by);
         derived.too_many = good.too_many;
+        derived.coarseness[0] = good.coarseness;
         (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
     }
@@ -255,6 +268,7 @@ impl Deriver {
                 posed: &good.posed,
                 inspection: &good.inspection,
                 selection: good.selection,
+                coarseness: good.coarseness,
             };
             (right, world)
         });
@@ -281,9 +295,12 @@ impl Deriver {
         let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
         let pictures = &mut self.world_pictures;
-        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, watch) else {
+        let coarseness = sizes.coarseness;
+        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, coarseness, watch)
+        else {
             return;
         };
+        derived.coarseness[1] = world.coarseness;
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
         let lit = lit_key(session);
         let stage = Stage {
@@ -314,7 +331,6 @@ impl Deriver {
         };
         let (posed, inspection) = (derived.posed, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
-            let mut pixels = world.pixels.clone();
             let view = WorldView {
                 camera: &document.camera,
                 posed: posed.as_ref(),
@@ -334,12 +350,18 @@ impl Deriver {
                 ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
             };
-            let drawing = watched(watch, Work::Overlay, || match key.purpose {
-                Purpose::Window => overlay::world(&view, &mut pixels),
-                Purpose::Figure { .. } => overlay::world_apart(&view, &mut pixels),
-            });
-            key.style.finish(&mut pixels);
-            Shown::new(size, pixels, drawing)
+            let backdrop = Backdrop::of(&view);
+            let before = pictures.before(&world, &backdrop, watch);
+            watched(watch, Work::Overlay, || {
+                let mut pixels = before.to_vec();
+                let draw = match key.purpose {
+                    Purpose::Window => overlay::world,
+                    Purpose::Figure { .. } => overlay::world_apart,
+                };
+                let drawing = draw(&view, &backdrop, &world.pixels, &mut pixels);
+                key.style.finish(&mut pixels);
+                Shown::new(size, pixels, drawing)
+            })
         });
         derived.world_frame = Some(Arc::clone(&world.frame));
         derived.world_view = Some(shown);

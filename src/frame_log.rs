@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use crate::frame_times::WorkTimes;
 use crate::present::FrameTimes;
 
 /// The environment variable that names the file: a CSV with a row a frame, in milliseconds.
@@ -13,7 +14,7 @@ pub(crate) const FRAME_TIMES: &str = "PINHOLE_FRAME_TIMES";
 /// The frames presented so far.
 pub(crate) struct FrameLog {
     pub(crate) path: PathBuf,
-    pub(crate) frames: Vec<FrameTimes>,
+    frames: Vec<(FrameTimes, Option<WorkTimes>)>,
 }
 
 impl FrameLog {
@@ -21,15 +22,27 @@ impl FrameLog {
         FrameLog { path: path.into(), frames: Vec::new() }
     }
 
-    /// Writes the file. `since_input` is empty for a frame that answers no input.
+    /// A frame was presented; with what was done for it, if it showed a new picture.
+    pub(crate) fn push(&mut self, times: FrameTimes, work: Option<WorkTimes>) {
+        self.frames.push((times, work));
+    }
+
+    /// Writes the file. `since_input` is empty for a frame that answers no input; the work, of which
+    /// `own` is the sum, is part of `ui` and empty for a frame without a new picture.
     pub(crate) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
-        let mut text = "since_input,frame,ui,upload,paint,wait\n".to_owned();
-        for FrameTimes { since_input, frame, ui, upload, paint, wait } in &self.frames {
+        let mut text =
+            "since_input,frame,ui,upload,paint,wait,trace,overlay,readouts,own\n".to_owned();
+        for (FrameTimes { since_input, frame, ui, upload, paint, wait }, work) in &self.frames {
             let since = since_input.map(ms).unwrap_or_default();
             let times = [*frame, *ui, *upload, *paint, *wait].map(ms).join(",");
+            let work = work.map_or(",,,".to_owned(), |work| {
+                let trace = work.plan + work.trace;
+                let own = trace + work.overlay + work.readouts;
+                [trace, work.overlay, work.readouts, own].map(ms).join(",")
+            });
             // Writing to a String cannot fail.
-            let _ = writeln!(text, "{since},{times}");
+            let _ = writeln!(text, "{since},{times},{work}");
         }
         std::fs::write(&self.path, text)
     }

@@ -23,6 +23,8 @@ pub(crate) struct WorkTimes {
     pub(crate) plan: Duration,
     pub(crate) trace: Duration,
     pub(crate) overlay: Duration,
+    /// All else that is derived from the document.
+    pub(crate) readouts: Duration,
     /// Everything else, as far as it was measured.
     pub(crate) interface: Duration,
     /// Whether a picture was made.
@@ -52,6 +54,19 @@ impl Stopwatch {
         times.is_new |= work != Work::Rest;
     }
 
+    /// All that was done until now was deriving.
+    pub(crate) fn derived(&self) {
+        self.tell(Work::Rest);
+        let (_, times) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        times.readouts = std::mem::take(&mut times.interface);
+    }
+
+    /// How long tracing took until now; `None` where nothing was traced.
+    pub(crate) fn traced(&self) -> Option<Duration> {
+        let (_, times) = &*self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        Some(times.plan + times.trace).filter(|traced| !traced.is_zero())
+    }
+
     fn stop(self) -> WorkTimes {
         self.tell(Work::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
@@ -74,28 +89,37 @@ pub(crate) enum Part {
     Plan,
     Trace,
     Overlay,
+    Readouts,
     Interface,
     Upload,
     Paint,
 }
 
 impl Part {
-    pub(crate) const ALL: [Part; 6] =
-        [Part::Plan, Part::Trace, Part::Overlay, Part::Interface, Part::Upload, Part::Paint];
+    pub(crate) const ALL: [Part; 7] = [
+        Part::Plan,
+        Part::Trace,
+        Part::Overlay,
+        Part::Readouts,
+        Part::Interface,
+        Part::Upload,
+        Part::Paint,
+    ];
 }
 
 impl FrameRecord {
     /// How long a part took; `None` where nothing presents the frame.
     pub(crate) fn time(&self, part: Part) -> Option<Duration> {
-        let WorkTimes { plan, trace, overlay, interface, .. } = self.work;
+        let WorkTimes { plan, trace, overlay, readouts, interface, .. } = self.work;
         match part {
             Part::Plan => Some(plan),
             Part::Trace => Some(trace),
             Part::Overlay => Some(overlay),
+            Part::Readouts => Some(readouts),
             // With what is around the program's own part.
-            Part::Interface => Some(
-                self.presented.map_or(interface, |t| t.ui.saturating_sub(plan + trace + overlay)),
-            ),
+            Part::Interface => Some(self.presented.map_or(interface, |times| {
+                times.ui.saturating_sub(plan + trace + overlay + readouts)
+            })),
             Part::Upload => self.presented.map(|times| times.upload),
             Part::Paint => self.presented.map(|times| times.paint),
         }
@@ -127,6 +151,11 @@ impl FrameHistory {
         self.records.back()
     }
 
+    /// What went into the frame presented last, if it showed a new picture.
+    pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
+        self.records.back().filter(|last| last.frame == self.frame).map(|last| last.work)
+    }
+
     /// The program is done with a pass. Without a stopwatch nobody looks, and nothing is kept.
     pub(crate) fn end(&mut self, ctx: &Context, stopwatch: Option<Stopwatch>) {
         let Some(stopwatch) = stopwatch else {
@@ -142,6 +171,7 @@ impl FrameHistory {
             last.work.plan += work.plan;
             last.work.trace += work.trace;
             last.work.overlay += work.overlay;
+            last.work.readouts += work.readouts;
             last.work.interface += work.interface;
         } else if work.is_new {
             if self.records.len() == KEPT {
@@ -213,7 +243,11 @@ mod tests {
         let times = FrameTimes {
             since_input: None,
             frame: ms(95),
-            ui: before.work.plan + before.work.trace + before.work.overlay + ms(30),
+            ui: before.work.plan
+                + before.work.trace
+                + before.work.overlay
+                + before.work.readouts
+                + ms(30),
             upload: ms(2),
             paint: ms(5),
             wait: ms(9),

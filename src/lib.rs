@@ -11,6 +11,7 @@ pub mod app;
 pub mod arguments;
 pub mod bench;
 pub mod chart;
+pub mod coarseness;
 mod columns;
 pub mod commands;
 pub mod derive;

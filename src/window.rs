@@ -70,6 +70,9 @@ pub fn run(arguments: &WindowArguments) -> Result<(), WindowError> {
         app.tell("The last scene cannot be opened again", trouble);
     }
     let frame_log = std::env::var_os(FRAME_TIMES).map(FrameLog::to);
+    if frame_log.is_some() {
+        app.time_frames();
+    }
     let make = |ctx: &egui::Context, info: &present::RendererInfo| {
         App::set_up(ctx, &app.session().settings);
         app.drawn_by(info.to_string());
@@ -105,13 +108,13 @@ impl Program for InWindow {
     }
 
     fn wants_upload_time(&self) -> bool {
-        self.frame_log.is_some() || self.app.shows_frame_times()
+        self.app.times_frames()
     }
 
     fn presented(&mut self, times: &FrameTimes) {
         self.app.presented(times);
         if let Some(log) = &mut self.frame_log {
-            log.frames.push(*times);
+            log.push(*times, self.app.work_presented());
         }
     }
 

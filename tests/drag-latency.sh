@@ -5,7 +5,9 @@
 #     tests/drag-latency.sh [WIDTHxHEIGHT [SCENE...]]
 #
 # Takes PINHOLE_BINARY, or the release build; what else it needs is in support/display.sh. A line for
-# each scene, layout and renderer: medians in milliseconds of the frames that answer a move.
+# each scene, layout and renderer, with medians in milliseconds of the frames that answer a move:
+# from the input to the presented picture, and of this: waiting for the display; the program's pass;
+# of the pass: tracing, overlay, readouts, and their sum; and painting, without what it uploads.
 set -euo pipefail
 size=${1:-1920x1080}
 shift || true
@@ -29,21 +31,23 @@ drag() {
   sleep 0.5
 }
 
-# The median of a column of the frames that answer a move; `since_input` is empty in the others.
+# The median of a column of the frames that answer a move with a new picture; `since_input` and `own`
+# are empty in the others.
 median() {
   awk -F, -v name="$1" '
-    NR == 1 { for (k = 1; k <= NF; k++) if ($k == name) column = k; next }
-    $1 != "" { print $column }' "$work/frames.csv" | sort -n |
-    awk '{ value[NR] = $1 } END { printf "%7.2f", value[int((NR + 1) / 2)] }'
+    NR == 1 { for (k = 1; k <= NF; k++) { at[$k] = k } column = at[name]; own = at["own"]; next }
+    $1 != "" && $own != "" { print $column }' "$work/frames.csv" | sort -n |
+    awk '{ value[NR] = $1 } END { if (NR < 20) exit 1; printf "%7.2f", value[int((NR + 1) / 2)] }'
 }
 
-printf '%-16s %-8s %-8s %7s %7s %7s %7s %7s %7s\n' \
-  scene layout renderer input frame ui upload paint wait
+printf '%-16s %-8s %-8s %7s %7s %7s %7s %7s %7s %7s %7s\n' \
+  scene layout renderer input wait ui trace overlay readout own paint
 export PINHOLE_FRAME_TIMES=
 for scene in "${scenes[@]}"; do
   for layout in Both Ledger; do
     for renderer in cpu wgpu; do
       PINHOLE_FRAME_TIMES=$work/frames.csv
+      rm -f "$work/frames.csv"
       open_window "$program" "{\"layout\": \"$layout\"}" "$scene" --renderer "$renderer"
       x=$((width * 75 / 100)) y=$((height * 45 / 100))
       [ "$layout" = Ledger ] && x=$((width * 36 / 100)) y=$((height * 80 / 100))
@@ -53,8 +57,14 @@ for scene in "${scenes[@]}"; do
       sleep 0.5
       DISPLAY=$display xdotool key ctrl+q
       wait "$process" || true
-      printf '%-16s %-8s %-8s' "$scene" "$layout" "$renderer"
-      for name in since_input frame ui upload paint wait; do printf ' %s' "$(median "$name")"; done
+      printf '%-16s %-8s %-8s' "$(basename "$scene")" "$layout" "$renderer"
+      for name in since_input wait ui trace overlay readouts own paint; do
+        if ! value=$(median "$name"); then
+          echo "too few frames answered a move: is the window covered, or was it not closed?" >&2
+          exit 1
+        fi
+        printf ' %s' "$value"
+      done
       echo
     done
   done

@@ -55,6 +55,12 @@ impl App {
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
             views::reason(ui, rect, &told(fault));
         }
+        let coarseness = self.derived.coarseness;
+        for (place, coarseness) in [places.camera, places.world].into_iter().zip(coarseness) {
+            if let (Some(rect), Some(text)) = (place, coarseness.told()) {
+                views::coarse(ui, rect, &text);
+            }
+        }
         self.tell_hand(ui, places);
     }
 

@@ -115,6 +115,19 @@ impl Raster {
         &self.columns
     }
 
+    /// Values of the raster's pixels for every pixel of the image: one that was left out gets the value
+    /// of the nearest row and column, of two equally near ones the first. None where there are none,
+    /// or not as many as pixels.
+    pub fn spread<V: Copy>(&self, image: ImageSize, values: &[V]) -> Vec<V> {
+        if self.is_empty() || values.len() != self.len() {
+            return Vec::new();
+        }
+        let (rows, columns) =
+            (nearest(&self.rows, image.height()), nearest(&self.columns, image.width()));
+        let of_row = |row: &usize| &values[row * self.columns.len()..][..self.columns.len()];
+        rows.iter().flat_map(|row| columns.iter().map(|column| of_row(row)[*column])).collect()
+    }
+
     /// How many pixels are traced.
     pub fn len(&self) -> usize {
         self.rows.len() * self.columns.len()
@@ -135,6 +148,20 @@ fn shown(count: u32, dots: u32) -> Vec<u32> {
     (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
 }
 
+/// For each of `count` rows or columns the index of the nearest that was traced.
+fn nearest(traced: &[u32], count: u32) -> Vec<usize> {
+    let mut index = 0;
+    let nearest_to = |own: u32| {
+        while let Some(next) = traced.get(index + 1)
+            && next.abs_diff(own) < traced[index].abs_diff(own)
+        {
+            index += 1;
+        }
+        index
+    };
+    (0..count).map(nearest_to).collect()
+}
+
 impl<T: Depth> Frame<T> {
     /// The camera that the frame was traced for.
     pub fn camera(&self) -> &PosedCamera {
@@ -144,6 +171,22 @@ impl<T: Depth> Frame<T> {
     /// The rows and columns that were traced.
     pub fn raster(&self) -> &Raster {
         &self.raster
+    }
+
+    /// The frame as if every pixel of the image were traced, each pixel that was left out with what
+    /// [`Raster::spread`] gives it: for showing a coarse frame where every pixel is asked. It is not
+    /// what the ray through such a pixel meets. Steps and counts stay those of what was traced.
+    pub fn spread(&self) -> Frame<T> {
+        let image = self.camera.image();
+        Frame {
+            camera: self.camera,
+            raster: Raster::full(image),
+            t: self.raster.spread(image, &self.t),
+            object: self.raster.spread(image, &self.object),
+            normal: self.raster.spread(image, &self.normal),
+            steps: self.steps,
+            counts: self.counts,
+        }
     }
 
     /// The traced pixel in the raster's `row`th row and `column`th column.

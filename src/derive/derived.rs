@@ -8,6 +8,7 @@ use pinhole_core::{CameraError, Counts, Frame, PosedCamera, Scene, SceneError, S
 
 use super::answers::Grading;
 use super::picture::{Compared, TooMany};
+use crate::coarseness::Coarseness;
 use crate::ghost::AgainstGhost;
 use crate::inspection::Inspection;
 use crate::ledger::Ledger;
@@ -36,6 +37,8 @@ pub struct ViewSizes {
     pub style: Style,
     /// What the pictures are for.
     pub purpose: Purpose,
+    /// How much is left out of new pictures of the scene.
+    pub coarseness: Coarseness,
 }
 
 /// What pictures are for.
@@ -98,6 +101,8 @@ pub struct Derived {
     pub steps: Option<Steps>,
     /// What the camera's picture left out, and what was left to do.
     pub counts: Option<Counts>,
+    /// How much was left out of the camera's and the observer's picture.
+    pub coarseness: [Coarseness; 2],
     /// Why no other method than the ladder was let at the scene, where one should have been.
     pub too_many: Option<TooMany>,
     /// The ladder's answer for the pixels that are shown, where another method stands beside it.

@@ -54,7 +54,8 @@ impl GhostPictures {
         else {
             return;
         };
-        let made = self.of((&document.camera, now), (ghost, &seen), world, session, size, watch);
+        let raster = derived.coarseness[0].raster(now.image(), size);
+        let made = self.of((&document.camera, now), (ghost, &seen), world, session, raster, watch);
         let Some((against, pictures)) = made else { return };
         let view = self.shown(&against, &pictures, ghost, session, (size, sizes), watch);
         (derived.against_ghost, derived.ghost_view) = (Some(against), Some(view));
@@ -66,10 +67,9 @@ impl GhostPictures {
         (ghost, seen): (&Ghost, &PosedCamera),
         world: &GoodWorld,
         session: &Session,
-        size: [u32; 2],
+        raster: Raster,
         watch: Watch<'_>,
     ) -> Made {
-        let raster = Raster::shown_on(now.image(), size[0], size[1]);
         let mode = Shade::from(session.settings.shade);
         let (generation, palette) = (world.generation, world.palette);
         let key = (*camera, ghost.camera, generation, palette, raster, mode, session.selection);

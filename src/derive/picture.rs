@@ -9,11 +9,12 @@ use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{Counts, Depth, Frame, NO_OBJECT, Outputs, PosedCamera, Raster, Shade, Steps};
 
 use super::ViewSizes;
-use super::memo::Memo;
+use super::memo::{Fineness, Memo};
 use super::objects::GoodWorld;
 use super::scan::{ScannedPicture, first_pixels};
-use super::watch::{self, Watch};
+use super::watch::{self, Watch, Work};
 use crate::accuracy::{self, Comparison};
+use crate::coarseness::Coarseness;
 use crate::inspection::Inspection;
 use crate::number::grouped;
 use crate::overlay::{Item, Loupe, Picture, loupe_window};
@@ -72,6 +73,8 @@ pub(super) struct GoodPicture {
     pub(super) inspection: Arc<Inspection>,
     /// How far up the ladder it had to go.
     pub(super) steps: Steps,
+    /// How much coarser it is than it could be.
+    pub(super) coarseness: Coarseness,
     /// What it left out.
     pub(super) counts: Counts,
     /// Why no other method stands beside it, where one should.
@@ -109,6 +112,7 @@ pub(super) struct Pictures {
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
     scanned: ScannedPicture,
+    fineness: Fineness<(PosedCamera, u64, [u32; 2])>,
     /// How many pictures were made, which tells one from the next.
     made: u64,
     /// How many were traced for that.
@@ -139,9 +143,14 @@ impl Pictures {
         let inspection = self.inspected(posed, world, selection);
         // With only the world view open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
-        let seen = (posed, world.generation, Raster::shown_on(posed.image(), size[0], size[1]));
+        let coarseness = self.fineness.at_most((posed, world.generation, size), sizes.coarseness);
+        let seen = (posed, world.generation, coarseness.raster(posed.image(), size));
         let settings = &session.settings;
-        let beside = self.beside(&seen, world, settings, sizes.map.is_some(), watch);
+        // What is too much for a picture at rest is so while it moves.
+        let all = Coarseness::NONE.raster(posed.image(), size).len();
+        let too_many = TooMany::of(world.scene.len(), all);
+        let with_map = sizes.map.is_some();
+        let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
         // On the viewport in the world view, it hides what is behind.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
@@ -179,6 +188,7 @@ impl Pictures {
             picture,
             selection,
             inspection,
+            coarseness,
             steps,
             counts,
             too_many: beside.too_many,
@@ -210,11 +220,12 @@ impl Pictures {
         world: &GoodWorld,
         settings: &Settings,
         with_map: bool,
+        too_many: Option<TooMany>,
         watch: Watch<'_>,
     ) -> Beside {
         let other = settings.compared.0;
         let is_compared = settings.method.0 != Method::Ladder || with_map;
-        let too_many = TooMany::of(world.scene.len(), seen.2.len()).filter(|_| is_compared);
+        let too_many = too_many.filter(|_| is_compared);
         let method = too_many.map_or(settings.method.0, |_| Method::Ladder);
         // Only a comparison needs all digits of t.
         let truth = (is_compared && too_many.is_none()).then(|| {
@@ -226,7 +237,8 @@ impl Pictures {
         });
         let mut compare = |slot: usize, method| {
             let truth = truth.as_deref()?;
-            Some(compare(&mut self.by[slot], method, seen, world, truth))
+            let memo = &mut self.by[slot];
+            Some(watch::watched(watch, Work::Trace, || compare(memo, method, seen, world, truth)))
         };
         let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
         let compared = if with_map { compare(usize::from(other != method), other) } else { None };

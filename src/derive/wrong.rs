@@ -9,6 +9,7 @@ use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::{Derived, Shown, ViewSizes, blank};
+use crate::coarseness::Coarseness;
 use crate::inspection::Inspection;
 use crate::mistakes::Wrong;
 use crate::overlay::{self, CameraView, Item, OverlayItems, Picture, Style};
@@ -35,6 +36,8 @@ pub(super) struct Right<'a> {
     pub(super) posed: &'a PosedCamera,
     pub(super) inspection: &'a Inspection,
     pub(super) selection: Selection,
+    /// How much coarser its picture is than it could be.
+    pub(super) coarseness: Coarseness,
 }
 
 impl WrongPictures {
@@ -74,7 +77,7 @@ impl WrongPictures {
         watch: Watch<'_>,
     ) -> (Arc<Wrong>, Option<Shown>) {
         let image = right.posed.image();
-        let raster = Raster::shown_on(image, size[0], size[1]);
+        let raster = right.coarseness.raster(image, size);
         let mode = Shade::from(session.settings.shade);
         let mistake = session.gallery.shown();
         let key = (*right.camera, world.generation, world.palette, raster, mode, mistake);

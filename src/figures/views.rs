@@ -6,6 +6,7 @@ use egui::{Color32, Context, Pos2};
 use pinhole_core::ImageSize;
 
 use super::{Figure, Look};
+use crate::coarseness::Coarseness;
 use crate::derive::{Deriver, Fault, Purpose, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
@@ -48,6 +49,7 @@ pub fn of_view(
         scale,
         style,
         purpose: Purpose::Figure { clear: transparent },
+        coarseness: Coarseness::NONE,
     };
     let derived = Deriver::default().derive(document, session, &sizes);
     // A camera without a basis still stands in the world.

@@ -16,7 +16,7 @@ use crate::overlay::screen::{RayParts, unit};
 /// ```
 ///
 /// and since d is linear in x and y, t, a and b are quotients of linear functions of them.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Flat {
     /// Greater than 0: dots see the plane where the rate is, too.
     offset: f64,
@@ -35,7 +35,7 @@ pub(crate) struct FlatSpot {
 }
 
 /// `x*X + y*Y + Z`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Linear(DVec3);
 
 impl Linear {
@@ -94,7 +94,7 @@ impl Flat {
     }
 
     /// The dots of a row that [`Flat::at`] finds on the plane, give or take one at each end.
-    fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
+    pub(crate) fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
         // Each condition is linear in x: value + slope x >= 0.
         let reach = half * self.rate.0;
         let conditions =
@@ -116,22 +116,23 @@ impl Flat {
         (from as usize).min(to)..to
     }
 
-    /// A row of dots at once: what [`Flat::at`] says of each dot of its span, and how much of it a
-    /// grid line covers. Plain loops over `f32`, which the compiler makes into SIMD.
+    /// A part of a row of dots at once: what [`Flat::at`] says of each dot of its span, and how much
+    /// of it a grid line covers. Plain loops over `f32`, which the compiler makes into SIMD.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,
         y: f64,
-        width: usize,
+        part: &Range<usize>,
         half: f64,
         grid: Option<&Grid>,
     ) {
-        let span = self.span(y, width, half);
+        let span = self.span(y, part.end, half);
+        let start = span.start.max(part.start);
+        let span = start..span.end.max(start);
         row.resize(&span);
         let first = DVec2::new(span.start as f64 + 0.5, y);
-        let start = |linear: Linear| (linear.at(first) as f32, linear.0.x as f32);
-        let (rate, a, b, offset) =
-            (start(self.rate), start(self.a), start(self.b), self.offset as f32);
+        let of = |linear: Linear| (linear.at(first) as f32, linear.0.x as f32);
+        let (rate, a, b, offset) = (of(self.rate), of(self.a), of(self.b), self.offset as f32);
         let values = row.t.iter_mut().zip(&mut row.a).zip(&mut row.b).zip(&mut row.inverse_rate);
         for (k, (((t_of, a_of), b_of), inverse_of)) in values.enumerate() {
             let x = k as f32;
@@ -201,6 +202,12 @@ impl FlatRow {
 }
 
 impl FlatRow {
+    /// (a, b, coverage by grid lines) of one dot of the span.
+    #[inline(always)]
+    pub(crate) fn spot(&self, k: usize) -> [f32; 3] {
+        [self.a[k], self.b[k], self.line[k]]
+    }
+
     /// t and (a, b, coverage by grid lines) of a part of the span.
     pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
         let part = part.start - self.span.start..part.end - self.span.start;

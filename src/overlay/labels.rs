@@ -104,13 +104,14 @@ fn best_place(
             let direction = DVec2::from_angle(k as f64 * std::f64::consts::TAU / DIRECTIONS as f64);
             let edge = direction.abs().dot(half);
             let center = request.anchor + direction * (edge + GAP * scale + step * ring as f64);
-            if !free(center) {
+            let astray = wish.map_or(0.0, |wish| 1.0 - wish.dot(direction));
+            let at_least = 2.0 * ring as f64 + 2.5 * astray;
+            if best.is_some_and(|(least, _)| at_least >= least) || !free(center) {
                 continue;
             }
             let crossed =
                 near.iter().filter(|o| (**o - center).abs().cmplt(half).all()).count() as f64;
-            let astray = wish.map_or(0.0, |wish| 1.0 - wish.dot(direction));
-            let cost = crossed.min(12.0) + 2.0 * ring as f64 + 2.5 * astray;
+            let cost = crossed.min(12.0) + at_least;
             if best.is_none_or(|(least, _)| cost < least) {
                 best = Some((cost, center));
             }

@@ -42,6 +42,7 @@ pub(crate) struct PictureLookup<'a> {
 
 /// The part of an infinite plane near what the observer looks at, fading outwards, with grid lines
 /// in world units.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Patch {
     /// (a, b) are world units from the patch's centre.
     pub(crate) flat: Flat,
@@ -174,6 +175,29 @@ impl<'a> Layers<'a> {
 
     /// Paints all layers over the traced picture.
     pub(crate) fn paint(&self, dots: &mut [Color32]) {
+        self.paint_parts(dots, |_| 0..self.width, |_, _, _| ());
+    }
+
+    /// Paints all layers over the `traced` picture where the viewport is. Elsewhere the dots have to
+    /// show what [`Layers::paint`] makes of it without the viewport.
+    pub(crate) fn paint_viewport(&self, traced: &[Color32], dots: &mut [Color32]) {
+        let Some(viewport) = &self.viewport else { return };
+        if traced.len() == dots.len() {
+            let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
+            self.paint_parts(dots, part, |row, part, dots| {
+                let start = row * self.width;
+                dots.copy_from_slice(&traced[start + part.start..start + part.end]);
+            });
+        }
+    }
+
+    /// Paints all layers over a part of each row, after something was done to its dots.
+    fn paint_parts(
+        &self,
+        dots: &mut [Color32],
+        part_of: impl Fn(usize) -> Range<usize> + Sync,
+        before: impl Fn(usize, Range<usize>, &mut [Color32]) + Sync,
+    ) {
         if !self.is_traced() || dots.len() != self.frame.t.len() {
             return;
         }
@@ -181,28 +205,33 @@ impl<'a> Layers<'a> {
         rows.for_each_init(
             || vec![FlatRow::default(); self.patches.len() + 1],
             |layers, (row, dots)| {
-                self.fill(layers, row);
-                self.paint_row(layers, row, dots);
+                let part = part_of(row);
+                if !part.is_empty() {
+                    before(row, part.clone(), &mut dots[part.clone()]);
+                    self.fill(layers, row, &part);
+                    self.paint_row(layers, row, &part, dots);
+                }
             },
         );
     }
 
-    /// The viewport's row of dots, then the patches'.
-    fn fill(&self, layers: &mut [FlatRow], row: usize) {
-        let (y, width) = (row as f64 + 0.5, self.width);
+    /// A part of the viewport's row of dots, then of the patches'.
+    fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
+        let y = row as f64 + 0.5;
         if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
             let grid = grid.as_ref().map(|(grid, _)| grid);
-            flat.fill_row(&mut layers[0], y, width, HALF_VIEWPORT, grid);
+            flat.fill_row(&mut layers[0], y, part, HALF_VIEWPORT, grid);
         }
         for (layer, Patch { flat, radius, grid, .. }) in layers[1..].iter_mut().zip(&self.patches) {
-            flat.fill_row(layer, y, width, *radius, Some(grid));
+            flat.fill_row(layer, y, part, *radius, Some(grid));
         }
     }
 
-    fn paint_row(&self, layers: &[FlatRow], row: usize, dots: &mut [Color32]) {
+    fn paint_row(&self, layers: &[FlatRow], row: usize, part: &Range<usize>, dots: &mut [Color32]) {
         let start = row * self.width;
         let t = &self.frame.t[start..start + self.width];
-        for (dot, object) in dots.iter_mut().zip(&self.frame.object[start..]) {
+        let objects = &self.frame.object[start..start + self.width];
+        for (dot, object) in dots[part.clone()].iter_mut().zip(&objects[part.clone()]) {
             if *object == NO_OBJECT {
                 *dot = self.background;
             }
@@ -259,8 +288,18 @@ impl<'a> Layers<'a> {
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
+        // The picture lets nothing through: behind it, nothing needs to be sorted.
+        let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
+            if let Some(viewport) = picture {
+                let own = t(&0);
+                if is_nearer(own, traced[column]) && there[1..].iter().all(|layer| t(layer) > own) {
+                    let spot = layers[0].spot(column - layers[0].span.start);
+                    dots[column] = viewport.paint(spot, dots[column]);
+                    continue;
+                }
+            }
             found.clear();
             found.extend(there.iter().map(|index| (t(index), *index)));
             found.retain(|(t, _)| is_nearer(*t, traced[column]));
@@ -272,8 +311,7 @@ impl<'a> Layers<'a> {
     }
 
     fn layer_over(&self, row: &FlatRow, index: usize, column: usize, below: Color32) -> Color32 {
-        let k = column - row.span.start;
-        let spot = [row.a[k], row.b[k], row.line[k]];
+        let spot = row.spot(column - row.span.start);
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => self.patches[patch].paint(spot, true, below),
             (None, Some(viewport)) => viewport.paint(spot, below),

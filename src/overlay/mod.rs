@@ -48,7 +48,7 @@ pub use loupe::{Loupe, loupe_window};
 pub use path::{Ink, Outline, Path};
 pub use picture::Picture;
 pub use style::{Colors, Scheme, Style};
-pub use world_view::{WorldView, pick, t_towards, world, world_apart, world_position_of};
+pub use world_view::{Backdrop, WorldView, pick, t_towards, world, world_apart, world_position_of};
 
 #[cfg(test)]
 mod tests;

@@ -86,15 +86,27 @@ impl Picture {
         let of_column: Vec<usize> = (0..columns)
             .map(|k| nearest_column.of(shown(k, columns, self.image.width())))
             .collect();
-        let rows_of = |k: usize| nearest_row.of(shown(k, rows, self.image.height()));
-        dots.par_chunks_exact_mut(columns).enumerate().with_min_len(16).for_each(|(k, dots)| {
-            let source = &self.pixels[rows_of(k) * width..][..width];
-            for (dot, column) in dots.iter_mut().zip(&of_column) {
-                *dot = source[*column];
+        let row_of = |k: usize| nearest_row.of(shown(k, rows, self.image.height()));
+        let bands = dots.par_chunks_mut(BAND * columns).enumerate();
+        bands.for_each(|(band, dots)| {
+            for k in 0..dots.len() / columns {
+                let own = row_of(band * BAND + k);
+                // Of a pixel that is several dots high, the first row is as good as the next.
+                if k > 0 && row_of(band * BAND + k - 1) == own {
+                    dots.copy_within((k - 1) * columns..k * columns, k * columns);
+                    continue;
+                }
+                let source = &self.pixels[own * width..][..width];
+                for (dot, column) in dots[k * columns..].iter_mut().zip(&of_column) {
+                    *dot = source[*column];
+                }
             }
         });
     }
 }
+
+/// So many rows of dots are filled at a time.
+const BAND: usize = 32;
 
 /// The pixel of `count` in the middle of dot `k` of `dots`.
 fn shown(k: usize, dots: usize, count: u32) -> usize {

@@ -11,7 +11,7 @@ use crate::overlay::flat::{Flat, Grid};
 use crate::overlay::handles::Handles;
 use crate::overlay::items::{Item, OverlayItems};
 use crate::overlay::labels;
-use crate::overlay::layers::{Layers, PictureLookup, ViewportLayer};
+use crate::overlay::layers::{Layers, Patch, PictureLookup, ViewportLayer};
 use crate::overlay::lit::Lit;
 use crate::overlay::objects::{self, Onlooker};
 use crate::overlay::picture::Picture;
@@ -35,7 +35,7 @@ pub struct WorldView<'a> {
     /// Which spheres lie [around the camera](crate::observer::enclosing) and are drawn as circles.
     pub enclosing: &'a [u32],
     /// The colour of each object of the scene.
-    pub color_of: &'a dyn Fn(u32) -> Rgb,
+    pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     /// Who looks.
     pub observer: &'a Observer,
     /// The picture of [`observer::seen_scene`](crate::observer::seen_scene) by the observer's
@@ -59,19 +59,55 @@ pub struct WorldView<'a> {
     pub is_clear: bool,
 }
 
-/// Paints the world view over the observer's traced and shaded picture; what was painted, and which
-/// text belongs where.
-pub fn world(view: &WorldView, dots: &mut [Color32]) -> Drawing {
-    let drawing = world_apart(view, dots);
+/// What is behind the camera and its marks: all that stays as it is while only the camera is moved.
+/// The observer's picture with the planes' patches painted over it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Backdrop {
+    patches: Vec<Patch>,
+    background: Color32,
+}
+
+impl Backdrop {
+    /// The backdrop of a world view.
+    pub fn of(view: &WorldView) -> Backdrop {
+        Backdrop { patches: view.patches(), background: view.background() }
+    }
+
+    /// Paints it over the observer's traced and shaded picture.
+    pub fn paint(&self, frame: &Frame<f32>, dots: &mut [Color32]) {
+        self.layers(frame).paint(dots);
+    }
+
+    fn layers<'a>(&self, frame: &'a Frame<f32>) -> Layers<'a> {
+        let mut layers = Layers::new(frame, self.background);
+        layers.patches.clone_from(&self.patches);
+        layers
+    }
+}
+
+/// Paints the world view over its backdrop, which the dots show; `traced` is the picture behind that.
+/// What was painted, and which text belongs where.
+pub fn world(
+    view: &WorldView,
+    backdrop: &Backdrop,
+    traced: &[Color32],
+    dots: &mut [Color32],
+) -> Drawing {
+    let drawing = world_apart(view, backdrop, traced, dots);
     drawing.paint(view.frame.camera().image().width() as usize, dots);
     drawing
 }
 
 /// The same without painting the drawing.
-pub fn world_apart(view: &WorldView, dots: &mut [Color32]) -> Drawing {
-    let layers = view.layers();
-    layers.paint(dots);
-    view.sketch(&layers)
+pub fn world_apart(
+    view: &WorldView,
+    backdrop: &Backdrop,
+    traced: &[Color32],
+    dots: &mut [Color32],
+) -> Drawing {
+    let layers = view.layers(backdrop);
+    // What is drawn does not depend on what is filled.
+    rayon::join(|| view.sketch(&layers), || layers.paint_viewport(traced, dots)).0
 }
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
@@ -127,37 +163,43 @@ const GRID_SPACING: f64 = 7.0;
 impl<'a> WorldView<'a> {
     /// The marks and labels, without painting them.
     pub fn drawing(&self) -> Drawing {
-        self.sketch(&self.layers())
+        self.sketch(&self.layers(&Backdrop::of(self)))
     }
 
     fn screen(&self) -> Screen {
         Screen::new(self.frame.camera(), self.observer.distance())
     }
 
-    fn layers(&self) -> Layers<'a> {
-        let colors = self.style.colors();
-        let screen = self.screen();
-        let background = if self.is_clear { Color32::TRANSPARENT } else { colors.background };
-        let mut layers = Layers::new(self.frame, background);
-        if self.items.shows(Item::Planes) {
-            let onlooker = Onlooker {
-                rays: screen.ray_parts(),
-                target: self.observer.target(),
-                distance: self.observer.distance(),
-                camera_eye: self.camera.eye,
-                scale: f64::from(self.scale),
-            };
-            let first = self.scene.spheres().len();
-            let color_of = |index: usize| (self.color_of)((first + index) as u32);
-            layers.patches = objects::patches(self.scene.planes(), color_of, &onlooker, colors);
+    fn background(&self) -> Color32 {
+        if self.is_clear { Color32::TRANSPARENT } else { self.style.colors().background }
+    }
+
+    fn patches(&self) -> Vec<Patch> {
+        if !self.items.shows(Item::Planes) {
+            return Vec::new();
         }
+        let onlooker = Onlooker {
+            rays: self.screen().ray_parts(),
+            target: self.observer.target(),
+            distance: self.observer.distance(),
+            camera_eye: self.camera.eye,
+            scale: f64::from(self.scale),
+        };
+        let first = self.scene.spheres().len();
+        let color_of = |index: usize| (self.color_of)((first + index) as u32);
+        objects::patches(self.scene.planes(), color_of, &onlooker, self.style.colors())
+    }
+
+    fn layers(&self, backdrop: &Backdrop) -> Layers<'a> {
+        let mut layers = backdrop.layers(self.frame);
         if let Some(posed) = self.posed {
-            layers.viewport = viewport_layer(posed, self.frame.camera(), colors.background);
+            let behind = self.style.colors().background;
+            layers.viewport = viewport_layer(posed, self.frame.camera(), behind);
             if let Some(layer) = &mut layers.viewport {
                 let picture = self.picture.filter(|_| self.items.shows(Item::Picture));
                 layer.picture = picture.and_then(|p| PictureLookup::new(p, posed.image()));
                 if self.items.shows(Item::PixelGrid) {
-                    layer.grid = pixel_grid(&screen, posed, f64::from(self.scale));
+                    layer.grid = pixel_grid(&self.screen(), posed, f64::from(self.scale));
                 }
             }
         }

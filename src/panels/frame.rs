@@ -22,6 +22,7 @@ impl Part {
             Part::Plan => "plan",
             Part::Trace => "trace",
             Part::Overlay => "overlay",
+            Part::Readouts => "readouts",
             Part::Interface => "interface",
             Part::Upload => "upload",
             Part::Paint => "paint",
@@ -36,7 +37,8 @@ impl Part {
                 "Showing the camera's pixels as pixels, and drawing basis, viewport, rays and \
                  marks over both pictures"
             }
-            Part::Interface => "Panels, readouts and layout of the window",
+            Part::Readouts => "The numbers: the selected ray, its hits, the ledger or the plot",
+            Part::Interface => "Panels and layout of the window, with all text set",
             Part::Upload => "Taking the new pictures over to where the window is drawn",
             Part::Paint => "Drawing the window and handing it to the display",
         }
@@ -48,6 +50,7 @@ impl Part {
             Part::Plan => [0x56, 0xb4, 0xe9],
             Part::Trace => [0xe6, 0x9f, 0x00],
             Part::Overlay => [0x00, 0x9e, 0x73],
+            Part::Readouts => [0xf0, 0xe4, 0x42],
             Part::Interface => [0xcc, 0x79, 0xa7],
             Part::Upload => [0xd5, 0x5e, 0x00],
             Part::Paint => [0x00, 0x72, 0xb2],
@@ -80,8 +83,8 @@ fn times(ui: &mut Ui, frames: &FrameHistory) {
     ui.label(RichText::new(total).size(TEXT + 3.0).strong()).on_hover_text(
         "Frames that show a new picture are counted, from input to display without waiting for it",
     );
-    Grid::new("times").num_columns(3).spacing([14.0, 2.0]).show(ui, |ui| {
-        // Down the first column: what makes the pictures; beside it what shows them.
+    Grid::new("times").num_columns(4).spacing([14.0, 2.0]).show(ui, |ui| {
+        // First what makes pictures and numbers; below it what shows them.
         for (index, part) in Part::ALL.into_iter().enumerate() {
             let time = last.and_then(|last| last.time(part));
             let time = time.map_or("-".to_owned(), |time| ms(time.as_secs_f64()));
@@ -91,7 +94,7 @@ fn times(ui: &mut Ui, frames: &FrameHistory) {
                 let label = ui.label(format!("{} {time}", part.name()));
                 label.on_hover_text(format!("{}, in milliseconds", part.about()));
             });
-            if index % 3 == 2 {
+            if index % 4 == 3 {
                 ui.end_row();
             }
         }

@@ -6,6 +6,7 @@ use egui::{
 use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::Action;
+use crate::coarseness::Coarseness;
 use crate::derive::{Derived, Purpose, Shown, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
@@ -35,7 +36,12 @@ pub(crate) const ANSWERS: &str = "Answers";
 pub(crate) const GHOST: &str = "Ghost";
 
 /// How large the views are, in physical pixels.
-pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
+pub(crate) fn sizes(
+    ui: &Ui,
+    places: &Places,
+    layout: ViewLayout,
+    coarseness: Coarseness,
+) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
     let physical = |rect: Rect| {
         let size = rect.size() * per_point;
@@ -53,6 +59,7 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
         scale: per_point,
         style: look::style(ui),
         purpose: Purpose::Window,
+        coarseness,
     }
 }
 
@@ -335,14 +342,24 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
 /// The size of the text on a picture that the ladder did not draw, in points.
 const MARK: f32 = 15.0;
 
-/// What drew a picture, written on it where that was not the ladder.
+/// What drew a picture, written on it where that was not the ladder: at the bottom, where the picture
+/// has no marks of its own.
 pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
+    mark(ui, rect, text, |size| rect.bottom() - size.y);
+}
+
+/// That a picture is coarser than it could be, written on its top.
+pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
+    mark(ui, rect, text, |_| rect.top());
+}
+
+/// Black text on amber at the left edge of a picture, from the top that `top_of` says for its size.
+fn mark(ui: &mut Ui, rect: Rect, text: &str, top_of: impl FnOnce(Vec2) -> f32) {
     let font = egui::FontId::proportional(MARK);
     let most = (rect.width() - 16.0).max(20.0);
     let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
-    // At the bottom, where the picture has no marks of its own.
     let size = galley.size() + vec2(16.0, 8.0);
-    let band = Rect::from_min_size(pos2(rect.left(), rect.bottom() - size.y), size);
+    let band = Rect::from_min_size(pos2(rect.left(), top_of(size)), size);
     ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
     let inside = UiBuilder::new().max_rect(band.shrink2(vec2(8.0, 4.0)));
     ui.scope_builder(inside, |ui| {

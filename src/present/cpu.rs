@@ -4,6 +4,7 @@ use super::painter::{Canvas, Painter, PixelRect};
 use super::window::{Frame, PaintTimes, Surface, timed};
 use super::{Renderer, RendererInfo};
 use egui::{Color32, ColorImage};
+use rayon::prelude::*;
 use std::num::NonZeroU32;
 use std::sync::Arc;
 use std::time::Duration;
@@ -149,16 +150,22 @@ impl Surface for Cpu {
 
 /// Copies a rectangle into a buffer of the display's format, of the canvas's size.
 fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
-    for row in rect.top..rect.bottom {
-        let run = row * width + rect.left..row * width + rect.right;
-        // A window that changed its size meanwhile has another buffer. The next frame will fit.
-        if let (Some(to), Some(from)) = (buffer.get_mut(run.clone()), pixels.get(run)) {
-            for (to, from) in to.iter_mut().zip(from) {
-                let [r, g, b, _] = from.to_array();
-                *to = u32::from(r) << 16 | u32::from(g) << 8 | u32::from(b);
-            }
-        }
+    // A window that changed its size meanwhile has another buffer. The next frame will fit.
+    let rows = |height: usize| rect.top.min(height) * width..rect.bottom.min(height) * width;
+    if width == 0 || rect.right > width || rect.left > rect.right {
+        return;
     }
+    let height = buffer.len().min(pixels.len()) / width;
+    let (to, from) = (&mut buffer[rows(height)], &pixels[rows(height)]);
+    let rows = to.par_chunks_exact_mut(width).zip(from.par_chunks_exact(width));
+    rows.with_min_len(32).for_each(|(to, from)| {
+        let run = rect.left..rect.right;
+        for (to, from) in to[run.clone()].iter_mut().zip(&from[run]) {
+            // From red, green, blue in the order of memory to blue, green, red.
+            let rgb = u32::from_le_bytes(from.to_array());
+            *to = (rgb & 0xff) << 16 | rgb & 0xff00 | rgb >> 16 & 0xff;
+        }
+    });
 }
 
 fn damage(rect: PixelRect) -> Option<softbuffer::Rect> {

@@ -171,7 +171,7 @@ impl<'a> Scene<'a> {
             // Callbacks draw with a graphics driver. There is none here, and nobody makes any.
             let Primitive::Mesh(mesh) = &primitive.primitive else { return None };
             let texture = painter.textures.get(&mesh.texture_id)?;
-            if !mesh.is_valid() || texture.texels.is_empty() {
+            if !mesh.is_valid() || texture.texels().is_empty() {
                 return None;
             }
             let extent = PixelRect::around(geometry::extent(mesh), scale, size);

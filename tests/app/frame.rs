@@ -10,7 +10,7 @@ use pinhole_core::{Counts, Steps};
 
 use super::harness::{assert_says, texts_with, type_into, window, window_with};
 
-const PARTS: [&str; 6] = ["plan", "trace", "overlay", "interface", "upload", "paint"];
+const PARTS: [&str; 7] = ["plan", "trace", "overlay", "readouts", "interface", "upload", "paint"];
 
 fn open(window: &mut Harness<'_, App>) {
     window.get_by_role_and_label(Role::Button, "Frame").click();
@@ -40,15 +40,15 @@ fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: 
 #[test]
 fn a_closed_view_keeps_nothing_and_takes_no_room() {
     let mut window = window("canonical");
-    assert!(!window.state().shows_frame_times());
+    assert!(!window.state().times_frames());
     assert_eq!(texts_with(&window, "new picture"), Vec::<String>::new());
     type_into(&mut window, "eye x", "0.5");
     open(&mut window);
-    assert!(window.state().shows_frame_times());
+    assert!(window.state().times_frames());
     assert!(!texts_with(&window, "Last new picture took ").is_empty());
     window.get_by_role_and_label(Role::Button, "World").click();
     window.run();
-    assert!(!window.state().shows_frame_times());
+    assert!(!window.state().times_frames());
     assert_eq!(texts_with(&window, "new picture"), Vec::<String>::new());
 }
 

@@ -20,6 +20,7 @@ mod lines;
 mod mistakes;
 mod names;
 mod objects;
+mod pace;
 mod palette;
 mod play;
 mod play_export;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use pinhole::coarseness::Coarseness;
 use pinhole::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::document::{CsvSpheres, Document, Item};
 use pinhole::observer::Observer;
@@ -20,6 +21,7 @@ const SIZES: ViewSizes = ViewSizes {
     scale: 1.0,
     style: Style::Light,
     purpose: Purpose::Window,
+    coarseness: Coarseness::NONE,
 };
 
 fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {

@@ -226,3 +226,28 @@ fn a_picture_of_another_size_is_refused() {
     let none = Outputs::NONE;
     let _: Frame = trace_painted(&scene, &camera, &raster, none, &paint, &mut [[0; 4]; 7], |_| ());
 }
+
+#[test]
+fn a_coarse_frame_spread_over_the_image_says_of_each_pixel_what_the_nearest_traced_one_says() {
+    let (_, scene, camera) = scenes().swap_remove(0);
+    let image = camera.image();
+    let coarse: Frame =
+        trace(&scene, &camera, &Raster::shown_on(image, 30, 20), Outputs::default());
+    let spread = coarse.spread();
+    assert_eq!((spread.raster(), spread.steps), (&Raster::full(image), coarse.steps));
+    let nearest = |traced: &[u32], own: u32| {
+        (0..traced.len()).min_by_key(|k| traced[*k].abs_diff(own)).unwrap()
+    };
+    let mut hits = 0;
+    for (row, column) in
+        (0..image.height()).flat_map(|row| (0..image.width()).map(move |column| (row, column)))
+    {
+        let raster = coarse.raster();
+        let of = coarse.at(nearest(raster.rows(), row), nearest(raster.columns(), column));
+        let at = spread.at(row as usize, column as usize);
+        assert_eq!((at.t, at.object), (of.t, of.object), "row {row}, column {column}");
+        hits += usize::from(at.object.is_some());
+    }
+    assert!(hits > 1000);
+    assert!(spread.normal.is_empty());
+}

@@ -11,7 +11,7 @@ fn the_picture_on_the_viewport_has_its_own_colours() {
     let mut stage = Stage::new(camera, vec![sphere(0.3, 0.2, -5.0, 1.5)], vec![]);
     stage.items = OverlayItems::NONE.with(Item::Picture, true);
     let mut dots = stage.dots();
-    assert_eq!(world(&stage.view(), &mut dots).labels, []);
+    assert_eq!(painted(&stage.view(), &mut dots).labels, []);
     let picture = stage.picture.as_ref().expect("a picture");
     let mut colors = std::collections::HashSet::new();
     for pixel in (0..8).flat_map(|row| (0..8).map(move |column| Pixel { row, column })) {
@@ -31,7 +31,7 @@ fn with_nothing_on_only_the_background_changes() {
     stage.items = OverlayItems::NONE;
     let before = stage.dots();
     let mut after = before.clone();
-    assert_eq!(world(&stage.view(), &mut after).labels, []);
+    assert_eq!(painted(&stage.view(), &mut after).labels, []);
     let sphere = opaque(color_of(0));
     let background = Style::Light.colors().background;
     for (before, after) in before.iter().zip(&after) {
@@ -44,12 +44,12 @@ fn with_nothing_on_only_the_background_changes() {
 fn a_frame_of_another_size_is_no_panic() {
     let stage = canonical();
     let mut dots = vec![Color32::BLACK; 100];
-    world(&stage.view(), &mut dots);
+    painted(&stage.view(), &mut dots);
     let image = stage.frame.camera().image();
     let part = Raster::shown_on(image, 7, 5);
     let frame = trace_as(&stage.scene, stage.frame.camera(), &part, Outputs::default());
     let mut dots = stage.dots();
-    world(&WorldView { frame: &frame, ..stage.view() }, &mut dots);
+    painted(&WorldView { frame: &frame, ..stage.view() }, &mut dots);
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn seen_from_behind_the_picture_is_mirrored() {
     stage.items = OverlayItems::NONE.with(Item::Picture, true);
     let seen = |stage: &Stage| {
         let mut dots = stage.dots();
-        world(&stage.view(), &mut dots);
+        painted(&stage.view(), &mut dots);
         let row = &dots[SIZE.0 as usize * (SIZE.1 as usize / 2)..][..SIZE.0 as usize];
         let at = |color: Color32| row.iter().position(|dot| *dot == color);
         (at(left).expect("a left pixel"), at(right).expect("a right pixel"))

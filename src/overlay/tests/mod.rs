@@ -151,3 +151,10 @@ fn check_labels(drawing: &Drawing, size: DVec2) {
         }
     }
 }
+
+/// The world view painted over the observer's shaded picture.
+fn painted(view: &WorldView, dots: &mut [Color32]) -> Drawing {
+    let (traced, backdrop) = (dots.to_vec(), Backdrop::of(view));
+    backdrop.paint(view.frame, dots);
+    world(view, &backdrop, &traced, dots)
+}

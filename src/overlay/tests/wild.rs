@@ -89,7 +89,7 @@ proptest! {
     fn wild_cameras_are_painted(camera in wild_camera(), scene in wild_scene()) {
         let stage = Stage::new(camera, scene.spheres().to_vec(), scene.planes().to_vec());
         let mut dots = stage.dots();
-        world(&stage.view(), &mut dots);
+        painted(&stage.view(), &mut dots);
         prop_assert!(dots.iter().all(|dot| dot.is_opaque()));
     }
 }

@@ -133,7 +133,7 @@ impl Area {
         if let (Some(across), Some(down)) = (across, down) {
             for row in self.rows.0..self.rows.1 {
                 let start = (down + row - self.rows.0) * texture.size[0] + across;
-                let texels = &texture.texels[start..start + end - first];
+                let texels = &texture.texels()[start..start + end - first];
                 blit(band.run(row, first, end), texels, texture.opaque, color);
             }
         } else if reading.filter == TextureFilter::Nearest {
@@ -170,7 +170,7 @@ impl Area {
                 _ => drawn = Some((texel_row, row)),
             }
             let start = texel_row * texture.size[0];
-            let texels = &texture.texels[start..start + texture.size[0]];
+            let texels = &texture.texels()[start..start + texture.size[0]];
             let pixels = band.run(row, first, end);
             if copies {
                 for (pixel, &column) in pixels.iter_mut().zip(texel_columns) {

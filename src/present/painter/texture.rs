@@ -9,7 +9,8 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct Texture {
     pub(super) size: [usize; 2],
-    pub(super) texels: Vec<Color32>,
+    /// As egui sent it: a picture that takes the place of another is not copied.
+    image: Arc<ColorImage>,
     pub(super) options: TextureOptions,
     /// No texel lets anything through: a copy is then as good as a blend.
     pub(super) opaque: bool,
@@ -19,10 +20,14 @@ impl Texture {
     /// A texture from its whole image.
     pub(super) fn new(image: ImageData, options: TextureOptions) -> Self {
         let ImageData::Color(image) = image;
-        // Usually the only owner: a big picture is then moved, not copied.
-        let ColorImage { size, pixels, .. } = Arc::unwrap_or_clone(image);
-        let opaque = all_opaque(&pixels);
-        Self { size, texels: pixels, options, opaque }
+        let opaque = all_opaque(&image.pixels);
+        Self { size: image.size, image, options, opaque }
+    }
+
+    /// Its texels, in rows from the top.
+    #[inline(always)]
+    pub(super) fn texels(&self) -> &[Color32] {
+        &self.image.pixels
     }
 
     /// Replaces a part. A part that reaches beyond the texture is ignored, as is its pixel count
@@ -38,13 +43,18 @@ impl Texture {
         {
             return;
         }
+        self.options = delta.options;
+        let opaque = all_opaque(&image.pixels);
+        if image.size == self.size {
+            (self.image, self.opaque) = (Arc::clone(image), opaque);
+            return;
+        }
+        self.opaque &= opaque;
+        let texels = &mut Arc::make_mut(&mut self.image).pixels;
         for (row, source) in image.pixels.chunks_exact(width).enumerate() {
             let start = (top + row) * self.size[0] + left;
-            self.texels[start..start + width].copy_from_slice(source);
+            texels[start..start + width].copy_from_slice(source);
         }
-        self.options = delta.options;
-        let whole = image.size == self.size;
-        self.opaque = (whole || self.opaque) && all_opaque(&image.pixels);
     }
 
     /// The filter that a GPU picks: by how many texels it is from one pixel to the next.
@@ -73,7 +83,7 @@ impl Texture {
 
     #[inline(always)]
     fn texel(&self, across: usize, down: usize) -> Rgba {
-        unpack(self.texels[down * self.size[0] + across])
+        unpack(self.texels()[down * self.size[0] + across])
     }
 
     /// The colour at a place given in texels, both coordinates as [`Coordinate`]s.
@@ -149,7 +159,11 @@ fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
 }
 
 fn all_opaque(texels: &[Color32]) -> bool {
-    texels.iter().all(|texel| texel.a() == 255)
+    // All bits at once and piece by piece, which the compiler makes into SIMD.
+    let common = |piece: &[Color32]| {
+        piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
+    };
+    texels.chunks(256).all(|piece| common(piece) >> 24 == 255)
 }
 
 #[cfg(test)]
@@ -185,6 +199,6 @@ mod tests {
         let part = ColorImage::filled([2, 1], Color32::WHITE);
         let delta = ImageDelta::partial([1, 0], part, TextureOptions::NEAREST);
         texture.update([1, 0], &delta);
-        assert_eq!(texture.texels[1], Color32::from_gray(200));
+        assert_eq!(texture.texels()[1], Color32::from_gray(200));
     }
 }

@@ -1,0 +1,147 @@
+//! How much coarser pictures are while a hand moves them than they could be: a scene too heavy for a
+//! frame is followed at once with fewer pixels, and shown with all of them as soon as the hand rests.
+
+use std::time::Duration;
+
+use pinhole_core::{ImageSize, Raster};
+
+/// Of how many rows and columns that a view can show one is traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Coarseness(u32);
+
+impl Default for Coarseness {
+    fn default() -> Coarseness {
+        Coarseness::NONE
+    }
+}
+
+impl Coarseness {
+    /// Everything that can be shown is traced.
+    pub const NONE: Coarseness = Coarseness(1);
+
+    /// One row and column of 8: what moves can still be told.
+    pub const MOST: Coarseness = Coarseness(8);
+
+    /// The pixels to trace of an image shown on so many columns and rows of dots.
+    pub(crate) fn raster(self, image: ImageSize, [columns, rows]: [u32; 2]) -> Raster {
+        let some = |dots: u32, count: u32| dots.min(count).div_ceil(self.0);
+        Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
+    }
+
+    /// What is said on a picture that is coarser than it could be.
+    pub(crate) fn told(self) -> Option<String> {
+        let Coarseness(step) = self;
+        (self != Coarseness::NONE)
+            .then(|| format!("coarser while it moves: 1 row and column of {step} is traced"))
+    }
+}
+
+/// A picture that is traced faster than this leaves time for the rest of a frame at 60 Hz.
+const BUDGET: Duration = Duration::from_millis(8);
+
+/// A finer picture has to fit well, not barely: else it would be coarser again in the next frame.
+const COMFORT: f64 = 0.6;
+
+/// So many seconds without a new picture, and the hand rests.
+pub(crate) const REST: f64 = 0.15;
+
+/// Chooses the coarseness from what the pictures so far took.
+#[derive(Debug)]
+pub(crate) struct Governor {
+    budget: Duration,
+    /// For a hand that moves.
+    moving: Coarseness,
+    /// When the last picture was made under the hand, in seconds.
+    moved_at: f64,
+}
+
+impl Default for Governor {
+    fn default() -> Governor {
+        Governor { budget: BUDGET, moving: Coarseness::NONE, moved_at: f64::NEG_INFINITY }
+    }
+}
+
+impl Governor {
+    /// One that lets pictures take this long while the hand moves.
+    pub(crate) fn within(budget: Duration) -> Governor {
+        Governor { budget, ..Governor::default() }
+    }
+
+    /// The coarseness now: `held` while a hand holds what is moved, `moves` if it moved just now.
+    pub(crate) fn now(&self, held: bool, moves: bool, time: f64) -> Coarseness {
+        let follows = held && (moves || time - self.moved_at < REST);
+        if follows { self.moving } else { Coarseness::NONE }
+    }
+
+    /// New pictures were traced in this time.
+    pub(crate) fn took(&mut self, coarseness: Coarseness, traced_in: Duration, time: f64) {
+        self.moved_at = time;
+        let step = f64::from(coarseness.0);
+        // Time goes with the pixels, which go with the square of the step; at most, that is.
+        let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
+        let next = if share > 1.0 {
+            (step * share.sqrt()).ceil()
+        } else {
+            let finer = (step - 1.0).max(1.0);
+            if share * (step / finer).powi(2) <= COMFORT { finer } else { step }
+        };
+        self.moving = Coarseness(next.clamp(1.0, f64::from(Coarseness::MOST.0)) as u32);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const MS: Duration = Duration::from_millis(1);
+
+    #[test]
+    fn what_fits_into_a_frame_is_never_coarse() {
+        let mut governor = Governor::default();
+        for k in 0..10 {
+            let now = f64::from(k);
+            assert_eq!(governor.now(true, true, now), Coarseness::NONE);
+            governor.took(Coarseness::NONE, 7 * MS, now);
+        }
+    }
+
+    #[test]
+    fn what_is_too_heavy_is_coarse_as_long_as_the_hand_moves() {
+        let mut governor = Governor::default();
+        governor.took(Coarseness::NONE, 70 * MS, 0.0);
+        assert_eq!(governor.now(false, false, 0.0), Coarseness::NONE, "nobody holds it");
+        // Three times as coarse takes a ninth: 7.8 ms.
+        assert_eq!(governor.now(true, true, 5.0), Coarseness(3));
+        governor.took(Coarseness(3), 78 * MS / 10, 5.0);
+        assert_eq!(governor.now(true, false, 5.1), Coarseness(3), "between two moves");
+        assert_eq!(governor.now(true, false, 5.2), Coarseness::NONE, "the hand rests");
+        assert_eq!(governor.now(false, false, 5.1), Coarseness::NONE, "the hand let go");
+    }
+
+    #[test]
+    fn it_comes_to_rest_at_one_step_for_every_weight() {
+        for full in 1..2000 {
+            let mut governor = Governor::default();
+            let time = |c: Coarseness| MS * full / (c.0 * c.0);
+            let mut steps = Vec::new();
+            for k in 0..30 {
+                let now = governor.now(true, true, f64::from(k));
+                governor.took(now, time(now), f64::from(k));
+                steps.push(now);
+            }
+            assert!(steps[20..].iter().all(|step| *step == steps[20]), "{full} ms: {steps:?}");
+            assert!(time(steps[20]) <= BUDGET || steps[20] == Coarseness::MOST, "{full} ms");
+        }
+    }
+
+    #[test]
+    fn a_coarse_raster_has_pixels_of_the_fine_one_all_over_it() {
+        let image = ImageSize::new(400, 300).expect("a size");
+        let full = Coarseness::NONE.raster(image, [800, 800]);
+        assert_eq!(full, Raster::full(image));
+        let coarse = Coarseness(3).raster(image, [800, 800]);
+        assert_eq!([coarse.columns().len(), coarse.rows().len()], [134, 100]);
+        let small = Coarseness(8).raster(image, [1, 5]);
+        assert_eq!([small.columns().len(), small.rows().len()], [1, 1]);
+    }
+}

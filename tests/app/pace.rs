@@ -1,0 +1,131 @@
+//! A scene too heavy for a frame under the hand: coarser while it moves, said so, and fine at rest.
+//! Every scene is made too heavy here by leaving no time at all for it.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::accesskit::Role;
+use egui::{ColorImage, Event, Modifiers, PointerButton, Pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::coarseness::Coarseness;
+use pinhole_core::{DVec3, Orientation};
+
+use crate::harness::{says, window};
+
+const TOLD: &str = "coarser while it moves: 1 row and column of 8 is traced";
+
+const COARSE: [Coarseness; 2] = [Coarseness::MOST, Coarseness::NONE];
+
+/// A window on the lecture's scene in which nothing is traced fast enough.
+fn heavy() -> Harness<'static, App> {
+    let mut window = window("canonical");
+    window.state_mut().follow_within(Duration::ZERO);
+    // What was traced before is known to be heavy once something is traced again.
+    look_at(&mut window, DVec3::new(0.1, 0.0, -1.0));
+    window
+}
+
+fn look_at(window: &mut Harness<'_, App>, at: DVec3) {
+    let middle = middle_of(window, "Camera view");
+    press(window, middle, PointerButton::Secondary, true);
+    window.event(Event::PointerMoved(middle + vec2((100.0 * at.x) as f32, 0.0)));
+    window.run();
+    press(window, middle, PointerButton::Secondary, false);
+    window.run();
+}
+
+fn middle_of(window: &Harness<'_, App>, view: &str) -> Pos2 {
+    window.get_by_role_and_label(Role::Image, view).rect().center()
+}
+
+fn press(window: &mut Harness<'_, App>, pos: Pos2, button: PointerButton, pressed: bool) {
+    window.event(Event::PointerMoved(pos));
+    window.event(Event::PointerButton { pos, button, pressed, modifiers: Modifiers::NONE });
+    window.step();
+}
+
+fn coarseness(window: &Harness<'_, App>) -> [Coarseness; 2] {
+    window.state().derived().coarseness
+}
+
+/// What the camera view shows.
+fn image(window: &Harness<'_, App>) -> Option<Arc<ColorImage>> {
+    window.state().derived().camera_view.clone().map(|view| view.image)
+}
+
+#[test]
+fn under_the_hand_the_picture_is_coarse_and_at_rest_it_is_fine() {
+    // The same is done in a window that has all the time it needs.
+    let (mut window, mut patient) = (heavy(), heavy());
+    patient.state_mut().follow_within(Duration::MAX);
+    let from = middle_of(&window, "Camera view");
+    let mut both = |what: &dyn Fn(&mut Harness<'_, App>)| {
+        what(&mut window);
+        what(&mut patient);
+        assert_eq!(coarseness(&patient), [Coarseness::NONE; 2]);
+        let told = says(&window, TOLD);
+        assert_eq!(told, coarseness(&window) != [Coarseness::NONE; 2]);
+        (coarseness(&window), image(&window) == image(&patient))
+    };
+    let moved_to = |x: f32| {
+        move |window: &mut Harness<'_, App>| {
+            window.event(Event::PointerMoved(from + vec2(x, 10.0)));
+            window.step();
+        }
+    };
+    both(&|window| press(window, from, PointerButton::Secondary, true));
+    assert_eq!(both(&moved_to(30.0)), (COARSE, false));
+    let rest = |window: &mut Harness<'_, App>| {
+        window.run();
+    };
+    // The hand rests, the button still held.
+    assert_eq!(both(&rest), ([Coarseness::NONE; 2], true));
+    assert_eq!(both(&moved_to(60.0)), (COARSE, false));
+    let let_go = |window: &mut Harness<'_, App>| {
+        press(window, from + vec2(60.0, 10.0), PointerButton::Secondary, false);
+        window.run();
+    };
+    assert_eq!(both(&let_go), ([Coarseness::NONE; 2], true));
+}
+
+#[test]
+fn the_observer_in_the_hand_makes_the_world_view_coarse_alone() {
+    let mut window = heavy();
+    let from = middle_of(&window, "World view") + vec2(0.0, 150.0);
+    press(&mut window, from, PointerButton::Primary, true);
+    window.event(Event::PointerMoved(from + vec2(40.0, 0.0)));
+    window.step();
+    window.event(Event::PointerMoved(from + vec2(60.0, 0.0)));
+    window.step();
+    assert_eq!(coarseness(&window), [Coarseness::NONE, Coarseness::MOST]);
+    assert!(says(&window, TOLD));
+    press(&mut window, from + vec2(60.0, 0.0), PointerButton::Primary, false);
+    window.run();
+    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+}
+
+#[test]
+fn a_fine_picture_stays_while_the_hand_moves_something_else() {
+    let mut window = heavy();
+    let traced = window.state().pictures_traced();
+    let from = middle_of(&window, "Camera view");
+    press(&mut window, from, PointerButton::Primary, true);
+    window.event(Event::PointerMoved(from + vec2(30.0, 10.0)));
+    window.step();
+    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    assert_eq!(window.state().pictures_traced(), traced);
+}
+
+#[test]
+fn an_edit_that_is_no_drag_is_fine_at_once() {
+    let mut window = heavy();
+    crate::harness::type_into(&mut window, "eye z", "0.5");
+    window.step();
+    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    match window.state().document().camera.orientation {
+        Orientation::At { .. } => assert_eq!(window.state().document().camera.eye.z, 0.5),
+        _ => panic!("given by at"),
+    }
+}
