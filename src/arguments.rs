@@ -56,6 +56,10 @@ pub enum Command {
     /// Send rays from a CSV file into a scene
     Trace(TraceArguments),
     /// Grade a student's basis, rays, hits or picture, and name the mistake
+    #[command(
+        after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
+                      cannot be read."
+    )]
     Check(CheckArguments),
     /// Measure the error of every method against its run time
     Report(ReportArguments),
@@ -193,8 +197,6 @@ pub struct TraceArguments {
 }
 
 /// `pinhole check`
-///
-/// Status 0: all answers agree; 1: not all; 2: the answers, the scene or the arguments cannot be read.
 #[derive(Args, Clone, Debug)]
 pub struct CheckArguments {
     /// A scene file, or the name of a built-in scene

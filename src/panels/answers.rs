@@ -27,6 +27,14 @@ const NONE: &str = "Drop a student’s answers on the window: CSV with the colum
 /// What is said where the scene has a fault.
 const FAULT: &str = "The scene has a fault: there is nothing to grade by.";
 
+/// What is said while a hand moves what takes long to grade.
+const WAITS: &str = "Graded as soon as the hand rests.";
+
+/// Why there is no grade of the answers that there are.
+fn why_not(derived: &Derived) -> &'static str {
+    if derived.fault.is_some() { FAULT } else { WAITS }
+}
+
 /// The title above the map: whose answers these are.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, has_map: bool) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
@@ -66,7 +74,7 @@ fn legend(ui: &mut Ui) {
 pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
     match (&derived.answers, &session.answers) {
         (_, None) => NONE.to_owned(),
-        (None, Some(_)) => FAULT.to_owned(),
+        (None, Some(_)) => why_not(derived).to_owned(),
         (Some(Err(error)), _) => error.to_string(),
         (Some(Ok(graded)), _) => format!("{}. {}", graded.agreement(), graded.advice()),
     }
@@ -77,7 +85,7 @@ pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Sessi
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let text = match (&derived.answers, &session.answers) {
         (_, None) => NONE,
-        (None, Some(_)) => FAULT,
+        (None, Some(_)) => why_not(derived),
         (Some(Err(_)), _) => "These answers cannot be read.",
         (Some(Ok(_)), _) => "A basis has no place in the image.",
     };
@@ -101,7 +109,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
         }
         match &derived.answers {
             None => {
-                ui.label(RichText::new(FAULT).strong().color(error_color(ui)));
+                ui.label(RichText::new(why_not(derived)).strong());
             }
             Some(Err(error)) => {
                 ui.label(RichText::new(&**error).strong().color(error_color(ui)));
