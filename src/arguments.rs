@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
@@ -13,6 +13,7 @@ use crate::lessons::LessonArgument;
 use crate::overlay::Style;
 use crate::play::Kind;
 use crate::present::Renderer;
+use crate::translator::Target;
 
 /// See what a pinhole camera sees, and why.
 ///
@@ -221,9 +222,9 @@ pub struct TraceArguments {
 pub struct ExportArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The other program, or form
-    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
-    pub to: &'static Format,
+    /// The other program, form or language
+    #[arg(long, value_name = "NAME", value_parser = target())]
+    pub to: Target,
     /// Where to write it; else to standard output. Of COLMAP, the folder of its files
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
@@ -311,11 +312,15 @@ pub struct BenchArguments {
     pub plot: Option<PathBuf>,
 }
 
+fn target() -> impl TypedValueParser<Value = Target> {
+    let value = |target: Target| PossibleValue::new(target.name()).help(target.label());
+    PossibleValuesParser::new(Target::all().map(value))
+        .map(|name| Target::named(&name).unwrap_or(Target::Format(&FORMATS[0])))
+}
+
 fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
     PossibleValuesParser::new(
-        FORMATS
-            .iter()
-            .map(|format| clap::builder::PossibleValue::new(format.name).help(format.label)),
+        FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.label)),
     )
     .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
 }

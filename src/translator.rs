@@ -4,6 +4,7 @@ use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
 
+use crate::code::{LANGUAGES, Language};
 use crate::document::Document;
 use crate::exchange::{
     FORMATS, Format, Row, Sheet, Subject, Text, Unsayable, With, Written, recognised, rows, unknown,
@@ -13,11 +14,89 @@ use crate::formats::{FileError, scene_file};
 /// No more objects than this are written under the drag, and shown.
 pub const MOST_OBJECTS: usize = 500;
 
+/// What a camera can be put into: another program's words, or a language's code.
+#[derive(Clone, Copy, Debug)]
+pub enum Target {
+    /// A program, or a habit of writing cameras.
+    Format(&'static Format),
+    /// From a pixel to its ray, in code.
+    Code(&'static Language),
+}
+
+impl Target {
+    /// All formats, then all languages.
+    pub fn all() -> impl Iterator<Item = Target> {
+        FORMATS.iter().map(Target::Format).chain(LANGUAGES.iter().map(Target::Code))
+    }
+
+    /// The one of this name.
+    pub fn named(name: &str) -> Option<Target> {
+        Target::all().find(|target| target.name() == name)
+    }
+
+    /// What `--to` calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Target::Format(format) => format.name,
+            Target::Code(language) => language.name,
+        }
+    }
+
+    /// What people call it.
+    pub fn label(self) -> &'static str {
+        match self {
+            Target::Format(format) => format.label,
+            Target::Code(language) => language.label,
+        }
+    }
+
+    /// The same in a word or two.
+    pub fn short(self) -> &'static str {
+        match self {
+            Target::Format(format) => format.short,
+            Target::Code(language) => language.label,
+        }
+    }
+
+    /// How its files end, without the dot.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Target::Format(format) => format.ending,
+            Target::Code(language) => language.ending(),
+        }
+    }
+
+    /// The camera put into it, and what else is asked for where it has words for that; code is of the
+    /// camera alone.
+    ///
+    /// # Errors
+    /// What it cannot say.
+    pub fn write(self, subject: &Subject) -> Result<Written, Unsayable> {
+        match self {
+            Target::Format(format) => format.write(subject),
+            Target::Code(language) => {
+                let text =
+                    language.code(subject.posed()).map_err(|error| Unsayable(error.to_string()))?;
+                let sheet = Sheet { text, flipped: Vec::new() };
+                Ok(Written { files: vec![(language.file, sheet)], notes: Vec::new() })
+            }
+        }
+    }
+
+    /// How its terms differ, with the numbers of a pixel. Code is in the lecture's own.
+    fn rows(self, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
+        match self {
+            Target::Format(format) => rows(format, subject, pixel, digits),
+            Target::Code(_) => Vec::new(),
+        }
+    }
+}
+
 /// What is chosen in the translator.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translator {
-    /// The format's place in [`FORMATS`].
-    pub format: usize,
+    /// The name of the [`Target`].
+    pub target: &'static str,
     /// The objects are written, too.
     pub objects: bool,
     /// Numbers are shown to the last digit; copied and saved they always are.
@@ -28,26 +107,14 @@ pub struct Translator {
 
 impl Default for Translator {
     fn default() -> Translator {
-        let format = FORMATS.iter().position(|format| format.name == "opencv");
-        Translator {
-            format: format.unwrap_or_default(),
-            objects: false,
-            every_digit: false,
-            pasted: None,
-        }
+        Translator { target: "opencv", objects: false, every_digit: false, pasted: None }
     }
 }
 
 impl Translator {
-    /// Chooses the format of this name.
-    pub fn choose(&mut self, name: &str) {
-        let place = FORMATS.iter().position(|format| format.name == name);
-        self.format = place.unwrap_or(self.format);
-    }
-
-    /// The chosen format.
-    pub fn chosen(&self) -> &'static Format {
-        FORMATS.get(self.format).unwrap_or(&FORMATS[0])
+    /// What is chosen.
+    pub fn chosen(&self) -> Target {
+        Target::named(self.target).unwrap_or(Target::Format(&FORMATS[0]))
     }
 }
 
@@ -125,10 +192,10 @@ pub fn with(document: &Document, objects: bool) -> With {
     if objects && few { With::Meshes } else { With::CameraAlone }
 }
 
-/// A camera in a format's terms.
+/// A camera in other terms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translation {
-    /// As written, or why the format cannot say it.
+    /// As written, or why it cannot be said.
     pub written: Result<Written, Unsayable>,
     /// How the terms differ; empty where there is no camera.
     pub rows: Vec<Row>,
@@ -138,15 +205,15 @@ impl Translation {
     /// Of a document's camera, with the numbers of a pixel.
     pub fn of(
         document: &Document,
-        format: &Format,
+        target: Target,
         objects: bool,
         pixel: Pixel,
         digits: usize,
     ) -> Translation {
         match Subject::new(document, with(document, objects)) {
             Ok(subject) => Translation {
-                written: format.write(&subject),
-                rows: rows(format, &subject, pixel, digits),
+                written: target.write(&subject),
+                rows: target.rows(&subject, pixel, digits),
             },
             Err(error) => Translation { written: Err(error), rows: Vec::new() },
         }

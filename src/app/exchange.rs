@@ -69,11 +69,11 @@ impl App {
     /// Asks where to write the translator's text.
     pub(super) fn ask_translate(&mut self) {
         let Some(written) = self.translated() else { return };
-        let format = self.session.translator.chosen();
+        let target = self.session.translator.chosen();
         let (name, ending) = match written.files.len() {
-            1 => (written.files[0].0, format.ending),
+            1 => (written.files[0].0, target.ending()),
             // A folder has no ending.
-            _ => (format.name, ""),
+            _ => (target.name(), ""),
         };
         let field = PathField::of_exchange(self.open.file(), name);
         self.dialog = Some(Dialog::Translate { field, ending });

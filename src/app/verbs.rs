@@ -57,7 +57,7 @@ impl App {
                 settings.layout = ViewLayout::Exercises;
             }
             Action::TranslateInto(name) => {
-                session.translator.choose(name);
+                session.translator.target = name;
                 settings.layout = ViewLayout::Translator;
             }
             Action::Mistake(chosen) => {

@@ -6,7 +6,7 @@ use super::{Language, Precision};
 pub(super) const LANGUAGE: Language = Language {
     name: "glm",
     label: "C++ (GLM)",
-    ending: "cpp",
+    file: "camera.cpp",
     precision: Precision::Double,
     write,
 };

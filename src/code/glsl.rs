@@ -3,8 +3,13 @@
 use super::numbers::Numbers;
 use super::{Language, Precision};
 
-pub(super) const LANGUAGE: Language =
-    Language { name: "glsl", label: "GLSL", ending: "frag", precision: Precision::Single, write };
+pub(super) const LANGUAGE: Language = Language {
+    name: "glsl",
+    label: "GLSL",
+    file: "camera.frag",
+    precision: Precision::Single,
+    write,
+};
 
 fn write(numbers: &Numbers) -> String {
     let Numbers { eye, u, v, w, width, height, distance, columns, rows } = numbers;

@@ -6,7 +6,7 @@ use super::{Language, Precision};
 pub(super) const LANGUAGE: Language = Language {
     name: "javascript",
     label: "JavaScript",
-    ending: "js",
+    file: "camera.js",
     precision: Precision::Double,
     write,
 };

@@ -3,8 +3,13 @@
 use super::numbers::Numbers;
 use super::{Language, Precision};
 
-pub(super) const LANGUAGE: Language =
-    Language { name: "julia", label: "Julia", ending: "jl", precision: Precision::Double, write };
+pub(super) const LANGUAGE: Language = Language {
+    name: "julia",
+    label: "Julia",
+    file: "camera.jl",
+    precision: Precision::Double,
+    write,
+};
 
 fn write(numbers: &Numbers) -> String {
     let Numbers { eye, u, v, w, width, height, distance, columns, rows } = numbers;

@@ -34,8 +34,8 @@ pub struct Language {
     pub name: &'static str,
     /// What people call it.
     pub label: &'static str,
-    /// How its files end, without the dot.
-    pub ending: &'static str,
+    /// What a file of it may be called.
+    pub file: &'static str,
     /// In which precision its numbers are.
     pub precision: Precision,
     write: fn(&Numbers) -> String,
@@ -86,9 +86,9 @@ impl fmt::Display for OutOfRange {
 impl std::error::Error for OutOfRange {}
 
 impl Language {
-    /// The language of this name.
-    pub fn named(name: &str) -> Option<&'static Language> {
-        LANGUAGES.iter().find(|language| language.name == name)
+    /// How its files end, without the dot.
+    pub fn ending(&self) -> &'static str {
+        self.file.rsplit('.').next().unwrap_or_default()
     }
 
     /// The function from (i, j) to the ray of this camera, as a whole program or shader.

@@ -6,7 +6,7 @@ use super::{Language, Precision};
 pub(super) const LANGUAGE: Language = Language {
     name: "numpy",
     label: "Python + NumPy",
-    ending: "py",
+    file: "camera.py",
     precision: Precision::Double,
     write,
 };

@@ -6,7 +6,7 @@ use super::{Language, Precision};
 pub(super) const LANGUAGE: Language = Language {
     name: "glam",
     label: "Rust (glam)",
-    ending: "rs",
+    file: "camera.rs",
     precision: Precision::Double,
     write,
 };

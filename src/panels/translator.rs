@@ -11,10 +11,10 @@ use pinhole_core::Pixel;
 use super::number::error_color;
 use crate::action::Action;
 use crate::document::Document;
-use crate::exchange::{FORMATS, Row, Sheet};
+use crate::exchange::{Row, Sheet};
 use crate::letters::told;
 use crate::session::{Selection, Session};
-use crate::translator::{MOST_OBJECTS, Pasted, Translation, Translator, shortened};
+use crate::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
@@ -33,7 +33,7 @@ pub(crate) struct TranslatorPanel {
 #[derive(Clone, PartialEq)]
 struct Key {
     document: Document,
-    format: usize,
+    target: &'static str,
     objects: bool,
     pixel: Pixel,
     digits: usize,
@@ -78,7 +78,7 @@ impl TranslatorPanel {
             let shown = if choice.every_digit { 17 } else { digits };
             text(ui, translation, shown);
             ui.add_space(6.0);
-            table(ui, &translation.rows, choice.chosen().short);
+            table(ui, &translation.rows, choice.chosen().short());
         });
     }
 
@@ -90,11 +90,11 @@ impl TranslatorPanel {
         pixel: Pixel,
         digits: usize,
     ) -> &Translation {
-        let (format, objects) = (choice.format, choice.objects);
+        let (target, objects) = (choice.target, choice.objects);
         let is_known = self.known.as_ref().is_some_and(|(key, _)| {
-            let same = (key.format, key.objects, key.pixel, key.digits);
+            let same = (key.target, key.objects, key.pixel, key.digits);
             // What is not written may change as it likes.
-            same == (format, objects, pixel, digits)
+            same == (target, objects, pixel, digits)
                 && key.document.camera == document.camera
                 && (!objects || key.document == *document)
         });
@@ -102,7 +102,7 @@ impl TranslatorPanel {
             self.known = None;
         }
         let make = || {
-            let key = Key { document: document.clone(), format, objects, pixel, digits };
+            let key = Key { document: document.clone(), target, objects, pixel, digits };
             let made = Translation::of(document, choice.chosen(), objects, pixel, digits);
             (key, made)
         };
@@ -118,15 +118,21 @@ fn pixel_of(document: &Document, selection: Selection) -> Pixel {
     }
 }
 
-/// One button a format.
+/// One button a format, and below them one a language.
 fn choice(ui: &mut Ui, translator: &mut Translator) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
-        for (index, format) in FORMATS.iter().enumerate() {
-            let button = ui.selectable_value(&mut translator.format, index, format.short);
-            button.on_hover_text(format.label);
-        }
-    });
+    let mut row = |ui: &mut Ui, title: &str, is_code: bool| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
+            ui.label(RichText::new(title).weak());
+            for target in Target::all().filter(|t| matches!(t, Target::Code(_)) == is_code) {
+                let name = target.name();
+                let button = ui.selectable_value(&mut translator.target, name, target.short());
+                button.on_hover_text(target.label());
+            }
+        });
+    };
+    row(ui, "program", false);
+    row(ui, "code", true);
 }
 
 /// What the format writes, the turned signs marked, and what it cannot say.

@@ -25,7 +25,6 @@ use pinhole_core::methods::Method;
 
 use super::{Group, Keys, Verb, When};
 use crate::action::{Action, GhostMove, PlayMove, Switch};
-use crate::exchange::FORMATS;
 use crate::exercises;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
@@ -35,6 +34,7 @@ use crate::overlay::{Item, Scheme};
 use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{MethodName, ShadeName, ThemeName, ViewLayout};
+use crate::translator::Target;
 
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]
@@ -233,10 +233,10 @@ fn layouts() -> impl Iterator<Item = Verb> {
 }
 
 fn translations() -> impl Iterator<Item = Verb> {
-    FORMATS.iter().map(|format| {
-        let name = format!("translate into {}", format.label);
+    Target::all().map(|target| {
+        let name = format!("translate into {}", target.label());
         let about = "Shows the camera in these terms.";
-        verb(Group::Layout, name, about, Action::TranslateInto(format.name))
+        verb(Group::Layout, name, about, Action::TranslateInto(target.name()))
     })
 }
 

@@ -6,6 +6,7 @@ use egui::{Event, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
+use pinhole::code::LANGUAGES;
 use pinhole::document::Document;
 use pinhole::exchange::{FORMATS, Format, Subject, With};
 use pinhole_core::{Camera, DVec3, Orientation};
@@ -190,6 +191,18 @@ fn objects_go_along_where_they_are_asked_for() {
     harness.get_by_role_and_label(Role::CheckBox, "objects, too").click_accesskit();
     harness.run();
     assert!(shown(&harness).contains("sphere { <0, 0, -5>, 1"), "{}", shown(&harness));
+}
+
+#[test]
+fn code_in_each_language_has_the_cameras_numbers_live() {
+    let mut harness = translating("look-at", "Julia");
+    for language in &LANGUAGES {
+        click(&mut harness, language.label);
+        let text = language.code(&camera(&harness).posed().unwrap()).unwrap();
+        assert_eq!(shown(&harness), text.trim_end());
+    }
+    type_into(&mut harness, "eye x", "7.5");
+    assert!(shown(&harness).contains("7.5"), "{}", shown(&harness));
 }
 
 #[test]

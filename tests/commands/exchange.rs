@@ -9,6 +9,8 @@ const NAMES: [&str; 11] = [
     "opencv", "pbrt",
 ];
 
+const LANGUAGES: [&str; 6] = ["julia", "numpy", "glm", "glsl", "glam", "javascript"];
+
 const CANONICAL: &str = "glViewport(0, 0, 400, 400);\nglMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n\
                          gluPerspective(53.13010235415598, 1.0, 0.01, 10000.0);\n\
                          glMatrixMode(GL_MODELVIEW);\nglLoadIdentity();\ngluLookAt(0, 0, 0,\n          \
@@ -20,10 +22,26 @@ fn the_names_are_in_the_help_and_in_the_error() {
     for name in NAMES {
         assert!(help.contains(&format!("- {name}:")), "{name}: {help}");
     }
-    run("export canonical --to maya").refused(&format!("[possible values: {}]", NAMES.join(", ")));
+    let all = [&NAMES[..], &LANGUAGES].concat().join(", ");
+    run("export canonical --to maya").refused(&format!("[possible values: {all}]"));
     run("export canonical").refused("--to <NAME>");
     run("import a.txt --from maya").refused("possible values: gltf");
     run("export canonical --to gltf --meshes --camera-only").refused("cannot be used with");
+}
+
+#[test]
+fn code_is_exported_like_a_camera() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in LANGUAGES {
+        let code = run(&format!("export look-at --to {name}")).done();
+        assert!(code.contains("0.581238"), "{name}: {code}");
+        let out = format!("ray.{name}");
+        run_in(folder.path(), &["export", "look-at", "--to", name, "-o", &out]).done();
+        assert_eq!(fs::read_to_string(folder.path().join(&out)).unwrap(), code);
+    }
+    let julia = run("export look-at --to julia").done();
+    assert_eq!(julia, include_str!("../files/code/look-at.jl"));
+    run("import a.jl --from julia").refused("possible values: gltf");
 }
 
 #[test]

@@ -47,7 +47,7 @@ fn extreme() -> PosedCamera {
 }
 
 fn named(name: &str) -> &'static Language {
-    Language::named(name).unwrap()
+    LANGUAGES.iter().find(|language| language.name == name).unwrap()
 }
 
 /// The corners and the middle, and some others.
@@ -264,7 +264,7 @@ fn rust_gives_this_programs_rays() {
 fn the_code_reads_as_it_did() {
     for language in &LANGUAGES {
         let code = language.code(&camera("look-at")).unwrap();
-        expect_file![format!("code/look-at.{}", language.ending)].assert_eq(&code);
+        expect_file![format!("code/look-at.{}", language.ending())].assert_eq(&code);
         assert!(code.lines().all(|line| line.chars().count() <= 120), "{code}");
     }
     expect_file!["code/extreme.rs"].assert_eq(&named("glam").code(&extreme()).unwrap());
