@@ -19,8 +19,17 @@ _pinhole() {
             pinhole,bench)
                 cmd="pinhole__subcmd__bench"
                 ;;
+            pinhole,check)
+                cmd="pinhole__subcmd__check"
+                ;;
+            pinhole,export)
+                cmd="pinhole__subcmd__export"
+                ;;
             pinhole,figure)
                 cmd="pinhole__subcmd__figure"
+                ;;
+            pinhole,import)
+                cmd="pinhole__subcmd__import"
                 ;;
             pinhole,inspect)
                 cmd="pinhole__subcmd__inspect"
@@ -44,7 +53,7 @@ _pinhole() {
 
     case "${cmd}" in
         pinhole)
-            opts="-h -V --lesson --renderer --help --version scenes inspect render trace report bench figure"
+            opts="-h -V --lesson --renderer --help --version scenes inspect render trace check report bench figure export import"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -87,8 +96,64 @@ _pinhole() {
             COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
             return 0
             ;;
+        pinhole__subcmd__check)
+            opts="-h --answers --json --tolerance --count-from --map --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --answers)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --tolerance)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --count-from)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --map)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        pinhole__subcmd__export)
+            opts="-o -h --to --output --camera-only --meshes --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --to)
+                    COMPREPLY=($(compgen -W "gltf three mitsuba povray blender weekend opengl course colmap opencv pbrt" -- "${cur}"))
+                    return 0
+                    ;;
+                --output)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                -o)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
         pinhole__subcmd__figure)
-            opts="-o -h --view --output --width --height --transparent --theme --pixel --uv --help"
+            opts="-o -h --view --output --width --height --transparent --theme --play --frames --per-second --numbered --pixel --uv --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -115,7 +180,19 @@ _pinhole() {
                     return 0
                     ;;
                 --theme)
-                    COMPREPLY=($(compgen -W "light dark" -- "${cur}"))
+                    COMPREPLY=($(compgen -W "light dark colour-blind colour-blind-dark grey grey-dark" -- "${cur}"))
+                    return 0
+                    ;;
+                --play)
+                    COMPREPLY=($(compgen -W "swing-up orbit walk scan" -- "${cur}"))
+                    return 0
+                    ;;
+                --frames)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --per-second)
+                    COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
                 --pixel)
@@ -124,6 +201,32 @@ _pinhole() {
                     ;;
                 --uv)
                     COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                *)
+                    COMPREPLY=()
+                    ;;
+            esac
+            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+            return 0
+            ;;
+        pinhole__subcmd__import)
+            opts="-o -h --output --from --help"
+            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
+                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
+                return 0
+            fi
+            case "${prev}" in
+                --output)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                -o)
+                    COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --from)
+                    COMPREPLY=($(compgen -W "gltf three mitsuba povray blender weekend opengl course colmap opencv pbrt" -- "${cur}"))
                     return 0
                     ;;
                 *)

@@ -33,9 +33,12 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "scenes" -d 'List the b
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "inspect" -d 'Show one ray: its camera, its numbers, and everything it meets'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "render" -d 'Write the picture as PNG'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Send rays from a CSV file into a scene'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "check" -d 'Grade a student\'s basis, rays, hits or picture, and name the mistake'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "bench" -d 'Measure this machine\'s speed, with rivals and the limit beside it'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the ledger or the lab of lines as a figure for slides'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene as another program has them'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read another program\'s camera and scene, and write a scene file'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
@@ -56,6 +59,12 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s h -l help -d 
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l answers -d 'The answers, told apart by their header; - reads them from standard input' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l tolerance -d 'How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many levels of 255 in a channel, 2 without this' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 'Where the answers\' rows and columns begin' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print one JSON object'
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l csv -d 'Write a row a case and method' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time; the ending chooses the format' -r -F
@@ -71,9 +80,48 @@ lines\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; given alone, the rows follow in proportion' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in dots; given alone, the columns follow in proportion' -r
-complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, or light on dark' -r -f -a "light\t''
-dark\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, light on dark, or one of the window\'s colour schemes on either' -r -f -a "light\t''
+dark\t''
+colour-blind\t''
+colour-blind-dark\t''
+grey\t''
+grey-dark\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l play -d 'Write an animation of the world or the camera view: an animated PNG, like the window\'s Play' -r -f -a "swing-up\t''
+orbit\t''
+walk\t''
+scan\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l frames -d 'How many frames it has; else as many as it has time for' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l per-second -d 'Frames per second' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'Show the ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'Show the ray through a point of the viewport, in world units from its centre' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l numbered -d 'Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l to -d 'The other program, or form' -r -f -a "gltf\t'glTF 2.0'
+three\t'three.js'
+mitsuba\t'Mitsuba 3'
+povray\t'POV-Ray'
+blender\t'Blender Python'
+weekend\t'Ray Tracing in One Weekend'
+opengl\t'gluLookAt + gluPerspective'
+course\t'PerspectiveCamera of the course'
+colmap\t'COLMAP'
+opencv\t'OpenCV K [R|t]'
+pbrt\t'pbrt-v4'"
+complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s o -l output -d 'Where to write it; else to standard output. Of COLMAP, the folder of its files' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l camera-only -d 'Leave the objects out'
+complete -c pinhole -n "__fish_pinhole_using_subcommand export" -l meshes -d 'Write objects as meshes where the format has nothing else: glTF'
+complete -c pinhole -n "__fish_pinhole_using_subcommand export" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s o -l output -d 'The scene file to write; else to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand import" -l from -d 'Read it as this, whatever it looks like' -r -f -a "gltf\t'glTF 2.0'
+three\t'three.js'
+mitsuba\t'Mitsuba 3'
+povray\t'POV-Ray'
+blender\t'Blender Python'
+weekend\t'Ray Tracing in One Weekend'
+opengl\t'gluLookAt + gluPerspective'
+course\t'PerspectiveCamera of the course'
+colmap\t'COLMAP'
+opencv\t'OpenCV K [R|t]'
+pbrt\t'pbrt-v4'"
+complete -c pinhole -n "__fish_pinhole_using_subcommand import" -s h -l help -d 'Print help (see more with \'--help\')'
