@@ -108,8 +108,7 @@ fn load(scene: &Path) -> Result<Document, CommandError> {
     let source = SceneSource::of(scene)?;
     let document = source.load()?;
     if let Some(left_out) = source.left_out() {
-        // Not the answer, and no error: whoever asked should know which atoms it is about.
-        let _ = writeln!(io::stderr(), "pinhole: {}: {left_out}", scene.display());
+        warn(&format!("{}: {left_out}", scene.display()));
     }
     Ok(document)
 }

@@ -18,7 +18,7 @@
 //!
 //! | for | there are |
 //! | --- | --- |
-//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::posed`] checks all of it and gives a [`PosedCamera`], which has pixels, (u, v), rays and [projection](PosedCamera::project) |
+//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::posed`] checks all of it and gives a [`PosedCamera`], which has pixels, (u, v), rays and [projection](PosedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
 //! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why there is none: [`BasisError`] |
 //! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
 //! | scenes | [`Scene`], [`Object`], [`Root`]: what any ray meets, and what first |

@@ -35,7 +35,7 @@ fn which_of_several_frames_it_is_about_is_said() {
     fs::write(folder.path().join("two.xyz"), [WATER, WATER].concat()).unwrap();
     let run = run_in(folder.path(), &["inspect", "two.xyz", "--uv", "0,0"]);
     assert_eq!(run.status, 0);
-    assert_eq!(run.stderr, "pinhole: two.xyz: The file has 2 frames: this is the first.\n");
+    assert_eq!(run.stderr, "pinhole: note: two.xyz: The file has 2 frames: this is the first.\n");
 }
 
 #[test]
