@@ -106,6 +106,12 @@ pub enum Action {
     Open(SceneSource),
     /// Ask for the path of a scene to open.
     AskOpen,
+    /// Ask for the path of a file of a student's answers.
+    AskAnswers,
+    /// Grade the answers in this file.
+    CheckAnswers(PathBuf),
+    /// Forget the answers.
+    PutAnswersAway,
     /// Save to where the scene came from; ask where if it came from nowhere.
     Save,
     /// Ask for a path to save to.
@@ -139,6 +145,16 @@ pub enum Action {
     },
     /// Put the ledger on the clipboard.
     CopyLedger(Markup),
+    /// Ask for the clipboard's text.
+    AskPaste,
+    /// Set the camera from another program's text.
+    Paste(String),
+    /// Show the camera in the terms of the format of this name.
+    TranslateInto(&'static str),
+    /// Ask where to write the camera in another program's terms.
+    AskTranslate,
+    /// Write it there.
+    Translate(PathBuf),
     /// Close the window, asking first if there are unsaved changes.
     Quit,
     /// Show this step of a lesson, asking first if there are unsaved changes of a scene.

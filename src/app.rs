@@ -6,6 +6,8 @@
 
 mod actions;
 mod animation;
+mod answers;
+mod exchange;
 mod figures;
 mod ghost;
 mod hand;
@@ -40,6 +42,7 @@ use crate::panels::handles::HandInput;
 use crate::panels::ledger::LedgerPanel;
 use crate::panels::look::{self, Look};
 use crate::panels::navigation::Navigation;
+use crate::panels::translator::TranslatorPanel;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::play::Player;
 use crate::present::{FrameTimes, WindowGeometry};
@@ -70,6 +73,7 @@ pub struct App {
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
     ledger: LedgerPanel,
+    translator: TranslatorPanel,
     /// The error map, or what a wrong camera sees.
     beside_texture: ViewTexture,
     measuring: Measuring,
@@ -115,6 +119,7 @@ impl App {
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
             ledger: LedgerPanel::default(),
+            translator: TranslatorPanel::default(),
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frames: FrameHistory::default(),
@@ -225,6 +230,7 @@ impl App {
             self.outputs(ui, &places);
         });
         self.over_all(ui);
+        self.paste_notice(&ctx);
         self.keep_history(&ctx);
         self.record(&ctx);
         self.window_outputs(&ctx);
@@ -275,10 +281,13 @@ impl App {
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
             let steps = top_bar::Steps { undo, redo };
-            let has_ghost = self.session.ghost.is_some();
+            let has = top_bar::Has {
+                ghost: self.session.ghost.is_some(),
+                answers: self.session.answers.is_some(),
+            };
             let settings = &mut self.session.settings;
             let open = &self.open;
-            top_bar::ui(ui, open, &self.recent, steps, has_ghost, settings, actions);
+            top_bar::ui(ui, open, &self.recent, steps, has, settings, actions);
         });
         self.lesson_strip(ui, actions);
         self.play_on(ui, actions);

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
+use crate::exchange::{FORMATS, Format};
 use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::lessons::LessonArgument;
@@ -19,8 +20,10 @@ use crate::present::Renderer;
 #[derive(Clone, Debug, Parser)]
 #[command(
     version,
+    long_version = env!("PINHOLE_VERSION"),
     args_conflicts_with_subcommands = true,
-    after_help = "SCENE is the path of a scene file or the name of a built-in scene."
+    after_help = "SCENE is the path of a scene file or of a molecule (.xyz, .pdb), or the name of a built-in \
+                  scene."
 )]
 pub struct Arguments {
     /// What to do instead of opening the window.
@@ -56,12 +59,22 @@ pub enum Command {
     Render(RenderArguments),
     /// Send rays from a CSV file into a scene
     Trace(TraceArguments),
+    /// Grade a student's basis, rays, hits or picture, and name the mistake
+    #[command(
+        after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
+                      cannot be read."
+    )]
+    Check(CheckArguments),
     /// Measure the error of every method against its run time
     Report(ReportArguments),
     /// Measure this machine's speed, with rivals and the limit beside it
     Bench(BenchArguments),
     /// Write a view, the ledger or the lab of lines as a figure for slides
     Figure(FigureArguments),
+    /// Write the camera and the scene as another program has them
+    Export(ExportArguments),
+    /// Read another program's camera and scene, and write a scene file
+    Import(ImportArguments),
 }
 
 /// `pinhole inspect`
@@ -203,6 +216,68 @@ pub struct TraceArguments {
     pub output: Option<PathBuf>,
 }
 
+/// `pinhole export`
+#[derive(Args, Clone, Debug)]
+pub struct ExportArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The other program, or form
+    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
+    pub to: &'static Format,
+    /// Where to write it; else to standard output. Of COLMAP, the folder of its files
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+    /// Leave the objects out
+    #[arg(long, conflicts_with = "meshes")]
+    pub camera_only: bool,
+    /// Write objects as meshes where the format has nothing else: glTF
+    #[arg(long)]
+    pub meshes: bool,
+}
+
+/// `pinhole import`
+#[derive(Args, Clone, Debug)]
+pub struct ImportArguments {
+    /// Another program's file, recognised by what is in it and by its name; - reads standard input
+    ///
+    /// Of COLMAP, the folder of cameras.txt and images.txt, or one of them.
+    pub file: PathBuf,
+    /// The scene file to write; else to standard output
+    #[arg(short, long, value_name = "SCENE.toml")]
+    pub output: Option<PathBuf>,
+    /// Read it as this, whatever it looks like
+    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
+    pub from: Option<&'static Format>,
+}
+
+/// `pinhole check`
+#[derive(Args, Clone, Debug)]
+pub struct CheckArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The answers, told apart by their header; - reads them from standard input
+    ///
+    /// A basis: ux,uy,uz,vx,vy,vz,wx,wy,wz. Rays: row,column,ox,oy,oz,dx,dy,dz. Hits: row,column and
+    /// t, or x,y,z, or object, or several of them, all empty for a miss. Or the whole picture as PNG,
+    /// shaded in one of the ways of render.
+    #[arg(long, value_name = "IN.csv|IN.png")]
+    pub answers: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many
+    /// levels of 255 in a channel, 2 without this
+    #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// Where the answers' rows and columns begin
+    #[arg(long, value_name = "0|1", default_value_t = 0)]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=1))]
+    pub count_from: u32,
+    /// Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey
+    #[arg(long, value_name = "OUT.png")]
+    pub map: Option<PathBuf>,
+}
+
 /// `pinhole report`
 #[derive(Args, Clone, Debug)]
 pub struct ReportArguments {
@@ -236,6 +311,15 @@ pub struct BenchArguments {
     pub plot: Option<PathBuf>,
 }
 
+fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(
+        FORMATS
+            .iter()
+            .map(|format| clap::builder::PossibleValue::new(format.name).help(format.label)),
+    )
+    .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
+}
+
 fn view() -> impl TypedValueParser<Value = View> {
     PossibleValuesParser::new(["camera", "world"])
         .map(|name| if name == "world" { View::World } else { View::Camera })
@@ -265,6 +349,13 @@ fn shade() -> impl TypedValueParser<Value = Shade> {
 
 fn image_measure() -> impl TypedValueParser<Value = u32> {
     clap::value_parser!(u32).range(1..=i64::from(ImageSize::MAX))
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number >= 0.0 && number.is_finite() => Ok(number),
+        _ => Err(format!("{:?} is no tolerance: a number such as 1e-5, not below 0", text.trim())),
+    }
 }
 
 fn pixel(text: &str) -> Result<Pixel, String> {

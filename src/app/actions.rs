@@ -62,8 +62,11 @@ impl App {
             Action::CloseLesson => self.close_lesson(ctx),
             Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
-                self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
+                self.dialog = Some(Dialog::Open(PathField::to_open(self.open.file())));
             }
+            Action::AskAnswers => self.ask_answers(),
+            Action::CheckAnswers(path) => self.check_answers(&path),
+            Action::PutAnswersAway => self.put_answers_away(),
             Action::Save => self.save(ctx, None),
             Action::AskSaveAs => self.ask_save_as(None),
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
@@ -77,6 +80,10 @@ impl App {
                 let ledger = ledger_of(&self.open.document, &self.session);
                 ctx.copy_text(ledger.written_in(markup));
             }
+            Action::AskPaste => self.ask_paste(ctx),
+            Action::Paste(text) => self.paste(ctx, &text),
+            Action::AskTranslate => self.ask_translate(),
+            Action::Translate(path) => self.translate(&path),
             Action::Undo => self.undo(ctx),
             Action::Redo => self.redo(ctx),
             Action::Ghost(ghost) => self.move_ghost(ctx, ghost),
@@ -165,7 +172,7 @@ impl App {
 
     /// Saves to the scene's own file, or asks for one.
     fn save(&mut self, ctx: &Context, then: Option<Box<Action>>) {
-        match self.open.file().map(Path::to_owned) {
+        match self.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_then(ctx, &path, then),
             None => self.ask_save_as(then),
         }
@@ -183,7 +190,7 @@ impl App {
     }
 
     fn ask_save_as(&mut self, then: Option<Box<Action>>) {
-        let field = PathField::near(self.open.file(), &self.open.file_name());
+        let field = PathField::to_save(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
     }
 

@@ -56,6 +56,10 @@ impl App {
                 session.exercises.show(exercise, None);
                 settings.layout = ViewLayout::Exercises;
             }
+            Action::TranslateInto(name) => {
+                session.translator.choose(name);
+                settings.layout = ViewLayout::Translator;
+            }
             Action::Mistake(chosen) => {
                 session.gallery = Gallery { chosen, ..Gallery::default() };
                 settings.layout = ViewLayout::Mistakes;

@@ -2,7 +2,10 @@
 
 mod animation;
 mod bench;
+mod check;
+mod export;
 mod figure;
+mod import;
 mod inspect;
 mod outputs;
 mod progress;
@@ -32,6 +35,10 @@ pub enum CommandError {
     Input(String),
     /// The arguments do not go together: exit status 2.
     Arguments(String),
+    /// The answers were graded, and not all of them agree: exit status 1, and no message.
+    Disagrees,
+    /// There is nothing to grade, or nothing to grade it by: exit status 2.
+    Unreadable(String),
     /// Nobody reads standard output any more. Nothing is wrong.
     ReaderGone,
 }
@@ -39,7 +46,10 @@ pub enum CommandError {
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            CommandError::Input(message) | CommandError::Arguments(message) => f.write_str(message),
+            CommandError::Input(message)
+            | CommandError::Arguments(message)
+            | CommandError::Unreadable(message) => f.write_str(message),
+            CommandError::Disagrees => f.write_str("not all answers agree"),
             CommandError::ReaderGone => f.write_str("nobody reads standard output"),
         }
     }
@@ -63,9 +73,12 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
+        Command::Check(arguments) => check::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Figure(arguments) => figure::run(arguments),
+        Command::Export(arguments) => export::run(arguments),
+        Command::Import(arguments) => import::run(arguments),
     }
 }
 
@@ -73,8 +86,9 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
 pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     let status = match &result {
         Ok(()) | Err(CommandError::ReaderGone) => return ExitCode::SUCCESS,
+        Err(CommandError::Disagrees) => return ExitCode::from(1),
         Err(CommandError::Input(_)) => 1,
-        Err(CommandError::Arguments(_)) => 2,
+        Err(CommandError::Arguments(_) | CommandError::Unreadable(_)) => 2,
     };
     if let Err(error) = result {
         // Where standard error is closed too, the status has to do.
@@ -83,9 +97,21 @@ pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     ExitCode::from(status)
 }
 
+/// Says on standard error what was done otherwise than one may think.
+fn warn(note: &str) {
+    // Where standard error is closed, there is nobody to tell.
+    let _ = writeln!(io::stderr(), "pinhole: note: {note}");
+}
+
 /// Reads the scene that an argument means.
 fn load(scene: &Path) -> Result<Document, CommandError> {
-    Ok(SceneSource::of(scene)?.load()?)
+    let source = SceneSource::of(scene)?;
+    let document = source.load()?;
+    if let Some(left_out) = source.left_out() {
+        // Not the answer, and no error: whoever asked should know which atoms it is about.
+        let _ = writeln!(io::stderr(), "pinhole: {}: {left_out}", scene.display());
+    }
+    Ok(document)
 }
 
 /// The camera of a scene, ready for its rays.
@@ -93,8 +119,8 @@ fn load(scene: &Path) -> Result<Document, CommandError> {
 /// What is wrong with it is told at its place in the scene file, as what cannot be read is.
 fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> {
     let place_of = |error: &CameraError| match SceneSource::of(scene) {
-        Ok(SceneSource::File(path)) => scene_file::camera_fault(&path, error),
-        _ => None,
+        Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
+        Err(_) => None,
     };
     document.camera.posed().map_err(|error| match place_of(&error) {
         Some(fault) => fault.into(),

@@ -1,8 +1,9 @@
-//! Files: scenes, the spheres and rays of CSV files, and how outputs reach the disk.
+//! Files: scenes, molecules, the spheres, rays and answers of CSV files, and how outputs reach the disk.
 //!
 //! Nothing here knows a window. Whatever is wrong with a file is a [`FileError`], which says where
 //! and what would be right.
 
+pub mod answers;
 pub(crate) mod assets;
 pub mod atomic;
 pub mod builtin;
@@ -12,6 +13,7 @@ mod csv_table;
 mod error;
 pub mod exr;
 pub(crate) mod fields;
+pub mod molecule;
 pub mod png;
 pub mod rays;
 pub mod scene_argument;

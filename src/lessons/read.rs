@@ -15,7 +15,7 @@ use crate::exercises::LARGEST_SEED;
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::scene_file::{TABLES, not_toml, tables};
-use crate::formats::{FileError, builtin};
+use crate::formats::{FileError, builtin, molecule};
 use crate::ledger::{LedgerSection, LedgerSections};
 use crate::lines::LinesLab;
 use crate::observer::Observer;
@@ -56,7 +56,7 @@ const STEP: [&str; 21] = [
 ];
 
 /// The layouts that a step can ask for, by name.
-const LAYOUTS: [(&str, ViewLayout); 9] = [
+const LAYOUTS: [(&str, ViewLayout); 10] = [
     ("both", ViewLayout::Both),
     ("world", ViewLayout::World),
     ("camera", ViewLayout::Camera),
@@ -65,6 +65,7 @@ const LAYOUTS: [(&str, ViewLayout); 9] = [
     ("lines", ViewLayout::Lines),
     ("mistakes", ViewLayout::Mistakes),
     ("compare", ViewLayout::Compare),
+    ("translator", ViewLayout::Translator),
     ("exercises", ViewLayout::Exercises),
 ];
 
@@ -182,7 +183,9 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
     let name = field.text().map_err(|_| field.error("it must be a scene's name in quotes"))?;
     let source = match (builtin::find(name), base) {
         (Some(scene), _) => SceneSource::Builtin(scene),
-        (None, Some(base)) if name.ends_with(".toml") => SceneSource::File(base.join(name)),
+        (None, Some(base)) if name.ends_with(".toml") || molecule::is_molecule(name.as_ref()) => {
+            SceneSource::File(base.join(name))
+        }
         (None, _) => {
             let near = builtin::nearest(name);
             let hint = near.first().map_or_else(

@@ -14,12 +14,21 @@ use crate::formats::scene_argument::SceneSource;
 pub enum Dialog {
     /// Which file to open.
     Open(PathField),
+    /// Which file of a student's answers to grade.
+    Answers(PathField),
     /// Which file to save to.
     SaveAs {
         /// The path.
         field: PathField,
         /// What waits for the scene to be saved.
         then: Option<Box<Action>>,
+    },
+    /// Where to write the camera in another program's terms.
+    Translate {
+        /// The path.
+        field: PathField,
+        /// How the file's name ends; a folder's does not.
+        ending: &'static str,
     },
     /// Which figure to write, and where to.
     Export(ExportForm),
@@ -69,9 +78,25 @@ struct Entry {
 }
 
 impl PathField {
-    /// Of a scene: starts in the folder of `path`, with a name filled in.
-    pub(crate) fn near(path: Option<&Path>, name: &str) -> PathField {
+    /// Of a scene to open: starts in the folder of `path`.
+    pub(crate) fn to_open(path: Option<&Path>) -> PathField {
+        let hint = "path of a .toml scene, or of a .xyz or .pdb molecule";
+        PathField::of(path, "", &["toml", "xyz", "pdb"], hint)
+    }
+
+    /// Of a scene to save: starts in the folder of `path`, with a name filled in.
+    pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
         PathField::of(path, name, &["toml"], "path of a .toml scene")
+    }
+
+    /// Of a camera in another program's terms.
+    pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
+        PathField::of(path, name, &[], "path of the file")
+    }
+
+    /// Of a student's answers: starts in the folder of `path`.
+    pub(crate) fn answers_near(path: Option<&Path>) -> PathField {
+        PathField::of(path, "", &["csv", "png"], "path of a .csv or .png file of answers")
     }
 
     /// Of files with these endings.
@@ -184,11 +209,25 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         ui.set_width(460.0);
         match open {
-            Dialog::Open(field) => open_ui(ui, field, actions, &mut close),
+            Dialog::Open(field) => {
+                let open = |path| Action::Open(SceneSource::File(path));
+                open_ui(ui, ("Open a scene", "Open"), field, open, actions, &mut close);
+            }
+            Dialog::Answers(field) => {
+                let title = ("Check a student’s answers", "Check");
+                open_ui(ui, title, field, Action::CheckAnswers, actions, &mut close);
+            }
             Dialog::SaveAs { field, then } => {
                 ui.heading("Save the scene as");
                 if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
                     actions.push(Action::SaveAs { path, then: then.take() });
+                    close = true;
+                }
+            }
+            Dialog::Translate { field, ending } => {
+                ui.heading("Save the camera for another program");
+                if let Some(path) = save_ui(ui, field, "Save", ending, &mut close) {
+                    actions.push(Action::Translate(path));
                     close = true;
                 }
             }
@@ -214,13 +253,20 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     }
 }
 
-fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close: &mut bool) {
-    ui.heading("Open a scene");
-    if let Some(path) = field.ui(ui, "Open", close) {
+fn open_ui(
+    ui: &mut Ui,
+    (title, verb): (&str, &str),
+    field: &mut PathField,
+    action: impl FnOnce(PathBuf) -> Action,
+    actions: &mut Vec<Action>,
+    close: &mut bool,
+) {
+    ui.heading(title);
+    if let Some(path) = field.ui(ui, verb, close) {
         if path.is_dir() {
             field.list(path);
         } else {
-            actions.push(Action::Open(SceneSource::File(path)));
+            actions.push(action(path));
             *close = true;
         }
     }

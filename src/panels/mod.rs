@@ -2,6 +2,7 @@
 //! nothing else to anyone.
 
 pub(crate) mod accuracy;
+pub(crate) mod answers;
 pub(crate) mod camera;
 pub(crate) mod compare;
 pub mod dialogs;
@@ -31,6 +32,7 @@ pub(crate) mod selection;
 mod sign;
 mod teaching;
 pub(crate) mod top_bar;
+pub(crate) mod translator;
 pub(crate) mod views;
 mod walking;
 mod words;

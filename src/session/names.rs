@@ -31,13 +31,18 @@ pub enum ViewLayout {
     Mistakes,
     /// World view, camera view and what the ghost sees, and both cameras in numbers.
     Compare,
+    /// The camera in other programs' terms, beside both views.
+    Translator,
     /// Questions with fields for the answers.
     Exercises,
+    /// The camera's picture, and where a student's answers are wrong in it.
+    Answers,
 }
 
 impl ViewLayout {
-    /// Those that one chooses from; the ledger alone is for presenting.
-    pub const LISTED: [ViewLayout; 11] = [
+    /// Those that one chooses from; the ledger alone is for presenting, and answers are there only
+    /// once there are some.
+    pub const LISTED: [ViewLayout; 12] = [
         ViewLayout::Both,
         ViewLayout::World,
         ViewLayout::Camera,
@@ -46,6 +51,7 @@ impl ViewLayout {
         ViewLayout::Lines,
         ViewLayout::Mistakes,
         ViewLayout::Compare,
+        ViewLayout::Translator,
         ViewLayout::Exercises,
         ViewLayout::Accuracy,
         ViewLayout::Frame,
@@ -68,7 +74,9 @@ impl ViewLayout {
             ViewLayout::Lines => "Lines",
             ViewLayout::Mistakes => "Mistakes",
             ViewLayout::Compare => "Compare",
+            ViewLayout::Translator => "Translator",
             ViewLayout::Exercises => "Exercises",
+            ViewLayout::Answers => "Answers",
             ViewLayout::Accuracy => "Accuracy",
             ViewLayout::Frame => "Frame",
         }
@@ -86,7 +94,9 @@ impl ViewLayout {
             ViewLayout::Lines => "Implicit and parametric lines in two dimensions",
             ViewLayout::Mistakes => "The classic wrong cameras beside the right one",
             ViewLayout::Compare => "The camera against the one that was frozen by G",
+            ViewLayout::Translator => "The camera in other programs’ terms",
             ViewLayout::Exercises => "Questions, and what is wrong with an answer",
+            ViewLayout::Answers => "A student’s answers, and the mistake that explains them",
             ViewLayout::Accuracy => "How right each method is here, and how fast",
             ViewLayout::Frame => "What a frame takes, and what it leaves out",
         }

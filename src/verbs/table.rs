@@ -25,6 +25,7 @@ use pinhole_core::methods::Method;
 
 use super::{Group, Keys, Verb, When};
 use crate::action::{Action, GhostMove, PlayMove, Switch};
+use crate::exchange::FORMATS;
 use crate::exercises;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
@@ -87,6 +88,7 @@ pub(super) fn table() -> Vec<Verb> {
     verbs.extend(pixel_steps());
     verbs.extend(hand::hand());
     verbs.extend(layouts());
+    verbs.extend(translations());
     verbs.extend(switches());
     verbs.extend(looks());
     verbs.extend(places());
@@ -103,18 +105,24 @@ fn program() -> Vec<Verb> {
             [key(Anywhere, CTRL_SHIFT, Key::S)], Action::AskSaveAs;
         File, "Save", "Saves the scene to its file.",
             [key(Anywhere, CTRL, Key::S)], Action::Save;
+        File, "Check answers…", "Asks which file of a student’s answers to grade.",
+            [], Action::AskAnswers;
         File, "Export a figure…", "Asks which figure to write to which file.",
             [key(Anywhere, CTRL, Key::E)], Action::AskExport;
         File, "Copy the ledger as LaTeX", "Puts the ledger on the clipboard as LaTeX.",
             [], Action::CopyLedger(Markup::Latex);
         File, "Copy the ledger as Markdown", "Puts the ledger on the clipboard as Markdown.",
             [], Action::CopyLedger(Markup::Markdown);
+        File, "Save the camera for another program…", "Asks which file to write the translator's text to.",
+            [], Action::AskTranslate;
         File, "Quit", "Closes the window.",
             [key(Anywhere, CTRL, Key::Q)], Action::Quit;
         Edit, "Undo", "Takes back the last change of the scene.",
             [key(Untyped, CTRL, Key::Z)], Action::Undo;
         Edit, "Redo", "Does again what was taken back last.",
             [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], Action::Redo;
+        Edit, "Paste a camera", "Sets the camera from another program's text on the clipboard.",
+            [key(Untyped, CTRL, Key::V)], Action::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
             [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], Action::Next;
         Lesson, "Previous step", "Goes to the lesson's step before this one.",
@@ -222,6 +230,14 @@ fn layouts() -> impl Iterator<Item = Verb> {
     ViewLayout::LISTED
         .into_iter()
         .map(|layout| verb(Group::Layout, layout.label(), layout.about(), Action::Layout(layout)))
+}
+
+fn translations() -> impl Iterator<Item = Verb> {
+    FORMATS.iter().map(|format| {
+        let name = format!("translate into {}", format.label);
+        let about = "Shows the camera in these terms.";
+        verb(Group::Layout, name, about, Action::TranslateInto(format.name))
+    })
 }
 
 fn switches() -> Vec<Verb> {

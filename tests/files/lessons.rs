@@ -259,7 +259,7 @@ const STEPS: Cases = &[
     ),
     (
         "scene = \"canonical\"\nlayout = \"side\"\n",
-        "7:10: step 1.layout is \"side\": it must be one of both, world, camera, ledger, plot, lines, mistakes, compare, exercises",
+        "7:10: step 1.layout is \"side\": it must be one of both, world, camera, ledger, plot, lines, mistakes, compare, translator, exercises",
     ),
     (
         "scene = \"canonical\"\nshow = [\"eye\", \"frustrum\"]\n",

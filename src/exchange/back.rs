@@ -1,0 +1,194 @@
+//! From what a format says to a camera here, and whether it came back as it went.
+
+use std::path::Path;
+
+use pinhole_core::{
+    Basis, Camera, DVec3, ImageSize, ORTHONORMAL_TOLERANCE, Orientation, Pixel, Plane, PosedCamera,
+    Sphere, Viewport, extent_of_fov, fov_of_extent,
+};
+
+use super::sheet::n;
+use super::{Format, Taken, Text, Written};
+use crate::document::Item;
+
+/// Where a camera stands and how it is turned, as read: right, up and backwards of any length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stance {
+    pub(crate) eye: DVec3,
+    pub(crate) right: DVec3,
+    pub(crate) up: DVec3,
+    pub(crate) backwards: DVec3,
+}
+
+impl Stance {
+    /// The orientation, and what had to be straightened.
+    ///
+    /// # Errors
+    /// What is wrong with the three, as "up and backwards are parallel".
+    pub(crate) fn orientation(&self, notes: &mut Vec<String>) -> Result<Orientation, String> {
+        let Stance { right, up, backwards, .. } = *self;
+        if let Ok(basis) = Basis::by_hand(right, up, backwards) {
+            return Ok(Orientation::Basis(basis));
+        }
+        let unit = [right, up, backwards].map(|v| v.try_normalize());
+        let [Some(u), Some(v), Some(w)] = unit else {
+            return Err("one of its axes is (0, 0, 0): it must be a rotation".to_owned());
+        };
+        let off = Basis::error_of(u, v, w);
+        if off > 0.02 {
+            return Err(format!(
+                "its axes are off a right angle by up to {}: it must be a rotation, without shear",
+                n((off * 1e4).round() / 1e4)
+            ));
+        }
+        let basis = Basis::straightened(v, w).map_err(|error| error.to_string())?;
+        if off > ORTHONORMAL_TOLERANCE {
+            notes.push(format!(
+                "its axes are off a right angle by {off:.0e}: w is as given, v and u straightened"
+            ));
+        }
+        Ok(Orientation::Basis(basis))
+    }
+}
+
+/// What is made of a mirrored camera: the picture stays, the world is seen in a mirror.
+pub(crate) const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is \
+                                   negated, so that the picture is the same";
+
+/// A world with every z negated.
+pub(crate) trait Mirrored {
+    #[must_use]
+    fn mirrored(self) -> Self;
+}
+
+impl Mirrored for DVec3 {
+    fn mirrored(self) -> DVec3 {
+        DVec3::new(self.x, self.y, 0.0 - self.z)
+    }
+}
+
+impl Mirrored for Stance {
+    fn mirrored(self) -> Stance {
+        Stance {
+            eye: self.eye.mirrored(),
+            right: self.right.mirrored(),
+            up: self.up.mirrored(),
+            backwards: self.backwards.mirrored(),
+        }
+    }
+}
+
+impl Mirrored for Vec<Item<Sphere>> {
+    fn mirrored(mut self) -> Self {
+        for sphere in &mut self {
+            sphere.shape.center = sphere.shape.center.mirrored();
+        }
+        self
+    }
+}
+
+impl Mirrored for Vec<Item<Plane>> {
+    fn mirrored(mut self) -> Self {
+        for plane in &mut self {
+            plane.shape.point = plane.shape.point.mirrored();
+            plane.shape.normal = plane.shape.normal.mirrored();
+        }
+        self
+    }
+}
+
+impl Taken {
+    /// A camera without objects.
+    pub(crate) fn camera(camera: Camera, notes: Vec<String>) -> Taken {
+        Taken { camera, spheres: Vec::new(), planes: Vec::new(), notes }
+    }
+}
+
+/// The width or height that is seen under this angle; of all that are, the one with fewest digits.
+pub(crate) fn extent(degrees: f64, distance: f64) -> f64 {
+    let near = extent_of_fov(degrees.to_radians(), distance);
+    shortest_where(near, |x| fov_of_extent(x, distance).to_degrees() == degrees)
+}
+
+/// The number with fewest digits near `x` that still does what is asked; `x` where none does.
+pub(crate) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
+    (0..17)
+        .filter_map(|digits| format!("{x:.digits$e}").parse::<f64>().ok())
+        .find(|x| fits(*x))
+        .unwrap_or(x)
+}
+
+/// `ratio` times as much, in as few digits as keep the ratio to its last one.
+pub(crate) fn in_ratio(x: f64, ratio: f64) -> f64 {
+    shortest_where(x * ratio, |y| (y / x / ratio - 1.0).abs() <= 2.0 * f64::EPSILON)
+}
+
+/// The viewport at `distance` that is seen under this vertical angle and is `aspect` times as wide as
+/// high.
+pub(crate) fn upright(degrees: f64, aspect: f64, distance: f64) -> Viewport {
+    let height = extent(degrees, distance);
+    Viewport { width: in_ratio(height, aspect), height, distance }
+}
+
+/// The image of `height` rows that has this ratio of width to height.
+pub(crate) fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
+    let width = (f64::from(height) * aspect).round();
+    (1.0..=f64::from(ImageSize::MAX))
+        .contains(&width)
+        .then(|| ImageSize::new(width as u32, height).ok())?
+}
+
+/// The image where a format gives the ratio of its sides and no more: that at hand if it has this
+/// ratio, else one as high.
+pub(crate) fn image_of_aspect(
+    at_hand: ImageSize,
+    aspect: f64,
+    program: &str,
+    notes: &mut Vec<String>,
+) -> ImageSize {
+    let image = match (at_hand.aspect() - aspect).abs() <= 1e-9 * aspect {
+        true => at_hand,
+        false => image_of_height(at_hand.height(), aspect).unwrap_or(at_hand),
+    };
+    let (w, h) = (image.width(), image.height());
+    notes.push(format!("{program} does not say how many pixels there are: {w} × {h} taken"));
+    image
+}
+
+/// The size of an image as read.
+pub(crate) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
+    let whole = |x: f64| x.fract() == 0.0 && (1.0..=f64::from(ImageSize::MAX)).contains(&x);
+    if !(whole(width) && whole(height)) {
+        return Err(format!("it must be whole numbers from 1 to {}", ImageSize::MAX));
+    }
+    ImageSize::new(width as u32, height as u32).map_err(|error| error.to_string())
+}
+
+/// Whether what was written, read again, sends out other rays; by how much.
+pub(super) fn difference(
+    format: &Format,
+    written: &Written,
+    posed: &PosedCamera,
+) -> Option<String> {
+    const ENOUGH: f64 = 1e-9;
+    let text = written.joined().text;
+    let at_hand = Camera { viewport: *posed.viewport(), image: posed.image(), ..Camera::CANONICAL };
+    let read = (format.read)(&Text { path: Path::new(""), text: &text }, &at_hand);
+    let Some(back) = read.ok().and_then(|taken| taken.camera.posed().ok()) else {
+        return Some("its numbers make no camera any more when they are read again".to_owned());
+    };
+    let [height, width] = [posed.image().height(), posed.image().width()].map(|n| n - 1);
+    let corners = [(0, 0), (0, width), (height, 0), (height, width)];
+    let off = corners.map(|(row, column)| {
+        let [a, b] = [posed, &back].map(|camera| {
+            let ray = camera.ray_of_pixel(Pixel { row, column });
+            ray.direction / ray.direction.abs().max_element()
+        });
+        let turned = a.normalize().cross(b.normalize()).length();
+        if a.dot(b) > 0.0 { turned } else { 2.0 }
+    });
+    let off = off.into_iter().fold(0.0, f64::max);
+    (off > ENOUGH).then(|| {
+        format!("its numbers keep this camera's rays to {off:.0e} of a right angle's sine only")
+    })
+}

@@ -1,0 +1,336 @@
+//! Finding calls, assignments and numbers in code and scene languages, without running them.
+
+use std::path::Path;
+
+use pinhole_core::DVec3;
+
+use super::Text;
+use crate::expression;
+use crate::formats::{FileError, Place};
+
+/// Which comments a language has.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Comments {
+    /// From `#` to the end of the line.
+    Hash,
+    /// From `//` to the end of the line, and `/* */`.
+    Slashes,
+    /// The same, and `<1, 2, 3>` is a list, as in POV-Ray.
+    SlashesAndAngles,
+}
+
+/// A text whose comments are blanked, so that places stay.
+pub(crate) struct Code<'a> {
+    path: &'a Path,
+    text: &'a str,
+    plain: String,
+}
+
+/// A part of a text.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Piece<'t> {
+    pub(crate) text: &'t str,
+    pub(crate) at: usize,
+}
+
+impl<'a> Code<'a> {
+    pub(crate) fn new(text: &Text<'a>, comments: Comments) -> Code<'a> {
+        let mut plain = without_comments(text.text, comments);
+        if comments == Comments::SlashesAndAngles {
+            plain = plain.replace('<', "[").replace('>', "]");
+        }
+        Code { path: text.path, text: text.text, plain }
+    }
+
+    /// The whole text.
+    pub(crate) fn whole(&self) -> Piece<'_> {
+        Piece { text: &self.plain, at: 0 }
+    }
+
+    pub(crate) fn error(&self, at: usize, problem: impl Into<String>) -> FileError {
+        error_at(self.path, self.text, at, problem)
+    }
+
+    /// `field is value: right`, where the value stands.
+    pub(crate) fn fault(&self, field: &str, piece: Piece, right: &str) -> FileError {
+        let given = self.text.get(piece.at..piece.at + piece.text.len()).unwrap_or(piece.text);
+        let shown: String = given.split_whitespace().collect::<Vec<_>>().join(" ");
+        let shown: String = match shown.chars().count() {
+            0..=60 => shown,
+            _ => shown.chars().take(60).chain("...".chars()).collect(),
+        };
+        let shown = if shown.is_empty() { "empty".to_owned() } else { shown };
+        self.error(piece.at, format!("{field} is {shown}: {right}"))
+    }
+
+    pub(crate) fn missing(&self, field: &str, right: &str) -> FileError {
+        FileError::of_file(self.path, format!("{field} is missing: {right}"))
+    }
+
+    /// Of axes that are no rotation.
+    pub(crate) fn rotation(&self, field: &str, right: &str) -> FileError {
+        FileError::of_file(self.path, format!("{field} is no rotation: {right}"))
+    }
+
+    /// What stands in the brackets of every call of this name.
+    pub(crate) fn calls(&self, name: &str) -> Vec<Piece<'_>> {
+        self.calls_in(self.whole(), name)
+    }
+
+    pub(crate) fn calls_in<'t>(&self, within: Piece<'t>, name: &str) -> Vec<Piece<'t>> {
+        let found = words(within, name).into_iter();
+        found.filter_map(|at| bracketed(after_spaces(within.from(at + name.len())))).collect()
+    }
+
+    /// The value that a name is given last: `name = value`, up to the end of the statement.
+    pub(crate) fn value(&self, name: &str) -> Option<Piece<'_>> {
+        self.values(name).pop()
+    }
+
+    /// The value that a name is given first.
+    pub(crate) fn first_value(&self, name: &str) -> Option<Piece<'_>> {
+        self.values(name).into_iter().next()
+    }
+
+    fn values(&self, name: &str) -> Vec<Piece<'_>> {
+        let whole = self.whole();
+        let values = words(whole, name).into_iter().filter_map(|at| {
+            let rest = after_spaces(whole.from(at + name.len()));
+            let value = rest.text.strip_prefix(['=', ':'])?;
+            let value = after_spaces(Piece { text: value, at: rest.at + 1 });
+            (!value.text.starts_with('=')).then(|| statement(value))
+        });
+        values.collect()
+    }
+
+    /// Every number of a value, brackets and names such as `vec3` or `np.array` regardless.
+    pub(crate) fn numbers(&self, field: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
+        let mut numbers = Vec::new();
+        self.collect(field, trimmed(piece), &mut numbers)?;
+        Ok(numbers)
+    }
+
+    fn collect(&self, field: &str, piece: Piece, into: &mut Vec<f64>) -> Result<(), FileError> {
+        if let Some(inside) = list_in(piece) {
+            for part in split(inside) {
+                self.collect(field, part, into)?;
+            }
+            return Ok(());
+        }
+        let parts = split(piece);
+        if parts.len() > 1 {
+            return parts.into_iter().try_for_each(|part| self.collect(field, part, into));
+        }
+        match number(piece.text) {
+            Some(number) => into.push(number),
+            None => return Err(self.fault(field, piece, "it must be a finite number")),
+        }
+        Ok(())
+    }
+
+    pub(crate) fn number(&self, field: &str, piece: Piece) -> Result<f64, FileError> {
+        match self.numbers(field, piece)?[..] {
+            [number] => Ok(number),
+            _ => Err(self.fault(field, piece, "it must be one number")),
+        }
+    }
+
+    pub(crate) fn vector(&self, field: &str, piece: Piece) -> Result<DVec3, FileError> {
+        match self.numbers(field, piece)?[..] {
+            [x, y, z] => Ok(DVec3::new(x, y, z)),
+            _ => Err(self.fault(field, piece, "it must be three numbers")),
+        }
+    }
+
+    /// The number a name is given, if any.
+    pub(crate) fn number_of(&self, name: &str) -> Result<Option<f64>, FileError> {
+        self.value(name).map(|piece| self.number(name, piece)).transpose()
+    }
+
+    /// The vector a name is given.
+    pub(crate) fn vector_of(&self, name: &str) -> Result<Option<DVec3>, FileError> {
+        self.value(name).map(|piece| self.vector(name, piece)).transpose()
+    }
+}
+
+impl<'t> Piece<'t> {
+    pub(crate) fn from(self, byte: usize) -> Piece<'t> {
+        Piece { text: &self.text[byte..], at: self.at + byte }
+    }
+}
+
+/// An error at a byte of a text.
+pub(crate) fn error_at(
+    path: &Path,
+    text: &str,
+    at: usize,
+    problem: impl Into<String>,
+) -> FileError {
+    let place = Some(Place::of_byte(text.as_bytes(), at));
+    FileError { place, ..FileError::of_file(path, problem) }
+}
+
+/// A value without the blanks around it.
+pub(crate) fn trimmed(piece: Piece) -> Piece {
+    let piece = after_spaces(piece);
+    Piece { text: piece.text.trim_end(), ..piece }
+}
+
+/// The parts between commas that stand in no bracket of their own.
+pub(crate) fn split(piece: Piece) -> Vec<Piece> {
+    let mut parts = Vec::new();
+    let (mut depth, mut from) = (0_i32, 0);
+    for (at, c) in piece.text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(trimmed(Piece { text: &piece.text[from..at], at: piece.at + from }));
+                from = at + 1;
+            }
+            _ => (),
+        }
+    }
+    let last = trimmed(piece.from(from));
+    if !last.text.is_empty() {
+        parts.push(last);
+    }
+    parts
+}
+
+/// What stands between the bracket with which the piece begins and the one that closes it.
+pub(crate) fn bracketed(piece: Piece) -> Option<Piece> {
+    let mut depth = 0_i32;
+    if !piece.text.starts_with(['(', '[', '{']) {
+        return None;
+    }
+    for (at, c) in piece.text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => (),
+        }
+        if depth == 0 {
+            return Some(Piece { text: &piece.text[1..at], at: piece.at + 1 });
+        }
+    }
+    None
+}
+
+/// Where a word stands that is no part of a longer one.
+pub(crate) fn words(within: Piece, word: &str) -> Vec<usize> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let text = within.text;
+    let alone = |at: &usize| {
+        let before = text[..*at].chars().next_back();
+        let after = text[at + word.len()..].chars().next();
+        !before.is_some_and(is_part) && !after.is_some_and(is_part)
+    };
+    text.match_indices(word).map(|(at, _)| at).filter(alone).collect()
+}
+
+pub(crate) fn after_spaces(piece: Piece) -> Piece {
+    piece.from(piece.text.len() - piece.text.trim_start().len())
+}
+
+/// Up to the semicolon or line's end at which the statement ends; brackets go over lines.
+fn statement(value: Piece) -> Piece {
+    let mut depth = 0_i32;
+    for (at, c) in value.text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => (),
+        }
+        if depth < 0 || (depth == 0 && matches!(c, ';' | '\n')) {
+            return Piece { text: value.text[..at].trim_end(), ..value };
+        }
+    }
+    trimmed(value)
+}
+
+/// Words before a bracket that belong to the number: all others are kinds of list.
+const FUNCTIONS: [&str; 12] = [
+    "sqrt", "sin", "cos", "tan", "atan", "asin", "acos", "double", "float", "radians", "deg2rad",
+    "Float64",
+];
+
+/// What is in a list, be it `[1, 2]`, `(1, 2)`, `vec3(1, 2)` or `np.array([1, 2])`.
+fn list_in(piece: Piece) -> Option<Piece> {
+    let open = piece.text.find(['(', '[', '{'])?;
+    let name = piece.text[..open].trim();
+    let is_name = name.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c));
+    let short = name.rsplit(['.', ':']).next().unwrap_or_default();
+    if !is_name || FUNCTIONS.contains(&short) {
+        return None;
+    }
+    let inside = bracketed(piece.from(open))?;
+    let closed = inside.at + inside.text.len() + 1 == piece.at + piece.text.len();
+    // Brackets round a sum, as in (1 + 2) / 3, are none of a list.
+    let is_sum = name.is_empty() && !inside.text.contains([',', '[', '(']);
+    (closed && (!is_sum || number(inside.text).is_some())).then_some(inside)
+}
+
+/// A number of code: `1`, `1.0f`, `16.0 / 9.0`, `double(400)`, `math.radians(45)`.
+pub(crate) fn number(text: &str) -> Option<f64> {
+    let text = text.trim();
+    for name in ["radians", "deg2rad"] {
+        if let Some((before, rest)) = text.split_once(name)
+            && before.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c))
+            && let Some(inside) = rest.trim().strip_prefix('(').and_then(|r| r.strip_suffix(')'))
+        {
+            return number(inside).map(f64::to_radians);
+        }
+    }
+    let mut clean = String::new();
+    let mut letters = text.replace("double", "").replace("float", "").replace("Float64", "");
+    for prefix in ["math.", "np.", "std::", "Math.", "glm::"] {
+        letters = letters.replace(prefix, "");
+    }
+    let letters: Vec<char> = letters.chars().collect();
+    for (k, c) in letters.iter().enumerate() {
+        let after_digit = k > 0 && (letters[k - 1].is_ascii_digit() || letters[k - 1] == '.');
+        let ends = letters.get(k + 1).is_none_or(|next| !next.is_alphanumeric());
+        if !(matches!(c, 'f' | 'F') && after_digit && ends) {
+            clean.push(*c);
+        }
+    }
+    if clean.is_empty() || clean.len() > 200 {
+        return None;
+    }
+    expression::evaluate(&clean).ok()
+}
+
+fn without_comments(text: &str, comments: Comments) -> String {
+    let mut plain = text.as_bytes().to_vec();
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        let rest = &bytes[at..];
+        let length = if comments == Comments::Hash && rest[0] == b'#'
+            || comments != Comments::Hash && rest.starts_with(b"//")
+        {
+            rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len())
+        } else if comments != Comments::Hash && rest.starts_with(b"/*") {
+            let end = rest.windows(2).skip(2).position(|pair| pair == b"*/");
+            end.map_or(rest.len(), |end| end + 4)
+        } else if matches!(rest[0], b'"' | b'\'') {
+            // No comment begins within a string of one line.
+            let line = rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len());
+            let end = rest[1..line].iter().position(|b| *b == rest[0]);
+            at += end.map_or(1, |end| end + 2);
+            continue;
+        } else {
+            at += 1;
+            continue;
+        };
+        for byte in &mut plain[at..at + length] {
+            if *byte != b'\n' {
+                *byte = b' ';
+            }
+        }
+        at += length;
+    }
+    // Whole comments were blanked: what is left is text.
+    String::from_utf8_lossy(&plain).into_owned()
+}

@@ -1,0 +1,268 @@
+//! Reading a POV-Ray scene: its camera, spheres and planes, where they are given by plain numbers.
+
+use pinhole_core::{Basis, Camera, DVec3, ImageSize, Plane, Sphere, Viewport};
+
+use super::back::{MIRRORED, Mirrored, Stance, image_of};
+use super::code::{Code, Comments, Piece, after_spaces, bracketed, number, split, trimmed, words};
+use super::sheet::byte_of_light;
+use super::{Taken, Text};
+use crate::document::Item;
+use crate::formats::FileError;
+
+/// What may stand in a camera, after whose value the next one begins.
+const WORDS: [&str; 18] = [
+    "perspective",
+    "orthographic",
+    "fisheye",
+    "ultra_wide_angle",
+    "omnimax",
+    "panoramic",
+    "cylinder",
+    "spherical",
+    "location",
+    "right",
+    "up",
+    "direction",
+    "sky",
+    "look_at",
+    "angle",
+    "rotate",
+    "translate",
+    "aperture",
+];
+
+/// The projections that are none of a pinhole camera.
+const OTHER_PROJECTIONS: [&str; 7] = [
+    "orthographic",
+    "fisheye",
+    "ultra_wide_angle",
+    "omnimax",
+    "panoramic",
+    "cylinder",
+    "spherical",
+];
+
+pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    let code = Code::new(text, Comments::SlashesAndAngles);
+    let mut notes = Vec::new();
+    let camera = blocks(&code, "camera").last().copied();
+    let camera =
+        camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
+    let image = image(text, at_hand, &mut notes);
+    let view = View::read(&code, camera, image)?;
+    let Frame { right, up, direction } = view.frame();
+    let viewport = Viewport {
+        width: tidy(right.length()),
+        height: tidy(up.length()),
+        distance: tidy(direction.length()),
+    };
+    if let Some(focus) = value(&code, camera, "aperture") {
+        let _ = focus;
+        notes.push("aperture is left out: a pinhole is sharp everywhere".to_owned());
+    }
+    let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
+    let mirrored = Basis::is_left_handed(right, up, -direction);
+    let stance = if mirrored { stance.mirrored() } else { stance };
+    let orientation =
+        stance.orientation(&mut notes).map_err(|right| code.rotation("camera", &right))?;
+    let (mut spheres, mut planes) = (spheres(&code)?, planes(&code)?);
+    if mirrored {
+        notes.push(MIRRORED.to_owned());
+        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
+    }
+    for other in ["box", "cylinder", "cone", "torus", "mesh", "mesh2", "union", "difference"] {
+        let count = blocks(&code, other).len();
+        if count > 0 {
+            notes.push(format!("{count} of {other} left out: Pinhole has spheres and planes"));
+        }
+    }
+    let camera = Camera { eye: stance.eye, orientation, viewport, image };
+    Ok(Taken { camera, spheres, planes, notes })
+}
+
+/// A length without the digits that a square root adds to a short number.
+fn tidy(length: f64) -> f64 {
+    let short = format!("{length:.13e}").parse().unwrap_or(length);
+    if ((short - length) / length).abs() <= 4.0 * f64::EPSILON { short } else { length }
+}
+
+/// `+W400 +H300` wherever it stands, the comment at the head included.
+fn image(text: &Text, at_hand: &Camera, notes: &mut Vec<String>) -> ImageSize {
+    let option = |name: &str| {
+        let mut words = text.text.split_whitespace();
+        words.find_map(|word| word.strip_prefix(name)?.parse::<f64>().ok())
+    };
+    let given = option("+W").zip(option("+H")).and_then(|(w, h)| image_of(w, h).ok());
+    given.unwrap_or_else(|| {
+        let image = at_hand.image;
+        let (w, h) = (image.width(), image.height());
+        notes.push(format!("the scene does not say +W and +H: {w} × {h} pixels taken"));
+        image
+    })
+}
+
+/// Every `name { ... }`.
+fn blocks<'t>(code: &'t Code, name: &str) -> Vec<Piece<'t>> {
+    let whole = code.whole();
+    let found = words(whole, name).into_iter();
+    let open = |at: usize| after_spaces(whole.from(at + name.len()));
+    found
+        .filter(|at| open(*at).text.starts_with('{'))
+        .filter_map(|at| bracketed(open(at)))
+        .collect()
+}
+
+/// What follows a word of a camera, up to the next one.
+fn value<'t>(code: &Code, camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
+    let _ = code;
+    let at = *words(camera, word).last()?;
+    let rest = camera.from(at + word.len());
+    let next = WORDS.iter().flat_map(|word| words(rest, word)).min();
+    Some(trimmed(Piece { text: &rest.text[..next.unwrap_or(rest.text.len())], ..rest }))
+}
+
+/// What a camera says.
+struct View {
+    location: DVec3,
+    right: DVec3,
+    up: DVec3,
+    direction: DVec3,
+    sky: DVec3,
+    look_at: Option<DVec3>,
+}
+
+struct Frame {
+    right: DVec3,
+    up: DVec3,
+    direction: DVec3,
+}
+
+impl View {
+    fn read(code: &Code, camera: Piece, image: ImageSize) -> Result<View, FileError> {
+        if let Some(other) = OTHER_PROJECTIONS.iter().find(|other| !words(camera, other).is_empty())
+        {
+            let piece = Piece { text: other, at: camera.at + words(camera, other)[0] };
+            return Err(code.fault("the projection", piece, "it must be perspective"));
+        }
+        for turned in ["rotate", "translate"] {
+            if let Some(piece) = value(code, camera, turned) {
+                return Err(code.fault(turned, piece, "the camera must be given without it"));
+            }
+        }
+        let or = |word: &str, or: DVec3| match value(code, camera, word) {
+            Some(piece) => vector(code, word, piece, image),
+            None => Ok(or),
+        };
+        let look_at = value(code, camera, "look_at");
+        let mut view = View {
+            location: or("location", DVec3::ZERO)?,
+            right: or("right", DVec3::new(1.33, 0.0, 0.0))?,
+            up: or("up", DVec3::Y)?,
+            direction: or("direction", DVec3::Z)?,
+            sky: or("sky", DVec3::Y)?,
+            look_at: look_at.map(|piece| vector(code, "look_at", piece, image)).transpose()?,
+        };
+        if let Some(piece) = value(code, camera, "angle") {
+            let angle = number(piece.text).filter(|angle| *angle > 0.0 && *angle < 180.0);
+            let angle = angle.ok_or_else(|| {
+                code.fault("angle", piece, "it must be between 0 and 180 degrees")
+            })?;
+            // The horizontal field of view, which sets direction's length.
+            let length = 0.5 * view.right.length() / (0.5 * angle.to_radians()).tan();
+            view.direction = view.direction.normalize_or_zero() * length;
+        }
+        Ok(view)
+    }
+
+    /// As POV-Ray turns the camera towards `look_at`: right, up and direction keep their lengths, and
+    /// the camera its handedness.
+    fn frame(&self) -> Frame {
+        let View { right, up, direction, .. } = *self;
+        let Some(at) = self.look_at else { return Frame { right, up, direction } };
+        let left_handed = up.cross(direction).dot(right) > 0.0;
+        let ahead = (at - self.location).normalize_or_zero();
+        let side = self.sky.cross(ahead).normalize_or_zero();
+        let above = ahead.cross(side);
+        let side = if left_handed { side } else { -side };
+        Frame {
+            right: side * right.length(),
+            up: above * up.length(),
+            direction: ahead * direction.length(),
+        }
+    }
+}
+
+/// `<1, 2, 3>`, or a multiple of x, y and z as in `x * image_width / image_height`.
+fn vector(code: &Code, field: &str, piece: Piece, image: ImageSize) -> Result<DVec3, FileError> {
+    if piece.text.starts_with('[') {
+        return code.vector(field, piece);
+    }
+    let with = |axis: usize| {
+        let mut text = piece.text.to_owned();
+        let size = [("image_width", image.width()), ("image_height", image.height())];
+        for (word, value) in size {
+            text = text.replace(word, &value.to_string());
+        }
+        let letters = text.chars().map(|c| match c {
+            'x' | 'y' | 'z' => format!("({})", u8::from(c as usize - 'x' as usize == axis)),
+            other => other.to_string(),
+        });
+        number(&letters.collect::<String>())
+    };
+    match [with(0), with(1), with(2)] {
+        [Some(x), Some(y), Some(z)] => Ok(DVec3::new(x, y, z) + DVec3::ZERO),
+        _ => Err(code.fault(field, piece, "it must be a vector of numbers, as <1, 2, 3>")),
+    }
+}
+
+fn spheres(code: &Code) -> Result<Vec<Item<Sphere>>, FileError> {
+    let sphere = |block: Piece<'_>| {
+        let (center, rest) = first(code, "sphere", block)?;
+        let center = code.vector("sphere centre", center)?;
+        let radius = leading_number(rest).filter(|radius| *radius > 0.0);
+        let right = "it must have a radius greater than 0, as sphere { <0, 0, 0>, 1 }";
+        let radius = radius.ok_or_else(|| code.fault("sphere", block, right))?;
+        Ok(Item { name: None, color: color(code, block), shape: Sphere { center, radius } })
+    };
+    blocks(code, "sphere").into_iter().map(sphere).collect()
+}
+
+fn planes(code: &Code) -> Result<Vec<Item<Plane>>, FileError> {
+    let plane = |block: Piece<'_>| {
+        let (normal, rest) = first(code, "plane", block)?;
+        let image = Camera::CANONICAL.image;
+        let normal = vector(code, "plane's normal", normal, image)?;
+        let right = "it must have a normal and a distance, as plane { <0, 1, 0>, -1 }";
+        let distance = leading_number(rest).filter(|_| normal != DVec3::ZERO);
+        let distance = distance.ok_or_else(|| code.fault("plane", block, right))?;
+        let point = normal.normalize() * distance + DVec3::ZERO;
+        Ok(Item { name: None, color: color(code, block), shape: Plane { point, normal } })
+    };
+    blocks(code, "plane").into_iter().map(plane).collect()
+}
+
+/// The vector with which an object begins, and what follows its comma.
+fn first<'t>(
+    code: &Code,
+    name: &str,
+    block: Piece<'t>,
+) -> Result<(Piece<'t>, Piece<'t>), FileError> {
+    let parts = split(block);
+    match parts[..] {
+        [vector, rest, ..] => Ok((vector, rest)),
+        _ => Err(code.fault(name, block, "it must begin with a vector and a number")),
+    }
+}
+
+/// The number before the object's pigment and the rest.
+fn leading_number(piece: Piece) -> Option<f64> {
+    let end = piece.text.find(|c: char| c.is_whitespace() || c == '}').unwrap_or(piece.text.len());
+    number(&piece.text[..end])
+}
+
+fn color(code: &Code, block: Piece) -> Option<[u8; 3]> {
+    let at = *words(block, "rgb").first()?;
+    let list = bracketed(after_spaces(block.from(at + 3)))?;
+    let numbers: [f64; 3] = code.numbers("color", list).ok()?.try_into().ok()?;
+    Some(numbers.map(byte_of_light))
+}

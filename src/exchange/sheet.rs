@@ -1,0 +1,99 @@
+//! A text in which the numbers whose sign is turned against ours are marked.
+
+use std::ops::Range;
+
+use pinhole_core::{DVec3, Rgb, shortest};
+
+/// A text, and which parts of it have another sign than here.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Sheet {
+    /// The text.
+    pub text: String,
+    /// Bytes of the text, in order.
+    pub flipped: Vec<Range<usize>>,
+}
+
+/// Around a flipped part while the text is put together: letters of the private use area, which no
+/// number has in it.
+const OPEN: char = '\u{e000}';
+const CLOSE: char = '\u{e001}';
+
+impl Sheet {
+    /// The text of parts some of which went through [`flipped`].
+    pub(crate) fn of(marked: &str) -> Sheet {
+        let mut sheet = Sheet::default();
+        let mut from = 0;
+        for c in marked.chars() {
+            match c {
+                OPEN => from = sheet.text.len(),
+                CLOSE => sheet.flipped.push(from..sheet.text.len()),
+                c => sheet.text.push(c),
+            }
+        }
+        sheet
+    }
+
+    pub(crate) fn append(&mut self, other: &Sheet) {
+        let by = self.text.len();
+        self.text.push_str(&other.text);
+        self.flipped.extend(other.flipped.iter().map(|part| part.start + by..part.end + by));
+    }
+}
+
+/// Marks a part.
+pub(crate) fn flipped(text: impl AsRef<str>) -> String {
+    format!("{OPEN}{}{CLOSE}", text.as_ref())
+}
+
+/// A text that came from outside, such as a name, without what would end a line or mark a part.
+pub(crate) fn one_line(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control() && ![OPEN, CLOSE].contains(c)).collect()
+}
+
+/// A name as it can stand in quotes in every format.
+pub(crate) fn quotable(name: &str) -> String {
+    one_line(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
+}
+
+/// The shortest decimal that reads back to the same number.
+pub(crate) fn n(x: f64) -> String {
+    shortest(x)
+}
+
+/// The same, with a point or an exponent: where `1` would be a whole number and divided as one.
+pub(crate) fn real(x: f64) -> String {
+    let text = shortest(x);
+    if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
+}
+
+/// `1, 2, 3`
+pub(crate) fn commas(v: DVec3) -> String {
+    v.to_array().map(shortest).join(", ")
+}
+
+/// `1 2 3`
+pub(crate) fn spaces(v: DVec3) -> String {
+    v.to_array().map(shortest).join(" ")
+}
+
+/// The same, each number marked.
+pub(crate) fn flipped_all(v: DVec3, between: &str) -> String {
+    v.to_array().map(|x| flipped(shortest(x))).join(between)
+}
+
+/// A colour of the screen as light (the sRGB curve of IEC 61966-2-1), to six digits.
+pub(crate) fn light(color: Rgb) -> [String; 3] {
+    color.map(|byte| {
+        let s = f64::from(byte) / 255.0;
+        let light = if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) };
+        shortest((light * 1e6).round() / 1e6)
+    })
+}
+
+/// The byte of the screen nearest to that much light.
+pub(crate) fn byte_of_light(light: f64) -> u8 {
+    let light = light.clamp(0.0, 1.0);
+    let s =
+        if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 };
+    (s * 255.0).round() as u8
+}

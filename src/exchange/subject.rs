@@ -1,0 +1,183 @@
+//! What is exported: the camera, and the scene's objects where they are asked for.
+
+use pinhole_core::{Camera, OrientationKind, Plane, PosedCamera, Rgb, Sphere, Viewport};
+use pinhole_core::{DVec3, Intrinsics, Orientation};
+
+use super::Unsayable;
+use super::sheet::n;
+use crate::document::Document;
+
+/// What goes with the camera.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum With {
+    /// Nothing.
+    CameraAlone,
+    /// The objects that the format has.
+    #[default]
+    Objects,
+    /// Those, and meshes in place of those that it does not have.
+    Meshes,
+}
+
+/// What is exported.
+#[derive(Clone, Debug)]
+pub struct Subject<'a> {
+    /// The scene.
+    pub document: &'a Document,
+    /// What goes with the camera.
+    pub with: With,
+    posed: PosedCamera,
+}
+
+/// A sphere or plane with its looks.
+pub(crate) struct Thing<S> {
+    pub(crate) shape: S,
+    pub(crate) color: Rgb,
+    pub(crate) title: String,
+}
+
+/// How far a ratio of sides may be off 1 to count as square: a few roundings.
+const SQUARE: f64 = 1e-14;
+
+impl<'a> Subject<'a> {
+    /// A document whose camera has a basis.
+    ///
+    /// # Errors
+    /// What is wrong with the camera, or with an object that is asked for.
+    pub fn new(document: &'a Document, with: With) -> Result<Subject<'a>, Unsayable> {
+        let posed = document.camera.posed().map_err(|error| Unsayable(error.to_string()))?;
+        if with != With::CameraAlone {
+            document.scene().map_err(|error| Unsayable(error.to_string()))?;
+        }
+        Ok(Subject { document, with, posed })
+    }
+
+    pub(crate) fn camera_alone(&self) -> Subject<'a> {
+        Subject { with: With::CameraAlone, ..self.clone() }
+    }
+
+    /// The camera with its basis.
+    pub fn posed(&self) -> &PosedCamera {
+        &self.posed
+    }
+
+    pub(crate) fn camera(&self) -> &Camera {
+        &self.document.camera
+    }
+
+    pub(crate) fn viewport(&self) -> &Viewport {
+        self.posed.viewport()
+    }
+
+    /// W and H.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        [self.posed.image().width(), self.posed.image().height()]
+    }
+
+    pub(crate) fn intrinsics(&self) -> Intrinsics {
+        Intrinsics::of(self.viewport(), self.posed.image())
+    }
+
+    /// The vertical field of view in degrees.
+    pub(crate) fn vertical_degrees(&self) -> f64 {
+        self.viewport().vertical_fov().to_degrees()
+    }
+
+    /// Eye, at and up.
+    pub(crate) fn look_at(&self) -> Result<[DVec3; 3], Unsayable> {
+        let camera = self.camera().given_by(OrientationKind::At);
+        match camera.map(|camera| (camera.eye, camera.orientation)) {
+            Ok((eye, Orientation::At { at, up })) => Ok([eye, at, up]),
+            _ => Err(Unsayable(
+                "eye is so far out that no point ahead of it keeps the direction: move the scene \
+                 nearer to the origin"
+                    .to_owned(),
+            )),
+        }
+    }
+
+    /// A pixel's width over its height in the world; exactly 1 where only rounding keeps it from it.
+    pub(crate) fn pixel_shape(&self) -> f64 {
+        let [width, height] = self.size().map(f64::from);
+        let viewport = self.viewport();
+        let shape = (viewport.width / width) / (viewport.height / height);
+        if (shape - 1.0).abs() <= SQUARE { 1.0 } else { shape }
+    }
+
+    /// Refuses pixels that are not square.
+    pub(crate) fn square_pixels(&self, program: &str) -> Result<(), Unsayable> {
+        let shape = self.pixel_shape();
+        if shape == 1.0 {
+            return Ok(());
+        }
+        let [width, height] = self.size();
+        let viewport = self.viewport();
+        Err(Unsayable(format!(
+            "pixels are {} times as wide as high, and {program} has square ones only: make the \
+             viewport's width / height, {} / {}, the image's {width} / {height}",
+            n((shape * 1e6).round() / 1e6),
+            n(viewport.width),
+            n(viewport.height),
+        )))
+    }
+
+    /// The spheres, where objects are asked for.
+    pub(crate) fn spheres(&self) -> Vec<Thing<Sphere>> {
+        let scene = self.scene();
+        let things = scene.spheres().iter().enumerate();
+        things.map(|(index, shape)| self.thing(index, *shape)).collect()
+    }
+
+    /// The planes, where objects are asked for.
+    pub(crate) fn planes(&self) -> Vec<Thing<Plane>> {
+        let scene = self.scene();
+        let first = scene.spheres().len();
+        let things = scene.planes().iter().enumerate();
+        things.map(|(place, shape)| self.thing(first + place, *shape)).collect()
+    }
+
+    fn scene(&self) -> pinhole_core::Scene {
+        match self.with {
+            With::CameraAlone => pinhole_core::Scene::default(),
+            _ => self.document.scene().unwrap_or_default(),
+        }
+    }
+
+    fn thing<S>(&self, index: usize, shape: S) -> Thing<S> {
+        let color = self.document.color_of(index as u32);
+        Thing { shape, color, title: self.document.title_of(index) }
+    }
+
+    /// How near and how far a program has to look that cannot look everywhere.
+    pub(crate) fn clip(&self) -> (f64, f64) {
+        let eye = self.posed.eye();
+        let spheres = self.spheres();
+        let reach = |s: &Thing<Sphere>| (s.shape.center - eye).length() + s.shape.radius;
+        let far = spheres.iter().map(reach).fold(1e4, f64::max);
+        let gap = |s: &Thing<Sphere>| ((s.shape.center - eye).length() - s.shape.radius).abs();
+        let gaps = spheres.iter().map(gap).filter(|gap| *gap > 0.0);
+        let near = gaps.map(|gap| 0.25 * gap).fold(0.01, f64::min).max(1e-6 * far.min(1e4));
+        (near, if far > 1e4 { 2.0 * far } else { far })
+    }
+
+    /// A square in the plane's place, for programs without infinite ones: its middle, half its side,
+    /// and two unit vectors along its sides.
+    pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
+        let normal = plane.normal.normalize();
+        let height = (self.posed.eye() - plane.point).dot(normal);
+        let middle = self.posed.eye() - height * normal;
+        let basis = normal.any_orthonormal_pair();
+        let reach = (self.posed.eye() - plane.point).length().max(1.0);
+        // A thousand times as far as anything that matters, and round.
+        (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
+    }
+}
+
+/// What is said where a square stands for a plane.
+pub(crate) fn square_note(title: &str, program: &str, half: f64) -> String {
+    format!(
+        "{title} is infinite, and {program} has no infinite plane: written as a square that reaches {} \
+         to each side, so that the horizon is a little lower",
+        n(half)
+    )
+}

@@ -1,0 +1,266 @@
+//! The translator: the camera as another program has it, how its terms differ, and the numbers whose
+//! sign is turned.
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{
+    Align, Align2, Area, Color32, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea,
+    Stroke, Ui, WidgetText, vec2,
+};
+use pinhole_core::Pixel;
+
+use super::number::error_color;
+use crate::action::Action;
+use crate::document::Document;
+use crate::exchange::{FORMATS, Row, Sheet};
+use crate::letters::told;
+use crate::session::{Selection, Session};
+use crate::translator::{MOST_OBJECTS, Pasted, Translation, Translator, shortened};
+
+/// Sizes of text, in points.
+const TEXT: f32 = 15.0;
+const CODE: f32 = 15.0;
+
+/// Width of the table's first column, in points.
+const ABOUT: f32 = 118.0;
+
+/// What was translated last, and of what.
+#[derive(Default)]
+pub(crate) struct TranslatorPanel {
+    known: Option<(Key, Translation)>,
+}
+
+/// All that a translation depends on.
+#[derive(Clone, PartialEq)]
+struct Key {
+    document: Document,
+    format: usize,
+    objects: bool,
+    pixel: Pixel,
+    digits: usize,
+}
+
+impl TranslatorPanel {
+    /// Shows the translator.
+    pub(crate) fn ui(
+        &mut self,
+        ui: &mut Ui,
+        document: &Document,
+        session: &mut Session,
+        actions: &mut Vec<Action>,
+    ) {
+        ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
+        let digits = session.settings.digits;
+        let pixel = pixel_of(document, session.selection);
+        choice(ui, &mut session.translator);
+        let choice = &mut session.translator;
+        let translation = self.translation(document, choice, pixel, digits);
+        ui.horizontal_wrapped(|ui| {
+            let can = translation.written.is_ok();
+            if ui.add_enabled(can, egui::Button::new("Copy")).clicked()
+                && let Ok(written) = &translation.written
+            {
+                ui.ctx().copy_text(written.joined().text);
+            }
+            if ui.add_enabled(can, egui::Button::new("Save as a file…")).clicked() {
+                actions.push(Action::AskTranslate);
+            }
+            if ui.button("Paste a camera").clicked() {
+                actions.push(Action::AskPaste);
+            }
+            let few = document.object_count() <= MOST_OBJECTS;
+            let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
+            let many = "There are too many to show: pinhole export writes them";
+            ui.add_enabled(few, objects).on_disabled_hover_text(many);
+            ui.checkbox(&mut choice.every_digit, "every digit");
+        });
+        ui.separator();
+        ScrollArea::vertical().id_salt("translation").auto_shrink(false).show(ui, |ui| {
+            let shown = if choice.every_digit { 17 } else { digits };
+            text(ui, translation, shown);
+            ui.add_space(6.0);
+            table(ui, &translation.rows, choice.chosen().short);
+        });
+    }
+
+    /// Remembered on its inputs.
+    fn translation(
+        &mut self,
+        document: &Document,
+        choice: &Translator,
+        pixel: Pixel,
+        digits: usize,
+    ) -> &Translation {
+        let (format, objects) = (choice.format, choice.objects);
+        let is_known = self.known.as_ref().is_some_and(|(key, _)| {
+            let same = (key.format, key.objects, key.pixel, key.digits);
+            // What is not written may change as it likes.
+            same == (format, objects, pixel, digits)
+                && key.document.camera == document.camera
+                && (!objects || key.document == *document)
+        });
+        if !is_known {
+            self.known = None;
+        }
+        let make = || {
+            let key = Key { document: document.clone(), format, objects, pixel, digits };
+            let made = Translation::of(document, choice.chosen(), objects, pixel, digits);
+            (key, made)
+        };
+        &self.known.get_or_insert_with(make).1
+    }
+}
+
+fn pixel_of(document: &Document, selection: Selection) -> Pixel {
+    let place = |uv| document.camera.posed().ok()?.pixel_of_uv(uv);
+    match selection.inside(document.camera.image) {
+        Selection::Pixel(pixel) => pixel,
+        Selection::Uv(uv) => place(uv).map_or(Pixel { row: 0, column: 0 }, |place| place.pixel),
+    }
+}
+
+/// One button a format.
+fn choice(ui: &mut Ui, translator: &mut Translator) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
+        for (index, format) in FORMATS.iter().enumerate() {
+            let button = ui.selectable_value(&mut translator.format, index, format.short);
+            button.on_hover_text(format.label);
+        }
+    });
+}
+
+/// What the format writes, the turned signs marked, and what it cannot say.
+fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
+    let written = match &translation.written {
+        Ok(written) => written,
+        Err(error) => {
+            ui.label(RichText::new(sentence(&error.0)).strong().color(error_color(ui)));
+            return;
+        }
+    };
+    for (name, sheet) in &written.files {
+        if written.files.len() > 1 {
+            ui.label(RichText::new(*name).strong());
+        }
+        Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            let exact = sheet.text.trim_end();
+            let response = ui.add(Label::new(marked(ui, &shortened(sheet, digits))).wrap());
+            ui.ctx().accesskit_node_builder(response.id, |node| {
+                node.set_role(egui::accesskit::Role::Code);
+                node.set_label("translation");
+                node.set_value(exact);
+            });
+        });
+    }
+    if written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty()) {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(WidgetText::from(marked_word(ui, "underlined")));
+            ui.label("the sign is turned against Pinhole's u, v, w");
+        });
+    }
+    for note in &written.notes {
+        ui.label(format!("• {}", sentence(note)));
+    }
+}
+
+fn code_format(ui: &Ui, is_marked: bool) -> TextFormat {
+    let font = FontId::monospace(CODE);
+    if is_marked {
+        let color = mark_color(ui);
+        return TextFormat {
+            underline: Stroke::new(1.5, color),
+            ..TextFormat::simple(font, color)
+        };
+    }
+    TextFormat::simple(font, ui.visuals().text_color())
+}
+
+/// The colour of a turned sign: told by a line under it, too.
+fn mark_color(ui: &Ui) -> Color32 {
+    error_color(ui)
+}
+
+fn marked(ui: &Ui, sheet: &Sheet) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let text = sheet.text.trim_end();
+    let mut from = 0;
+    for mark in &sheet.flipped {
+        job.append(&text[from..mark.start], 0.0, code_format(ui, false));
+        job.append(&text[mark.clone()], 0.0, code_format(ui, true));
+        from = mark.end;
+    }
+    job.append(&text[from..], 0.0, code_format(ui, false));
+    job
+}
+
+fn marked_word(ui: &Ui, word: &str) -> LayoutJob {
+    let color = mark_color(ui);
+    let font = FontId::proportional(TEXT);
+    let format =
+        TextFormat { underline: Stroke::new(1.5, color), ..TextFormat::simple(font, color) };
+    LayoutJob::single_section(word.to_owned(), format)
+}
+
+/// Here and there, a line a thing.
+fn table(ui: &mut Ui, rows: &[Row], label: &str) {
+    if rows.is_empty() {
+        return;
+    }
+    let width = ui.available_width();
+    let side = ((width - ABOUT - 16.0) / 2.0).max(80.0);
+    let line = |ui: &mut Ui, cells: [WidgetText; 3]| {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 8.0;
+            for (cell, width) in cells.into_iter().zip([ABOUT, side, side]) {
+                let layout = Layout::top_down(Align::LEFT);
+                ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+                    ui.set_width(width);
+                    ui.add(Label::new(cell).wrap());
+                });
+            }
+        });
+    };
+    let head = |text: &str| WidgetText::from(RichText::new(text).strong());
+    line(ui, [head(""), head("Pinhole"), head(label)]);
+    ui.separator();
+    for row in rows {
+        let theirs = RichText::new(&row.theirs);
+        let theirs = match (row.flipped, row.differs) {
+            (true, _) => theirs.color(mark_color(ui)).underline(),
+            (false, true) => theirs.strong(),
+            (false, false) => theirs,
+        };
+        let about = RichText::new(row.about).weak();
+        line(ui, [about.into(), RichText::new(&row.ours).into(), theirs.into()]);
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let text = told(text);
+    let mut chars = text.chars();
+    let first = chars.next().map_or_else(String::new, |c| c.to_uppercase().collect());
+    format!("{first}{}.", chars.as_str().trim_end_matches('.'))
+}
+
+/// What became of a paste, over the window's lower edge until the camera is changed or it is closed.
+pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
+    let Some(shown) = pasted else { return };
+    let mut close = false;
+    let area = Area::new(Id::unique("pasted")).order(Order::Foreground);
+    area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -24.0)).show(ctx, |ui| {
+        Frame::popup(ui.style()).show(ui, |ui| {
+            ui.set_max_width(560.0);
+            ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
+            let title = RichText::new(&shown.title).strong();
+            ui.label(if shown.worked { title } else { title.color(error_color(ui)) });
+            for note in &shown.notes {
+                ui.label(sentence(note));
+            }
+            close = ui.button("Close").clicked();
+        });
+    });
+    if close {
+        *pasted = None;
+    }
+}

@@ -1,0 +1,226 @@
+//! The translator: one camera in another program's terms, and what became of a camera that was pasted.
+
+use std::path::Path;
+
+use pinhole_core::{Camera, Pixel, shortest};
+
+use crate::document::Document;
+use crate::exchange::{
+    FORMATS, Format, Row, Sheet, Subject, Text, Unsayable, With, Written, recognised, rows, unknown,
+};
+use crate::formats::{FileError, scene_file};
+
+/// No more objects than this are written under the drag, and shown.
+pub const MOST_OBJECTS: usize = 500;
+
+/// What is chosen in the translator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Translator {
+    /// The format's place in [`FORMATS`].
+    pub format: usize,
+    /// The objects are written, too.
+    pub objects: bool,
+    /// Numbers are shown to the last digit; copied and saved they always are.
+    pub every_digit: bool,
+    /// What became of the camera that was pasted last.
+    pub pasted: Option<Pasted>,
+}
+
+impl Default for Translator {
+    fn default() -> Translator {
+        let format = FORMATS.iter().position(|format| format.name == "opencv");
+        Translator {
+            format: format.unwrap_or_default(),
+            objects: false,
+            every_digit: false,
+            pasted: None,
+        }
+    }
+}
+
+impl Translator {
+    /// Chooses the format of this name.
+    pub fn choose(&mut self, name: &str) {
+        let place = FORMATS.iter().position(|format| format.name == name);
+        self.format = place.unwrap_or(self.format);
+    }
+
+    /// The chosen format.
+    pub fn chosen(&self) -> &'static Format {
+        FORMATS.get(self.format).unwrap_or(&FORMATS[0])
+    }
+}
+
+/// What became of a paste.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pasted {
+    /// In a few words.
+    pub title: String,
+    /// What could not be taken over, or what is wrong with the text.
+    pub notes: Vec<String>,
+    /// Whether the camera was taken over.
+    pub worked: bool,
+    /// The camera after it: once that has changed, what is said here is past.
+    pub camera: Camera,
+}
+
+/// The camera that a text gives, and the format's name; what the text leaves open is as in the camera
+/// at hand. Objects in the text are not taken over.
+///
+/// # Errors
+/// What is wrong with it: no camera at all, or one that cannot be.
+pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
+    let failed = |title: &str, note: String| {
+        let title = title.to_owned();
+        (None, Pasted { title, notes: vec![note], worked: false, camera: *at_hand })
+    };
+    if let Some(scene) = own_scene(text) {
+        return match scene {
+            Ok(document) => {
+                let title = "Camera pasted: a scene of Pinhole".to_owned();
+                let objects = document.object_count();
+                taken(title, document.camera, Vec::new(), objects)
+            }
+            Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
+        };
+    }
+    let Some(format) = recognised(text) else {
+        return failed("This text is no camera: nothing is changed", unknown());
+    };
+    let text = Text { path: Path::new("pasted"), text };
+    match format.read(&text, at_hand) {
+        Ok(read) => {
+            let objects = read.spheres.len() + read.planes.len();
+            taken(format!("Camera pasted: {}", format.label), read.camera, read.notes, objects)
+        }
+        Err(error) => {
+            let title = format!("Not pasted: this camera of {} cannot be read", format.label);
+            failed(&title, error.to_string())
+        }
+    }
+}
+
+fn taken(
+    title: String,
+    camera: Camera,
+    mut notes: Vec<String>,
+    objects: usize,
+) -> (Option<Camera>, Pasted) {
+    if objects > 0 {
+        let things = if objects == 1 { "object is" } else { "objects are" };
+        notes.push(format!("{objects} {things} left out: a paste sets the camera alone"));
+    }
+    (Some(camera), Pasted { title, notes, worked: true, camera })
+}
+
+/// A scene file of this program, if the text is one.
+fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
+    let is_one = text.lines().any(|line| line.trim_start().starts_with("pinhole ="));
+    is_one.then(|| scene_file::parse(text, Path::new("pasted"), Path::new("")))
+}
+
+/// What goes with the camera: the objects where they are asked for, and not too many.
+pub fn with(document: &Document, objects: bool) -> With {
+    let few = document.object_count() <= MOST_OBJECTS;
+    if objects && few { With::Meshes } else { With::CameraAlone }
+}
+
+/// A camera in a format's terms.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Translation {
+    /// As written, or why the format cannot say it.
+    pub written: Result<Written, Unsayable>,
+    /// How the terms differ; empty where there is no camera.
+    pub rows: Vec<Row>,
+}
+
+impl Translation {
+    /// Of a document's camera, with the numbers of a pixel.
+    pub fn of(
+        document: &Document,
+        format: &Format,
+        objects: bool,
+        pixel: Pixel,
+        digits: usize,
+    ) -> Translation {
+        match Subject::new(document, with(document, objects)) {
+            Ok(subject) => Translation {
+                written: format.write(&subject),
+                rows: rows(format, &subject, pixel, digits),
+            },
+            Err(error) => Translation { written: Err(error), rows: Vec::new() },
+        }
+    }
+}
+
+/// The same text with every long number cut to so many significant digits, to be read.
+pub fn shortened(sheet: &Sheet, digits: usize) -> Sheet {
+    let mut short = Sheet::default();
+    let mut marks = sheet.flipped.iter().peekable();
+    let mut from = 0;
+    let bytes = sheet.text.as_bytes();
+    let is_number = |b: u8| b.is_ascii_digit() || b == b'.';
+    let mut at = 0;
+    let mut opened = None;
+    while at <= bytes.len() {
+        if marks.peek().is_some_and(|mark| mark.start == at) {
+            short.text.push_str(&sheet.text[from..at]);
+            (from, opened) = (at, Some(short.text.len()));
+        }
+        if let Some(start) = opened
+            && marks.peek().is_some_and(|mark| mark.end == at)
+        {
+            short.text.push_str(&sheet.text[from..at]);
+            short.flipped.push(start..short.text.len());
+            (from, opened) = (at, None);
+            marks.next();
+        }
+        if at == bytes.len() {
+            break;
+        }
+        let before = at.checked_sub(1).map_or(b' ', |k| bytes[k]);
+        if !bytes[at].is_ascii_digit() || before.is_ascii_alphanumeric() || before == b'_' {
+            at += 1;
+            continue;
+        }
+        let mut end = at + bytes[at..].iter().take_while(|b| is_number(**b)).count();
+        let exponent = &bytes[end..];
+        if exponent.first() == Some(&b'e') {
+            let sign = usize::from(exponent.get(1) == Some(&b'-'));
+            let count = exponent[1 + sign..].iter().take_while(|b| b.is_ascii_digit()).count();
+            end += if count > 0 { 1 + sign + count } else { 0 };
+        }
+        let number = &sheet.text[at..end];
+        let mantissa = number.split('e').next().unwrap_or_default().bytes();
+        let count = mantissa.skip_while(|b| b"0.".contains(b)).filter(u8::is_ascii_digit).count();
+        if let (true, Ok(value)) = (count > digits && number.contains(['.', 'e']), number.parse()) {
+            short.text.push_str(&sheet.text[from..at]);
+            short.text.push_str(&cut(value, digits));
+            from = end;
+        }
+        at = end;
+    }
+    short.text.push_str(&sheet.text[from..]);
+    short
+}
+
+fn cut(value: f64, digits: usize) -> String {
+    let rounded = format!("{value:.*e}", digits.max(1) - 1);
+    rounded.parse().map_or(rounded, shortest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_numbers_are_cut_and_marks_go_along() {
+        let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
+        let sheet = Sheet { text: text.to_owned(), flipped: vec![3..21, 23..34] };
+        let short = shortened(&sheet, 4);
+        assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
+        let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();
+        assert_eq!(marked, ["0.5812", "-0.8137e-20"]);
+        assert_eq!(shortened(&sheet, 17).text, text);
+    }
+}

@@ -1,0 +1,206 @@
+//! The translator and the clipboard, by label: numbers that match, a paste that is one step, a bad one
+//! that changes nothing.
+
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, OutputCommand};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::document::Document;
+use pinhole::exchange::{FORMATS, Format, Subject, With};
+use pinhole_core::{Camera, DVec3, Orientation};
+
+use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
+
+fn click(harness: &mut Harness<'_, App>, label: &str) {
+    harness.get_by_role_and_label(Role::Button, label).click_accesskit();
+    harness.run();
+}
+
+fn translating(scene: &str, format: &str) -> Harness<'static, App> {
+    let mut harness = window(scene);
+    click(&mut harness, "Translator");
+    click(&mut harness, format);
+    harness
+}
+
+fn text_of(name: &str, document: &Document) -> String {
+    let subject = Subject::new(document, With::CameraAlone).unwrap();
+    Format::named(name).unwrap().write(&subject).unwrap().joined().text
+}
+
+fn shown(harness: &Harness<'_, App>) -> String {
+    let parts = harness.query_all_by_label("translation");
+    parts.map(|part| part.value().unwrap()).collect::<Vec<_>>().join("\n")
+}
+
+fn paste(harness: &mut Harness<'_, App>, text: &str) {
+    harness.event(Event::Paste(text.to_owned()));
+    harness.run();
+}
+
+fn camera(harness: &Harness<'_, App>) -> Camera {
+    harness.state().document().camera
+}
+
+#[test]
+fn every_format_shows_the_camera_live() {
+    let mut harness = translating("look-at", "POV-Ray");
+    for format in &FORMATS {
+        click(&mut harness, format.short);
+        let text = text_of(format.name, harness.state().document());
+        assert!(!shown(&harness).is_empty());
+        for line in shown(&harness).lines() {
+            assert!(text.contains(line), "{}: {line}", format.label);
+        }
+    }
+    let document = harness.state().document().clone();
+    assert_eq!(shown(&harness), text_of("pbrt", &document).trim_end());
+    type_into(&mut harness, "eye x", "5");
+    let document = harness.state().document().clone();
+    assert_eq!(document.camera.eye.x, 5.0);
+    assert_eq!(shown(&harness), text_of("pbrt", &document).trim_end());
+    assert!(shown(&harness).contains("LookAt 5 4 10"), "{}", shown(&harness));
+}
+
+#[test]
+fn the_table_tells_what_is_turned() {
+    let mut harness = translating("canonical", "OpenCV");
+    assert_says(&harness, "down −𝐯 = (0, −1, 0)");
+    assert_says(&harness, "forwards −𝐰 = (0, 0, −1)");
+    assert_says(&harness, "along +z");
+    click(&mut harness, "Mitsuba");
+    assert_says(&harness, "left −𝐮 = (−1, 0, 0)");
+    click(&mut harness, "POV-Ray");
+    assert_says(&harness, "left-handed");
+    click(&mut harness, "glTF");
+    assert!(!says(&harness, "left-handed"));
+}
+
+#[test]
+fn what_a_format_cannot_say_is_told() {
+    let harness = translating("non-square", "Mitsuba");
+    let said = texts_with(&harness, "Mitsuba has square ones only");
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert_eq!(shown(&harness), "");
+}
+
+#[test]
+fn copying_gives_every_digit() {
+    let mut harness = translating("look-at", "Blender");
+    harness.get_by_role_and_label(Role::Button, "Copy").click_accesskit();
+    harness.step();
+    let commands = &harness.output().platform_output.commands;
+    let copied = commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    assert_eq!(copied, Some(text_of("blender", harness.state().document())));
+}
+
+#[test]
+fn saving_writes_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("camera.pov");
+    let mut harness = translating("look-at", "POV-Ray");
+    click(&mut harness, "Save as a file…");
+    export_to(&mut harness, &path);
+    harness.run();
+    let text = std::fs::read_to_string(path).unwrap();
+    assert_eq!(text, text_of("povray", harness.state().document()));
+}
+
+#[test]
+fn a_paste_of_every_form_sets_the_camera_in_one_step() {
+    let other = window("look-at").state().document().clone();
+    for format in &FORMATS {
+        let mut harness = window("canonical");
+        let before = harness.state().document().clone();
+        paste(&mut harness, &text_of(format.name, &other));
+        assert_says(&harness, &format!("Camera pasted: {}", format.label));
+        let (here, there) = (camera(&harness).posed().unwrap(), other.camera.posed().unwrap());
+        assert!((here.eye() - there.eye()).length() < 1e-12, "{}", format.label);
+        assert!((here.basis().u - there.basis().u).length() < 1e-12, "{}", format.label);
+        assert_eq!(harness.state().document().spheres, before.spheres);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        harness.run();
+        assert_eq!(harness.state().document(), &before, "{}", format.label);
+        assert!(!says(&harness, &format!("Camera pasted: {}", format.label)));
+    }
+}
+
+#[test]
+fn a_paste_says_what_it_could_not_take_over() {
+    let mut harness = window("canonical");
+    paste(&mut harness, "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);");
+    assert_says(
+        &harness,
+        "GluPerspective does not say how many pixels there are: 800 × 400 taken.",
+    );
+    let at = Orientation::At { at: DVec3::ZERO, up: DVec3::Y };
+    assert_eq!(camera(&harness).orientation, at);
+    click(&mut harness, "Close");
+    assert!(!says(&harness, "Camera pasted: gluLookAt + gluPerspective"));
+}
+
+#[test]
+fn a_bad_paste_changes_nothing() {
+    let mut harness = window("canonical");
+    let before = harness.state().document().clone();
+    paste(&mut harness, "to whom it may concern");
+    assert_says(&harness, "This text is no camera: nothing is changed");
+    assert_eq!(harness.state().document(), &before);
+    paste(&mut harness, "cam.lookfrom = point3(0, 0);");
+    assert_says(&harness, "Not pasted: this camera of Ray Tracing in One Weekend cannot be read");
+    assert_says(&harness, "Pasted:1:16: lookfrom is point3(0, 0): it must be three numbers.");
+    assert_eq!(harness.state().document(), &before);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert_eq!(harness.state().document(), &before);
+}
+
+#[test]
+fn what_is_pasted_into_a_field_is_typed_there() {
+    let mut harness = window("canonical");
+    harness.get_by_role_and_label(Role::SpinButton, "eye x").click();
+    harness.run();
+    paste(&mut harness, "gluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0); gluPerspective(60, 2, 0.1, 100);");
+    assert!(!says(&harness, "Camera pasted: gluLookAt + gluPerspective"));
+    assert_eq!(camera(&harness).eye.z, 0.0);
+}
+
+#[test]
+fn a_scene_of_our_own_is_a_camera_too() {
+    let mut harness = window("canonical");
+    let text = "pinhole = 1\n[camera]\neye = [1, 2, 3]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
+                [[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n";
+    paste(&mut harness, text);
+    assert_says(&harness, "Camera pasted: a scene of Pinhole");
+    assert_says(&harness, "1 object is left out: a paste sets the camera alone.");
+    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
+    paste(&mut harness, "pinhole = 1\n[camera]\neye = 3\n");
+    assert_says(&harness, "Not pasted: this scene cannot be read");
+    assert_eq!(camera(&harness).eye, DVec3::new(1.0, 2.0, 3.0));
+}
+
+#[test]
+fn objects_go_along_where_they_are_asked_for() {
+    let mut harness = translating("canonical", "POV-Ray");
+    assert!(!shown(&harness).contains("sphere {"));
+    harness.get_by_role_and_label(Role::CheckBox, "objects, too").click_accesskit();
+    harness.run();
+    assert!(shown(&harness).contains("sphere { <0, 0, -5>, 1"), "{}", shown(&harness));
+}
+
+#[test]
+fn the_palette_finds_a_format() {
+    let mut harness = window("canonical");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::P);
+    harness.run();
+    harness.get_by_role_and_label(Role::TextInput, "Command").type_text("translate blender");
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    harness.run();
+    assert!(shown(&harness).starts_with("import bpy"), "{}", shown(&harness));
+}

@@ -1,0 +1,204 @@
+//! What is wrong with a text is told: file, line, field, value, what would be right.
+
+use std::path::Path;
+
+use pinhole::exchange::{FORMATS, Text, recognised, recognised_file};
+use pinhole_core::Camera;
+
+use super::read;
+
+#[test]
+fn faults_name_place_field_and_what_would_be_right() {
+    let cases = [
+        (
+            "opengl",
+            "gluPerspective(60, 1, 0.1, 9);\ngluLookAt(0,0,0, 0,0,x, 0,1,0);",
+            "in:2:22: gluLookAt is x: it must be a finite number",
+        ),
+        (
+            "opengl",
+            "gluPerspective(190, 1, 0.1, 9);\ngluLookAt(0,0,0, 0,0,1, 0,1,0);",
+            "in:1:16: fovy is 190: it must be between 0 and 180 degrees",
+        ),
+        (
+            "opengl",
+            "gluLookAt(0,0,0, 0,0,1, 0,1,0);",
+            "in: gluPerspective is missing: fovy, aspect, zNear and zFar must be given by it",
+        ),
+        (
+            "opengl",
+            "gluPerspective(60, 1, 0.1, 9);\ngluLookAt(1,2,3, 1,2,3, 0,1,0);",
+            "in: gluLookAt + gluPerspective: eye and at are the same point (1, 2, 3): move one of them",
+        ),
+        (
+            "weekend",
+            "cam.lookfrom = point3(0,0);\n",
+            "in:1:16: lookfrom is point3(0,0): it must be three numbers",
+        ),
+        (
+            "weekend",
+            "cam.lookfrom = point3(0,0,1);\ncam.image_width = 0;\n",
+            "in:2:19: image_width is 0: it must be whole numbers from 1 to 16384",
+        ),
+        (
+            "course",
+            "PerspectiveCamera(Vec3(0,0,0), Vec3(0,0,-1), Vec3(0,1,0), -1, 10, 10)",
+            "in:1:59: focal is -1: it must be greater than 0",
+        ),
+        (
+            "povray",
+            "camera {\n  location <0, 0, a>\n}",
+            "in:2:19: location is a: it must be a finite number",
+        ),
+        (
+            "povray",
+            "camera { orthographic location <0, 0, 0> }",
+            "in:1:10: the projection is orthographic: it must be perspective",
+        ),
+        (
+            "pbrt",
+            "LookAt 0 0 0 0 0 1 0 1\nCamera \"perspective\"",
+            "in:1:1: LookAt has 8 numbers: it must have 9",
+        ),
+        (
+            "pbrt",
+            "LookAt 0 0 0 0 0 1 0 1 0\n\nCamera \"orthographic\"",
+            "in:3:1: Camera is orthographic: it must be perspective",
+        ),
+        (
+            "mitsuba",
+            "<scene>\n<sensor type=\"perspective\">\n<float name=\"fov\" value=\"0\"/></sensor></scene>",
+            "in:3:1: fov is 0: it must be between 0 and 180 degrees",
+        ),
+        (
+            "mitsuba",
+            "<scene><sensor type=\"orthographic\"/></scene>",
+            "in:1:8: sensor's type is orthographic: it must be perspective",
+        ),
+        (
+            "three",
+            "{\"object\": {\"type\": \"PerspectiveCamera\",\n \"fov\": \"wide\"}}",
+            "in:2:2: object.fov is \"wide\": it must be a finite number",
+        ),
+        (
+            "gltf",
+            "{\"asset\": {}, \"cameras\": [{\"perspective\": {\"yfov\": 4}}],\n \"nodes\": [{\"camera\": 0}]}",
+            "in:1:44: cameras[0].perspective.yfov is 4: it must be between 0 and pi, in radians",
+        ),
+        (
+            "gltf",
+            "{\"asset\": {}, \"cameras\": [], \"nodes\": [{\"camera\": 3}]}",
+            "in:1:41: nodes[0].camera is 3: it must be the number of one of the cameras",
+        ),
+        (
+            "opencv",
+            "K = [[1, 0, 5], [0, 1, 5]]\nR = [1,0,0,0,1,0,0,0,1]\nt = [0,0,0]",
+            "in:1:6: K is [1, 0, 5], [0, 1, 5]: it must be 3 × 3 numbers",
+        ),
+        (
+            "opencv",
+            "K = [[1, 2, 5], [0, 1, 5], [0, 0, 1]]\nR = [1,0,0,0,1,0,0,0,1]\nt = [0,0,0]",
+            "in:1:6: K is [1, 2, 5], [0, 1, 5], [0, 0, 1]: it must be fx 0 cx, 0 fy cy, 0 0 1 with fx \
+             and fy greater than 0",
+        ),
+        (
+            "opencv",
+            "K = [[9, 0, 4.5], [0, 9, 4.5], [0, 0, 1]]\nR = [1,0,0,1,1,0,0,0,1]\nt = [0,0,0]",
+            "in: R is no rotation: its axes are off a right angle by up to 0.7071: it must be a \
+             rotation, without shear",
+        ),
+        (
+            "colmap",
+            "1 PINHOLE 400 300 400 400 200\n",
+            "in: the line of images.txt is missing: 1 QW QX QY QZ TX TY TZ CAMERA_ID NAME",
+        ),
+        (
+            "colmap",
+            "1 PINHOLE 400 300 400 400 200\n1 1 0 0 0 0 0 0 1 a.png\n",
+            "in:1:1: PINHOLE has 5 numbers: it must have 6",
+        ),
+        (
+            "colmap",
+            "1 FISHEYE 400 300 400 400 200\n1 1 0 0 0 0 0 0 1 a.png\n",
+            "in:1:1: MODEL is FISHEYE: it must be one of SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, \
+             RADIAL, OPENCV, FULL_OPENCV",
+        ),
+        (
+            "blender",
+            "import bpy\ncam.matrix_world = ((1, 0, 0, 0), (0, 1, 0, 0))\n",
+            "in:2:20: matrix_world is ((1, 0, 0, 0), (0, 1, 0, 0)): it must be four rows of four \
+             numbers, the last one 0, 0, 0, 1",
+        ),
+    ];
+    for (format, text, message) in cases {
+        let error = read(format, text).map(|taken| taken.camera).unwrap_err();
+        assert_eq!(error.to_string(), message, "{format}");
+    }
+}
+
+/// A format is known by what is in a text; where that does not tell, by the name.
+#[test]
+fn what_is_no_camera_is_recognised_as_none() {
+    for text in ["", "hello", "{}", "<html/>", "[1, 2, 3]", "K = 3", "eye = [0, 0, 0]"] {
+        assert!(recognised(text).is_none(), "{text}");
+    }
+    let of = |name: &str| {
+        let text = Text { path: Path::new(name), text: "nothing" };
+        recognised_file(&text).map(|format| format.name).map_err(|error| error.to_string())
+    };
+    assert_eq!(of("a.pov"), Ok("povray"));
+    assert_eq!(of("a.pbrt"), Ok("pbrt"));
+    let refused = of("a.json").unwrap_err();
+    assert!(
+        refused.starts_with("a.json: no camera of a known form: it may be glTF 2.0, "),
+        "{refused}"
+    );
+    assert!(FORMATS.iter().all(|format| refused.contains(format.label)), "{refused}");
+}
+
+/// No text makes a reader panic: beginnings of exports, and exports with a byte or a number gone, or
+/// another one in its place.
+#[test]
+fn broken_texts_are_errors() {
+    for (_, document) in super::proofs() {
+        for format in &FORMATS {
+            let subject = pinhole::exchange::Subject::new(&document, Default::default()).unwrap();
+            let Ok(written) = format.write(&subject) else { continue };
+            let text = written.joined().text;
+            for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)).step_by(5) {
+                let (head, tail) = text.split_at(end);
+                let after = |from: usize| tail.get(from..).unwrap_or("");
+                let comma = tail.find([',', ' ']).map_or(0, |at| at + 1);
+                for broken in [
+                    head.to_owned(),
+                    format!("{head}{}", after(1)),
+                    format!("{head}{}", after(comma)),
+                    format!("{head}1e308{}", after(1)),
+                    format!("{head} -0 {}", after(1)),
+                ] {
+                    let text = Text { path: Path::new("in"), text: &broken };
+                    for reader in [Some(format), recognised(&broken)].into_iter().flatten() {
+                        if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
+                            assert!(taken.camera.posed().is_ok());
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// README's table has a row for each format, with its axes.
+#[test]
+fn the_readme_s_table_is_the_table() {
+    let readme = include_str!("../../README.md");
+    for format in &FORMATS {
+        let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` | ", format.name)));
+        let axes = format.terms.axes.map(|axis| {
+            let letter = axis.letter();
+            letter.replace('𝐮', "u").replace('𝐯', "v").replace('𝐰', "w")
+        });
+        let axes = format!("| {} |", axes.join(", "));
+        assert!(row.is_some_and(|row| row.contains(&axes)), "{}: {row:?} {axes}", format.name);
+    }
+}

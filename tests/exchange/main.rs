@@ -1,0 +1,87 @@
+//! Other programs' cameras: there and back, what is wrong with a text, and the other programs
+//! themselves.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+#![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
+
+mod faults;
+mod habits;
+mod programs;
+mod round_trip;
+
+use std::path::Path;
+
+use pinhole::document::{Document, Item};
+use pinhole::exchange::{Format, Subject, Taken, Text, With, Written};
+use pinhole::formats::FileError;
+use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
+
+fn format(name: &str) -> &'static Format {
+    Format::named(name).unwrap()
+}
+
+fn written(name: &str, document: &Document, with: With) -> Written {
+    format(name).write(&Subject::new(document, with).unwrap()).unwrap()
+}
+
+fn text_of(name: &str, document: &Document) -> String {
+    written(name, document, With::Objects).joined().text
+}
+
+fn read(name: &str, text: &str) -> Result<Taken, FileError> {
+    format(name).read(&Text { path: Path::new("in"), text }, &Camera::CANONICAL)
+}
+
+fn scene_of(camera: Camera) -> Document {
+    Document { camera, ..Document::default() }
+}
+
+fn sphere(center: [f64; 3], radius: f64, color: [u8; 3]) -> Item<Sphere> {
+    let shape = Sphere { center: DVec3::from_array(center), radius };
+    Item { name: None, color: Some(color), shape }
+}
+
+/// Three spheres of different sizes and colours that no flip leaves as they are: a large one in the
+/// middle, a middling one to its upper right, a small one to its left, nearer; and one off the axis.
+fn marker() -> Vec<Item<Sphere>> {
+    vec![
+        sphere([0.0, 0.0, 0.0], 1.0, [255, 0, 0]),
+        sphere([1.5, 1.1, -0.4], 0.6, [0, 255, 0]),
+        sphere([-1.3, 0.3, 0.9], 0.35, [0, 0, 255]),
+        sphere([2.2, -1.6, -1.0], 0.5, [255, 255, 0]),
+    ]
+}
+
+fn camera(eye: [f64; 3], at: [f64; 3], up: [f64; 3], size: [f64; 3], image: [u32; 2]) -> Camera {
+    let [width, height, distance] = size;
+    Camera {
+        eye: eye.into(),
+        orientation: Orientation::At { at: at.into(), up: up.into() },
+        viewport: Viewport { width, height, distance },
+        image: ImageSize::new(image[0], image[1]).unwrap(),
+    }
+}
+
+/// A wide image, a high one, a rolled camera far from the origin's axes, and pixels that are not
+/// square.
+fn proofs() -> Vec<(&'static str, Document)> {
+    let cameras = [
+        (
+            "wide",
+            camera([1.0, 2.0, 7.0], [0.2, 0.1, 0.0], [0.0, 1.0, 0.0], [1.6, 0.9, 1.5], [160, 90]),
+        ),
+        (
+            "high",
+            camera([-6.0, 1.0, 3.0], [0.0, 0.0, 0.2], [0.1, 1.0, 0.3], [0.6, 0.9, 1.2], [80, 120]),
+        ),
+        (
+            "rolled",
+            camera([3.0, -5.0, 4.0], [0.3, 0.0, 0.0], [1.0, 0.2, 0.4], [1.0, 1.0, 1.2], [100, 100]),
+        ),
+        (
+            "not-square",
+            camera([0.5, 1.5, -8.0], [0.3, 0.0, 0.0], [0.2, 1.0, 0.0], [0.9, 0.9, 1.4], [140, 70]),
+        ),
+    ];
+    let scene = |camera| Document { camera, spheres: marker().into(), ..Document::default() };
+    cameras.into_iter().map(|(name, camera)| (name, scene(camera))).collect()
+}
