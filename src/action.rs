@@ -14,7 +14,7 @@ use crate::lessons::Place;
 use crate::overlay::{Item, Scheme};
 use crate::play::Kind;
 use crate::presenter::Full;
-use crate::session::{MethodName, Session, ShadeName, ThemeName, ViewLayout};
+use crate::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +36,10 @@ pub enum PlayMove {
     Toggle,
     /// So many single steps on; negative: back.
     Step(i64),
+    /// So many speeds faster, of those to choose from; negative: slower.
+    Faster(i32),
+    /// Begin again after the end, or not.
+    Loop,
     /// End it, and keep what is there now.
     Keep,
     /// End it, and go back to how it was.
@@ -51,6 +55,48 @@ pub enum GhostMove {
     Drop,
     /// Camera and ghost change places.
     Swap,
+}
+
+/// What keys do to the camera, as the mouse does in the camera view; in steps to the right and up, on
+/// and back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steer {
+    /// Look round.
+    Look(i32, i32),
+    /// Orbit round at.
+    Orbit(i32, i32),
+    /// Narrow the field of view.
+    Zoom(i32),
+    /// Go towards what the camera looks at.
+    Dolly(i32),
+}
+
+/// What keys do to the observer of the world view; likewise.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Observe {
+    /// Orbit what it looks at.
+    Orbit(i32, i32),
+    /// Go sideways.
+    Pan(i32, i32),
+    /// Go nearer.
+    Zoom(i32),
+    /// Go where the eye and the viewport fill the picture.
+    FrameCamera,
+}
+
+/// What is done with the scene's objects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ObjectMove {
+    /// Add a sphere that the camera sees, and choose it.
+    AddSphere,
+    /// Add a plane below the origin, and choose it.
+    AddPlane,
+    /// Take the chosen one away.
+    Remove,
+    /// Choose the one with this index.
+    Choose(usize),
+    /// Choose the one so many places on in the list; after the last comes the first.
+    Next(i32),
 }
 
 /// Something to do once, after the panels and before anything is derived.
@@ -126,6 +172,12 @@ pub enum Action {
     Ghost(GhostMove),
     /// Something with an animation.
     Play(PlayMove),
+    /// Move the camera.
+    Steer(Steer),
+    /// Move the observer of the world view.
+    Observe(Observe),
+    /// Something with the scene's objects.
+    Object(ObjectMove),
     /// Put the observer where everything can be seen.
     FrameAll,
     /// Move the selected pixel that many rows down and columns right.
@@ -178,6 +230,12 @@ pub enum Switch {
     Section(LedgerSection),
     /// Rows and columns are shown counted from 1.
     CountFromOne,
+    /// A moved eye takes the view along; off, it orbits at.
+    EyeTravels,
+    /// Changing the viewport or image keeps the pixels' shape.
+    KeepPixelShape,
+    /// Distance, width and height go together, so that the picture stays.
+    KeepPicture,
     /// Nothing moves by itself.
     ReducedMotion,
     /// All but what is round the pointer is dimmed.
@@ -192,6 +250,9 @@ impl Switch {
             Switch::Item(item) => settings.items.shows(item),
             Switch::Section(section) => session.sections.shows(section),
             Switch::CountFromOne => settings.count_from_one,
+            Switch::EyeTravels => settings.eye_keeps == EyeKeeps::View,
+            Switch::KeepPixelShape => settings.keep_pixel_shape,
+            Switch::KeepPicture => settings.keep_picture,
             Switch::ReducedMotion => settings.reduced_motion,
             Switch::Spotlight => session.spotlight,
         }
@@ -205,6 +266,9 @@ impl Switch {
             Switch::Item(item) => settings.items.set(item, on),
             Switch::Section(section) => session.sections.set(section, on),
             Switch::CountFromOne => settings.count_from_one = on,
+            Switch::EyeTravels => settings.eye_keeps = settings.eye_keeps.other(),
+            Switch::KeepPixelShape => settings.keep_pixel_shape = on,
+            Switch::KeepPicture => settings.keep_picture = on,
             Switch::ReducedMotion => settings.reduced_motion = on,
             Switch::Spotlight => session.spotlight = on,
         }

@@ -11,6 +11,7 @@ use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::lessons::LessonArgument;
 use crate::overlay::Style;
+use crate::play::Kind;
 use crate::present::Renderer;
 
 /// See what a pinhole camera sees, and why.
@@ -19,8 +20,10 @@ use crate::present::Renderer;
 #[derive(Clone, Debug, Parser)]
 #[command(
     version,
+    long_version = env!("PINHOLE_VERSION"),
     args_conflicts_with_subcommands = true,
-    after_help = "SCENE is the path of a scene file or the name of a built-in scene."
+    after_help = "SCENE is the path of a scene file or of a molecule (.xyz, .pdb), or the name of a built-in \
+                  scene."
 )]
 pub struct Arguments {
     /// What to do instead of opening the window.
@@ -157,14 +160,26 @@ pub struct FigureArguments {
     /// Leave the background out: in the views, whatever lies behind all objects
     #[arg(long)]
     pub transparent: bool,
-    /// Dark on light, or light on dark
+    /// Dark on light, light on dark, or one of the window's colour schemes on either
     #[arg(
         long = "theme",
-        value_name = "light|dark",
+        value_name = "THEME",
         default_value = "light",
         value_parser = style()
     )]
     pub style: Style,
+    /// Write an animation of the world or the camera view: an animated PNG, like the window's Play
+    #[arg(long, value_name = "KIND", value_parser = kind())]
+    pub play: Option<Kind>,
+    /// How many frames it has; else as many as it has time for
+    #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u32).range(1..=9999))]
+    pub frames: Option<u32>,
+    /// Frames per second
+    #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u16).range(1..=120))]
+    pub per_second: Option<u16>,
+    /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG
+    #[arg(long, requires = "play")]
+    pub numbered: bool,
     /// Which ray is shown.
     #[command(flatten)]
     pub ray: MaybeRayArguments,
@@ -284,8 +299,13 @@ fn subject() -> impl TypedValueParser<Value = Subject> {
 }
 
 fn style() -> impl TypedValueParser<Value = Style> {
-    PossibleValuesParser::new(["light", "dark"])
-        .map(|name| if name == "dark" { Style::Dark } else { Style::Light })
+    PossibleValuesParser::new(Style::ALL.map(Style::name))
+        .map(|name| Style::ALL.into_iter().find(|style| style.name() == name).unwrap_or_default())
+}
+
+fn kind() -> impl TypedValueParser<Value = Kind> {
+    PossibleValuesParser::new(Kind::ALL.map(Kind::name))
+        .map(|name| Kind::from_name(&name).unwrap_or(Kind::SwingUp))
 }
 
 fn shade() -> impl TypedValueParser<Value = Shade> {

@@ -1,6 +1,6 @@
 //! What is edited and saved: plain data, compared and cloned as a whole.
 
-use std::ops::Deref;
+use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -16,11 +16,70 @@ pub struct Document {
     /// The edited camera.
     pub camera: Camera,
     /// The `[[sphere]]`s.
-    pub spheres: Vec<Item<Sphere>>,
+    pub spheres: Shared<Item<Sphere>>,
     /// The spheres of the file that `spheres = "..."` names.
     pub csv_spheres: Option<CsvSpheres>,
     /// The `[[plane]]`s.
-    pub planes: Vec<Item<Plane>>,
+    pub planes: Shared<Item<Plane>>,
+}
+
+/// A list that clones of the document share until one of them writes to it: every step of the history
+/// holds a document.
+#[derive(Clone, Debug)]
+pub struct Shared<T>(Arc<Vec<T>>);
+
+impl<T> Shared<T> {
+    /// Whether both are one list, and not only alike.
+    pub fn is_same(&self, other: &Shared<T>) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl<T> Default for Shared<T> {
+    fn default() -> Self {
+        Shared(Arc::default())
+    }
+}
+
+impl<T> From<Vec<T>> for Shared<T> {
+    fn from(items: Vec<T>) -> Self {
+        Shared(Arc::new(items))
+    }
+}
+
+impl<T> FromIterator<T> for Shared<T> {
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        items.into_iter().collect::<Vec<T>>().into()
+    }
+}
+
+impl<'a, T> IntoIterator for &'a Shared<T> {
+    type Item = &'a T;
+    type IntoIter = std::slice::Iter<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
+impl<T: PartialEq> PartialEq for Shared<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_same(other) || self.0 == other.0
+    }
+}
+
+impl<T> Deref for Shared<T> {
+    type Target = Vec<T>;
+
+    fn deref(&self) -> &Vec<T> {
+        &self.0
+    }
+}
+
+impl<T: Clone> DerefMut for Shared<T> {
+    fn deref_mut(&mut self) -> &mut Vec<T> {
+        Arc::make_mut(&mut self.0)
+    }
 }
 
 /// An object with what only people need: its name and colour.
@@ -34,7 +93,7 @@ pub struct Item<S> {
     pub shape: S,
 }
 
-/// Many spheres from a CSV file, shared between clones of the document and not edited.
+/// Many spheres from a CSV file, or a molecule's, shared between clones of the document and not edited.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
     /// The path as the scene file gives it: relative to the scene file.
@@ -82,9 +141,9 @@ impl Default for Document {
         Document {
             note: String::new(),
             camera: Camera::CANONICAL,
-            spheres: Vec::new(),
+            spheres: Shared::default(),
             csv_spheres: None,
-            planes: Vec::new(),
+            planes: Shared::default(),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::document::Document;
 use crate::formats::scene_argument::SceneSource;
-use crate::formats::scene_file;
+use crate::formats::{molecule, scene_file};
 
 /// How many files the list of recent ones holds.
 const RECENT: usize = 10;
@@ -61,8 +61,8 @@ impl OpenDocument {
     /// A document just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
         let text = match &source {
-            SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
-            SceneSource::File(path) => fs::read_to_string(path).ok(),
+            SceneSource::Builtin(scene) => scene.scene_text().map(str::to_owned),
+            file => file.scene_file().and_then(|path| fs::read_to_string(path).ok()),
         };
         let origin = Origin::Scene(source);
         OpenDocument { saved: document.clone(), document, text, origin, forgiving: false }
@@ -90,11 +90,19 @@ impl OpenDocument {
         !self.forgiving && self.document != self.saved
     }
 
-    /// The file that *Save* writes; a built-in scene has none, nor has a lesson's step.
+    /// The file that it was read from; a built-in scene has none, nor has a lesson's step.
     pub fn file(&self) -> Option<&Path> {
         match &self.origin {
             Origin::Scene(SceneSource::File(path)) => Some(path),
             Origin::Scene(SceneSource::Builtin(_)) | Origin::Step(_) => None,
+        }
+    }
+
+    /// The file that *Save* writes: where it was read from a scene file, that one.
+    pub fn scene_file(&self) -> Option<&Path> {
+        match &self.origin {
+            Origin::Scene(source) => source.scene_file(),
+            Origin::Step(_) => None,
         }
     }
 
@@ -103,6 +111,9 @@ impl OpenDocument {
         match &self.origin {
             Origin::Scene(SceneSource::Builtin(scene)) => format!("{}.toml", scene.name),
             Origin::Step(_) => "scene.toml".to_owned(),
+            Origin::Scene(SceneSource::File(path)) if molecule::is_molecule(path) => {
+                title_of(&Origin::Scene(SceneSource::File(path.with_extension("toml"))))
+            }
             file => title_of(file),
         }
     }

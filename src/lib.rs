@@ -12,6 +12,7 @@ pub mod arguments;
 pub mod bench;
 pub mod chart;
 pub mod coarseness;
+pub mod code;
 mod columns;
 pub mod commands;
 pub mod derive;

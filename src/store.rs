@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
 use pinhole_core::{DVec2, Pixel};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::formats::{FileError, atomic};
 use crate::lessons::{Place, Which};
@@ -68,6 +69,37 @@ impl From<RememberedRay> for Selection {
     }
 }
 
+/// As much of a file that is wrong somewhere as can be read: the values that fit, one by one.
+fn readable(text: &str) -> Remembered {
+    let read: Value = serde_json::from_str(text).unwrap_or_default();
+    let Ok(mut kept) = serde_json::to_value(Remembered::default()) else {
+        return Remembered::default();
+    };
+    keep(&mut kept, "", &read);
+    serde_json::from_value(kept).unwrap_or_default()
+}
+
+/// Puts what was `read` at a place (a JSON pointer) into what is `kept`, as far as that can be read
+/// then.
+fn keep(kept: &mut Value, place: &str, read: &Value) {
+    if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(place)) {
+        let known: Vec<String> = known.keys().cloned().collect();
+        for key in known {
+            if let Some(value) = entries.get(&key) {
+                keep(kept, &format!("{place}/{key}"), value);
+            }
+        }
+        return;
+    }
+    let mut next = kept.clone();
+    if let Some(value) = next.pointer_mut(place) {
+        value.clone_from(read);
+        if Remembered::deserialize(&next).is_ok() {
+            *kept = next;
+        }
+    }
+}
+
 /// A file that keeps [`Remembered`].
 #[derive(Clone, Debug)]
 pub struct Store {
@@ -103,10 +135,10 @@ impl Store {
         !self.path.exists()
     }
 
-    /// What was remembered; the defaults where nothing was, or where it cannot be read.
+    /// What was remembered; the default where nothing was, and for each value that cannot be read.
     pub fn load(&self) -> Remembered {
         let text = std::fs::read_to_string(&self.path).unwrap_or_default();
-        serde_json::from_str(&text).unwrap_or_default()
+        serde_json::from_str(&text).unwrap_or_else(|_| readable(&text))
     }
 
     /// Remembers `state`, whole or not at all.

@@ -6,14 +6,21 @@ use std::sync::Arc;
 use egui::{Context, ViewportCommand};
 
 use super::App;
-use crate::action::{Action, MadeUp};
+use crate::action::{Action, MadeUp, ObjectMove, Observe};
 use crate::derive::Deriver;
 use crate::figures::ledger_of;
 use crate::files::{OpenDocument, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::{self, Place, Which};
 use crate::panels::dialogs::{Dialog, PathField};
+use crate::panels::objects;
 use crate::session::{Selection, Session, ViewLayout};
+
+/// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
+/// times nearer.
+const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
+const PAN: f64 = 0.05;
+const ZOOM: f64 = 1.15;
 
 impl App {
     /// Does it, or asks what stands in its way.
@@ -55,7 +62,7 @@ impl App {
             Action::CloseLesson => self.close_lesson(ctx),
             Action::SaveThen(then) => self.save(ctx, Some(then)),
             Action::AskOpen => {
-                self.dialog = Some(Dialog::Open(PathField::near(self.open.file(), "")));
+                self.dialog = Some(Dialog::Open(PathField::to_open(self.open.file())));
             }
             Action::Save => self.save(ctx, None),
             Action::AskSaveAs => self.ask_save_as(None),
@@ -78,6 +85,13 @@ impl App {
             Action::Redo => self.redo(ctx),
             Action::Ghost(ghost) => self.move_ghost(ctx, ghost),
             Action::Play(play) => self.play(ctx, play),
+            Action::Steer(steer) => {
+                let time = ctx.input(|i| i.time);
+                self.navigation.steer(steer, &mut self.open.document.camera, time);
+                ctx.request_repaint();
+            }
+            Action::Observe(observe) => self.observe(ctx, observe),
+            Action::Object(object) => self.change_objects(ctx, object),
             Action::FrameAll => {
                 // The next frame, which knows the view's proportions, frames everything.
                 self.session.observer = None;
@@ -91,6 +105,50 @@ impl App {
             }
             look => self.change_look(ctx, look),
         }
+    }
+
+    fn observe(&mut self, ctx: &Context, observe: Observe) {
+        let aspect = self.world_aspect();
+        let Some(observer) = &mut self.session.observer else { return };
+        match observe {
+            Observe::Orbit(right, up) => {
+                observer.orbit(TURN * f64::from(right), TURN * f64::from(up));
+            }
+            Observe::Pan(right, up) => observer.pan(-PAN * f64::from(right), PAN * f64::from(up)),
+            Observe::Zoom(steps) => observer.zoom(ZOOM.powi(steps)),
+            Observe::FrameCamera => {
+                *observer = observer.framing_camera(&self.open.document.camera, aspect);
+            }
+        }
+        ctx.request_repaint();
+    }
+
+    /// Width by height of the world view as it was seen last.
+    pub(super) fn world_aspect(&self) -> f64 {
+        let seen = self.derived.world_view.as_ref().map(|shown| shown.image.size);
+        seen.map_or(1.25, |[width, height]| width as f64 / height.max(1) as f64)
+    }
+
+    fn change_objects(&mut self, ctx: &Context, object: ObjectMove) {
+        let document = &mut self.open.document;
+        let count = document.object_count();
+        let chosen = self.chosen_object.min(count.saturating_sub(1));
+        match object {
+            ObjectMove::AddSphere => self.chosen_object = objects::add_sphere(document),
+            ObjectMove::AddPlane => self.chosen_object = objects::add_plane(document),
+            ObjectMove::Choose(index) if index < count => self.chosen_object = index,
+            ObjectMove::Next(by) if count > 0 => {
+                let next = (chosen as i64 + i64::from(by)).rem_euclid(count as i64);
+                self.chosen_object = next as usize;
+            }
+            ObjectMove::Remove if count > 0 => {
+                if let Err(reason) = objects::remove(document, chosen) {
+                    self.tell("This object was not removed", reason);
+                }
+            }
+            _ => return,
+        }
+        ctx.request_discard("another object is chosen");
     }
 
     /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
@@ -111,7 +169,7 @@ impl App {
 
     /// Saves to the scene's own file, or asks for one.
     fn save(&mut self, ctx: &Context, then: Option<Box<Action>>) {
-        match self.open.file().map(Path::to_owned) {
+        match self.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_then(ctx, &path, then),
             None => self.ask_save_as(then),
         }
@@ -129,7 +187,7 @@ impl App {
     }
 
     fn ask_save_as(&mut self, then: Option<Box<Action>>) {
-        let field = PathField::near(self.open.file(), &self.open.file_name());
+        let field = PathField::to_save(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
     }
 

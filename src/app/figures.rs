@@ -51,7 +51,7 @@ impl App {
                 let page = |width| [width + 2.0 * MARGIN, LEDGER[1]];
                 self.ledger.width().map_or(LEDGER, page)
             }
-            Subject::Lines => lines::plane_size(ctx).unwrap_or(LINES),
+            Subject::Lines => lines::size(ctx).unwrap_or(LINES),
         };
         OnScreen { subject, points, scale }
     }

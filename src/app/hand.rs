@@ -10,12 +10,13 @@ use crate::panels::views;
 impl App {
     /// What mouse and keys do to handles, and in the camera view.
     pub(super) fn hand_inputs(&mut self, ctx: &Context) {
+        let is_covered = self.is_covered();
         let mut edited = Edited {
             document: &mut self.open.document,
             session: &mut self.session,
             chosen_object: &mut self.chosen_object,
         };
-        if self.dialog.is_some() {
+        if is_covered {
             edited.session.hand.is_busy = false;
             self.hand.let_go(edited.session);
             self.navigation.let_go();

@@ -63,7 +63,7 @@ impl App {
             When::LessonUntyped => has_lesson && !is_typing,
             When::LessonUnfocused => has_lesson && !has_focus,
             When::Presenting => presenting && !is_typing,
-            When::View => false,
+            When::View | When::CameraView | When::WorldView => false,
         });
         for (when, action) in pressed {
             if matches!(when, When::Anywhere | When::Lesson) {

@@ -3,11 +3,13 @@
 use egui::{Rect, Ui, UiBuilder};
 
 use super::App;
+use crate::action::{Action, Observe};
 use crate::derive::Fault;
 use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, compare, exercises, frame, lines, mistakes, plot, readouts, views};
+use crate::panels::{accuracy, compare, exercises, frame, framing, lines, mistakes};
+use crate::panels::{plot, readouts, views};
 use crate::session::{Session, ViewLayout};
 
 impl App {
@@ -35,7 +37,9 @@ impl App {
             views::show(ui, rect, shown, &mut self.camera_texture, dimmed);
             views::speak(ui, views::CAMERA, &views::spoken(&self.derived));
         }
-        if self.session.hand.over.is_none() {
+        // One of them speaks at a time.
+        let is_steered = self.navigation.has_word(ui.input(|i| i.time));
+        if self.session.hand.over.is_none() && !is_steered {
             views::tell_pointed(ui, self.session.pointed, &self.open.document);
         }
         if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {
@@ -59,6 +63,13 @@ impl App {
             }
         }
         self.tell_hand(ui, places);
+        let framing = places.world.filter(|rect| {
+            framing::hint(ui, *rect, &self.derived, &self.open.document, &self.session)
+        });
+        if framing.is_some() {
+            self.waiting.push(Action::Observe(Observe::FrameCamera));
+            ui.ctx().request_repaint();
+        }
     }
 
     /// What the layout has beside the views, or below them.

@@ -5,8 +5,9 @@ use egui::{Context, Panel, Ui};
 use super::App;
 use crate::action::{Action, GhostMove, PlayMove};
 use crate::document::Document;
+use crate::observer::Observer;
 use crate::panels::play;
-use crate::play::{Player, Start, Still, walk_end};
+use crate::play::{Kind, Player, Start, Still, walk_end};
 
 impl App {
     /// Moves the open animation on, shows its strip, and sets what it shows; before anything else is
@@ -55,10 +56,14 @@ impl App {
                 self.give_back_play();
                 self.settle(ctx);
                 let start = Start::of(&self.open.document, &self.session, &self.derived);
-                self.player = Some(Player::new(kind, start));
+                let mut player = Player::new(kind, start);
+                player.stepped_back = self.step_back(kind, &start);
+                self.player = Some(player);
             }
             (PlayMove::Toggle, Some(player)) => player.toggle(),
             (PlayMove::Step(by), Some(player)) => player.step(by),
+            (PlayMove::Faster(by), Some(player)) => player.faster(by),
+            (PlayMove::Loop, Some(player)) => player.loops ^= true,
             (PlayMove::Keep, Some(_)) => self.keep_play(ctx),
             (PlayMove::Close, Some(_)) => self.give_back_play(),
             (_, None) => return,
@@ -66,9 +71,25 @@ impl App {
         ctx.request_repaint();
     }
 
+    /// Takes the observer so far back that the camera stays in sight on its way; the observer before and
+    /// after. What a lesson's step plays is seen from where the step says.
+    fn step_back(&mut self, kind: Kind, start: &Start) -> Option<[Observer; 2]> {
+        let of_step = self.lesson().and_then(|open| open.step().looks.play);
+        let before = self.session.observer.filter(|_| of_step != Some(kind))?;
+        let after = before.following(&start.camera, &start.cameras(kind), self.world_aspect());
+        self.session.observer = Some(after);
+        (after != before).then_some([before, after])
+    }
+
     /// Ends the animation with everything as it was when it was opened.
     pub(super) fn give_back_play(&mut self) {
         let Some(player) = &self.player else { return };
+        // Who has moved the observer since wants it there.
+        let observer = &mut self.session.observer;
+        *observer = match player.stepped_back {
+            Some([before, after]) if *observer == Some(after) => Some(before),
+            _ => *observer,
+        };
         let still = player.start.still();
         self.show_still(&still);
         self.player = None;

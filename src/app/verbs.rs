@@ -4,7 +4,8 @@
 use egui::{Context, ThemePreference, Ui};
 
 use super::App;
-use crate::action::Action;
+use crate::action::{Action, ObjectMove};
+use crate::document::Document;
 use crate::lessons::Which;
 use crate::mistakes::Gallery;
 use crate::panels::key_sheet;
@@ -22,6 +23,9 @@ pub(super) enum Sheet {
     /// All keys.
     Keys,
 }
+
+/// Of more objects, the palette lists the first ones.
+const LISTED_OBJECTS: usize = 200;
 
 /// The zoom that can be set, and its step.
 const ZOOM: (f32, f32, f32) = (0.5, 4.0, 0.1);
@@ -139,6 +143,9 @@ impl App {
                 let mut extra =
                     own.map_or_else(Vec::new, |own| verbs::of_lesson(Which::File, own.lesson()));
                 extra.extend(self.recent.iter().map(|path| recent(path)));
+                let document = &self.open.document;
+                let count = document.object_count().min(LISTED_OBJECTS);
+                extra.extend((0..count).map(|index| object(document, index)));
                 palette::ui(ctx, palette, &extra, &self.session, actions)
             }
         };
@@ -160,6 +167,17 @@ impl App {
         if self.session.spotlight {
             look::spotlight(ui.ctx());
         }
+    }
+}
+
+/// An object to choose.
+fn object(document: &Document, index: usize) -> Verb {
+    Verb {
+        group: Group::Objects,
+        name: format!("choose {}", document.title_of(index)).into(),
+        about: "Shows its fields, and its handles in the world view.".into(),
+        keys: &[],
+        action: Action::Object(ObjectMove::Choose(index)),
     }
 }
 

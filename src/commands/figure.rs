@@ -3,29 +3,32 @@
 
 use std::io::Write as _;
 
-use pinhole_core::ImageSize;
+use pinhole_core::{DVec2, ImageSize};
 
 use super::outputs::unmade;
 use super::progress::Progress;
-use super::{CommandError, load, of_scene, pose, selection_of};
+use super::{CommandError, animation, load, of_scene, pose, selection_of};
 use crate::arguments::FigureArguments;
 use crate::document::Document;
 use crate::figures::{self, Content, Order, Subject};
 use crate::formats::atomic;
 use crate::observer::Observer;
 use crate::overlay::Item;
-use crate::session::Session;
+use crate::session::{Selection, Session};
 
-/// The sizes of the world view and of the plane of the lab of lines, in dots, and the ledger's width,
+/// The sizes of the world view and of the lab of lines, in dots, and the ledger's width,
 /// unless others are asked for.
 const WORLD: [u32; 2] = [1920, 1080];
 const LINES: [u32; 2] = [1280, 960];
 const LEDGER: u32 = 1600;
-/// The ledger's width, and the smaller side of the plane, in points.
+/// The ledger's width, and the lab's smaller side, in points.
 const LEDGER_POINTS: f32 = 800.0;
 const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
+    if let Some(kind) = arguments.play {
+        return animation::run(arguments, kind);
+    }
     let content = Content::of(arguments.view, &arguments.output)
         .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
     check_idle(arguments, content)?;
@@ -75,7 +78,10 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
     Ok(())
 }
 
-fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, CommandError> {
+pub(super) fn order_of(
+    arguments: &FigureArguments,
+    image: ImageSize,
+) -> Result<Order, CommandError> {
     let FigureArguments { view: subject, style, transparent, .. } = *arguments;
     let size = match subject {
         Subject::World => free(arguments, WORLD)?,
@@ -97,7 +103,7 @@ fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, Comm
 
 /// How the document is looked at: as in a window that has just been opened, but that no ray is drawn
 /// unless it is asked for.
-fn session_of(
+pub(super) fn session_of(
     arguments: &FigureArguments,
     document: &Document,
     [width, height]: [u32; 2],
@@ -121,7 +127,11 @@ fn session_of(
         let aspect = f64::from(width) / f64::from(height);
         session.observer = Some(Observer::frame_all(&document.camera, &objects, aspect));
     }
-    if !asked {
+    // What goes along a ray is nothing without one.
+    let sends_rays = arguments.play.is_some_and(|kind| !kind.moves_camera());
+    if !asked && sends_rays {
+        session.selection = Selection::Uv(DVec2::ZERO);
+    } else if !asked {
         for item in [Item::Ray, Item::Hit] {
             session.settings.items.set(item, false);
         }

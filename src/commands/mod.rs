@@ -1,5 +1,6 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 
+mod animation;
 mod bench;
 mod export;
 mod figure;
@@ -94,7 +95,13 @@ fn warn(note: &str) {
 
 /// Reads the scene that an argument means.
 fn load(scene: &Path) -> Result<Document, CommandError> {
-    Ok(SceneSource::of(scene)?.load()?)
+    let source = SceneSource::of(scene)?;
+    let document = source.load()?;
+    if let Some(left_out) = source.left_out() {
+        // Not the answer, and no error: whoever asked should know which atoms it is about.
+        let _ = writeln!(io::stderr(), "pinhole: {}: {left_out}", scene.display());
+    }
+    Ok(document)
 }
 
 /// The camera of a scene, ready for its rays.
@@ -102,8 +109,8 @@ fn load(scene: &Path) -> Result<Document, CommandError> {
 /// What is wrong with it is told at its place in the scene file, as what cannot be read is.
 fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> {
     let place_of = |error: &CameraError| match SceneSource::of(scene) {
-        Ok(SceneSource::File(path)) => scene_file::camera_fault(&path, error),
-        _ => None,
+        Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
+        Err(_) => None,
     };
     document.camera.posed().map_err(|error| match place_of(&error) {
         Some(fault) => fault.into(),

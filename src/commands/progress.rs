@@ -29,6 +29,13 @@ impl Progress {
         Progress::shown_later(bar)
     }
 
+    /// Of so many frames of an animation.
+    pub(super) fn of_frames(frames: u32) -> Progress {
+        let bar = ProgressBar::with_draw_target(Some(frames.into()), ProgressDrawTarget::hidden());
+        set_style(&bar, "{wide_bar} frame {pos} of {len}, {eta} left");
+        Progress::shown_later(bar)
+    }
+
     /// Of measuring so many parts.
     pub(super) fn of_parts(parts: usize) -> Progress {
         let target = ProgressDrawTarget::hidden();

@@ -60,6 +60,7 @@ pub struct UpAngle {
 
 /// Why there is no basis. Each case carries the numbers at fault.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum BasisError {
     /// A coordinate of the named field is NaN or infinite.
     NotFinite {

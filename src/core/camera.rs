@@ -63,6 +63,7 @@ pub struct Camera {
 
 /// Why a camera sees nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum CameraError {
     /// There is no basis.
     Basis(BasisError),

@@ -10,6 +10,7 @@ use crate::sphere::Sphere;
 
 /// What is wrong with one object.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum ObjectError {
     /// A coordinate of `center`, `point` or `normal` is NaN or infinite.
     NotFinite {
@@ -29,6 +30,7 @@ pub enum ObjectError {
 
 /// Which object of a scene is at fault, and why.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum SceneError {
     /// A sphere.
     Sphere {

@@ -4,6 +4,7 @@ use std::ops::{Add, AddAssign};
 
 /// How much of a scene a frame had to look at. Rows and columns are those of the traced raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Counts {
     /// Spheres of the scene.
     pub spheres: u64,

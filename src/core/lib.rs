@@ -1,17 +1,72 @@
-//! What a pinhole camera sees: camera bases, view rays, ray-object
-//! intersection, and whole pictures.
+//! What a pinhole camera sees: camera bases, view rays, ray-object intersection, and whole pictures,
+//! every decision exact. It knows no window, no file and no command line.
+//!
+//! # A picture in ten lines
+//!
+//! ```
+//! use pinhole_core::*;
+//!
+//! let scene = Scene::new(vec![Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 }], vec![])?;
+//! let camera = Camera { image: ImageSize::new(8, 8)?, ..Camera::CANONICAL }.posed()?;
+//! let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
+//! assert_eq!(frame.at(4, 4).object, Some(0));
+//! assert_eq!(frame.at(0, 0).object, None);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # What is where
+//!
+//! | for | there are |
+//! | --- | --- |
+//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::posed`] checks all of it and gives a [`PosedCamera`], which has pixels, (u, v), rays and [projection](PosedCamera::project) |
+//! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why there is none: [`BasisError`] |
+//! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
+//! | scenes | [`Scene`], [`Object`], [`Root`]: what any ray meets, and what first |
+//! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] and [`Outputs`] say of which pixels and what |
+//! | colours | [`trace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
+//! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Counts`]: what a frame left out |
+//! | other methods | [`methods`]: the known formulas beside it, to compare |
+//! | teaching | [`lecture`]: every step with its numbers, the classic mistakes, exercises |
+//! | interaction | [`steering`]: a camera taken in the hand |
+//! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
+//!
+//! Runnable examples are in the crate's `examples/`: a picture in the terminal (`terminal`), rays to
+//! CSV (`rays_to_csv`), and what a frame costs (`timing`).
 //!
 //! # Conventions
 //!
+//! The world is right-handed, and so is the camera's basis. The canonical camera stands at the
+//! world's origin with u, v, w along x, y, z, and so looks along -z.
+//!
 //! ```text
-//!            v (up in the image)
-//!            |
-//!            |        viewport, `distance` in front of the eye
-//!            |      +-----------+
-//!          eye ---- |  (u, v)   | ----> view ray: eye + t * direction
-//!          /  \     +-----------+
-//!         w    u (right in the image)
-//!  (backwards)
+//!   from the right side                                  from behind the eye
+//!
+//!       v (up in the image)                                 v (up in the image)
+//!       ^                                                   ^
+//!       |                |  viewport,                       |
+//!       |                |  width x height                  |
+//! w <--eye---------------|-------> -w, the view            eye---> u (right in the image)
+//! (backwards)            |
+//!       |<-- distance -->|                                 w comes out of the page
+//!
+//! view ray through (u, v):   eye + t * direction,   direction = u*U + v*V - distance*W
+//! ```
+//!
+//! (Capitals are the vectors where the scalars (u, v) are there, too.) The image lies in the viewport,
+//! rows counted from the top:
+//!
+//! ```text
+//!             column 0   1  ... W-1
+//!                  +---+---+---+---+   v =  height / 2
+//!            row 0 | * |   |   |   |   * centre of pixel (0, 0):
+//!                  +---+---+---+---+     u = width  * ((column + 0.5) / W - 0.5)
+//!                1 |   |   |   |   |     v = height * (0.5 - (row + 0.5) / H)
+//!                  +---+---o---+---+   o (u, v) = (0, 0), the viewport's centre
+//!              ... |   |   |   |   |
+//!                  +---+---+---+---+
+//!              H-1 |   |   |   |   |
+//!                  +---+---+---+---+   v = -height / 2
+//!    u = -width / 2                 u = width / 2
 //! ```
 //!
 //! - [`Basis`]: `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`; right-handed.
@@ -38,24 +93,8 @@
 //!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
 //!
 //! `t` is within half an ulp and 2^-40 of one (in frames of `f32`, within an ulp of those), a normal
-//! within 3e-16 rad. NaN, infinities, zero
-//! directions and radii are refused at the door, by [`Ray::check`], [`Scene::new`] and
-//! [`Camera::posed`], with typed errors.
-//!
-//! [`methods`] holds the known formulas beside it, to compare; [`steering`] takes a camera in the hand.
-//!
-//! # A picture in ten lines
-//!
-//! ```
-//! use pinhole_core::*;
-//!
-//! let scene = Scene::new(vec![Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 }], vec![])?;
-//! let camera = Camera { image: ImageSize::new(8, 8)?, ..Camera::CANONICAL }.posed()?;
-//! let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
-//! assert_eq!(frame.at(4, 4).object, Some(0));
-//! assert_eq!(frame.at(0, 0).object, None);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
-//! ```
+//! within 3e-16 rad. NaN, infinities, zero directions and radii are refused at the door, by
+//! [`Ray::check`], [`Scene::new`] and [`Camera::posed`], with typed errors.
 //!
 //! # By raw numbers
 //!
@@ -125,7 +164,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! This crate knows no window, no file and no command line.
+//! # What stays
+//!
+//! Until 1.0, a minor version may change names. Within one:
+//!
+//! - Errors and [`Counts`] may grow: they are `#[non_exhaustive]`. [`Shade`], [`Orientation`],
+//!   [`Roots`], [`Object`] and [`methods::Formula`] are complete: whoever shows them all wants to be
+//!   told of a new one by the compiler.
+//! - The bits of every result are part of the interface: the same input gives the same picture, on
+//!   any processor and any number of threads.
+//! - Two other crates are in the signatures: glam, of which `DVec2` and `DVec3` are used, and
+//!   `fearless_simd` by its [`Level`]. Both are re-exported; take them from here, and they fit. A new
+//!   major version of either is one of this crate.
+//! - What the documentation does not show is nobody's to use.
 
 mod band;
 mod basis;
@@ -207,6 +258,11 @@ mod trace;
 mod veil;
 mod viewport;
 
+/// The README's example is run with the others.
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct Readme;
+
 #[cfg(test)]
 #[path = "tests/unit/arithmetic.rs"]
 mod arithmetic_tests;
@@ -226,7 +282,7 @@ pub use difference::CameraDifference;
 pub use double_double::DoubleDouble;
 pub use exact_ray::ExactRay;
 pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
-pub use glam::{DVec2, DVec3};
+pub use glam::{self, DVec2, DVec3};
 pub use image::{ImageError, ImageSize, Pixel};
 pub use intrinsics::Intrinsics;
 #[doc(hidden)]

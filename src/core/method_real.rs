@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::sphere::Sphere;
 
 /// A floating-point number that a method computes in. Every operation rounds to it.
-pub trait Real:
+pub(crate) trait Real:
     Copy
     + PartialOrd
     + Send
@@ -40,7 +40,7 @@ pub trait Real:
 }
 
 /// A number with a fused multiply-add.
-pub trait Fused: Real {
+pub(crate) trait Fused: Real {
     /// `self * factor + term`, rounded once.
     fn mul_add(self, factor: Self, term: Self) -> Self;
 }
@@ -133,36 +133,36 @@ impl PartialOrd for DoubleDouble {
 
 /// A point or direction in a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Vector<R> {
+pub(crate) struct Vector<R> {
     /// To the right in the canonical camera.
-    pub x: R,
+    pub(crate) x: R,
     /// Up in it.
-    pub y: R,
+    pub(crate) y: R,
     /// Towards its reader.
-    pub z: R,
+    pub(crate) z: R,
 }
 
 impl<R: Real> Vector<R> {
     /// The nearest vector of this precision.
     #[inline(always)]
-    pub fn rounded(v: DVec3) -> Self {
+    pub(crate) fn rounded(v: DVec3) -> Self {
         Vector { x: R::from_f64(v.x), y: R::from_f64(v.y), z: R::from_f64(v.z) }
     }
 
     /// Each coordinate as the nearest `f64`.
-    pub fn to_f64(self) -> DVec3 {
+    pub(crate) fn to_f64(self) -> DVec3 {
         DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
     }
 
     /// The scalar product.
     #[inline(always)]
-    pub fn dot(self, other: Self) -> R {
+    pub(crate) fn dot(self, other: Self) -> R {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// The vector product.
     #[inline(always)]
-    pub fn cross(self, other: Self) -> Self {
+    pub(crate) fn cross(self, other: Self) -> Self {
         Vector {
             x: self.y * other.z - self.z * other.y,
             y: self.z * other.x - self.x * other.z,
@@ -172,13 +172,13 @@ impl<R: Real> Vector<R> {
 
     /// `factor * self`.
     #[inline(always)]
-    pub fn times(self, factor: R) -> Self {
+    pub(crate) fn times(self, factor: R) -> Self {
         Vector { x: factor * self.x, y: factor * self.y, z: factor * self.z }
     }
 
     /// `self / divisor`.
     #[inline(always)]
-    pub fn divided_by(self, divisor: R) -> Self {
+    pub(crate) fn divided_by(self, divisor: R) -> Self {
         Vector { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
     }
 }
@@ -201,17 +201,17 @@ impl<R: Real> Sub for Vector<R> {
 
 /// A [`Ray`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoundedRay<R> {
+pub(crate) struct RoundedRay<R> {
     /// Where t = 0.
-    pub origin: Vector<R>,
+    pub(crate) origin: Vector<R>,
     /// Not normalized.
-    pub direction: Vector<R>,
+    pub(crate) direction: Vector<R>,
 }
 
 impl<R: Real> RoundedRay<R> {
     /// Rounds each coordinate.
     #[inline(always)]
-    pub fn new(ray: &Ray) -> Self {
+    pub(crate) fn new(ray: &Ray) -> Self {
         RoundedRay {
             origin: Vector::rounded(ray.origin),
             direction: Vector::rounded(ray.direction),
@@ -221,42 +221,42 @@ impl<R: Real> RoundedRay<R> {
 
 /// A [`Sphere`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoundedSphere<R> {
+pub(crate) struct RoundedSphere<R> {
     /// The centre.
-    pub center: Vector<R>,
+    pub(crate) center: Vector<R>,
     /// The radius; one too small for the precision is 0.
-    pub radius: R,
+    pub(crate) radius: R,
 }
 
 /// A [`Plane`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoundedPlane<R> {
+pub(crate) struct RoundedPlane<R> {
     /// Any point of it.
-    pub point: Vector<R>,
+    pub(crate) point: Vector<R>,
     /// At right angles to it, of any length.
-    pub normal: Vector<R>,
+    pub(crate) normal: Vector<R>,
 }
 
 /// A [`Scene`] rounded to a method's precision, objects counted as there.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RoundedScene<R> {
+pub(crate) struct RoundedScene<R> {
     /// Objects 0, 1, ...
-    pub spheres: Vec<RoundedSphere<R>>,
+    pub(crate) spheres: Vec<RoundedSphere<R>>,
     /// The objects after the spheres.
-    pub planes: Vec<RoundedPlane<R>>,
+    pub(crate) planes: Vec<RoundedPlane<R>>,
 }
 
 impl<R: Real> RoundedSphere<R> {
     /// Rounds centre and radius.
     #[inline(always)]
-    pub fn new(sphere: &Sphere) -> Self {
+    pub(crate) fn new(sphere: &Sphere) -> Self {
         let Sphere { center, radius } = *sphere;
         RoundedSphere { center: Vector::rounded(center), radius: R::from_f64(radius) }
     }
 
     /// The outward unit normal where the ray meets the sphere at t, as courses have it:
     /// `(p + t d - center) / radius`.
-    pub fn normal(&self, ray: &RoundedRay<R>, t: R) -> Vector<R> {
+    pub(crate) fn normal(&self, ray: &RoundedRay<R>, t: R) -> Vector<R> {
         let point = ray.origin + ray.direction.times(t);
         (point - self.center).divided_by(self.radius)
     }
@@ -265,19 +265,19 @@ impl<R: Real> RoundedSphere<R> {
 impl<R: Real> RoundedPlane<R> {
     /// Rounds point and normal.
     #[inline(always)]
-    pub fn new(plane: &Plane) -> Self {
+    pub(crate) fn new(plane: &Plane) -> Self {
         RoundedPlane { point: Vector::rounded(plane.point), normal: Vector::rounded(plane.normal) }
     }
 
     /// The unit normal, `n / |n|`.
-    pub fn unit_normal(&self) -> Vector<R> {
+    pub(crate) fn unit_normal(&self) -> Vector<R> {
         self.normal.divided_by(self.normal.dot(self.normal).sqrt())
     }
 }
 
 impl<R: Real> RoundedScene<R> {
     /// Rounds every object.
-    pub fn new(scene: &Scene) -> Self {
+    pub(crate) fn new(scene: &Scene) -> Self {
         RoundedScene {
             spheres: scene.spheres().iter().map(RoundedSphere::new).collect(),
             planes: scene.planes().iter().map(RoundedPlane::new).collect(),

@@ -18,7 +18,7 @@ use crate::method_real::{Fused, Real, RoundedPlane, RoundedSphere, Vector};
 /// The value holds what all rays of one origin share of the sphere; [`Intersect::first_hit`] is then
 /// asked for each direction. Everything is inlined, and written without branches, so that a loop over
 /// directions can be vectorized.
-pub trait Intersect: Send + Sync + 'static {
+pub(crate) trait Intersect: Send + Sync + 'static {
     /// The precision of every operation and of the answer.
     type Real: Real;
 
@@ -33,7 +33,7 @@ pub trait Intersect: Send + Sync + 'static {
 /// Whether an answer of [`Intersect::first_hit`] or [`PlaneByTextbook::first_hit`] is a hit: positive
 /// and finite.
 #[inline(always)]
-pub fn is_hit<R: Real>(t: R) -> bool {
+pub(crate) fn is_hit<R: Real>(t: R) -> bool {
     t > R::ZERO && t < R::INFINITY
 }
 
@@ -62,14 +62,8 @@ fn first_of<R: Real>(s: R, t: R) -> R {
     if s < t { s } else { t }
 }
 
-/// The textbook's `t = (-b -+ sqrt(b^2 - 4 a c)) / (2 a)` with `b = 2 d.oc`, both roots.
-///
-/// Source: Glassner (ed.), *An Introduction to Ray Tracing*, Academic Press 1989, chapter 2, section
-/// 2.1; Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.
-///
-/// Fails where b^2 and 4 a c are much larger than their difference: distant or grazed spheres, and
-/// where b and the root nearly cancel: the near root of a large sphere close to the eye.
-pub struct Textbook<R>(Shared<R>);
+/// [`Formula::Textbook`](crate::methods::Formula::Textbook).
+pub(crate) struct Textbook<R>(Shared<R>);
 
 impl<R: Real> Intersect for Textbook<R> {
     type Real = R;
@@ -92,33 +86,29 @@ impl<R: Real> Intersect for Textbook<R> {
 }
 
 /// A way to compute `D = b^2 - a c`.
-pub trait Discriminant<R: Real>: Send + Sync + 'static {
+pub(crate) trait Discriminant<R: Real>: Send + Sync + 'static {
     /// D from `a`, `b`, `c`, `oc`, the direction and the radius.
     fn discriminant(quadratic: &Quadratic<R>) -> R;
 }
 
 /// What a [`Discriminant`] may use.
-pub struct Quadratic<R> {
+pub(crate) struct Quadratic<R> {
     /// `d.d`
-    pub a: R,
+    pub(crate) a: R,
     /// `d.oc`, half the linear coefficient.
-    pub b: R,
+    pub(crate) b: R,
     /// `|oc|^2 - r^2`
-    pub c: R,
+    pub(crate) c: R,
     /// `oc`, from the centre to the origin.
-    pub from_center: Vector<R>,
+    pub(crate) from_center: Vector<R>,
     /// `d`
-    pub direction: Vector<R>,
+    pub(crate) direction: Vector<R>,
     /// `r`
-    pub radius: R,
+    pub(crate) radius: R,
 }
 
-/// Half the linear coefficient, and the roots `q / a` and `c / q` with `q = -(b + sign(b) sqrt D)`,
-/// in which nothing cancels but what is in D. `D` says how that is computed.
-///
-/// Source: Press, Teukolsky, Vetterling, Flannery, *Numerical Recipes*, 3rd ed., section 5.6,
-/// equations 5.6.4 and 5.6.5.
-pub struct ByQ<R, D> {
+/// Both roots by q, see [`Formula::HalfB`](crate::methods::Formula::HalfB); `D` says how D is computed.
+pub(crate) struct ByQ<R, D> {
     shared: Shared<R>,
     discriminant: PhantomData<fn() -> D>,
 }
@@ -141,11 +131,8 @@ impl<R: Real, D: Discriminant<R>> Intersect for ByQ<R, D> {
     }
 }
 
-/// `b^2 - a c` as it stands.
-///
-/// Fails like [`Textbook`] where b^2 and a c nearly cancel; the near root of a large sphere is good
-/// as long as c is.
-pub struct Plain;
+/// `b^2 - a c` as it stands: the D of [`Formula::HalfB`](crate::methods::Formula::HalfB).
+pub(crate) struct Plain;
 
 impl<R: Real> Discriminant<R> for Plain {
     #[inline(always)]
@@ -154,15 +141,8 @@ impl<R: Real> Discriminant<R> for Plain {
     }
 }
 
-/// Kahan's `b^2 - a c` with fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`, within 1.5 ulp
-/// of the exact value for the a, b, c at hand.
-///
-/// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
-/// computation of 2 x 2 determinants*, Mathematics of Computation 82 (2013), pages 2245-2264.
-///
-/// Fails like [`Plain`]: a, b and c are rounded before, and that error is as large as the one that is
-/// avoided.
-pub struct Kahan;
+/// The D of [`Formula::Kahan`](crate::methods::Formula::Kahan).
+pub(crate) struct Kahan;
 
 impl<R: Fused> Discriminant<R> for Kahan {
     #[inline(always)]
@@ -173,15 +153,8 @@ impl<R: Fused> Discriminant<R> for Kahan {
     }
 }
 
-/// `a (r + l)(r - l)` with l the length of `oc - (b / a) d`, the vector from the centre at right
-/// angles to the ray.
-///
-/// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere intersection*,
-/// Ray Tracing Gems (2019), chapter 7, pages 87-94; with r^2 - l^2 factored as in Pharr, Jakob,
-/// Humphreys, *Physically Based Rendering*, 4th ed., section 6.8.3.
-///
-/// Fails where that vector loses its digits, because `oc` is much longer than it: tiny far spheres.
-pub struct Perpendicular;
+/// The D of [`Formula::Perpendicular`](crate::methods::Formula::Perpendicular).
+pub(crate) struct Perpendicular;
 
 impl<R: Real> Discriminant<R> for Perpendicular {
     #[inline(always)]
@@ -193,14 +166,8 @@ impl<R: Real> Discriminant<R> for Perpendicular {
     }
 }
 
-/// `r^2 a - |oc x d|^2`, because `a |oc|^2 - b^2 = |oc x d|^2`.
-///
-/// Source: Lagrange's identity, *Solutions analytiques de quelques problemes sur les pyramides
-/// triangulaires*, 1773 (Steele, *The Cauchy-Schwarz Master Class*, 2004, chapter 3).
-///
-/// Fails where `oc x d` loses its digits, which is late, and near the surface of a large sphere,
-/// where D is small against both terms.
-pub struct Lagrange;
+/// The D of [`Formula::Lagrange`](crate::methods::Formula::Lagrange).
+pub(crate) struct Lagrange;
 
 impl<R: Real> Discriminant<R> for Lagrange {
     #[inline(always)]
@@ -211,15 +178,8 @@ impl<R: Real> Discriminant<R> for Lagrange {
     }
 }
 
-/// The ray's point closest to the centre, and half the chord: `t = -b / a -+ sqrt((r^2 - l^2) / a)`
-/// with l the distance of that point from the centre.
-///
-/// Source: Embree (Wald, Woop, Benthin, Johnson, Ernst, *Embree: a kernel framework for efficient CPU
-/// ray tracing*, ACM Transactions on Graphics 33(4), 2014), `kernels/geometry/sphere_intersector.h`.
-///
-/// Fails like [`Perpendicular`], and where the two terms nearly cancel: the near root of a large
-/// sphere close to the eye.
-pub struct ClosestPoint<R> {
+/// [`Formula::ClosestPoint`](crate::methods::Formula::ClosestPoint).
+pub(crate) struct ClosestPoint<R> {
     to_center: Vector<R>,
     radius: R,
 }
@@ -243,15 +203,8 @@ impl<R: Real> Intersect for ClosestPoint<R> {
     }
 }
 
-/// Moves the origin along the ray to the point nearest to the centre, `t0 = -b / a`, and solves the
-/// half-b equation from there, where b is almost 0: `t = t0 + (-b' -+ sqrt(b'^2 - a c')) / a`.
-///
-/// Source: Embree, which does so for curves ("move ray closer to make intersection stable",
-/// `kernels/geometry/curve_intersector_sweep.h`).
-///
-/// Fails where the moved origin loses its digits (tiny far spheres) and where t0 and the rest nearly
-/// cancel (a large sphere close to the eye).
-pub struct Recentred<R> {
+/// [`Formula::Recentred`](crate::methods::Formula::Recentred).
+pub(crate) struct Recentred<R> {
     from_center: Vector<R>,
     radius_squared: R,
 }
@@ -284,7 +237,7 @@ impl<R: Real> Intersect for Recentred<R> {
 /// Source: Glassner (ed.), *An Introduction to Ray Tracing*, 1989, chapter 2, section 2.2.
 ///
 /// Fails where n.d loses its digits, because the ray is nearly parallel to the plane.
-pub struct PlaneByTextbook<R> {
+pub(crate) struct PlaneByTextbook<R> {
     normal: Vector<R>,
     offset: R,
 }
@@ -292,13 +245,13 @@ pub struct PlaneByTextbook<R> {
 impl<R: Real> PlaneByTextbook<R> {
     /// What the rays from `origin` share of the plane.
     #[inline(always)]
-    pub fn new(plane: &RoundedPlane<R>, origin: Vector<R>) -> Self {
+    pub(crate) fn new(plane: &RoundedPlane<R>, origin: Vector<R>) -> Self {
         PlaneByTextbook { normal: plane.normal, offset: plane.normal.dot(plane.point - origin) }
     }
 
     /// As [`Intersect::first_hit`].
     #[inline(always)]
-    pub fn first_hit(&self, direction: Vector<R>) -> R {
+    pub(crate) fn first_hit(&self, direction: Vector<R>) -> R {
         self.offset / self.normal.dot(direction)
     }
 }

@@ -20,6 +20,7 @@ pub struct Ray {
 
 /// Why a ray is none.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum RayError {
     /// A coordinate of the named field is NaN or infinite.
     NotFinite {

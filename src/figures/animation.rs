@@ -33,6 +33,31 @@ pub struct Frames {
     pub reel: Reel,
 }
 
+impl Frames {
+    /// As many as it has time for, twenty a second.
+    pub fn of(kind: Kind) -> Frames {
+        Frames::at(kind, 20)
+    }
+
+    /// As many as it has time for, so many a second.
+    pub fn at(kind: Kind, per_second: u16) -> Frames {
+        let count = (kind.seconds() * f64::from(per_second)) as u32;
+        Frames { count: count.max(1), per_second, reel: Reel::Animated }
+    }
+}
+
+/// Whether an animation can be written to a file of this name.
+///
+/// # Errors
+/// In words, which name would do.
+pub fn check_name(path: &Path) -> Result<(), String> {
+    let is = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+    if is("png") || is("apng") {
+        return Ok(());
+    }
+    Err("writes animations as PNG: end the name with .png".to_owned())
+}
+
 /// Something that plays, as figures.
 #[derive(Clone, Debug)]
 pub struct Animation {

@@ -31,7 +31,7 @@ use crate::formats::png;
 use crate::overlay::{Drawing, Style};
 use crate::present::headless::Sheet;
 
-pub use self::animation::{Animation, Frames, Recorder, Reel};
+pub use self::animation::{Animation, Frames, Recorder, Reel, check_name};
 pub use self::order::{Content, Order, Subject, ledger_of};
 pub use self::sheets::MARGIN;
 pub use self::views::{View, of_view, scale_of};

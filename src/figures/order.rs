@@ -21,7 +21,7 @@ pub enum Subject {
     Camera,
     /// How every number comes about.
     Ledger,
-    /// The plane of the lab of lines.
+    /// The lab of lines: the plane, and one line put into the other.
     Lines,
 }
 

@@ -38,7 +38,7 @@ pub(super) fn ledger(
     figure("Ledger", size, look, ground, sheet)
 }
 
-/// The plane of the lab of lines, so many points wide and high.
+/// The lab of lines, so many points wide and high.
 pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -> Figure {
     let ctx = context(look.style);
     let page = Rect::from_min_size(Pos2::ZERO, size.into());

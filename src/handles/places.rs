@@ -59,7 +59,7 @@ pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
     let handles = of_camera.into_iter().chain(corners).chain([Handle::Distance]);
     let handles = handles.chain(of_objects).chain([Handle::Pixel]);
     let is_held = |handle| hand.held.is_some_and(|grasp| grasp.handle == handle);
-    let is_small = stage.viewport_is_small();
+    let is_small = stage.is_viewport_small();
     let shown = handles.filter(|handle| {
         let in_the_way = is_small && handle.is_on_viewport() && !is_held(*handle);
         stage.items.shows(handle.item()) && !in_the_way
@@ -78,7 +78,7 @@ impl Stage<'_> {
     }
 
     /// Whether there is no room for handles on the viewport.
-    fn viewport_is_small(&self) -> bool {
+    pub fn is_viewport_small(&self) -> bool {
         let Some(posed) = self.posed else { return false };
         let corner = |corner: ViewportCorner| {
             let uv = corner.uv(posed.viewport());

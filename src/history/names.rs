@@ -218,8 +218,8 @@ mod tests {
         named.name = Some("ball".to_owned());
         let floor = Plane { point: DVec3::NEG_Y, normal: DVec3::Y };
         Document {
-            spheres: vec![named, Item::plain(ball)],
-            planes: vec![Item::plain(floor)],
+            spheres: vec![named, Item::plain(ball)].into(),
+            planes: vec![Item::plain(floor)].into(),
             camera: Camera { eye: DVec3::Z, ..Camera::CANONICAL },
             ..Document::default()
         }

@@ -15,7 +15,7 @@ use crate::exercises::LARGEST_SEED;
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::scene_file::{TABLES, not_toml, tables};
-use crate::formats::{FileError, builtin};
+use crate::formats::{FileError, builtin, molecule};
 use crate::ledger::{LedgerSection, LedgerSections};
 use crate::lines::LinesLab;
 use crate::observer::Observer;
@@ -95,7 +95,7 @@ pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, Fil
     let root = Section::root(&source, toml.as_table());
     version(&root)?;
     root.only(&TOP, &[])?;
-    let title = line(&root.need("title", "title = \"What the lesson is about\"")?)?;
+    let title = line(&root.need("title", "title = \"What the lesson is about\"")?, LONGEST_TITLE)?;
     let sections = root.need("step", "[[step]] with title, text and scene")?.sections_from_one()?;
     let mut steps: Vec<Step> = Vec::new();
     for section in &sections {
@@ -119,18 +119,30 @@ fn version(root: &Section) -> Result<(), FileError> {
     }
 }
 
-/// Text that is not empty, as one line however it is broken in the file.
-fn line(field: &Field) -> Result<String, FileError> {
+/// How many letters a title and a step's text may have: the strip above the views leaves them room.
+const LONGEST_TITLE: usize = 120;
+const LONGEST_TEXT: usize = 800;
+
+/// Text that is not empty, as one line however it is broken in the file, of so many letters at most.
+fn line(field: &Field, longest: usize) -> Result<String, FileError> {
     let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
-    if text.is_empty() { Err(field.error("it must say something")) } else { Ok(text) }
+    match text.chars().count() {
+        0 => Err(field.error("it must say something")),
+        letters if letters > longest => Err(field.fault(format!(
+            "{letters} letters are too many above the views: at most {longest} fit; part the step"
+        ))),
+        _ => Ok(text),
+    }
 }
 
 /// A step: what it says, and for the rest what the steps before it say.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
     let known: Vec<&str> = STEP.into_iter().chain(TABLES).collect();
     section.only(&known, &TOP[..1])?;
-    let title = line(&section.need("title", "title = \"What the step is about\"")?)?;
-    let text = line(&section.need("text", "text = \"What to look at, or what to drag.\"")?)?;
+    let title = section.need("title", "title = \"What the step is about\"")?;
+    let title = line(&title, LONGEST_TITLE)?;
+    let text = section.need("text", "text = \"What to look at, or what to drag.\"")?;
+    let text = line(&text, LONGEST_TEXT)?;
     let named = section.get("scene").map(|field| scene(&field, base)).transpose()?;
     let last = before.last();
     let is_new = named.is_some() || last.is_none();
@@ -157,7 +169,12 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     };
     let image = document.camera.image;
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));
-    read_looks(section, &mut looks)?;
+    let objects = document.object_count();
+    if !is_in_scene(looks.lit.flatten(), objects) {
+        // It was in the scene of the step before.
+        looks.lit = Some(None);
+    }
+    read_looks(section, &mut looks, objects)?;
     let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
     Ok(Step { title, text, document, scene_from, selection, looks })
 }
@@ -166,7 +183,9 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
     let name = field.text().map_err(|_| field.error("it must be a scene's name in quotes"))?;
     let source = match (builtin::find(name), base) {
         (Some(scene), _) => SceneSource::Builtin(scene),
-        (None, Some(base)) if name.ends_with(".toml") => SceneSource::File(base.join(name)),
+        (None, Some(base)) if name.ends_with(".toml") || molecule::is_molecule(name.as_ref()) => {
+            SceneSource::File(base.join(name))
+        }
         (None, _) => {
             let near = builtin::nearest(name);
             let hint = near.first().map_or_else(
@@ -176,6 +195,11 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
             return Err(field.error(&hint));
         }
     };
+    if let SceneSource::File(path) = &source
+        && is_lesson(path)
+    {
+        return Err(field.error("it is a lesson: name a scene file, or a built-in scene"));
+    }
     source.load().map_err(|error| match error.place {
         Some(_) => error,
         // The path is at fault, and it stands in the lesson.
@@ -203,7 +227,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
     Ok(Some(Selection::Pixel(Pixel { row: row as u32, column: column as u32 })))
 }
 
-fn read_looks(section: &Section, looks: &mut Looks) -> Result<(), FileError> {
+fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<(), FileError> {
     /// What the field says takes the place of what a step before it said.
     fn say<'a, T>(
         section: &Section<'a>,
@@ -231,7 +255,7 @@ fn read_looks(section: &Section, looks: &mut Looks) -> Result<(), FileError> {
     say(section, "keep_picture", &mut looks.keep_picture, Field::boolean)?;
     say(section, "teaching", &mut looks.teaching, Field::boolean)?;
     say(section, "ledger", &mut looks.ledger, ledger)?;
-    say(section, "lit", &mut looks.lit, lit)?;
+    say(section, "lit", &mut looks.lit, |field| lit(field, objects))?;
     say(section, "mistake", &mut looks.mistake, |field| {
         let id = field.one_of(&Mistake::ALL.map(Mistake::id))?;
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
@@ -304,11 +328,25 @@ fn ledger(field: &Field) -> Result<LedgerSections, FileError> {
     Ok(sections?.into_iter().flatten().collect())
 }
 
-/// A thing, or nothing.
-fn lit(field: &Field) -> Result<Option<Thing>, FileError> {
+/// Whether a scene of so many objects has the thing in it.
+fn is_in_scene(thing: Option<Thing>, objects: usize) -> bool {
+    match thing {
+        Some(Thing::Object(object) | Thing::Root { object, .. }) => (object as usize) < objects,
+        _ => true,
+    }
+}
+
+/// A thing of a scene with so many objects, or nothing.
+fn lit(field: &Field, objects: usize) -> Result<Option<Thing>, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Thing::from_name);
-    if numbered.is_some() {
-        return Ok(numbered);
+    match numbered {
+        Some(_) if is_in_scene(numbered, objects) => return Ok(numbered),
+        Some(_) if objects == 0 => return Err(field.error("the scene has no objects")),
+        Some(_) => {
+            let right = format!("the scene's objects are 0 to {}", objects - 1);
+            return Err(field.error(&right));
+        }
+        None => {}
     }
     let numbered = ["object 0", "root 0 1"];
     let known: Vec<&str> = [NOTHING].into_iter().chain(Thing::names()).chain(numbered).collect();

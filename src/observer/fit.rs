@@ -77,7 +77,7 @@ impl Observer {
     /// Perspective does the work: close behind a small camera, even what it looks at from afar is in
     /// sight, small, in the distance, as it is on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
-        let aspect = if aspect.is_finite() { aspect.clamp(0.1, 10.0) } else { 1.0 };
+        let aspect = tame_aspect(aspect);
         let subject = Subject::of(camera, scene);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
@@ -99,6 +99,46 @@ impl Observer {
         }
         best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
     }
+
+    /// An observer in the same direction from which eye, arrows and viewport fill the picture.
+    pub fn framing_camera(&self, camera: &Camera, aspect: f64) -> Observer {
+        let orientation = match camera.orientation {
+            // What the camera looks at is not to be framed.
+            Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
+            given => given,
+        };
+        let alone = Camera { orientation, ..*camera };
+        Subject::of(&alone, &Scene::default()).fit(&self.in_range(), tame_aspect(aspect))
+    }
+
+    /// The observer so far back, in the same direction, that these cameras' eyes and viewports are in
+    /// sight; where it is if they are, or if those of `camera` are not.
+    pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
+        let own = self.in_range();
+        let needed = own.distance_for(camera, tame_aspect(aspect));
+        let all = others.iter().map(|other| own.distance_for(other, tame_aspect(aspect)));
+        let farthest = all.fold(own.distance, f64::max);
+        if needed <= own.distance { Observer { distance: farthest, ..own }.in_range() } else { own }
+    }
+
+    /// From how far off a camera's eye and viewport are in sight, with a little left around them: with
+    /// the target in the middle, (x, y, z) is in sight from `z + |x| / k`, and likewise for y.
+    fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
+        let back = self.back();
+        let (right, up) = self.right_and_up();
+        let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - 0.5 * MARGIN);
+        let corners = camera.posed().map_or(Vec::new(), |posed| frustum_part(&posed, 1.0).into());
+        let points = corners.iter().map(|ball: &Ball| ball.center).chain([camera.eye]);
+        let distances = points.map(|point| {
+            let q = point - self.target();
+            q.dot(back) + (q.dot(right).abs() / (slope * aspect)).max(q.dot(up).abs() / slope)
+        });
+        distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+    }
+}
+
+fn tame_aspect(aspect: f64) -> f64 {
+    if aspect.is_finite() { aspect.clamp(0.1, 10.0) } else { 1.0 }
 }
 
 impl Subject {

@@ -201,3 +201,52 @@ proptest! {
         posed(&observer);
     }
 }
+
+/// A camera's eye and the corners of its viewport.
+fn own_points(camera: &Camera) -> Vec<DVec3> {
+    must_be_seen(camera, &[])
+}
+
+#[test]
+fn a_camera_is_framed_from_the_side_that_it_was_seen_from() {
+    let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
+    for (azimuth, elevation) in [(0.3, 0.2), (-2.0, 0.9), (3.0, -0.4)] {
+        let before = Observer::new(DVec3::new(5.0, 0.0, 0.0), azimuth, elevation, 400.0);
+        let framed = before.framing_camera(&camera, 4.0 / 3.0);
+        let [old, new] = [before, framed].map(|observer| posed(&observer).basis().w);
+        assert!(old.distance(new) < 1e-12);
+        for point in own_points(&camera) {
+            assert!(is_in_sight(&framed, point), "{point} by {framed:?}");
+        }
+        let seen = own_points(&camera).into_iter().map(|point| seen_at(&framed, point));
+        let ys: Vec<f64> = seen.map(|place| place.y).collect();
+        let [least, most] =
+            [ys.iter().copied().fold(2.0, f64::min), ys.iter().copied().fold(-2.0, f64::max)];
+        // In a picture 2 high.
+        assert!(most - least > 0.3, "{framed:?}");
+    }
+}
+
+#[test]
+fn the_observer_steps_back_as_far_as_a_way_needs() {
+    let camera = looking(DVec3::new(20.0, 4.0, 10.0), DVec3::new(-1.0, 0.0, -5.0));
+    let turn = |k: u32| camera.orbited(std::f64::consts::TAU * f64::from(k) / 24.0, 0.0);
+    let way: Vec<Camera> = (0..24).map(|k| turn(k).expect("an orbit")).collect();
+    let before = Observer::frame_all(&camera, &Scene::default(), 4.0 / 3.0);
+    let is_lost = |observer: &Observer| {
+        let points = way.iter().flat_map(own_points);
+        let behind = |point: &DVec3| !posed(observer).project(*point).is_in_front();
+        points.into_iter().any(|point| behind(&point) || !is_in_sight(observer, point))
+    };
+    let after = before.following(&camera, &way, 4.0 / 3.0);
+    assert!(is_lost(&before) && !is_lost(&after), "{after:?}");
+    assert_eq!(
+        (after.target(), after.azimuth, after.elevation),
+        (before.target(), before.azimuth, before.elevation)
+    );
+    assert_eq!(after.following(&camera, &way, 4.0 / 3.0), after, "no farther than it needs");
+    assert_eq!(before.following(&camera, &[camera], 4.0 / 3.0), before, "nor nearer");
+    // Who does not look at the camera goes on looking at something else.
+    let elsewhere = Observer::new(DVec3::new(-1.0, 0.0, -5.0), 0.5, 0.3, 5.0);
+    assert_eq!(elsewhere.following(&camera, &way, 4.0 / 3.0), elsewhere);
+}

@@ -249,8 +249,9 @@ impl Sketch<'_> {
             ("v", basis.v, Head::Open, Thing::V),
             ("w", basis.w, Head::Double, Thing::W),
         ];
-        for ((name, vector, head, thing), color) in arrows.into_iter().zip(self.colors.basis) {
-            let pen = Pen::new(Item::Basis, color, 3.4).of(thing);
+        let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
+        for ((name, vector, head, thing), (color, pattern)) in arrows.into_iter().zip(inks) {
+            let pen = Pen::new(Item::Basis, color, 3.4).of(thing).patterned(pattern);
             let tip = self.arrow(eye, eye + arrow * vector, head, pen);
             self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
         }

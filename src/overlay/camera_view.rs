@@ -167,10 +167,11 @@ pub(super) struct Sheet<'a> {
 
 impl Sheet<'_> {
     pub(super) fn add(&mut self, pen: Pen, shape: Shape) {
-        let Pen { item, thing, color, .. } = pen;
+        let Pen { item, thing, color, pattern, .. } = pen;
         if self.items.shows(item) {
             let halo = pen.halo.then_some(self.colors.halo);
-            self.drawing.marks.push(Mark { item, thing, shape, color, halo, hidden: false });
+            let hidden = false;
+            self.drawing.marks.push(Mark { item, thing, shape, color, halo, hidden, pattern });
         }
     }
 

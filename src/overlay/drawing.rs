@@ -46,6 +46,8 @@ pub struct Mark {
     pub halo: Option<Color32>,
     /// Whether it lies behind something, or belongs to the ghost: such a line is dashed.
     pub hidden: bool,
+    /// Dash and gap, in points, that tell this line from others like it where colours do not.
+    pub pattern: Option<[f32; 2]>,
 }
 
 /// Text in the picture, drawn by whoever has fonts.

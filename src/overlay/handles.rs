@@ -140,7 +140,8 @@ impl Sketch<'_> {
         let radius = scale * if mark.state == KnobState::Plain { PLAIN } else { LARGE };
         let mut add = |shape: Shape, color, cased: bool| {
             let halo = cased.then_some(halo);
-            let mark = Mark { item: Item::Handles, thing: None, shape, color, halo, hidden: false };
+            let (item, thing, hidden, pattern) = (Item::Handles, None, false, None);
+            let mark = Mark { item, thing, shape, color, halo, hidden, pattern };
             self.drawing.marks.push(mark);
         };
         if mark.state == KnobState::Held {

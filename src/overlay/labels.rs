@@ -1,5 +1,5 @@
-//! Finding each label a place: inside the picture, beside what it names, over no other label, and
-//! over as few lines as can be.
+//! Finding each label a place: inside the picture, beside what it names, over no other label and no
+//! handle, and over as few lines as can be.
 
 use std::borrow::Cow;
 
@@ -36,8 +36,11 @@ const RINGS: usize = 6;
 /// Lines are asked about at points this many points apart.
 const OBSTACLE_SPACING: f64 = 5.0;
 
+/// A rectangle: its middle, and half of its width and height.
+type Area = (DVec2, DVec2);
+
 /// Places the requests in their order, so that the first ones get the best places. One that fits
-/// nowhere near its anchor is left out.
+/// nowhere near its anchor is left out; one that fits over a handle alone stands there.
 pub(crate) fn place(
     requests: &[Request],
     drawing: &Drawing,
@@ -46,6 +49,7 @@ pub(crate) fn place(
 ) -> Vec<Label> {
     let scale = drawing.scale;
     let obstacles = obstacles(drawing);
+    let handles = handles(drawing);
     let mut labels: Vec<Label> = Vec::with_capacity(requests.len());
     for request in requests {
         let mut label = Label {
@@ -58,7 +62,7 @@ pub(crate) fn place(
             bold: request.bold,
         };
         let half = half_extent(&label, scale);
-        let taken: Vec<(DVec2, DVec2)> = labels
+        let taken: Vec<Area> = labels
             .iter()
             .map(|l| {
                 (DVec2::new(l.position[0].into(), l.position[1].into()), half_extent(l, scale))
@@ -68,14 +72,40 @@ pub(crate) fn place(
             let margin = half + 1.0;
             center.cmpge(margin).all()
                 && center.cmple(size - margin).all()
-                && taken.iter().all(|(other, h)| (center - *other).abs().cmpgt(half + *h).any())
+                && are_apart(&taken, center, half)
         };
-        if let Some(center) = best_place(request, half, f64::from(scale), &obstacles, free) {
+        let find = |free: &dyn Fn(DVec2) -> bool| {
+            best_place(request, half, f64::from(scale), &obstacles, free)
+        };
+        let beside_handles = |center| free(center) && are_apart(&handles, center, half);
+        if let Some(center) = find(&beside_handles).or_else(|| find(&free)) {
             label.position = dot(center);
             labels.push(label);
         }
     }
     labels
+}
+
+/// Whether a rectangle overlaps none of these.
+fn are_apart(areas: &[Area], center: DVec2, half: DVec2) -> bool {
+    areas.iter().all(|(other, h)| (center - *other).abs().cmpgt(half + *h).any())
+}
+
+/// What handles cover.
+fn handles(drawing: &Drawing) -> Vec<Area> {
+    let wide = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
+    let marks = drawing.marks.iter().filter(|mark| mark.item == Item::Handles);
+    let areas = marks.filter_map(|mark| match &mark.shape {
+        Shape::Disc { center, radius } => Some((wide(*center), DVec2::splat((*radius).into()))),
+        Shape::Polygon { points } => {
+            let points = || points.iter().copied().map(wide);
+            let (least, most) = (points().reduce(DVec2::min)?, points().reduce(DVec2::max)?);
+            Some((0.5 * (least + most), 0.5 * (most - least)))
+        }
+        // Along what one of them goes.
+        Shape::Line { .. } => None,
+    });
+    areas.collect()
 }
 
 fn half_extent(label: &Label, scale: f32) -> DVec2 {
@@ -88,7 +118,7 @@ fn best_place(
     half: DVec2,
     scale: f64,
     obstacles: &[DVec2],
-    free: impl Fn(DVec2) -> bool,
+    free: &dyn Fn(DVec2) -> bool,
 ) -> Option<DVec2> {
     let wish = request.toward.try_normalize();
     let step = 9.0 * scale;

@@ -135,9 +135,10 @@ impl Sheet<'_> {
         match lit.thing {
             Thing::W => self.along_view(middle, false, Self::pen(lit, w), "𝐰", below),
             Thing::U | Thing::V => {
-                let (vector, color, name) =
-                    if lit.thing == Thing::U { (basis.u, u, "u") } else { (basis.v, v, "v") };
-                self.arrow(middle, self.arrow_of(vector), Self::pen(lit, color), name, VECTOR_TEXT);
+                let (vector, color, name, k) =
+                    if lit.thing == Thing::U { (basis.u, u, "u", 0) } else { (basis.v, v, "v", 1) };
+                let pen = Self::pen(lit, color).patterned(self.colors.patterns[k]);
+                self.arrow(middle, self.arrow_of(vector), pen, name, VECTOR_TEXT);
             }
             Thing::UpCrossW | Thing::WCrossU => {
                 let BasisDerivation::FromUp(from_up) = BasisDerivation::of(lit.camera) else {

@@ -163,9 +163,10 @@ impl Sketch<'_> {
             (Thing::V, "v", basis.v, Head::Open),
             (Thing::W, "w", basis.w, Head::Double),
         ];
-        for ((thing, name, vector, head), color) in vectors.into_iter().zip(self.colors.basis) {
+        let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
+        for ((thing, name, vector, head), (color, pattern)) in vectors.into_iter().zip(inks) {
             if thing == lit.thing {
-                let pen = self.lit_pen(lit, color);
+                let pen = self.lit_pen(lit, color).patterned(pattern);
                 self.lit_arrow(eye, eye + arrow * vector, head, pen, name, VECTOR_TEXT);
             }
         }

@@ -80,8 +80,9 @@ fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
     let around = Ink::Stroke { width: width + 2.0 * casing, round: true, dash: None };
     let ink = match mark.shape {
         Shape::Line { .. } => {
-            let dash = mark.hidden.then_some(DASH.map(|length| length * scale));
-            Ink::Stroke { width, round: !mark.hidden, dash }
+            let dash = if mark.hidden { Some(DASH) } else { mark.pattern };
+            let dash = dash.map(|dash| dash.map(|length| length * scale));
+            Ink::Stroke { width, round: dash.is_none(), dash }
         }
         Shape::Polygon { .. } | Shape::Disc { .. } => Ink::Fill,
     };

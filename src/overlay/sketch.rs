@@ -29,6 +29,8 @@ pub(crate) struct Pen {
     pub(crate) on_top: bool,
     /// Dashed also where nothing hides it.
     pub(crate) dashed: bool,
+    /// See [`Mark::pattern`].
+    pub(crate) pattern: Option<[f32; 2]>,
 }
 
 /// The shape of an arrow's head.
@@ -69,7 +71,13 @@ struct Run {
 impl Pen {
     pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
         let (thing, on_viewport, on_top, dashed) = (None, false, false, false);
-        Pen { item, thing, color, width, halo: true, on_viewport, on_top, dashed }
+        let pattern = None;
+        Pen { item, thing, color, width, halo: true, on_viewport, on_top, dashed, pattern }
+    }
+
+    /// Where it is in sight, with this dash and gap in points.
+    pub(crate) fn patterned(self, pattern: Option<[f32; 2]>) -> Pen {
+        Pen { pattern, ..self }
     }
 
     /// What it draws, for whoever points at it.
@@ -158,7 +166,8 @@ impl Sketch<'_> {
             let halo = (pen.halo && !hidden).then_some(self.colors.halo);
             // A dashed head would be no head.
             let (item, thing, color) = (pen.item, pen.thing, pen.color);
-            let mark = Mark { item, thing, shape, color, halo, hidden: false };
+            let pattern = None;
+            let mark = Mark { item, thing, shape, color, halo, hidden: false, pattern };
             self.drawing.marks.push(mark);
         };
         match head {
@@ -210,6 +219,7 @@ impl Sketch<'_> {
             color: pen.color,
             halo,
             hidden: false,
+            pattern: None,
         });
     }
 
@@ -260,7 +270,8 @@ impl Sketch<'_> {
             let halo = (pen.halo && !dashed).then_some(self.colors.halo);
             let shape = Shape::Line { points, width: thin * pen.width * scale };
             let (item, thing, color) = (pen.item, pen.thing, pen.color);
-            let mark = Mark { item, thing, shape, color, halo, hidden: dashed };
+            let pattern = pen.pattern;
+            let mark = Mark { item, thing, shape, color, halo, hidden: dashed, pattern };
             self.drawing.marks.push(mark);
         }
     }

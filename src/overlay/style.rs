@@ -18,7 +18,7 @@ pub enum Scheme {
     Standard,
     /// Told apart by all kinds of colour-blind viewers: by hue and by lightness.
     ColourBlind,
-    /// Greys alone, for print: u, v, w by their heads and names.
+    /// Greys alone, for print: u, v, w by their dashes, heads and names.
     Grey,
 }
 
@@ -51,6 +51,8 @@ pub struct Colors {
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
+    /// Dash and gap of these arrows, in points, where greys alone would tell them apart.
+    pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
     pub axes: [Color32; 3],
     /// The at point, and view and up.
@@ -72,6 +74,7 @@ const LIGHT: Colors = Colors {
     halo: rgb(0xffffff),
     ink: rgb(0x2b3038),
     basis: [rgb(0xc8480a), rgb(0x00805c), rgb(0x0062a8)],
+    patterns: [None; 3],
     axes: [rgb(0x8d6a5c), rgb(0x5c7a70), rgb(0x5c6e86)],
     given: rgb(0x9c4480),
     ray: rgb(0xb8004e),
@@ -84,6 +87,7 @@ const DARK: Colors = Colors {
     halo: rgb(0x0c0e11),
     ink: rgb(0xd9dee6),
     basis: [rgb(0xff8a4c), rgb(0x2fd3a0), rgb(0x6cbcf5)],
+    patterns: [None; 3],
     axes: [rgb(0xb89a8e), rgb(0x8fb0a5), rgb(0x93a7c2)],
     given: rgb(0xe59cc8),
     ray: rgb(0xff5c98),
@@ -111,11 +115,15 @@ const COLOUR_BLIND_DARK: Colors = Colors {
     ..DARK
 };
 
+/// u in one, v in long dashes, w in short ones; what is hidden is thin besides.
+const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
+
 const GREY_LIGHT: Colors = Colors {
     background: rgb(0xffffff),
     halo: rgb(0xffffff),
     ink: rgb(0x2e2e2e),
     basis: [rgb(0x000000), rgb(0x454545), rgb(0x717171)],
+    patterns: PATTERNS,
     axes: [rgb(0x767676), rgb(0x767676), rgb(0x767676)],
     given: rgb(0x5a5a5a),
     ray: rgb(0x000000),
@@ -128,6 +136,7 @@ const GREY_DARK: Colors = Colors {
     halo: rgb(0x000000),
     ink: rgb(0xdddddd),
     basis: [rgb(0xffffff), rgb(0xc4c4c4), rgb(0x949494)],
+    patterns: PATTERNS,
     axes: [rgb(0x9a9a9a), rgb(0x9a9a9a), rgb(0x9a9a9a)],
     given: rgb(0xb0b0b0),
     ray: rgb(0xffffff),
@@ -136,6 +145,28 @@ const GREY_DARK: Colors = Colors {
 };
 
 impl Style {
+    /// All of them.
+    pub const ALL: [Style; 6] = [
+        Style::Light,
+        Style::Dark,
+        Style::ColourBlindLight,
+        Style::ColourBlindDark,
+        Style::GreyLight,
+        Style::GreyDark,
+    ];
+
+    /// In one word, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Style::Light => "light",
+            Style::Dark => "dark",
+            Style::ColourBlindLight => "colour-blind",
+            Style::ColourBlindDark => "colour-blind-dark",
+            Style::GreyLight => "grey",
+            Style::GreyDark => "grey-dark",
+        }
+    }
+
     /// A scheme's colours on a dark or on a light background.
     pub fn of(scheme: Scheme, is_dark: bool) -> Style {
         match (scheme, is_dark) {
@@ -199,6 +230,11 @@ impl Scheme {
     /// All of them.
     pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
 
+    /// The grey of something that is counted so: neighbours are far apart.
+    pub fn grey_of(index: usize) -> Color32 {
+        Color32::from_gray(GREYS[index % GREYS.len()])
+    }
+
     /// What a menu calls it.
     pub fn label(self) -> &'static str {
         match self {
@@ -213,7 +249,7 @@ impl Scheme {
         match self {
             Scheme::Standard => "Objects in their own colours, vectors by hue",
             Scheme::ColourBlind => "Colours that colour-blind viewers tell apart, objects in turn",
-            Scheme::Grey => "Greys alone: vectors by their heads and names",
+            Scheme::Grey => "Greys alone: vectors by dashes, heads and names",
         }
     }
 

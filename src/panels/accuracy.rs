@@ -8,6 +8,7 @@ use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBui
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, trace};
 
+use super::look;
 use super::places::STRIP;
 use super::readouts;
 use super::views::MAP;
@@ -60,8 +61,9 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
         ui.set_clip_rect(below);
         ui.horizontal(|ui| {
             let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
+            let wrong = look::finished(ui, accuracy::WRONG);
             ui.painter().rect_filled(mark, 0.0, Color32::WHITE);
-            ui.painter().rect_filled(mark.shrink(1.5), 0.0, accuracy::WRONG);
+            ui.painter().rect_filled(mark.shrink(1.5), 0.0, wrong);
             ui.strong(summary(compared));
         });
         ui.horizontal(|ui| {
@@ -74,7 +76,7 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
                 let left = bar.left() + step as f32;
                 let slice =
                     Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
-                let color = accuracy::color_of_ulps(10f64.powf(decades));
+                let color = look::finished(ui, accuracy::color_of_ulps(10f64.powf(decades)));
                 ui.painter().rect_filled(slice, 0.0, color);
             }
             ui.label("10¹⁶");

@@ -76,8 +76,14 @@ struct Entry {
 }
 
 impl PathField {
-    /// Of a scene: starts in the folder of `path`, with a name filled in.
-    pub(crate) fn near(path: Option<&Path>, name: &str) -> PathField {
+    /// Of a scene to open: starts in the folder of `path`.
+    pub(crate) fn to_open(path: Option<&Path>) -> PathField {
+        let hint = "path of a .toml scene, or of a .xyz or .pdb molecule";
+        PathField::of(path, "", &["toml", "xyz", "pdb"], hint)
+    }
+
+    /// Of a scene to save: starts in the folder of `path`, with a name filled in.
+    pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
         PathField::of(path, name, &["toml"], "path of a .toml scene")
     }
 

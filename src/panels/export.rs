@@ -1,6 +1,5 @@
 //! The dialog that exports a figure: what it shows, how large it is, and where to.
 
-use std::ffi::OsStr;
 use std::path::Path;
 
 use egui::{Checkbox, DragValue, Grid, RichText, Ui};
@@ -8,15 +7,14 @@ use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 use super::dialogs::{PathField, save_ui};
 use super::number::error_color;
 use crate::action::Action;
-use crate::figures::{Content, Frames, Order, Reel, Subject};
+use crate::figures::{Content, Frames, Order, Reel, Subject, check_name};
 use crate::overlay::{Scheme, Style};
 use crate::play::Kind;
 
 /// No figure is larger, in dots.
 const LARGEST: u32 = 16_384;
 
-/// Frames per second, unless others are asked for, and the most frames of an animation.
-const PER_SECOND: u16 = 20;
+/// The most frames of an animation.
 const MOST_FRAMES: u32 = 9999;
 
 /// How something stands on the screen, or would.
@@ -75,9 +73,7 @@ impl ExportForm {
 
     /// The same for an animation: as many frames as it has time for.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
-        let count = (kind.seconds() * f64::from(PER_SECOND)) as u32;
-        let frames = Frames { count, per_second: PER_SECOND, reel: Reel::Animated };
-        self.animation = Some((kind, frames));
+        self.animation = Some((kind, Frames::of(kind)));
         if let Some(folder) = self.field.text.strip_suffix("world.svg") {
             self.field.text = format!("{folder}{}.png", kind.name());
         }
@@ -103,12 +99,8 @@ impl ExportForm {
             self.problem = None;
         }
         if let Some(path) = path {
-            let is_animated = |ending: &OsStr| ending == "png" || ending == "apng";
             let content = match self.animation {
-                Some(_) if !path.extension().is_some_and(is_animated) => {
-                    Err("writes animations as PNG: end the name with .png".to_owned())
-                }
-                Some(_) => Ok(()),
+                Some(_) => check_name(&path),
                 None => Content::of(shown.subject, &path).map(drop),
             };
             match content {

@@ -8,6 +8,7 @@ use egui::{Color32, Grid, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 use crate::derive::Derived;
 use crate::frame_times::{FrameHistory, Part};
+use crate::panels::look;
 
 /// Size of the text, in points: for the back row.
 const TEXT: f32 = 15.0;
@@ -90,7 +91,8 @@ fn times(ui: &mut Ui, frames: &FrameHistory) {
             let time = time.map_or("-".to_owned(), |time| ms(time.as_secs_f64()));
             ui.horizontal(|ui| {
                 let (mark, _) = ui.allocate_exact_size(vec2(13.0, 13.0), egui::Sense::hover());
-                ui.painter().rect_filled(mark, 2.0, part.color());
+                let color = look::plotted(ui, part.color(), index);
+                ui.painter().rect_filled(mark, 2.0, color);
                 let label = ui.label(format!("{} {time}", part.name()));
                 label.on_hover_text(format!("{}, in milliseconds", part.about()));
             });

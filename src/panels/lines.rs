@@ -24,27 +24,37 @@ const NUMBERS: (f32, f32) = (400.0, 0.46);
 /// The slider of t goes from here to there.
 const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
 
-fn plane() -> Id {
-    Id::unique("the lab's plane")
+fn lab_id() -> Id {
+    Id::unique("the lab's area")
 }
 
-/// Width and height of the plane when it was last shown, in points.
-pub(crate) fn plane_size(ctx: &Context) -> Option<[f32; 2]> {
-    ctx.data(|data| data.get_temp::<Vec2>(plane())).map(Into::into)
+/// Width and height of the lab when it was last shown, in points.
+pub(crate) fn size(ctx: &Context) -> Option<[f32; 2]> {
+    ctx.data(|data| data.get_temp::<Vec2>(lab_id())).map(Into::into)
 }
 
-/// Draws the plane with both lines in it, with nothing to drag and on nothing.
-pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
-    drawing::draw(ui, rect, lab, digits);
+/// Draws the lab with nothing to drag and on nothing: the plane with both lines in it, and one line
+/// put into the other.
+pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let (left, right) = parts(area);
+    drawing::draw(ui, left, lab, digits);
+    let right = right.shrink2(Vec2::new(2.0, 14.0));
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
+}
+
+/// The plane, and what is beside it.
+fn parts(area: Rect) -> (Rect, Rect) {
+    let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
+    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
+    (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
 }
 
 /// Shows the lab.
 pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
-    let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
-    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
-    let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
+    let (left, right) = parts(area);
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         ScrollArea::vertical().id_salt("lines words scrolled").auto_shrink(false).show(ui, |ui| {
             examples(ui, lab);
@@ -54,7 +64,7 @@ pub(crate) fn ui(ui: &mut Ui, lab: &mut LinesLab, digits: usize) {
             substitution(ui, lab, digits);
         });
     });
-    ui.data_mut(|data| data.insert_temp(plane(), left.size()));
+    ui.data_mut(|data| data.insert_temp(lab_id(), area.size()));
     drawing::ui(ui, left, lab, digits);
 }
 

@@ -9,6 +9,7 @@ pub(crate) mod exercises;
 pub mod export;
 pub(crate) mod formula;
 pub(crate) mod frame;
+pub(crate) mod framing;
 pub(crate) mod handles;
 pub(crate) mod key_sheet;
 pub(crate) mod ledger;

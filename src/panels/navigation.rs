@@ -6,16 +6,21 @@ use pinhole_core::steering::{SteerError, rounded_to};
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
 
 use super::handles::{Edited, say, taken_keys};
+use crate::action::Steer;
 use crate::handles::vector;
 use crate::number::written;
 use crate::overlay;
 use crate::session::Session;
 
-/// So long after the wheel rests it is said what it did, and Escape takes it back; in seconds.
+/// So long after wheel and keys rest it is said what they did, and Escape takes it back; in seconds.
 const PAUSE: f64 = 1.2;
 
 /// How much a point of scrolling zooms.
-const ZOOM: f64 = 0.004;
+const WHEEL: f64 = 0.004;
+
+/// A step by a key: so far it turns, in radians, and so many lengths of the way it goes, or zooms.
+const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
+const NEARER: f64 = 0.1;
 
 /// What is remembered of the camera view's navigation from one pass to the next.
 #[derive(Debug, Default)]
@@ -23,7 +28,7 @@ pub(crate) struct Navigation {
     /// Where the camera view was, and its name in egui.
     place: Option<(Rect, Id)>,
     turn: Option<Turn>,
-    wheel: Option<Wheel>,
+    steered: Option<Steered>,
     /// The button is still down, but what it did was given back.
     given_back: bool,
     refused: Option<SteerError>,
@@ -46,14 +51,37 @@ struct Turn {
     from: Pos2,
 }
 
+/// What the wheel, or keys, have done until just now.
 #[derive(Debug)]
-struct Wheel {
+struct Steered {
     way: Way,
     before: Camera,
     /// What it made of that camera.
     made: Camera,
-    total: f64,
+    /// To the right and up; on, where there is one way alone.
+    total: DVec2,
     time: f64,
+    by_keys: bool,
+}
+
+impl Steered {
+    /// More of it, or its beginning.
+    fn on(
+        before: Option<Steered>,
+        way: Way,
+        by: DVec2,
+        now: &Camera,
+    ) -> (Camera, DVec2, Result<Camera, SteerError>) {
+        let last = before.filter(|last| last.way == way);
+        let (before, total) = last.map_or((*now, by), |last| (last.before, last.total + by));
+        let made = match way {
+            Way::Look => before.looked_round(-total.x, total.y),
+            Way::Orbit => before.orbited(total.x, -total.y),
+            Way::Dolly => before.dollied(total.x),
+            Way::Zoom => zoomed(&before, (-total.x).exp()),
+        };
+        (before, total, made)
+    }
 }
 
 impl Navigation {
@@ -64,7 +92,7 @@ impl Navigation {
         self.given_back &= any_down;
         let response = self.place.and_then(|(_, id)| ctx.read_response(id));
         let (Some((rect, _)), Some(response)) = (self.place, response) else {
-            (self.turn, self.wheel) = (None, None);
+            (self.turn, self.steered) = (None, None);
             return;
         };
         if self.turn.is_none() {
@@ -79,7 +107,7 @@ impl Navigation {
 
     /// Another scene is shown, or a dialog: nothing is held any more.
     pub(crate) fn let_go(&mut self) {
-        (self.turn, self.wheel, self.refused) = (None, None, None);
+        (self.turn, self.steered, self.refused) = (None, None, None);
     }
 
     fn press(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
@@ -102,7 +130,7 @@ impl Navigation {
             return;
         };
         self.turn = Some(Turn { way, before, posed, from });
-        self.wheel = None;
+        self.steered = None;
         edited.session.hand.is_busy = true;
     }
 
@@ -138,31 +166,56 @@ impl Navigation {
     fn roll_wheel(&mut self, ctx: &Context, response: &Response, edited: &mut Edited) {
         let now = edited.document.camera;
         let time = ctx.input(|i| i.time);
-        self.wheel =
-            self.wheel.take().filter(|wheel| wheel.made == now && time - wheel.time < PAUSE);
-        let escape = ctx.input(|i| i.key_pressed(Key::Escape));
-        if let Some(wheel) = self.wheel.take_if(|_| escape) {
-            edited.document.camera = wheel.before;
+        self.steered =
+            self.steered.take().filter(|last| last.made == now && time - last.time < PAUSE);
+        // Taken here, it does not end presenting, too.
+        let taken =
+            |_: &mut Steered| ctx.input_mut(|i| i.consume_key(egui::Modifiers::NONE, Key::Escape));
+        if let Some(last) = self.steered.take_if(taken) {
+            edited.document.camera = last.before;
+            if last.by_keys {
+                // Which Escape takes away everywhere.
+                response.request_focus();
+            }
             return;
         }
         let (scroll, pinch) = ctx.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
         let (way, by) = match (scroll, pinch) {
             (_, pinch) if pinch != 1.0 => (Way::Dolly, f64::from(pinch).ln()),
-            (scroll, _) => (Way::Zoom, ZOOM * f64::from(scroll)),
+            (scroll, _) => (Way::Zoom, WHEEL * f64::from(scroll)),
         };
-        if by == 0.0 || !response.contains_pointer() {
-            return;
+        if by != 0.0 && response.contains_pointer() {
+            self.go(way, DVec2::new(by, 0.0), &mut edited.document.camera, time, false);
         }
-        let before = self.wheel.as_ref().filter(|wheel| wheel.way == way);
-        let (before, total) = before.map_or((now, by), |wheel| (wheel.before, wheel.total + by));
-        let made = match way {
-            Way::Dolly => before.dollied(total),
-            _ => zoomed(&before, (-total).exp()),
+    }
+
+    /// What keys do to the camera: each press a step.
+    pub(crate) fn steer(&mut self, steer: Steer, camera: &mut Camera, time: f64) {
+        let step = |x: i32, y: i32, length: f64| length * DVec2::new(x.into(), y.into());
+        let (way, by) = match steer {
+            Steer::Look(right, up) => (Way::Look, step(right, up, TURN)),
+            Steer::Orbit(right, up) => (Way::Orbit, step(right, up, TURN)),
+            Steer::Zoom(on) => (Way::Zoom, step(on, 0, NEARER)),
+            Steer::Dolly(on) => (Way::Dolly, step(on, 0, NEARER)),
         };
+        let now = *camera;
+        self.steered =
+            self.steered.take().filter(|last| last.made == now && time - last.time < PAUSE);
+        self.go(way, by, camera, time, true);
+    }
+
+    fn go(&mut self, way: Way, by: DVec2, camera: &mut Camera, time: f64, by_keys: bool) {
+        let now = *camera;
+        let (before, total, made) = Steered::on(self.steered.take(), way, by, &now);
         self.refused = made.err();
         let made = made.unwrap_or(now);
-        edited.document.camera = made;
-        self.wheel = Some(Wheel { way, before, made, total, time });
+        *camera = made;
+        self.steered = Some(Steered { way, before, made, total, time, by_keys });
+    }
+
+    /// Whether [`Navigation::tell`] has something to say.
+    pub(crate) fn has_word(&self, time: f64) -> bool {
+        self.turn.is_some() || self.steered.as_ref().is_some_and(|last| time - last.time < PAUSE)
     }
 
     /// What is said beside the pointer of what is being done. The camera view is at `place` now.
@@ -174,21 +227,24 @@ impl Navigation {
         session: &Session,
     ) {
         self.place = place;
-        let Some((_, id)) = place else { return };
+        let Some((rect, id)) = place else { return };
         let time = ui.input(|i| i.time);
-        let wheel = self.wheel.as_ref().filter(|wheel| time - wheel.time < PAUSE);
-        if let Some(wheel) = wheel {
-            let left = std::time::Duration::from_secs_f64(PAUSE - (time - wheel.time));
+        let steered = self.steered.as_ref().filter(|last| time - last.time < PAUSE);
+        if let Some(last) = steered {
+            let left = std::time::Duration::from_secs_f64(PAUSE - (time - last.time));
             ui.ctx().request_repaint_after(left);
         }
+        let by_keys = self.turn.is_none() && steered.is_some_and(|last| last.by_keys);
         let turn = self.turn.as_ref().map(|turn| (turn.way, &turn.before));
-        let Some((way, before)) = turn.or(wheel.map(|wheel| (wheel.way, &wheel.before))) else {
+        let Some((way, before)) = turn.or(steered.map(|last| (last.way, &last.before))) else {
             return;
         };
         let lines = lines(way, before, now, session.settings.digits.min(5));
         let refused = self.refused.map(|reason| reason.to_string());
-        let Some(pointer) = ui.input(|i| i.pointer.latest_pos()) else { return };
-        say(ui, id, pointer, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
+        let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);
+        // Keys are pressed wherever the pointer is: in the picture's lower left, beside what it shows.
+        let place = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
+        say(ui, id, place, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
     }
 }
 

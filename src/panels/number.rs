@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
-use egui::{Color32, DragValue, Id, Response, RichText, Ui};
+use egui::{Color32, Context, DragValue, FontId, Id, Response, RichText, Ui};
 use pinhole_core::{DVec3, shortest};
 
 use crate::expression::evaluate;
@@ -16,6 +16,9 @@ use crate::panels::look;
 
 /// Significant digits shown in a field that is not being typed in.
 const FIELD_DIGITS: usize = 5;
+
+/// And these in any case.
+const LEAST_DIGITS: usize = 2;
 
 /// One number to edit.
 pub(super) struct NumberField<'a> {
@@ -57,6 +60,11 @@ impl<'a> NumberField<'a> {
         let speed = drag_speed(ui, id, *self.value);
         let fault: RefCell<Option<String>> = RefCell::new(None);
         let exact = *self.value;
+        let room = self.width - 2.0 * ui.spacing().button_padding.x;
+        let font = ui.style().drag_value_text_style.resolve(ui.style());
+        let short = |value: f64| fitting(ui.ctx(), value, self.suffix, &font, room);
+        let shown_whole = short(exact) == shortest(exact);
+        let (ctx, suffix) = (ui.ctx().clone(), self.suffix);
         let field = DragValue::new(self.value)
             .speed(speed)
             .range(self.range.clone())
@@ -66,9 +74,10 @@ impl<'a> NumberField<'a> {
             // While `0.5` is typed, the camera need not go through `0`.
             .update_while_editing(false)
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
-            .custom_formatter(
-                |value, _| if typing { shortest(value) } else { rounded(value, FIELD_DIGITS) },
-            )
+            .custom_formatter(|value, _| match typing {
+                true => shortest(value),
+                false => fitting(&ctx, value, suffix, &font, room),
+            })
             .custom_parser(|text| match evaluate(text).and_then(|x| in_range(x, &self.range)) {
                 Ok(value) => {
                     *fault.borrow_mut() = Some(String::new());
@@ -85,13 +94,28 @@ impl<'a> NumberField<'a> {
         }
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(self.name));
         show_fault(ui, id, fault.into_inner(), &response);
-        let shown_whole = rounded(exact, FIELD_DIGITS) == shortest(exact);
         if typing || shown_whole || response.dragged() {
             response
         } else {
             response.on_hover_text(format!("{} = {}{}", self.name, shortest(exact), self.suffix))
         }
     }
+}
+
+/// The number with as many digits as there is room for, in points: a field that grew with its number
+/// would push the views aside, under the hand that drags in them.
+fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) -> String {
+    let fits = |text: &String| {
+        let whole = format!("{text}{suffix}");
+        // Most are short: no letter is wider than the font is high.
+        let is_short = whole.chars().count() as f32 * font.size <= room;
+        let laid_out = |fonts: &mut egui::epaint::FontsView<'_>| {
+            fonts.layout_no_wrap(whole.clone(), font.clone(), Color32::WHITE).size().x
+        };
+        is_short || ctx.fonts_mut(laid_out) <= room
+    };
+    let mut texts = (LEAST_DIGITS..=FIELD_DIGITS).rev().map(|digits| rounded(value, digits));
+    texts.find(fits).unwrap_or_else(|| rounded(value, LEAST_DIGITS))
 }
 
 /// The number, or which ones would do.

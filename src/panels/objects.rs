@@ -5,7 +5,8 @@ use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
 use super::look;
 use super::number::{NumberField, error_color, vector_row};
-use crate::document::{Document, Item};
+use crate::document::{Document, Item, Shared};
+use crate::formats::molecule;
 use crate::letters::told;
 
 /// Rows of the list that are visible at once.
@@ -17,13 +18,10 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
         ui.heading("Objects");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
-                let plane = Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y };
-                document.planes.push(Item::plain(plane));
-                *chosen = document.sphere_count() + document.planes.len() - 1;
+                *chosen = add_plane(document);
             }
             if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
-                document.spheres.push(Item::plain(new_sphere(&document.camera)));
-                *chosen = document.spheres.len() - 1;
+                *chosen = add_sphere(document);
             }
         });
     });
@@ -35,6 +33,43 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
     list(ui, document, chosen);
     ui.add_space(4.0);
     editor(ui, document, *chosen);
+}
+
+/// Adds a sphere that the camera sees; which one it is.
+pub(crate) fn add_sphere(document: &mut Document) -> usize {
+    document.spheres.push(Item::plain(new_sphere(&document.camera)));
+    document.spheres.len() - 1
+}
+
+/// Adds a plane below the origin; which one it is.
+pub(crate) fn add_plane(document: &mut Document) -> usize {
+    let plane = Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y };
+    document.planes.push(Item::plain(plane));
+    document.sphere_count() + document.planes.len() - 1
+}
+
+/// Takes an object out of the scene.
+///
+/// # Errors
+/// Why it stays: it stands in a file of its own.
+pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String> {
+    let first_plane = document.sphere_count();
+    if index < document.spheres.len() {
+        document.spheres.remove(index);
+    } else if index >= first_plane {
+        document.planes.remove(index - first_plane);
+    } else {
+        return Err(row_of_file(document, index));
+    }
+    Ok(())
+}
+
+/// Where a sphere of the CSV file or an atom of a molecule is edited.
+fn row_of_file(document: &Document, index: usize) -> String {
+    let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
+    let kind = if molecule::is_molecule(file.as_ref()) { "atom" } else { "row" };
+    let row = index - document.spheres.len() + 1;
+    format!("Sphere {index} is {kind} {row} of {file}: edit it there.")
 }
 
 /// A sphere that the camera sees, in the upper right quarter of the picture.
@@ -50,11 +85,20 @@ fn new_sphere(camera: &Camera) -> Sphere {
 
 fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
     let row_height = ui.spacing().interact_size.y;
-    ScrollArea::vertical()
-        .id_salt("objects")
-        .max_height(LIST_ROWS * (row_height + ui.spacing().item_spacing.y))
-        .auto_shrink([false, true])
-        .show_rows(ui, row_height, document.object_count(), |ui, rows| {
+    let with_gap = row_height + ui.spacing().item_spacing.y;
+    let shown = ui.scope_id().with("object that is in sight");
+    let mut area = ScrollArea::vertical().id_salt("objects");
+    let before = ui.data(|data| data.get_temp::<usize>(shown));
+    if before.is_some_and(|before| before != *chosen) {
+        // Chosen elsewhere: it comes to the middle.
+        let middle = *chosen as f32 - 0.5 * (LIST_ROWS - 1.0);
+        area = area.vertical_scroll_offset((with_gap * middle).max(0.0));
+    }
+    area.max_height(LIST_ROWS * with_gap).auto_shrink([false, true]).show_rows(
+        ui,
+        row_height,
+        document.object_count(),
+        |ui, rows| {
             for index in rows {
                 ui.horizontal(|ui| {
                     swatch(ui, look::object_color(ui, document, index as u32));
@@ -66,7 +110,9 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
                     }
                 });
             }
-        });
+        },
+    );
+    ui.data_mut(|data| data.insert_temp(shown, *chosen));
 }
 
 fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
@@ -79,24 +125,32 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
     let first_plane = document.sphere_count();
     let color = document.color_of(index as u32);
     if index < spheres {
-        if heading(ui, &mut document.spheres[index], color) {
+        let mut item = document.spheres[index].clone();
+        if heading(ui, &mut item, color) {
             document.spheres.remove(index);
             return;
         }
-        sphere(ui, &mut document.spheres[index].shape);
+        sphere(ui, &mut item.shape);
+        put(&mut document.spheres, index, item);
     } else if index < first_plane {
-        let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
-        ui.label(format!(
-            "Sphere {index} is row {} of {file}: edit it there.",
-            index - spheres + 1
-        ));
+        ui.label(row_of_file(document, index));
     } else {
-        let item = &mut document.planes[index - first_plane];
-        if heading(ui, item, color) {
-            document.planes.remove(index - first_plane);
+        let index = index - first_plane;
+        let mut item = document.planes[index].clone();
+        if heading(ui, &mut item, color) {
+            document.planes.remove(index);
             return;
         }
         plane(ui, &mut item.shape);
+        put(&mut document.planes, index, item);
+    }
+}
+
+/// Edits an object where it was edited: the list is shared with the steps of the history, and copied
+/// when it is written to.
+fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) {
+    if items[index] != item {
+        items[index] = item;
     }
 }
 

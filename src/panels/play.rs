@@ -38,7 +38,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
         button(ui, ["← Step", "Step back", "A step back: comma"], PlayMove::Step(-1), actions);
         button(ui, ["Step →", "Step on", "A step on: full stop"], PlayMove::Step(1), actions);
         speed(ui, &mut player.speed);
-        ui.add(Checkbox::new(&mut player.loops, "Loop"));
+        ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
         if !is_narrow {
             ui.with_layout(right_to_left, |ui| ends(ui, player, actions));
         }

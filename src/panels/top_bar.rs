@@ -5,7 +5,7 @@ use egui::{MenuBar, PopupCloseBehavior, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 
-use crate::action::Action;
+use crate::action::{Action, Observe};
 use crate::files::{OpenDocument, title_of};
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
@@ -120,6 +120,7 @@ fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
 fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {
     entry(ui, "Presenter mode", Action::Present, actions);
     entry(ui, "Frame all", Action::FrameAll, actions);
+    entry(ui, "Frame the camera", Action::Observe(Observe::FrameCamera), actions);
     entry(ui, "Command palette", Action::Palette, actions);
     entry(ui, "Keys", Action::KeySheet, actions);
     ui.separator();

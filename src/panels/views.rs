@@ -91,7 +91,18 @@ pub(crate) fn inputs(
     let focused = ui.memory(|memory| memory.focused());
     let is_here = focused.is_none_or(|id| views.iter().any(|view| view.id == id));
     if is_here && !views.is_empty() {
-        let pressed = verbs::pressed(ui.ctx(), |when| when == When::View);
+        let alone = focused.is_none() && views.len() == 1;
+        let is_meant = |name: &str| {
+            let id = ui.scope_id().with(name);
+            focused == Some(id) || (alone && views[0].id == id)
+        };
+        let (world, camera) = (is_meant(WORLD), is_meant(CAMERA));
+        let pressed = verbs::pressed(ui.ctx(), |when| match when {
+            When::View => true,
+            When::WorldView => world,
+            When::CameraView => camera,
+            _ => false,
+        });
         actions.extend(pressed.into_iter().map(|(_, action)| action));
     }
 }

@@ -177,6 +177,13 @@ impl Start {
         }
     }
 
+    /// The cameras that an animation shows, a step from each to the next; none where it moves none.
+    pub fn cameras(&self, kind: Kind) -> Vec<Camera> {
+        let steps = if kind.moves_camera() { STEPS } else { 0 };
+        let phases = (0..steps).map(|k| k as f64 / STEPS as f64);
+        phases.filter_map(|phase| Some(self.at(kind, phase).ok()?.camera)).collect()
+    }
+
     fn pixels(&self) -> u64 {
         let image = self.camera.image;
         u64::from(image.width()) * u64::from(image.height())

@@ -3,6 +3,7 @@
 use pinhole_core::Camera;
 
 use super::{Kind, PlayError, Start, Still};
+use crate::observer::Observer;
 
 /// The longest time between two frames that counts, in seconds: a window that was hidden goes on
 /// where it was.
@@ -37,6 +38,8 @@ pub struct Player {
     pub fault: Option<PlayError>,
     /// The camera that it showed last; where another one is there, it was edited.
     pub(crate) shown: Camera,
+    /// The observer before it stepped back to see all of it, and since.
+    pub(crate) stepped_back: Option<[Observer; 2]>,
     /// When it was last moved on, in the window's seconds.
     time: Option<f64>,
 }
@@ -58,6 +61,7 @@ impl Player {
             reduced: false,
             fault: None,
             shown: start.camera,
+            stepped_back: None,
             time: None,
         }
     }
@@ -123,6 +127,14 @@ impl Player {
         let to = from + by as f64;
         let to = if self.loops { to.rem_euclid(steps) } else { to.clamp(0.0, steps) };
         self.phase = to / steps;
+    }
+
+    /// So many of the [speeds](Player::SPEEDS) on, or back.
+    pub fn faster(&mut self, by: i32) {
+        let now = Player::SPEEDS.iter().position(|speed| *speed >= self.speed);
+        let last = Player::SPEEDS.len() - 1;
+        let next = now.unwrap_or(last).saturating_add_signed(by as isize).min(last);
+        self.speed = Player::SPEEDS[next];
     }
 
     /// Where it is, in words.

@@ -22,6 +22,10 @@ pub enum When {
     Presenting,
     /// While a view has the focus, or nothing has.
     View,
+    /// While the camera view has the focus, or nothing has and it is the only view.
+    CameraView,
+    /// Likewise the world view.
+    WorldView,
 }
 
 /// A key with what is held besides.
@@ -38,13 +42,17 @@ pub struct Keys {
 impl Keys {
     /// What it says on the keys, such as `Ctrl+Shift+S`.
     pub fn text(&self) -> String {
+        self.held() + name(self.key)
+    }
+
+    /// What is held, as it says on the keys, such as `Ctrl+Shift+`.
+    pub(super) fn held(&self) -> String {
         let held = [
             (self.modifiers.command, "Ctrl+"),
             (self.modifiers.alt, "Alt+"),
             (self.modifiers.shift, "Shift+"),
         ];
-        let held: String = held.iter().filter(|held| held.0).map(|held| held.1).collect();
-        held + name(self.key)
+        held.iter().filter(|held| held.0).map(|held| held.1).collect()
     }
 
     /// How often it was pressed; nobody else gets these presses.
@@ -86,6 +94,8 @@ fn name(key: Key) -> &'static str {
         Key::Plus => "+",
         Key::Equals => "=",
         Key::Minus => "−",
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
         other => other.name(),
     }
 }

@@ -16,7 +16,9 @@ pub use keys::{Keys, When, pressed};
 pub use search::{found, score};
 pub use table::{GESTURES, Gesture, of_lesson};
 
-use crate::action::Action;
+use egui::Key;
+
+use crate::action::{Action, ObjectMove, Observe, Steer};
 
 /// What a command belongs to: a heading of the key sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -33,6 +35,8 @@ pub enum Group {
     Views,
     /// The camera in the hand: handles, and dragging in the camera view.
     Hand,
+    /// The scene's spheres and planes.
+    Objects,
     /// Animations, and the camera to compare with.
     Play,
     /// The program itself.
@@ -67,6 +71,7 @@ impl Group {
             Group::Presenting => "Presenting",
             Group::Views => "Views",
             Group::Hand => "In the hand",
+            Group::Objects => "Objects",
             Group::Play => "Play and compare",
             Group::Program => "Program",
             Group::Layout => "Layout",
@@ -129,11 +134,50 @@ pub fn keys_text(action: &Action) -> String {
     verb.map(Verb::keys_text).unwrap_or_default()
 }
 
-/// The commands that have keys, and the gestures, by groups.
+/// What commands that are one but for their direction are called together.
+fn family(action: &Action) -> Option<&'static str> {
+    match action {
+        Action::Step { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
+        Action::Step { .. } => Some("Ten pixels on"),
+        Action::Steer(Steer::Look(..)) => Some("Look round, in the camera view"),
+        Action::Steer(Steer::Orbit(..)) => Some("Orbit round at, there"),
+        Action::Steer(Steer::Zoom(_)) => Some("Field of view, there"),
+        Action::Steer(Steer::Dolly(_)) => Some("Dolly, there"),
+        Action::Observe(Observe::Orbit(..)) => Some("Orbit the observer, in the world view"),
+        Action::Observe(Observe::Pan(..)) => Some("Pan the observer, there"),
+        Action::Observe(Observe::Zoom(_)) => Some("Zoom, there"),
+        Action::Object(ObjectMove::Next(_)) => Some("Previous and next object"),
+        _ => None,
+    }
+}
+
+/// The keys of commands that belong together: `Alt+arrows`, or all of them.
+fn keys_of(family: &[&Verb]) -> String {
+    let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
+    let keys: Vec<&Keys> = family.iter().flat_map(|verb| verb.keys).collect();
+    let are_arrows = keys.len() == 4 && arrows.iter().all(|a| keys.iter().any(|k| k.key == *a));
+    if let (true, Some(first)) = (are_arrows, keys.first())
+        && keys.iter().all(|key| key.modifiers == first.modifiers)
+    {
+        let held = first.held();
+        return if held.is_empty() { "Arrows".to_owned() } else { format!("{held}arrows") };
+    }
+    keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
+}
+
+/// The commands that have keys, and the gestures, by groups; commands that differ in direction alone
+/// are one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
-    let verbs = all().iter().filter(|verb| !verb.keys.is_empty());
-    let verbs = verbs.map(|verb| (verb.group, verb.keys_text(), verb.name.to_string()));
+    let with_keys: Vec<&Verb> = all().iter().filter(|verb| !verb.keys.is_empty()).collect();
+    let same = |a: &&Verb, b: &&Verb| {
+        let of = |verb: &Verb| family(&verb.action);
+        of(a).is_some() && of(a) == of(b)
+    };
+    let verbs = with_keys.chunk_by(same).map(|verbs| {
+        let name = family(&verbs[0].action).map_or(verbs[0].name.to_string(), str::to_owned);
+        (verbs[0].group, keys_of(verbs), name)
+    });
     let gestures = GESTURES.iter().map(|g| (g.group, g.how.to_owned(), g.does.to_owned()));
     for (group, keys, name) in verbs.chain(gestures) {
         match groups.iter_mut().find(|(known, _)| *known == group) {
@@ -176,6 +220,20 @@ mod tests {
             for (other, of) in keys().take(k) {
                 assert_ne!(key, other, "{} and {}", verb.title(), of.title());
             }
+        }
+    }
+
+    #[test]
+    fn every_key_stands_in_one_entry_of_the_sheet() {
+        let entries: usize = sheet().iter().map(|(_, rows)| rows.len()).sum();
+        let mut names: Vec<String> =
+            sheet().into_iter().flat_map(|(_, rows)| rows.into_iter().map(|row| row.1)).collect();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), entries, "a name stands twice: {names:?}");
+        let text = markdown();
+        for keys in ["Arrows", "Shift+arrows", "Alt+arrows", "Ctrl+arrows"] {
+            assert!(text.contains(&format!("| {keys} |")), "{text}");
         }
     }
 

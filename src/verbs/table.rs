@@ -1,5 +1,20 @@
 //! The commands themselves.
 
+/// Commands, written as the table that they are.
+macro_rules! verbs {
+    ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
+        vec![$(Verb {
+            group: Group::$group,
+            name: std::borrow::Cow::Borrowed($name),
+            about: std::borrow::Cow::Borrowed($about),
+            keys: const { &[$($keys),*] },
+            action: $action,
+        }),*]
+    };
+}
+
+mod hand;
+
 use std::borrow::Cow;
 
 use egui::{Key, Modifiers};
@@ -43,6 +58,7 @@ pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Hand, how: "Shift+one of them", does: "In the plane of the other two" },
     Gesture { group: Group::Hand, how: "Ctrl", does: "In round steps" },
     Gesture { group: Group::Hand, how: "K, Alt", does: "Eye orbits at, or travels" },
+    Gesture { group: Group::Hand, how: "Arrows on a handle", does: "Move the one in focus a step" },
     Gesture { group: Group::Hand, how: "Escape", does: "Give back what is dragged" },
     Gesture { group: Group::Hand, how: "Right drag in the camera view", does: "Look round" },
     Gesture { group: Group::Hand, how: "Middle drag there", does: "Orbit round at" },
@@ -63,24 +79,14 @@ const fn plain(when: When, k: Key) -> Keys {
     key(when, Modifiers::NONE, k)
 }
 
-macro_rules! verbs {
-    ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
-        vec![$(Verb {
-            group: Group::$group,
-            name: Cow::Borrowed($name),
-            about: Cow::Borrowed($about),
-            keys: const { &[$($keys),*] },
-            action: $action,
-        }),*]
-    };
-}
-
 /// Every command that does not depend on what is open.
 pub(super) fn table() -> Vec<Verb> {
     let mut verbs = program();
     verbs.extend(presenting());
     verbs.extend(playing());
+    verbs.extend(hand::strip());
     verbs.extend(pixel_steps());
+    verbs.extend(hand::hand());
     verbs.extend(layouts());
     verbs.extend(translations());
     verbs.extend(switches());

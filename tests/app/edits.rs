@@ -1,7 +1,9 @@
 //! The way of an edit: from a field to the document, the picture and every readout, in one frame.
 
 use egui::accesskit::Role;
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel};
 
 use super::harness::{assert_says, says, type_into, window};
@@ -199,4 +201,23 @@ fn objects_are_added_edited_and_removed() {
     window.get_by_label("Remove").click();
     window.run();
     assert_eq!(window.state().document().object_count(), objects + 1);
+}
+
+#[test]
+fn long_numbers_push_nothing_aside() {
+    let mut harness = window("canonical");
+    let view = |harness: &Harness<'_, App>| {
+        harness.get_by_role_and_label(Role::Image, "World view").rect()
+    };
+    let before = view(&harness);
+    for (field, number) in [
+        ("up x", "-0.0832932466688"),
+        ("up y", "-1234567.25"),
+        ("up z", "-1.23456789e-100"),
+        ("eye x", "-1234567.25"),
+        ("eye y", "-0.0832932466688"),
+    ] {
+        type_into(&mut harness, field, number);
+        assert_eq!(view(&harness), before, "{field} = {number}");
+    }
 }

@@ -60,6 +60,28 @@ fn the_camera_view_keeps_its_proportions() {
     assert!(!svg.contains("<rect "), "transparent");
 }
 
+/// As a hand clicks: pressed in one frame, let go in another.
+#[test]
+fn the_first_number_that_is_typed_counts() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("world.svg");
+    let mut window = window("canonical");
+    open_dialog(&mut window);
+    let field = window.get_by_role_and_label(Role::SpinButton, "figure width").rect().center();
+    crate::harness::click_at(&mut window, field);
+    for digit in ["3", "2", "1"] {
+        window.event(egui::Event::Text(digit.to_owned()));
+        window.run();
+    }
+    window.key_press(Key::Enter);
+    window.run();
+    assert_says(&window, "Export a figure");
+    export_to(&mut window, &path);
+    window.run();
+    let svg = fs::read_to_string(&path).unwrap();
+    assert!(svg.contains("width=\"321\""), "{}", &svg[..300]);
+}
+
 #[test]
 fn the_layout_chooses_what_is_exported_first() {
     let folder = tempfile::tempdir().unwrap();

@@ -33,6 +33,32 @@ fn assert_menu(harness: &mut Harness<'_, App>, undo: &str, redo: &str) {
 }
 
 #[test]
+fn steps_that_change_no_object_share_all_of_them() {
+    let mut harness = window("look-at");
+    let before = harness.state().document().clone();
+    for (field, number) in [("eye x", "3"), ("up z", "0.5"), ("distance", "2")] {
+        type_into(&mut harness, field, number);
+    }
+    let shared = |harness: &Harness<'_, App>| {
+        let now = harness.state().document();
+        now.spheres.is_same(&before.spheres) && now.planes.is_same(&before.planes)
+    };
+    assert!(shared(&harness), "edited");
+    for key in [Key::Z, Key::Z, Key::Y] {
+        harness.key_press_modifiers(Modifiers::COMMAND, key);
+        harness.run();
+        assert!(shared(&harness), "undone and redone");
+    }
+    // What is edited is a list of its own from then on.
+    type_into(&mut harness, "radius", "2.5");
+    let edited = harness.state().document().clone();
+    assert!(!edited.spheres.is_same(&before.spheres) && edited.planes.is_same(&before.planes));
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+    assert!(shared(&harness), "the list from before, not one like it");
+}
+
+#[test]
 fn each_change_is_undone_by_its_name() {
     let mut harness = window("canonical");
     let opened = harness.state().document().clone();

@@ -4,7 +4,9 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
 
 mod accuracy;
+mod by_keys;
 mod compare;
+mod covered;
 mod edits;
 mod exercises;
 mod export;
@@ -13,6 +15,7 @@ mod frame;
 mod handles;
 mod harness;
 mod history;
+mod labels;
 mod ledger;
 mod lessons;
 mod lines;

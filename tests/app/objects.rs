@@ -41,9 +41,11 @@ fn document() -> Document {
         spheres: vec![
             Item::plain(ball(0.0, 0.0, -3.0, 0.5)),
             Item::plain(ball(1.0, 0.0, -4.0, 0.5)),
-        ],
+        ]
+        .into(),
         csv_spheres: Some(CsvSpheres { path, file, items }),
-        planes: vec![Item::plain(Plane { point: DVec3::new(0.0, 0.0, -9.0), normal: DVec3::Z })],
+        planes: vec![Item::plain(Plane { point: DVec3::new(0.0, 0.0, -9.0), normal: DVec3::Z })]
+            .into(),
         ..Document::default()
     }
 }

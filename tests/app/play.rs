@@ -312,3 +312,38 @@ fn nothing_in_the_strip_lies_over_anything_else() {
         }
     }
 }
+
+#[test]
+fn an_orbiting_camera_stays_in_sight_and_stop_brings_the_observer_back() {
+    let mut harness = window("look-at");
+    let before = harness.state().session().observer;
+    open(&mut harness, "Orbit the camera round at");
+    assert_ne!(harness.state().session().observer, before, "it steps back");
+    for k in 0..24 {
+        let eye = harness.query_by_role_and_label(Role::Slider, "eye handle");
+        assert!(eye.is_some(), "the eye is out of sight after {k} steps");
+        press(&mut harness, Key::Period);
+    }
+    click(&mut harness, "Stop and go back");
+    assert_eq!(harness.state().session().observer, before);
+
+    // Who moves the observer meanwhile has it stay there.
+    open(&mut harness, "Orbit the camera round at");
+    harness.get_by_role_and_label(Role::Image, "World view").focus();
+    harness.run();
+    press_with(&mut harness, Modifiers::COMMAND, Key::ArrowRight);
+    let moved = harness.state().session().observer;
+    click(&mut harness, "Stop and go back");
+    assert_eq!(harness.state().session().observer, moved);
+
+    // Who looks at a part of the camera goes on looking at it.
+    let mut harness = window("canonical");
+    harness.get_by_role_and_label(Role::Image, "World view").focus();
+    harness.run();
+    for _ in 0..20 {
+        press(&mut harness, Key::Plus);
+    }
+    let near = harness.state().session().observer;
+    open(&mut harness, "Orbit the camera round at");
+    assert_eq!(harness.state().session().observer, near);
+}

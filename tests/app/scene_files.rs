@@ -85,6 +85,26 @@ fn a_dropped_file_opens_and_a_bad_one_says_what_is_wrong() {
     assert_eq!(*window.state().document(), Document::default());
 }
 
+#[test]
+fn a_dropped_molecule_is_saved_as_a_scene_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let water = folder.path().join("water.xyz");
+    fs::write(&water, "3\nWater\nO 0 0 0.1\nH 0 0.8 -0.5\nH 0 -0.8 -0.5\n").unwrap();
+    let mut window = window("canonical");
+    drop_file(&mut window, &water);
+    assert_says(&window, "sphere 0 “O1”");
+    assert_says(&window, "water.xyz");
+    type_into(&mut window, "eye y", "0.25");
+    ctrl(&mut window, egui::Key::S);
+    let path = window.get_by_role_and_label(Role::TextInput, "path").value();
+    assert_eq!(path.as_deref(), folder.path().join("water.toml").to_str());
+    window.key_press(egui::Key::Enter);
+    window.run();
+    let saved = scene_file::load(&folder.path().join("water.toml")).unwrap();
+    assert_eq!(saved, *window.state().document());
+    assert!(fs::read_to_string(&water).unwrap().starts_with("3\nWater\n"));
+}
+
 pub(crate) fn drop_file(
     window: &mut egui_kittest::Harness<'_, pinhole::app::App>,
     path: &std::path::Path,
@@ -177,6 +197,35 @@ fn a_broken_store_is_no_reason_not_to_start() {
     let path = folder.path().join("state.json");
     fs::write(&path, "{ not json").unwrap();
     assert_eq!(Store::at(&path).load(), Remembered::default());
+}
+
+#[test]
+fn one_wrong_value_in_the_store_takes_no_other_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("state.json");
+    let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
+    right.settings.digits = 9;
+    right.settings.scheme = pinhole::overlay::Scheme::Grey;
+    right.settings.items.set(pinhole::overlay::Item::Labels, false);
+    right.selection = Some(pinhole::store::RememberedRay::Pixel(3, 4));
+    Store::at(&path).save(&right).unwrap();
+    let text = fs::read_to_string(&path).unwrap();
+    let wrong = [
+        ("\"digits\": 9", "\"digits\": \"nine\"", Remembered::default().settings.digits),
+        ("\"Grey\"", "\"Purple\"", 9),
+        ("\"zoom\": 1.0", "\"zoom\": null", 9),
+    ];
+    for (value, by, digits) in wrong {
+        assert!(text.contains(value), "{value} in {text}");
+        fs::write(&path, text.replace(value, by)).unwrap();
+        let read = Store::at(&path).load();
+        let mut expected = right.clone();
+        expected.settings.digits = digits;
+        if value == "\"Grey\"" {
+            expected.settings.scheme = pinhole::overlay::Scheme::Standard;
+        }
+        assert_eq!(read, expected, "{by}");
+    }
 }
 
 #[test]

@@ -30,7 +30,7 @@ const FIGURES: [Case; 6] = [
     Case("camera", "canonical --view camera --pixel 99,199", Tolerance(0.6, 0.25)),
     Case("grid", "non-square --view camera --width 600", Tolerance(0.8, 0.2)),
     Case("ledger", "look-at --view ledger --width 900 --uv 0.2,-0.1", Tolerance(8.0, 4.0)),
-    Case("lines", "canonical --view lines --width 900", Tolerance(2.0, 0.8)),
+    Case("lines", "canonical --view lines --width 900", Tolerance(3.2, 1.5)),
 ];
 
 /// What a string in base 64 stands for.
@@ -147,7 +147,7 @@ fn pdftotext_finds_the_labels() {
         assert!(ledger.contains(part), "no {part} in {ledger}");
     }
     let lines = text_of(FIGURES[5].1);
-    for part in ["f > 0", "hit: t = 1", "𝑡 = 0.5"] {
+    for part in ["f > 0", "hit: t = 1", "𝑡 = 0.5", "sorted by t", "They meet at"] {
         assert!(lines.contains(part), "no {part} in {lines}");
     }
 }

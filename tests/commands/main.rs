@@ -1,12 +1,15 @@
 //! The headless commands, run as a user runs them.
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
+mod animation;
 mod bench;
 mod exchange;
 mod figure;
 mod figure_read_back;
+mod generated;
 mod inspect;
 mod lesson;
+mod molecule;
 mod render;
 mod report;
 mod scenes;

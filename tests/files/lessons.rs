@@ -7,6 +7,7 @@ use std::path::Path;
 use pinhole::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
 use pinhole::overlay::{Item, OverlayItems};
 use pinhole::session::{Selection, ViewLayout};
+use pinhole::thing::Thing;
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
 
@@ -117,6 +118,46 @@ exercise = "lines"
     assert_eq!(d.selection, Selection::Uv(DVec2::new(0.2, -0.1)), "another scene begins afresh");
     assert_eq!((d.looks.observer, d.looks.t), (None, None));
     assert_eq!(d.looks.layout, Some(ViewLayout::World), "how it is looked at goes on");
+}
+
+#[test]
+fn what_is_lit_goes_with_its_scene() {
+    let more = "scene = \"look-at\"\nlit = \"object 4\"\n\
+                [[step]]\ntitle = \"B\"\ntext = \"C.\"\nlit = \"root 4 0\"\n\
+                [[step]]\ntitle = \"C\"\ntext = \"D.\"\nscene = \"canonical\"\n";
+    let lesson = parse(&format!("{HEAD}{more}"), Path::new("lesson.toml"), None).unwrap();
+    let lit: Vec<_> = lesson.steps.iter().map(|step| step.looks.lit).collect();
+    let root = Thing::Root { object: 4, number: 0 };
+    assert_eq!(lit, [Some(Some(Thing::Object(4))), Some(Some(root)), Some(None)]);
+}
+
+#[test]
+fn a_lesson_is_no_scene_of_a_lesson() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.toml");
+    fs::write(&path, format!("{HEAD}scene = \"mine.toml\"\n")).unwrap();
+    let error = load(&path).unwrap_err().to_string();
+    let expected = "mine.toml:6:9: step 1.scene is \"mine.toml\": it is a lesson: name a scene file, or \
+                    a built-in scene";
+    assert!(error.ends_with(expected), "{error}");
+}
+
+#[test]
+fn texts_have_an_end() {
+    let of = |title: &str, text: &str| {
+        let lesson = format!(
+            "pinhole_lesson = 1\ntitle = \"Mine\"\n[[step]]\ntitle = \"{title}\"\ntext = \"{text}\"\n\
+             scene = \"canonical\"\n"
+        );
+        parse(&lesson, Path::new("lesson.toml"), None).map_err(|error| error.to_string())
+    };
+    assert!(of(&"é".repeat(120), &"a ".repeat(400)).is_ok());
+    let expected = "lesson.toml:4:9: step 1.title: 121 letters are too many above the views: at most \
+                    120 fit; part the step";
+    assert_eq!(of(&"é".repeat(121), "a").unwrap_err(), expected);
+    let expected = "lesson.toml:5:8: step 1.text: 802 letters are too many above the views: at most \
+                    800 fit; part the step";
+    assert_eq!(of("a", &format!("{}aa", "a ".repeat(400))).unwrap_err(), expected);
 }
 
 #[test]
@@ -287,6 +328,18 @@ const STEPS: Cases = &[
     (
         "scene = \"canonical\"\n[step.camera]\neye = [0, 0, 0]\n",
         "7:1: step 1.camera.at (or view, or basis) is missing: write at = [0.0, 0.0, -1.0]",
+    ),
+    (
+        "scene = \"canonical\"\nlit = \"object 99\"\n",
+        "7:7: step 1.lit is \"object 99\": the scene's objects are 0 to 2",
+    ),
+    (
+        "scene = \"canonical\"\nlit = \"root 3 0\"\n",
+        "7:7: step 1.lit is \"root 3 0\": the scene's objects are 0 to 2",
+    ),
+    (
+        "lit = \"object 0\"\n[step.camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
+        "6:7: step 1.lit is \"object 0\": the scene has no objects",
     ),
 ];
 

@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod bad_scenes;
+mod code;
 mod csv;
 mod good_scenes;
 mod lessons;
+mod molecules;
 mod open_document;
 mod round_trip;
 mod saving;

@@ -106,13 +106,13 @@ fn document() -> impl Strategy<Value = Document> {
         |(note, camera, spheres, planes, csv)| Document {
             note,
             camera,
-            spheres,
+            spheres: spheres.into(),
             csv_spheres: csv.map(|path| CsvSpheres {
                 file: path.clone().into(),
                 path,
                 items: Arc::default(),
             }),
-            planes,
+            planes: planes.into(),
         },
     )
 }

@@ -13,6 +13,7 @@ use crate::viewport::{Viewport, ViewportError};
 
 /// Why a camera cannot be changed so.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum VerbError {
     /// There would be no camera, or there was none before.
     Camera(CameraError),

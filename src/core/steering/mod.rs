@@ -76,6 +76,7 @@ pub struct Steered {
 
 /// Why a camera cannot be steered so.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum SteerError {
     /// There would be no camera, or there was none before.
     Camera(CameraError),

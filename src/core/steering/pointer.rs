@@ -29,6 +29,7 @@ pub enum DragAlong {
 
 /// Why the pointer is nowhere in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum DragError {
     /// What is dragged is not in front of the observer.
     NotInFront {

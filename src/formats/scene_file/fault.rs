@@ -37,8 +37,9 @@ fn field_at_fault(error: &CameraError) -> Option<String> {
             BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "camera.up".to_owned(),
             BasisError::NotUnit { vector, .. } => format!("camera.basis.{vector}"),
             BasisError::NotOrthogonal { .. } | BasisError::LeftHanded => "camera.basis".to_owned(),
+            _ => return None,
         },
         CameraError::Viewport(error) => format!("viewport.{}", error.field),
-        CameraError::Image(_) => return None,
+        _ => return None,
     })
 }

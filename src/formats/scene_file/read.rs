@@ -9,7 +9,7 @@ use toml_edit::Document as Toml;
 use super::{VERSION, note};
 use crate::document::{CsvSpheres, Document, Item};
 use crate::formats::fields::{Field, Section, Source};
-use crate::formats::{FileError, color, csv_spheres};
+use crate::formats::{FileError, color, csv_spheres, molecule};
 
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
@@ -52,10 +52,10 @@ pub(crate) fn tables(root: &Section, document: &mut Document) -> Result<(), File
         camera.image = image(&section.section()?)?;
     }
     if let Some(field) = root.get("sphere") {
-        document.spheres = objects(&field, sphere)?;
+        document.spheres = objects(&field, sphere)?.into();
     }
     if let Some(field) = root.get("plane") {
-        document.planes = objects(&field, plane)?;
+        document.planes = objects(&field, plane)?.into();
     }
     Ok(())
 }
@@ -195,15 +195,21 @@ fn read_color(field: &Field) -> Result<Rgb, FileError> {
 }
 
 fn csv(field: &Field, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
-    let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
+    let path = field
+        .text()
+        .map_err(|_| field.error("it must be the path of a CSV file, or of a molecule"))?;
     let file = base.unwrap_or(Path::new("")).join(path);
     let items = match base {
         None => Vec::new(),
-        Some(_) => csv_spheres::load(&file).map_err(|error| match error.place {
+        Some(_) => many_spheres(&file).map_err(|error| match error.place {
             Some(_) => error,
             // The path is at fault, and it stands in the scene file.
             None => field.error(&error.to_string()),
         })?,
     };
     Ok(CsvSpheres { path: path.to_owned(), file, items: Arc::new(items) })
+}
+
+fn many_spheres(file: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
+    if molecule::is_molecule(file) { molecule::spheres(file) } else { csv_spheres::load(file) }
 }

@@ -9,6 +9,7 @@ use pinhole_core::methods::Method;
 use super::table::color_of;
 use crate::accuracy::WRONG;
 use crate::number::{power_of_ten, short};
+use crate::panels::look;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
 
@@ -28,6 +29,8 @@ struct Mark<'a> {
 
 /// Shows the plot of a case.
 pub(super) fn ui(ui: &mut Ui, case: &Case) {
+    // In greys it is told by its ring.
+    let wrong = look::finished(ui, WRONG);
     let mark = |row| Some(Mark { row, at: place_of(row)?, color: color_of(ui, row) });
     let marks: Vec<Mark> = case.methods.iter().filter_map(mark).collect();
     let hover = |hover: &HoverPosition<'_>| match hover {
@@ -63,7 +66,7 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
                 plot.text(name.color(Color32::GRAY).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
             }
             // The first method on top, as in the plots that are written to files.
-            marks.iter().rev().for_each(|mark| draw(plot, mark));
+            marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
         });
     let name = "Every method's error against its time";
     ui.ctx().accesskit_node_builder(shown.response.id, |node| {
@@ -72,14 +75,14 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
     });
 }
 
-fn draw(plot: &mut PlotUi, mark: &Mark) {
+fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
     let Mark { row, at, color } = mark;
     let points = Points::new(row.name.clone(), vec![*at]).shape(shape_of(row.family()));
     plot.points(points.filled(!row.is_single()).color(*color).radius(RADIUS));
     if row.wrong > 0 {
         let ring = Points::new(format!("{}, wrong", row.name), vec![*at]).allow_hover(false);
         let ring = ring.shape(MarkerShape::Circle).filled(false);
-        plot.points(ring.color(WRONG).radius(1.7 * RADIUS));
+        plot.points(ring.color(wrong).radius(1.7 * RADIUS));
     }
 }
 

@@ -5,6 +5,7 @@ use pinhole_core::methods::Method;
 
 use super::super::number::error_color;
 use crate::number::short;
+use crate::panels::look;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::marker;
 use crate::session::MethodName;
@@ -85,5 +86,5 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
 /// A method's colour on this window's ground.
 pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
     let [r, g, b] = marker::of(row.family()).ink_on(ui.visuals().dark_mode);
-    Color32::from_rgb(r, g, b)
+    look::finished(ui, Color32::from_rgb(r, g, b))
 }

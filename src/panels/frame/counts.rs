@@ -108,21 +108,20 @@ mod tests {
 
     #[test]
     fn a_large_scene_in_words() {
-        let counts = Counts {
-            spheres: 1_000_000,
-            behind: 250_000,
-            outside: 738_000,
-            in_view: 12_000,
-            hidden: 4_321,
-            planes: 2,
-            planes_asked: 1,
-            blocks: 62_500,
-            blocks_left_out: 40_000,
-            bands: 34,
-            bands_untouched: 5,
-            rows: 1080,
-            rows_untouched: 163,
-        };
+        let mut counts = Counts::default();
+        counts.spheres = 1_000_000;
+        counts.behind = 250_000;
+        counts.outside = 738_000;
+        counts.in_view = 12_000;
+        counts.hidden = 4_321;
+        counts.planes = 2;
+        counts.planes_asked = 1;
+        counts.blocks = 62_500;
+        counts.blocks_left_out = 40_000;
+        counts.bands = 34;
+        counts.bands_untouched = 5;
+        counts.rows = 1080;
+        counts.rows_untouched = 163;
         let steps = Steps { f64: 2_100_000, double_double: 12, exact: 3 };
         let expected = [
             "spheres: 1,000,000",

@@ -1,10 +1,11 @@
 //! What the last frames took, a bar a frame, the parts on top of each other.
 
-use egui::{Stroke, Ui};
+use egui::{Color32, Stroke, Ui};
 use egui_plot::{Bar, BarChart, HLine, LineStyle, Plot, PlotBounds};
 
 use super::ms;
 use crate::frame_times::{FrameHistory, FrameRecord, KEPT, Part};
+use crate::panels::look;
 
 /// What a frame may take at 60 frames a second, in milliseconds.
 const SMOOTH: f64 = 1000.0 / 60.0;
@@ -18,6 +19,9 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
     let top = top(&records);
     let right = KEPT as f64;
     let line = ui.visuals().text_color();
+    let mut index = 0..;
+    let colors =
+        Part::ALL.map(|part| look::plotted(ui, part.color(), index.next().unwrap_or_default()));
     let shown = Plot::new("frame times")
         .x_axis_label("the last 200 new pictures; dashed: 16.7 ms")
         .y_axis_label("ms")
@@ -34,9 +38,9 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
         .show(ui, |plot| {
             plot.set_plot_bounds(PlotBounds::from_min_max([0.0, 0.0], [right, top]));
             let mut charts: Vec<BarChart> = Vec::new();
-            for part in Part::ALL {
+            for (part, color) in Part::ALL.into_iter().zip(colors) {
                 let below: Vec<&BarChart> = charts.iter().collect();
-                let chart = chart(part, &records).stack_on(&below);
+                let chart = chart(part, color, &records).stack_on(&below);
                 charts.push(chart);
             }
             charts.into_iter().for_each(|chart| plot.bar_chart(chart));
@@ -50,20 +54,15 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
 }
 
 /// The bars of one part, the last frame's at the right end.
-fn chart(part: Part, records: &[&FrameRecord]) -> BarChart {
+fn chart(part: Part, color: Color32, records: &[&FrameRecord]) -> BarChart {
     let first = KEPT - records.len();
     let bars = records.iter().enumerate().map(|(index, record)| {
         let time = 1e3 * record.time(part).unwrap_or_default().as_secs_f64();
-        Bar::new((first + index) as f64 + 0.5, time)
-            .width(1.0)
-            .fill(part.color())
-            .stroke(Stroke::NONE)
+        Bar::new((first + index) as f64 + 0.5, time).width(1.0).fill(color).stroke(Stroke::NONE)
     });
     let description =
         move |bar: &Bar, _: &BarChart| format!("{} {} ms", part.name(), ms(1e-3 * bar.value));
-    BarChart::new(part.name(), bars.collect())
-        .color(part.color())
-        .element_formatter(Box::new(description))
+    BarChart::new(part.name(), bars.collect()).color(color).element_formatter(Box::new(description))
 }
 
 /// The upper end in milliseconds: a little above the slowest frame, so that no bar is cut off.

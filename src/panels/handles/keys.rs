@@ -3,7 +3,7 @@
 use egui::{Context, EventFilter, Key};
 use pinhole_core::{DVec2, DVec3, PosedCamera};
 
-use super::{Edited, HandInput, View, axis_held, id_of};
+use super::{Edited, HandInput, View, axis_held, how, id_of};
 use crate::handles::{
     Along, Axis, Grip, Handle, How, Part, Pull, Start, grips, keeps_of, step_of, turned_by,
 };
@@ -50,11 +50,10 @@ impl HandInput {
             }
             return;
         }
-        let along = axis_held(ctx).map_or(Along::View, Along::Axis);
         let (eye, corner, distance) = keeps_of(&session.settings, false);
-        let how = How { along, snaps: false, eye, corner, distance };
+        let how = How { eye, corner, distance, ..how(ctx, session) };
         let pull = Pull { start: &start, observer: view.observer, scale: view.scale, how };
-        let moved = target(&start, view, along, steps).map(|point| pull.put(point));
+        let moved = target(&start, view, how.along, steps).map(|point| pull.put(point));
         if let Some(Ok(pulled)) = moved {
             pulled.part.put(document, &mut session.selection);
         }
@@ -69,7 +68,8 @@ fn steps(ctx: &Context) -> Steps {
     let count = |key| pressed(ctx, key) as f64;
     let right = count(Key::ArrowRight) - count(Key::ArrowLeft);
     let up = count(Key::ArrowUp) - count(Key::ArrowDown);
-    match ctx.input(|i| i.modifiers.shift) {
+    // With an axis's key, Shift chooses the plane of the other two.
+    match ctx.input(|i| i.modifiers.shift) && axis_held(ctx).is_none() {
         true => Steps { right, up: 0.0, away: up },
         false => Steps { right, up, away: 0.0 },
     }
@@ -89,13 +89,28 @@ fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec
         }
         _ => match along {
             Along::Axis(axis) => forward * axis.direction(camera)?,
-            _ => {
+            Along::Without(axis) => {
+                let [a, b] = axis.others();
+                in_plane(view.observer, [a.direction(camera)?, b.direction(camera)?], steps)
+            }
+            Along::View => {
                 let [right, up, away] = axes_of(view.observer);
                 steps.right * right + steps.up * up + steps.away * away
             }
         },
     };
     Some(start.at + step * way)
+}
+
+/// The way in the plane of two axes: the one that points more to the right or left goes with the keys
+/// to the right and left, the other one with those up and down.
+fn in_plane(observer: &PosedCamera, [a, b]: [DVec3; 2], steps: Steps) -> DVec3 {
+    let basis = observer.basis();
+    let across = |axis: DVec3| axis.dot(basis.u).abs();
+    let (right, up) = if across(a) >= across(b) { (a, b) } else { (b, a) };
+    // Seen from its end, an axis points neither up nor down: away from the observer is up.
+    let upwards = up.dot(basis.v) - 1e-3 * up.dot(basis.w);
+    steps.right * right.dot(basis.u).signum() * right + steps.up * upwards.signum() * up
 }
 
 /// The world's axes that point most to the right, upwards and away from the observer.

@@ -1,0 +1,79 @@
+# Print an optspec for argparse to handle cmd's options that are independent of any subcommand.
+function __fish_pinhole_global_optspecs
+    string join \n lesson= renderer= h/help V/version
+end
+
+function __fish_pinhole_needs_command
+    # Figure out if the current invocation already has a command.
+    set -l cmd (commandline -opc)
+    set -e cmd[1]
+    argparse -s (__fish_pinhole_global_optspecs) -- $cmd 2>/dev/null
+    or return
+    if set -q argv[1]
+        # Also print the command, so this can be used to figure out what it is.
+        echo $argv[1]
+        return 1
+    end
+    return 0
+end
+
+function __fish_pinhole_using_subcommand
+    set -l cmd (__fish_pinhole_needs_command)
+    test -z "$cmd"
+    and return 1
+    contains -- $cmd[1] $argv
+end
+
+complete -c pinhole -n "__fish_pinhole_needs_command" -l lesson -d 'The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own' -r
+complete -c pinhole -n "__fish_pinhole_needs_command" -l renderer -d 'How the window is drawn; without this, whichever works best here' -r -f -a "wgpu\t'A graphics adapter, through wgpu'
+cpu\t'Our own painter'"
+complete -c pinhole -n "__fish_pinhole_needs_command" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_needs_command" -s V -l version -d 'Print version'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "scenes" -d 'List the built-in scenes, a line each'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "inspect" -d 'Show one ray: its camera, its numbers, and everything it meets'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "render" -d 'Write the picture as PNG'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Send rays from a CSV file into a scene'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "bench" -d 'Measure this machine\'s speed, with rivals and the limit beside it'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the ledger or the lab of lines as a figure for slides'
+complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l pixel -d 'The ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l uv -d 'The ray through a point of the viewport, in world units from its centre' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -l json -d 'Print one JSON object'
+complete -c pinhole -n "__fish_pinhole_using_subcommand inspect" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s o -l output -d 'The PNG file to write' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l width -d 'Columns; given alone, the rows follow in the ratio of the scene\'s image' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l height -d 'Rows; given alone, the columns follow in the ratio of the scene\'s image' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l view -d 'What the camera sees, or the scene with the camera in it' -r -f -a "camera\t''
+world\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l shade -d 'How a hit becomes a colour' -r -f -a "lambert\t''
+normal\t''
+t\t''
+object\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l aov -d 'Also write t, normal, u, v and object of every pixel as OpenEXR' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -l overlay -d 'Draw the camera over the world view, and the image\'s marks over the camera\'s'
+complete -c pinhole -n "__fish_pinhole_using_subcommand render" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l csv -d 'Write a row a case and method' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time; the ending chooses the format' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Which random rays the stress families hold' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -l plot -d 'Draw time against the number of objects; the ending chooses the format' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -s h -l help -d 'Print help'
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''
+camera\t''
+ledger\t''
+lines\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; given alone, the rows follow in proportion' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l height -d 'Rows, in dots; given alone, the columns follow in proportion' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l theme -d 'Dark on light, or light on dark' -r -f -a "light\t''
+dark\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l pixel -d 'Show the ray through a pixel\'s centre; rows and columns count from 0, row 0 on top' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l uv -d 'Show the ray through a point of the viewport, in world units from its centre' -r
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l transparent -d 'Leave the background out: in the views, whatever lies behind all objects'
+complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s h -l help -d 'Print help (see more with \'--help\')'

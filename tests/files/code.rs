@@ -1,0 +1,292 @@
+//! Code for the camera at hand: compiled and run, it gives this program's rays.
+//!
+//! A language whose tools are not installed is left out, and that is printed;
+//! `PINHOLE_TEST_CODE=required` makes it an error for all but Julia, which Debian does not have.
+
+#![allow(clippy::print_stdout, reason = "CI shows which languages ran, and how far they were off")]
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use expect_test::expect_file;
+use pinhole::code::{LANGUAGES, Language};
+use pinhole::formats::scene_argument::SceneSource;
+use pinhole_core::{Camera, DVec3, Orientation, Pixel, PosedCamera, Viewport};
+
+/// The Rust of two cameras, as a part of this program.
+mod glam_look_at {
+    #![allow(dead_code, missing_docs, clippy::print_stdout, clippy::excessive_precision)]
+    include!("code/look-at.rs");
+    pub(super) fn of(i: u32, j: u32) -> (DVec3, DVec3) {
+        ray(i, j)
+    }
+}
+mod glam_extreme {
+    #![allow(dead_code, missing_docs, clippy::print_stdout, clippy::excessive_precision)]
+    include!("code/extreme.rs");
+    pub(super) fn of(i: u32, j: u32) -> (DVec3, DVec3) {
+        ray(i, j)
+    }
+}
+
+fn camera(scene: &str) -> PosedCamera {
+    let source = SceneSource::of(Path::new(scene)).unwrap();
+    source.load().unwrap().camera.posed().unwrap()
+}
+
+/// Numbers of all sizes.
+fn extreme() -> PosedCamera {
+    let camera = Camera {
+        eye: DVec3::new(1e16, -0.1, 1.0 / 3.0),
+        orientation: Orientation::View { view: DVec3::new(1.0, 2e-7, -3.0), up: DVec3::Y },
+        viewport: Viewport { width: 1e-12, height: 2.5e-13, distance: 7e20 },
+        ..Camera::CANONICAL
+    };
+    camera.posed().unwrap()
+}
+
+fn named(name: &str) -> &'static Language {
+    Language::named(name).unwrap()
+}
+
+/// The corners and the middle, and some others.
+fn pixels(camera: &PosedCamera) -> Vec<Pixel> {
+    let (last_row, last_column) = (camera.image().height() - 1, camera.image().width() - 1);
+    let places = [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)];
+    let inside = [(1, 2), (2, 1), (4, 5)].map(|(a, b)| (last_row / (a + 1), last_column / (b + 1)));
+    places.into_iter().chain(inside).map(|(row, column)| Pixel { row, column }).collect()
+}
+
+/// How far an origin and a direction are from the camera's, as a share of their length.
+fn error(camera: &PosedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) -> f64 {
+    let ray = camera.ray_of_pixel(pixel);
+    let apart = |a: DVec3, b: DVec3| a.distance(b) / a.length().max(f64::MIN_POSITIVE);
+    apart(ray.origin, origin).max(apart(ray.direction, direction))
+}
+
+/// Names and texts.
+type Files = Vec<(&'static str, String)>;
+
+/// Runs a program on the code of some cameras; what it prints is six numbers a pixel.
+struct Runner {
+    language: &'static str,
+    /// The program that must be installed, asked for its version.
+    needs: &'static [&'static str],
+    tolerance: f64,
+    /// From the code and the calls of it to a file, and to the command lines that run it.
+    files: fn(&str, &[Pixel]) -> Files,
+    run: &'static [&'static [&'static str]],
+}
+
+fn calls(pixels: &[Pixel], call: fn(u32, u32) -> String) -> String {
+    pixels.iter().map(|pixel| call(pixel.row, pixel.column) + "\n").collect()
+}
+
+const RUNNERS: [Runner; 5] = [
+    Runner {
+        language: "numpy",
+        needs: &["python3", "-c", "import numpy"],
+        tolerance: 1e-12,
+        files: |code, pixels| {
+            let calls = calls(pixels, |i, j| format!("for p in ray({i}, {j}): print(*p.tolist())"));
+            vec![
+                ("camera.py", code.to_owned()),
+                ("run.py", format!("from camera import ray\n{calls}")),
+            ]
+        },
+        run: &[&["python3", "run.py"], &["python3", "camera.py"]],
+    },
+    Runner {
+        language: "javascript",
+        needs: &["node", "--version"],
+        tolerance: 1e-12,
+        files: |code, pixels| {
+            let calls =
+                calls(pixels, |i, j| format!("console.log(ray({i}, {j}).flat().join(' '));"));
+            let quiet = code.replace("console.log(ray(0, 0));", "");
+            vec![("camera.js", code.to_owned()), ("run.js", format!("{quiet}{calls}"))]
+        },
+        run: &[&["node", "run.js"], &["node", "camera.js"]],
+    },
+    Runner {
+        language: "julia",
+        needs: &["julia", "--version"],
+        tolerance: 1e-12,
+        files: |code, pixels| {
+            let calls =
+                calls(pixels, |i, j| format!("for p in ray({i}, {j}) println(join(p, ' ')) end"));
+            vec![
+                ("camera.jl", code.to_owned()),
+                ("run.jl", format!("include(\"camera.jl\")\n{calls}")),
+            ]
+        },
+        run: &[&["julia", "run.jl"], &["julia", "camera.jl"]],
+    },
+    Runner {
+        language: "glm",
+        needs: &["g++", "-fsyntax-only", "-include", "glm/glm.hpp", "-x", "c++", "/dev/null"],
+        tolerance: 1e-12,
+        files: |code, pixels| {
+            let calls = calls(pixels, |i, j| format!("say(ray({i}, {j}));"));
+            let say = "void put(glm::dvec3 p) { std::printf(\"%.17g %.17g %.17g \", p.x, p.y, p.z); }\n\
+                       void say(Ray r) { put(r.origin), put(r.direction); }";
+            let run = code.replace("int main()", "void example()")
+                + &format!("{say}\nint main() {{\n{calls}}}\n");
+            vec![("camera.cpp", code.to_owned()), ("run.cpp", run)]
+        },
+        run: &[
+            &["g++", "-Wall", "-Werror", "run.cpp", "-o", "run"],
+            &["./run"],
+            &["g++", "-Wall", "-Werror", "camera.cpp", "-o", "camera"],
+        ],
+    },
+    Runner {
+        // GLM speaks GLSL: the shader's text, but for its first lines, is C++, in f32 as on a card.
+        language: "glsl",
+        needs: &["g++", "-fsyntax-only", "-include", "glm/glm.hpp", "-x", "c++", "/dev/null"],
+        tolerance: 1e-6,
+        files: |code, pixels| {
+            let calls = calls(pixels, |i, j| format!("say(ray({i}, {j}));"));
+            let shader =
+                code.replace("#version 330 core\nout ", "").replace("void main", "void shade");
+            let run = format!(
+                "#include <cstdio>\n#include <glm/glm.hpp>\nusing namespace glm;\nvec4 gl_FragCoord;\n{shader}\n\
+                 void put(vec3 p) {{ std::printf(\"%.9g %.9g %.9g \", p.x, p.y, p.z); }}\n\
+                 void say(Ray r) {{ put(r.origin), put(r.direction); }}\nint main() {{\n{calls}}}\n"
+            );
+            vec![("run.cpp", run)]
+        },
+        run: &[
+            &[
+                "g++",
+                "-std=c++20",
+                "-fsingle-precision-constant",
+                "-Wall",
+                "-Werror",
+                "run.cpp",
+                "-o",
+                "run",
+            ],
+            &["./run"],
+        ],
+    },
+];
+
+fn must_run(language: &str) -> bool {
+    let required = std::env::var("PINHOLE_TEST_CODE").is_ok_and(|value| value == "required");
+    required && language != "julia"
+}
+
+fn is_there(program: &[&str]) -> bool {
+    Command::new(program[0])
+        .args(&program[1..])
+        .output()
+        .is_ok_and(|output| output.status.success())
+}
+
+/// What the first command that prints the rays says.
+fn numbers(runner: &Runner, code: &str, pixels: &[Pixel]) -> Vec<f64> {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in (runner.files)(code, pixels) {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let mut numbers = Vec::new();
+    for line in runner.run {
+        let program = if line[0] == "./run" { folder.path().join("run") } else { line[0].into() };
+        let output =
+            Command::new(program).args(&line[1..]).current_dir(folder.path()).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && said.is_empty(), "{line:?}: {said}");
+        if numbers.is_empty() {
+            let text = String::from_utf8(output.stdout).unwrap();
+            numbers = text.split_whitespace().map(|word| word.parse().unwrap()).collect();
+        }
+    }
+    numbers
+}
+
+#[test]
+fn every_language_gives_this_programs_rays() {
+    let cameras = [("look-at", camera("look-at")), ("non-square", camera("non-square"))];
+    for runner in RUNNERS {
+        let language = runner.language;
+        if !is_there(runner.needs) {
+            assert!(!must_run(language), "{language} is not there: {:?}", runner.needs);
+            println!("{language}: left out, {:?} does not run", runner.needs);
+            continue;
+        }
+        let extreme = [("extreme", extreme())];
+        let double = runner.tolerance < 1e-9;
+        for (name, camera) in cameras.iter().chain(extreme.iter().filter(|_| double)) {
+            let pixels = pixels(camera);
+            let numbers = numbers(&runner, &named(language).code(camera).unwrap(), &pixels);
+            assert_eq!(numbers.len(), 6 * pixels.len(), "{language}: {numbers:?}");
+            let errors = numbers.chunks(6).zip(&pixels).map(|(n, pixel)| {
+                error(camera, *pixel, DVec3::from_slice(n), DVec3::from_slice(&n[3..]))
+            });
+            let worst = errors.fold(0.0, f64::max);
+            println!("{language}, {name}: {} rays, {worst:.1e} off at most", pixels.len());
+            assert!(worst <= runner.tolerance, "{language}, {name}: {worst:e}");
+        }
+    }
+}
+
+#[test]
+fn the_shader_is_glsl() {
+    if !is_there(&["glslangValidator", "--version"]) {
+        assert!(!must_run("glsl"), "glslangValidator is not there");
+        println!("glslangValidator: left out, it is not installed");
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("camera.frag");
+    fs::write(&path, named("glsl").code(&camera("look-at")).unwrap()).unwrap();
+    let output = Command::new("glslangValidator").arg(&path).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+    println!("glslangValidator: the shader is valid");
+}
+
+#[test]
+fn rust_gives_this_programs_rays() {
+    let assert_rays = |camera: PosedCamera, ray: fn(u32, u32) -> (DVec3, DVec3)| {
+        for pixel in pixels(&camera) {
+            let (origin, direction) = ray(pixel.row, pixel.column);
+            assert!(error(&camera, pixel, origin, direction) <= 1e-12, "{pixel:?}");
+        }
+    };
+    assert_rays(camera("look-at"), glam_look_at::of);
+    assert_rays(extreme(), glam_extreme::of);
+}
+
+/// `UPDATE_EXPECT=1` writes them anew.
+#[test]
+fn the_code_reads_as_it_did() {
+    for language in &LANGUAGES {
+        let code = language.code(&camera("look-at")).unwrap();
+        expect_file![format!("code/look-at.{}", language.ending)].assert_eq(&code);
+        assert!(code.lines().all(|line| line.chars().count() <= 120), "{code}");
+    }
+    expect_file!["code/extreme.rs"].assert_eq(&named("glam").code(&extreme()).unwrap());
+}
+
+#[test]
+fn numbers_beyond_f32_are_refused_where_there_is_no_more() {
+    let refused =
+        |camera: Camera| named("glsl").code(&camera.posed().unwrap()).unwrap_err().to_string();
+    let right = "and GLSL calculates in f32: it must be between 1e-37 and 1e38 in size";
+    let viewport = Viewport { distance: 1e-40, ..Viewport::CANONICAL };
+    assert_eq!(
+        refused(Camera { viewport, ..Camera::CANONICAL }),
+        format!("the viewport's distance has the number 1e-40, {right}")
+    );
+    let view = Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y };
+    assert_eq!(
+        refused(Camera {
+            eye: DVec3::new(1.0, 1e-50, -1e39),
+            orientation: view,
+            ..Camera::CANONICAL
+        }),
+        format!("eye has the number -1e39, {right}")
+    );
+}

@@ -1,0 +1,162 @@
+//! The licences of everything that the program is made of: all of them allowed, and listed.
+//! `UPDATE_EXPECT=1` writes the list anew.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::process::Command;
+
+use expect_test::expect_file;
+
+/// Licences that ask for no more than that notice and licence go along.
+const ALLOWED: [&str; 13] = [
+    "0BSD",
+    "Apache-2.0",
+    "BSD-2-Clause",
+    "BSD-3-Clause",
+    "BSL-1.0",
+    "CC0-1.0",
+    "ISC",
+    "MIT",
+    "OFL-1.1",
+    "Ubuntu-font-1.0",
+    "Unicode-3.0",
+    "Unlicense",
+    "Zlib",
+];
+
+/// What the list says of a licence's name that is not plain.
+const HEAD: &str = "\
+# What Pinhole is made of
+
+Every crate in the program for Linux x86-64, by licence. Where there is a choice (`OR`), each is enough.
+A release has the texts of all of them in `LICENCES.txt`.
+
+Pinhole itself is under MIT or Apache-2.0. The fonts of its figures and formulas (Noto Sans, Noto Sans
+Math, in `assets/fonts`) are under the SIL Open Font License, OFL-1.1; those of its window (Hack, Noto
+Emoji, emoji-icon-font, Ubuntu Light) come with `epaint_default_fonts`. The Rust standard library is
+under MIT OR Apache-2.0. The colours of the elements are Jmol's, the radii Bondi's and Alvarez'.
+
+";
+
+/// A crate of the program.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Package {
+    name: String,
+    version: String,
+    licence: String,
+    repository: String,
+}
+
+/// The crates that are linked into the program, but for our own.
+fn packages() -> BTreeSet<Package> {
+    let output = Command::new(env!("CARGO"))
+        .args(["tree", "--offline", "--locked", "-p", "pinhole", "-e", "normal"])
+        .args(["--target", "x86_64-unknown-linux-gnu", "--prefix", "none", "--no-dedupe"])
+        .args(["--format", "{p}|{l}|{r}"])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let tree = String::from_utf8(output.stdout).unwrap();
+    let package = |line: &str| {
+        let [package, licence, repository] = line.split('|').collect::<Vec<_>>()[..] else {
+            panic!("{line}");
+        };
+        let mut words = package.split(' ');
+        let (name, version) = (words.next().unwrap(), words.next().unwrap());
+        let [name, version, licence, repository] =
+            [name, version.trim_start_matches('v'), licence, repository].map(str::to_owned);
+        Package { name, version, licence, repository }
+    };
+    tree.lines().map(package).filter(|package| !package.name.starts_with("pinhole")).collect()
+}
+
+/// Whether an expression of SPDX (or its forerunner, in which `/` is a choice) can be satisfied.
+fn is_allowed(expression: &str) -> bool {
+    let spaced = expression.replace('/', " OR ").replace('(', " ( ").replace(')', " ) ");
+    let words: Vec<&str> = spaced.split_whitespace().collect();
+    let mut rest = &words[..];
+    let allowed = any_of(&mut rest);
+    assert!(rest.is_empty(), "{expression}");
+    allowed
+}
+
+fn any_of(words: &mut &[&str]) -> bool {
+    let mut allowed = all_of(words);
+    while words.first() == Some(&"OR") {
+        *words = &words[1..];
+        allowed |= all_of(words);
+    }
+    allowed
+}
+
+fn all_of(words: &mut &[&str]) -> bool {
+    let mut allowed = one(words);
+    while words.first() == Some(&"AND") {
+        *words = &words[1..];
+        allowed &= one(words);
+    }
+    allowed
+}
+
+fn one(words: &mut &[&str]) -> bool {
+    let (first, rest) = words.split_first().unwrap_or((&"", &[]));
+    *words = rest;
+    if *first == "(" {
+        let allowed = any_of(words);
+        assert_eq!(words.first(), Some(&")"));
+        *words = &words[1..];
+        return allowed;
+    }
+    if words.first() == Some(&"WITH") {
+        // An exception only ever takes demands away.
+        *words = &words[2..];
+    }
+    ALLOWED.contains(first)
+}
+
+#[test]
+fn expressions_are_understood() {
+    for allowed in
+        ["MIT", "GPL-3.0-only OR MIT", "(MIT OR X) AND ISC", "MIT/X", "Apache-2.0 WITH Y"]
+    {
+        assert!(is_allowed(allowed), "{allowed}");
+    }
+    for refused in ["", "GPL-3.0-only", "MIT AND X", "(MIT OR X) AND Y", "X OR Y AND MIT"] {
+        assert!(!is_allowed(refused), "{refused}");
+    }
+}
+
+#[test]
+fn every_licence_is_allowed() {
+    let packages = packages();
+    assert!(packages.len() > 200, "{}", packages.len());
+    let refused: Vec<String> = packages
+        .iter()
+        .filter(|package| !is_allowed(&package.licence))
+        .map(|package| format!("{}: {:?}", package.name, package.licence))
+        .collect();
+    assert!(refused.is_empty(), "{refused:?}");
+}
+
+#[test]
+fn the_list_is_current() {
+    let packages = packages();
+    let mut by_licence: BTreeMap<&str, Vec<&Package>> = BTreeMap::new();
+    for package in &packages {
+        by_licence.entry(&package.licence).or_default().push(package);
+    }
+    let mut list = HEAD.to_owned();
+    for (licence, packages) in by_licence {
+        list += &format!("## {licence}\n\n");
+        for Package { name, version, repository, .. } in packages {
+            let from =
+                if repository.is_empty() { String::new() } else { format!(", <{repository}>") };
+            list += &format!("- {name} {version}{from}\n");
+        }
+        list.push('\n');
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/licences/THIRD_PARTY.md");
+    expect_file![path].assert_eq(&format!("{}\n", list.trim_end()));
+}

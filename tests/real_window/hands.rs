@@ -1,0 +1,104 @@
+//! The camera taken in the hand by the mouse, taken back, presented and exported. Each is judged by
+//! what it leaves behind: the saved scene, the exported file, what the next run remembers.
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::Path;
+use std::thread::sleep;
+use std::time::Duration;
+
+use egui::accesskit::Role;
+use egui::{Vec2, vec2};
+use egui_kittest::kittest::Queryable as _;
+use pinhole::document::Document;
+use pinhole::formats::{builtin, scene_file};
+use pinhole::store::Store;
+use pinhole_core::Orientation;
+
+use crate::screen::{Screen, wait_for};
+use crate::window::{Setting, Window};
+
+/// The scene as Ctrl+S has written it over one that was other.
+fn saved(window: &Window, scene: &Path, other_than: &Document) -> Document {
+    window.key("ctrl+s");
+    wait_for("the saved file", || {
+        let saved = scene_file::load(scene).ok()?;
+        (saved != *other_than).then_some(saved)
+    })
+}
+
+/// Drags a handle, found by its name in the same window in memory, and saves.
+fn drag(window: &mut Window, handle: &str, by: Vec2, scene: &Path, before: &Document) -> Document {
+    let at = window.place(Role::Slider, handle, vec2(0.5, 0.5));
+    window.drag(at, by);
+    let saved = saved(window, scene, before);
+    let expected = window.layout.state().document();
+    assert_eq!(saved, *expected, "{handle}: by mouse as in memory");
+    saved
+}
+
+/// Exports what the layout shows first; the picture's size.
+fn exported(window: &Window, path: &Path) -> [u32; 2] {
+    window.key("ctrl+e");
+    window.key("ctrl+a");
+    window.write(path.to_str().unwrap());
+    window.key("Return");
+    wait_for("the exported figure", || {
+        let reader = png::Decoder::new(BufReader::new(File::open(path).ok()?)).read_info().ok()?;
+        let info = reader.info();
+        Some([info.width, info.height])
+    })
+}
+
+/// How large the world view is in memory, in dots.
+fn world_view(window: &Window) -> Vec2 {
+    window.layout.get_by_role_and_label(Role::Image, "World view").rect().size()
+}
+
+pub(crate) fn drive(setting: &Setting) {
+    println!("real window, {}", setting.name);
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.toml");
+    fs::write(&scene, builtin::find("canonical").unwrap().text).unwrap();
+    let before = scene_file::load(&scene).unwrap();
+    let screen = Screen::start();
+    let mut window = Window::open(&screen, &scene, folder.path(), setting);
+
+    let moved = drag(&mut window, "eye handle", vec2(36.0, -22.0), &scene, &before);
+    let at = |document: &Document| match document.camera.orientation {
+        Orientation::At { at, .. } => at,
+        _ => panic!("not given by at: {:?}", document.camera),
+    };
+    assert!(moved.camera.eye.distance(before.camera.eye) > 0.05, "{:?}", moved.camera);
+    assert_eq!((at(&moved), moved.camera.up()), (at(&before), before.camera.up()));
+
+    let rolled = drag(&mut window, "roll round w handle", vec2(40.0, 24.0), &scene, &moved);
+    assert_eq!((rolled.camera.eye, at(&rolled)), (moved.camera.eye, at(&moved)));
+    let [old, new] = [&moved, &rolled].map(|document| document.camera.basis().unwrap());
+    assert!(old.w.distance(new.w) < 1e-12 && old.v.angle_between(new.v) > 0.1, "{old:?} {new:?}");
+
+    window.key("ctrl+z");
+    assert_eq!(saved(&window, &scene, &rolled), moved);
+    window.key("ctrl+z");
+    assert_eq!(saved(&window, &scene, &moved), before);
+
+    // While presenting, the world view fills the window, and a figure is as large as it is seen.
+    window.key("F5");
+    window.key("2");
+    let size = window.layout.ctx.content_rect().size();
+    let presented = exported(&window, &folder.path().join("presented.png"));
+    let shares = [presented[0] as f32 / size.x, presented[1] as f32 / size.y];
+    assert!(shares.iter().all(|share| (0.95..=1.0).contains(share)), "{presented:?} of {size:?}");
+    window.key("F5");
+    sleep(Duration::from_millis(500));
+    let shown = world_view(&window);
+    let as_before = exported(&window, &folder.path().join("world.png"));
+    assert_eq!(as_before.map(|dots| dots as f32), <[f32; 2]>::from(shown), "the window is back");
+
+    window.quit();
+    assert_eq!(scene_file::load(&scene).unwrap(), before);
+    let remembered = Store::at(&folder.path().join("pinhole/state.json")).load();
+    let layout = window.layout.state().session().settings.layout;
+    assert_eq!(remembered.settings.layout, layout, "presenting leaves no trace");
+    assert!(remembered.renderer.starts_with(setting.drawn_by), "{}", remembered.renderer);
+}

@@ -1,0 +1,50 @@
+//! The release binary in a real window: a virtual screen, a window manager, and a mouse.
+//!
+//! Ignored unless asked for, since it needs Xvfb, openbox and xdotool; `.ci/run` installs them and
+//! sets `PINHOLE_BINARY`. Where to click is not written down here: the same window, laid out in
+//! memory at the same size, says where each accessible label is.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot drive its window has failed")]
+#![allow(clippy::print_stdout, reason = "says what it ran on, and how fast")]
+
+mod fields;
+mod hands;
+mod screen;
+#[path = "../support/whole_window.rs"]
+mod whole_window;
+mod window;
+
+use window::{NO_DRIVER, Setting};
+
+#[test]
+#[ignore = "needs Xvfb, openbox, xdotool and lavapipe: .ci/run installs them"]
+fn the_window_is_driven_with_wgpu_on_a_software_adapter() {
+    fields::drive(&Setting {
+        name: "wgpu on lavapipe",
+        arguments: &["--renderer", "wgpu"],
+        environment: &[("WGPU_BACKEND", "vulkan")],
+        drawn_by: "wgpu (",
+    });
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
+fn the_window_is_driven_with_every_driver_hidden() {
+    fields::drive(&Setting {
+        name: "every driver hidden",
+        arguments: &[],
+        environment: NO_DRIVER,
+        drawn_by: "cpu (",
+    });
+}
+
+#[test]
+#[ignore = "needs Xvfb, openbox and xdotool: .ci/run installs them"]
+fn the_camera_is_taken_in_the_hand_presented_and_exported() {
+    hands::drive(&Setting {
+        name: "every driver hidden, by hand",
+        arguments: &[],
+        environment: NO_DRIVER,
+        drawn_by: "cpu (",
+    });
+}
