@@ -106,6 +106,12 @@ pub enum Action {
     Open(SceneSource),
     /// Ask for the path of a scene to open.
     AskOpen,
+    /// Ask for the path of a file of a student's answers.
+    AskAnswers,
+    /// Grade the answers in this file.
+    CheckAnswers(PathBuf),
+    /// Forget the answers.
+    PutAnswersAway,
     /// Save to where the scene came from; ask where if it came from nowhere.
     Save,
     /// Ask for a path to save to.

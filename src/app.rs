@@ -6,6 +6,7 @@
 
 mod actions;
 mod animation;
+mod answers;
 mod exchange;
 mod figures;
 mod ghost;
@@ -280,10 +281,13 @@ impl App {
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
             let steps = top_bar::Steps { undo, redo };
-            let has_ghost = self.session.ghost.is_some();
+            let has = top_bar::Has {
+                ghost: self.session.ghost.is_some(),
+                answers: self.session.answers.is_some(),
+            };
             let settings = &mut self.session.settings;
             let open = &self.open;
-            top_bar::ui(ui, open, &self.recent, steps, has_ghost, settings, actions);
+            top_bar::ui(ui, open, &self.recent, steps, has, settings, actions);
         });
         self.lesson_strip(ui, actions);
         self.play_on(ui, actions);

@@ -59,6 +59,12 @@ pub enum Command {
     Render(RenderArguments),
     /// Send rays from a CSV file into a scene
     Trace(TraceArguments),
+    /// Grade a student's basis, rays, hits or picture, and name the mistake
+    #[command(
+        after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
+                      cannot be read."
+    )]
+    Check(CheckArguments),
     /// Measure the error of every method against its run time
     Report(ReportArguments),
     /// Measure this machine's speed, with rivals and the limit beside it
@@ -244,6 +250,34 @@ pub struct ImportArguments {
     pub from: Option<&'static Format>,
 }
 
+/// `pinhole check`
+#[derive(Args, Clone, Debug)]
+pub struct CheckArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The answers, told apart by their header; - reads them from standard input
+    ///
+    /// A basis: ux,uy,uz,vx,vy,vz,wx,wy,wz. Rays: row,column,ox,oy,oz,dx,dy,dz. Hits: row,column and
+    /// t, or x,y,z, or object, or several of them, all empty for a miss. Or the whole picture as PNG,
+    /// shaded in one of the ways of render.
+    #[arg(long, value_name = "IN.csv|IN.png")]
+    pub answers: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many
+    /// levels of 255 in a channel, 2 without this
+    #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// Where the answers' rows and columns begin
+    #[arg(long, value_name = "0|1", default_value_t = 0)]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=1))]
+    pub count_from: u32,
+    /// Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey
+    #[arg(long, value_name = "OUT.png")]
+    pub map: Option<PathBuf>,
+}
+
 /// `pinhole report`
 #[derive(Args, Clone, Debug)]
 pub struct ReportArguments {
@@ -315,6 +349,13 @@ fn shade() -> impl TypedValueParser<Value = Shade> {
 
 fn image_measure() -> impl TypedValueParser<Value = u32> {
     clap::value_parser!(u32).range(1..=i64::from(ImageSize::MAX))
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number >= 0.0 && number.is_finite() => Ok(number),
+        _ => Err(format!("{:?} is no tolerance: a number such as 1e-5, not below 0", text.trim())),
+    }
 }
 
 fn pixel(text: &str) -> Result<Pixel, String> {

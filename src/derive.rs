@@ -1,6 +1,7 @@
 //! From the document to everything that is shown: pure, and remembered on its inputs, so that an
 //! idle window does no work and one drag does only what it changes.
 
+mod answers;
 mod derived;
 mod ghost;
 mod ledgers;
@@ -19,6 +20,8 @@ use egui::Color32;
 use pinhole_core::methods::Method;
 use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
+use self::answers::GradedAnswers;
+pub use self::answers::Grading;
 pub use self::derived::{Derived, Fault, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
 use self::ledgers::Ledgers;
@@ -54,6 +57,7 @@ pub struct Deriver {
     plots: Plots,
     wrong: WrongPictures,
     ghosts: GhostPictures,
+    answers: GradedAnswers,
     /// What the camera saw before the document got a fault.
     last_good: Option<GoodPicture>,
 }
@@ -268,6 +272,9 @@ impl Deriver {
             };
             (right, world)
         });
+        if let Some((right, world)) = &right {
+            self.answers.update(derived, document, (right, world), session, sizes, watch);
+        }
         self.wrong.update(derived, right, session, sizes, watch);
     }
 

@@ -27,6 +27,7 @@ pub mod formula;
 mod frame_log;
 mod frame_times;
 pub mod ghost;
+pub mod grades;
 pub mod handles;
 pub mod history;
 pub mod inspection;

@@ -10,6 +10,7 @@ pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
 
 use crate::exercises::Exercises;
 use crate::ghost::Ghost;
+use crate::grades::AnswersAtHand;
 use crate::handles::Hand;
 use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
@@ -47,6 +48,8 @@ pub struct Session {
     pub gallery: Gallery,
     /// The exercise at hand, and what was answered.
     pub exercises: Exercises,
+    /// A student's answers, to be graded.
+    pub answers: Option<AnswersAtHand>,
     /// Presenter mode, while it is on.
     pub presenting: Option<Presenting>,
     /// All but what is round the pointer is dimmed.
@@ -107,6 +110,8 @@ pub struct Settings {
     pub plot_compressed: bool,
     /// The height of what is said of a wrong camera, in points.
     pub mistakes_height: f32,
+    /// The height of what is said of a student's answers, in points.
+    pub answers_height: f32,
     /// The height of both cameras in numbers, in points.
     pub compare_height: f32,
     /// The ledger's share of the width.
@@ -151,6 +156,7 @@ impl Default for Settings {
             plot_height: 300.0,
             plot_compressed: false,
             mistakes_height: 330.0,
+            answers_height: 230.0,
             compare_height: 230.0,
             ledger_split: 0.5,
             stack_split: 0.55,
@@ -188,6 +194,8 @@ impl Settings {
         self.plot_height = finite(self.plot_height, default.plot_height).clamp(0.0, 10_000.0);
         self.mistakes_height =
             finite(self.mistakes_height, default.mistakes_height).clamp(0.0, 10_000.0);
+        self.answers_height =
+            finite(self.answers_height, default.answers_height).clamp(0.0, 10_000.0);
         self.compare_height =
             finite(self.compare_height, default.compare_height).clamp(0.0, 10_000.0);
         self.ledger_split = finite(self.ledger_split, default.ledger_split).clamp(0.0, 1.0);
@@ -214,6 +222,7 @@ impl Default for Session {
             sections: LedgerSections::default(),
             gallery: Gallery::default(),
             exercises: Exercises::default(),
+            answers: None,
             presenting: None,
             spotlight: false,
             hand: Hand::default(),

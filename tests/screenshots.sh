@@ -28,6 +28,14 @@ orbit() {
   xdotool mouseup 1
 }
 
+# Grades a picture of the scene in which the viewport's distance was taken as 1.
+check_answers() {
+  sed 's/^distance = .*/distance = 1.0/' assets/scenes/distance-two.toml >"$work/one.toml"
+  target/release/pinhole render "$work/one.toml" -o "$work/answers.png"
+  xdotool key ctrl+p; sleep 1; xdotool type 'Check answers'; sleep 1; xdotool key Return; sleep 1
+  xdotool type "$work/answers.png"; sleep 1; xdotool key Return
+}
+
 shot canonical canonical '{}'
 shot look-at-light look-at '{"theme": "Light"}'
 shot planet planet '{}'
@@ -35,6 +43,7 @@ shot translator look-at '{"layout": "Translator"}'
 # Measuring takes its time.
 shot accuracy planet '{"layout": "Accuracy"}' 20
 shot frame look-at '{"layout": "Frame"}' 2 orbit
+shot answers distance-two '{}' 2 check_answers
 shot lesson-7 --lesson=7.3 '{}'
 shot lesson-11 --lesson=11.3 '{}'
 shot lesson-12 --lesson=12.2 '{}'

@@ -64,6 +64,9 @@ impl App {
             Action::AskOpen => {
                 self.dialog = Some(Dialog::Open(PathField::to_open(self.open.file())));
             }
+            Action::AskAnswers => self.ask_answers(),
+            Action::CheckAnswers(path) => self.check_answers(&path),
+            Action::PutAnswersAway => self.put_answers_away(),
             Action::Save => self.save(ctx, None),
             Action::AskSaveAs => self.ask_save_as(None),
             Action::SaveAs { path, then } => self.save_then(ctx, &path, then),

@@ -23,7 +23,10 @@ impl App {
     /// Opens the dialog, with what the layout is about chosen.
     pub(super) fn ask_export(&mut self, ctx: &Context) {
         let first = match self.session.settings.layout {
-            ViewLayout::Camera | ViewLayout::Accuracy | ViewLayout::Mistakes => Subject::Camera,
+            ViewLayout::Camera
+            | ViewLayout::Accuracy
+            | ViewLayout::Mistakes
+            | ViewLayout::Answers => Subject::Camera,
             ViewLayout::Ledger | ViewLayout::LedgerAlone => Subject::Ledger,
             ViewLayout::Lines => Subject::Lines,
             _ => Subject::World,

@@ -2,9 +2,8 @@
 
 use egui::{Context, Key, Modifiers, Popup, ViewportCommand};
 
-use super::App;
+use super::{App, answers};
 use crate::action::Action;
-use crate::formats::scene_argument::SceneSource;
 use crate::verbs::{self, When};
 
 impl App {
@@ -16,7 +15,7 @@ impl App {
         let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
         // Not under a dialog: its answer would then be about another scene.
         let dropped = dropped.filter(|_| !self.is_covered());
-        actions.extend(dropped.map(|path| Action::Open(SceneSource::File(path))));
+        actions.extend(dropped.map(answers::dropped));
         if ctx.input(|i| i.viewport().close_requested()) && !self.may_close {
             self.give_back_play();
             if self.open.has_changes() {

@@ -8,7 +8,7 @@ use crate::derive::Fault;
 use crate::letters::told;
 use crate::panels::places::Places;
 use crate::panels::readouts::NumberStyle;
-use crate::panels::{accuracy, compare, exercises, frame, framing, lines, mistakes};
+use crate::panels::{accuracy, answers, compare, exercises, frame, framing, lines, mistakes};
 use crate::panels::{plot, readouts, views};
 use crate::session::{Session, ViewLayout};
 
@@ -46,6 +46,7 @@ impl App {
             match self.session.settings.layout {
                 ViewLayout::Mistakes => self.wrong_camera(ui, area, rect, dimmed),
                 ViewLayout::Compare => self.ghost(ui, area, rect),
+                ViewLayout::Answers => self.answers_map(ui, area, rect),
                 _ => self.error_map(ui, area, rect, dimmed),
             }
         }
@@ -107,6 +108,9 @@ impl App {
             ViewLayout::Translator => {
                 self.translator.ui(ui, document, &mut self.session, &mut self.waiting);
             }
+            ViewLayout::Answers => {
+                answers::ui(ui, &self.derived, &mut self.session, &mut self.waiting);
+            }
             ViewLayout::Exercises => {
                 let exercises = &mut self.session.exercises;
                 exercises::ui(ui, exercises, style, &mut self.waiting);
@@ -136,6 +140,17 @@ impl App {
         match &self.derived.ghost_view {
             Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, false),
             None => compare::no_picture(ui, rect, self.session.ghost.as_ref()),
+        }
+    }
+
+    /// Beside the camera's picture, where a student's answers are wrong.
+    fn answers_map(&mut self, ui: &mut Ui, area: Rect, rect: Rect) {
+        let has_map = self.derived.answers_view.is_some();
+        answers::strip(ui, area, self.session.answers.as_ref(), has_map);
+        views::speak(ui, views::ANSWERS, &answers::spoken(&self.derived, &self.session));
+        match &self.derived.answers_view {
+            Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, false),
+            None => answers::no_map(ui, rect, &self.derived, &self.session),
         }
     }
 

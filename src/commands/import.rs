@@ -24,9 +24,9 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let document = Document {
         note: format!("From {}.", format.label),
         camera: taken.camera,
-        spheres: taken.spheres,
+        spheres: taken.spheres.into(),
         csv_spheres: None,
-        planes: taken.planes,
+        planes: taken.planes.into(),
     };
     document.scene().map_err(|error| FileError::of_file(path, error.to_string()))?;
     let scene = scene_file::to_text(&document, None);

@@ -2,6 +2,7 @@
 
 mod animation;
 mod bench;
+mod check;
 mod export;
 mod figure;
 mod import;
@@ -34,6 +35,10 @@ pub enum CommandError {
     Input(String),
     /// The arguments do not go together: exit status 2.
     Arguments(String),
+    /// The answers were graded, and not all of them agree: exit status 1, and no message.
+    Disagrees,
+    /// There is nothing to grade, or nothing to grade it by: exit status 2.
+    Unreadable(String),
     /// Nobody reads standard output any more. Nothing is wrong.
     ReaderGone,
 }
@@ -41,7 +46,10 @@ pub enum CommandError {
 impl fmt::Display for CommandError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            CommandError::Input(message) | CommandError::Arguments(message) => f.write_str(message),
+            CommandError::Input(message)
+            | CommandError::Arguments(message)
+            | CommandError::Unreadable(message) => f.write_str(message),
+            CommandError::Disagrees => f.write_str("not all answers agree"),
             CommandError::ReaderGone => f.write_str("nobody reads standard output"),
         }
     }
@@ -65,6 +73,7 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),
+        Command::Check(arguments) => check::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Figure(arguments) => figure::run(arguments),
@@ -77,8 +86,9 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
 pub fn exit_code(result: Result<(), CommandError>) -> ExitCode {
     let status = match &result {
         Ok(()) | Err(CommandError::ReaderGone) => return ExitCode::SUCCESS,
+        Err(CommandError::Disagrees) => return ExitCode::from(1),
         Err(CommandError::Input(_)) => 1,
-        Err(CommandError::Arguments(_)) => 2,
+        Err(CommandError::Arguments(_) | CommandError::Unreadable(_)) => 2,
     };
     if let Err(error) = result {
         // Where standard error is closed too, the status has to do.

@@ -26,6 +26,7 @@
 //! | colours | [`trace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Counts`]: what a frame left out |
 //! | other methods | [`methods`]: the known formulas beside it, to compare |
+//! | students' answers | [`grading`]: against the truth, and the mistakes that explain them |
 //! | teaching | [`lecture`]: every step with its numbers, the classic mistakes, exercises |
 //! | interaction | [`steering`]: a camera taken in the hand |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
@@ -202,6 +203,7 @@ mod extent;
 mod fine_basis;
 mod frame;
 mod frame_rays;
+pub mod grading;
 mod image;
 mod intrinsics;
 mod kernel;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use egui::ColorImage;
 use pinhole_core::{CameraError, Counts, Frame, PosedCamera, Scene, SceneError, Steps, UpAngle};
 
+use super::answers::Grading;
 use super::picture::{Compared, TooMany};
 use crate::coarseness::Coarseness;
 use crate::ghost::AgainstGhost;
@@ -28,6 +29,8 @@ pub struct ViewSizes {
     pub wrong: Option<[u32; 2]>,
     /// Width and height of the ghost's picture.
     pub ghost: Option<[u32; 2]>,
+    /// Width and height of the map of where a student's answers are wrong.
+    pub answers: Option<[u32; 2]>,
     /// Physical pixels per point.
     pub scale: f32,
     /// Colours of the world view.
@@ -124,6 +127,11 @@ pub struct Derived {
     pub against_ghost: Option<Arc<AgainstGhost>>,
     /// What the ghost sees, or where that differs.
     pub ghost_view: Option<Shown>,
+    /// A student's answers graded, where the layout shows it, or why they cannot be; `None` where
+    /// there are none, or nothing to grade by.
+    pub answers: Option<Grading>,
+    /// Where in the image they are wrong.
+    pub answers_view: Option<Shown>,
     /// What the observer sees where in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }

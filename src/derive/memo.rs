@@ -28,6 +28,13 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
     }
 }
 
+impl<K: PartialEq, V> Memo<K, V> {
+    /// Whether the value made from `key` is at hand.
+    pub(super) fn knows(&self, key: &K) -> bool {
+        self.0.as_ref().is_some_and(|(known, _)| known == key)
+    }
+}
+
 /// A part of a key that is the same only if it is the very same value.
 #[derive(Debug)]
 pub(super) struct Same<T>(pub(super) Arc<T>);

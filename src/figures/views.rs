@@ -45,6 +45,7 @@ pub fn of_view(
         map: None,
         wrong: None,
         ghost: None,
+        answers: None,
         scale,
         style,
         purpose: Purpose::Figure { clear: transparent },

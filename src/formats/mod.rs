@@ -1,8 +1,9 @@
-//! Files: scenes, molecules, the spheres and rays of CSV files, and how outputs reach the disk.
+//! Files: scenes, molecules, the spheres, rays and answers of CSV files, and how outputs reach the disk.
 //!
 //! Nothing here knows a window. Whatever is wrong with a file is a [`FileError`], which says where
 //! and what would be right.
 
+pub mod answers;
 pub(crate) mod assets;
 pub mod atomic;
 pub mod builtin;

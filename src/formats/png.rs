@@ -1,9 +1,13 @@
 //! Pictures as PNG.
 
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Cursor, Write};
 use std::path::Path;
 
-use png::{BitDepth, ColorType, Encoder, EncodingError, SrgbRenderingIntent, Writer};
+use pinhole_core::{ImageSize, Rgb};
+use png::{
+    BitDepth, ColorType, Decoder, Encoder, EncodingError, SrgbRenderingIntent, Transformations,
+    Writer,
+};
 
 use super::{FileError, atomic};
 
@@ -107,6 +111,64 @@ impl<W: Write> Animated<W> {
     pub fn finish(self) -> io::Result<()> {
         self.writer.finish().map_err(to_io)
     }
+}
+
+/// A picture that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decoded {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Row by row from the top, with opacity; colours are not premultiplied.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl Decoded {
+    /// The colours over a background, opacity gone.
+    pub fn over(&self, background: Rgb) -> Vec<Rgb> {
+        let mix = |front: u8, back: u8, alpha: u8| {
+            let (front, back, alpha) = (u32::from(front), u32::from(back), u32::from(alpha));
+            ((front * alpha + back * (255 - alpha) + 127) / 255) as u8
+        };
+        let over = |[r, g, b, alpha]: &[u8; 4]| {
+            let [back_r, back_g, back_b] = background;
+            [mix(*r, back_r, *alpha), mix(*g, back_g, *alpha), mix(*b, back_b, *alpha)]
+        };
+        self.pixels.iter().map(over).collect()
+    }
+}
+
+/// Whether bytes begin as a PNG does.
+pub fn is_png(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\x89PNG\r\n\x1a\n")
+}
+
+/// Reads a PNG of any kind as eight bits a channel; `path` is for the messages. Colours are taken to
+/// be sRGB.
+///
+/// # Errors
+/// What is none, is damaged, or is larger than any image.
+pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
+    let at_fault = |error: &dyn std::fmt::Display| {
+        FileError::of_file(path, format!("cannot be read as PNG: {error}"))
+    };
+    let mut decoder = Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
+    let mut reader = decoder.read_info().map_err(|error| at_fault(&error))?;
+    let size = [reader.info().width, reader.info().height];
+    ImageSize::new(size[0], size[1]).map_err(|error| at_fault(&error))?;
+    let length = reader.output_buffer_size().ok_or_else(|| at_fault(&"it is too large"))?;
+    let mut buffer = vec![0; length];
+    let info = reader.next_frame(&mut buffer).map_err(|error| at_fault(&error))?;
+    let bytes = &buffer[..info.buffer_size()];
+    let pixels = match info.color_type {
+        ColorType::Rgba => bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect(),
+        ColorType::Rgb => bytes.chunks_exact(3).map(|p| [p[0], p[1], p[2], 255]).collect(),
+        ColorType::GrayscaleAlpha => {
+            bytes.chunks_exact(2).map(|p| [p[0], p[0], p[0], p[1]]).collect()
+        }
+        _ => bytes.iter().map(|grey| [*grey, *grey, *grey, 255]).collect(),
+    };
+    Ok(Decoded { size, pixels })
 }
 
 fn to_io(error: EncodingError) -> io::Error {

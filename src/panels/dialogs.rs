@@ -14,6 +14,8 @@ use crate::formats::scene_argument::SceneSource;
 pub enum Dialog {
     /// Which file to open.
     Open(PathField),
+    /// Which file of a student's answers to grade.
+    Answers(PathField),
     /// Which file to save to.
     SaveAs {
         /// The path.
@@ -90,6 +92,11 @@ impl PathField {
     /// Of a camera in another program's terms.
     pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
         PathField::of(path, name, &[], "path of the file")
+    }
+
+    /// Of a student's answers: starts in the folder of `path`.
+    pub(crate) fn answers_near(path: Option<&Path>) -> PathField {
+        PathField::of(path, "", &["csv", "png"], "path of a .csv or .png file of answers")
     }
 
     /// Of files with these endings.
@@ -202,7 +209,14 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         ui.set_width(460.0);
         match open {
-            Dialog::Open(field) => open_ui(ui, field, actions, &mut close),
+            Dialog::Open(field) => {
+                let open = |path| Action::Open(SceneSource::File(path));
+                open_ui(ui, ("Open a scene", "Open"), field, open, actions, &mut close);
+            }
+            Dialog::Answers(field) => {
+                let title = ("Check a student’s answers", "Check");
+                open_ui(ui, title, field, Action::CheckAnswers, actions, &mut close);
+            }
             Dialog::SaveAs { field, then } => {
                 ui.heading("Save the scene as");
                 if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
@@ -239,13 +253,20 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
     }
 }
 
-fn open_ui(ui: &mut Ui, field: &mut PathField, actions: &mut Vec<Action>, close: &mut bool) {
-    ui.heading("Open a scene");
-    if let Some(path) = field.ui(ui, "Open", close) {
+fn open_ui(
+    ui: &mut Ui,
+    (title, verb): (&str, &str),
+    field: &mut PathField,
+    action: impl FnOnce(PathBuf) -> Action,
+    actions: &mut Vec<Action>,
+    close: &mut bool,
+) {
+    ui.heading(title);
+    if let Some(path) = field.ui(ui, verb, close) {
         if path.is_dir() {
             field.list(path);
         } else {
-            actions.push(Action::Open(SceneSource::File(path)));
+            actions.push(action(path));
             *close = true;
         }
     }

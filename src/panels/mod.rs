@@ -2,6 +2,7 @@
 //! nothing else to anyone.
 
 pub(crate) mod accuracy;
+pub(crate) mod answers;
 pub(crate) mod camera;
 pub(crate) mod compare;
 pub mod dialogs;

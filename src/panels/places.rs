@@ -24,8 +24,8 @@ pub(crate) struct Places {
     pub camera_area: Option<Rect>,
     /// The camera view's picture, in the image's proportions.
     pub camera: Option<Rect>,
-    /// The part that the picture beside the camera view may fill: the error map, or what a wrong
-    /// camera sees.
+    /// The part that the picture beside the camera view may fill: the error map, what a wrong camera
+    /// sees, or where answers are wrong.
     pub beside_area: Option<Rect>,
     /// That picture, as large as the camera view's.
     pub beside: Option<Rect>,
@@ -64,7 +64,7 @@ pub(crate) fn places(
             let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
             [None, Some(left), Some(right)]
         }
-        ViewLayout::Mistakes => {
+        ViewLayout::Mistakes | ViewLayout::Answers => {
             let (left, right) = halves(views);
             [None, Some(left), Some(right)]
         }
@@ -115,6 +115,7 @@ fn split_at_bottom(ui: &Ui, area: Rect, settings: &mut Settings) -> (Rect, Rect)
         ViewLayout::Plot => &mut settings.plot_height,
         ViewLayout::Mistakes => &mut settings.mistakes_height,
         ViewLayout::Compare => &mut settings.compare_height,
+        ViewLayout::Answers => &mut settings.answers_height,
         _ => &mut settings.readouts_height,
     };
     *height = height.clamp(80.0, most);

@@ -25,13 +25,22 @@ pub(crate) struct Steps<'a> {
     pub(crate) redo: Option<&'a str>,
 }
 
+/// What there is only sometimes.
+#[derive(Clone, Copy)]
+pub(crate) struct Has {
+    /// A frozen camera to compare with.
+    pub(crate) ghost: bool,
+    /// A student's answers.
+    pub(crate) answers: bool,
+}
+
 /// Shows the bar; what was chosen in it goes into `actions` and `settings`.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
     steps: Steps,
-    has_ghost: bool,
+    has: Has,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
 ) {
@@ -49,11 +58,11 @@ pub(crate) fn ui(
         // Several switches in one go: these stay open while one clicks in them.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
-        menu("Show").ui(ui, |ui| show_menu(ui, has_ghost, settings, actions));
+        menu("Show").ui(ui, |ui| show_menu(ui, has.ghost, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
-        layout(ui, settings);
+        layout(ui, has, settings);
         ui.separator();
         shade(ui, &mut settings.shade);
         ui.separator();
@@ -75,6 +84,8 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     entry(ui, "Open…", Action::AskOpen, actions);
     entry(ui, "Save", Action::Save, actions);
     entry(ui, "Save as…", Action::AskSaveAs, actions);
+    ui.separator();
+    entry(ui, "Check answers…", Action::AskAnswers, actions);
     ui.separator();
     entry(ui, "Export a figure…", Action::AskExport, actions);
     entry(ui, "Copy the ledger as LaTeX", Action::CopyLedger(Markup::Latex), actions);
@@ -179,8 +190,9 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
     ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
 }
 
-fn layout(ui: &mut Ui, settings: &mut Settings) {
-    for layout in ViewLayout::LISTED {
+fn layout(ui: &mut Ui, has: Has, settings: &mut Settings) {
+    let answers = has.answers.then_some(ViewLayout::Answers);
+    for layout in ViewLayout::LISTED.into_iter().chain(answers) {
         let value = ui.selectable_value(&mut settings.layout, layout, layout.label());
         value.on_hover_text(layout.about());
     }

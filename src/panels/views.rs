@@ -29,6 +29,9 @@ pub(crate) const MAP: &str = "Error map";
 /// The wrong camera's.
 pub(crate) const WRONG: &str = "Wrong camera";
 
+/// The map of a student's answers.
+pub(crate) const ANSWERS: &str = "Answers";
+
 /// The ghost's picture.
 pub(crate) const GHOST: &str = "Ghost";
 
@@ -52,6 +55,7 @@ pub(crate) fn sizes(
         map: beside(ViewLayout::Accuracy),
         wrong: beside(ViewLayout::Mistakes),
         ghost: beside(ViewLayout::Compare),
+        answers: beside(ViewLayout::Answers),
         scale: per_point,
         style: look::style(ui),
         purpose: Purpose::Window,
@@ -82,6 +86,7 @@ pub(crate) fn inputs(
         let name = match session.settings.layout {
             ViewLayout::Mistakes => WRONG,
             ViewLayout::Compare => GHOST,
+            ViewLayout::Answers => ANSWERS,
             _ => MAP,
         };
         let response = view(ui, rect, name);

@@ -35,10 +35,13 @@ pub enum ViewLayout {
     Translator,
     /// Questions with fields for the answers.
     Exercises,
+    /// The camera's picture, and where a student's answers are wrong in it.
+    Answers,
 }
 
 impl ViewLayout {
-    /// Those that one chooses from; the ledger alone is for presenting.
+    /// Those that one chooses from; the ledger alone is for presenting, and answers are there only
+    /// once there are some.
     pub const LISTED: [ViewLayout; 12] = [
         ViewLayout::Both,
         ViewLayout::World,
@@ -73,6 +76,7 @@ impl ViewLayout {
             ViewLayout::Compare => "Compare",
             ViewLayout::Translator => "Translator",
             ViewLayout::Exercises => "Exercises",
+            ViewLayout::Answers => "Answers",
             ViewLayout::Accuracy => "Accuracy",
             ViewLayout::Frame => "Frame",
         }
@@ -92,6 +96,7 @@ impl ViewLayout {
             ViewLayout::Compare => "The camera against the one that was frozen by G",
             ViewLayout::Translator => "The camera in other programs’ terms",
             ViewLayout::Exercises => "Questions, and what is wrong with an answer",
+            ViewLayout::Answers => "A student’s answers, and the mistake that explains them",
             ViewLayout::Accuracy => "How right each method is here, and how fast",
             ViewLayout::Frame => "What a frame takes, and what it leaves out",
         }

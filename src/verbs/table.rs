@@ -105,6 +105,8 @@ fn program() -> Vec<Verb> {
             [key(Anywhere, CTRL_SHIFT, Key::S)], Action::AskSaveAs;
         File, "Save", "Saves the scene to its file.",
             [key(Anywhere, CTRL, Key::S)], Action::Save;
+        File, "Check answers…", "Asks which file of a student’s answers to grade.",
+            [], Action::AskAnswers;
         File, "Export a figure…", "Asks which figure to write to which file.",
             [key(Anywhere, CTRL, Key::E)], Action::AskExport;
         File, "Copy the ledger as LaTeX", "Puts the ledger on the clipboard as LaTeX.",

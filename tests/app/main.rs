@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
 
 mod accuracy;
+mod answers;
 mod by_keys;
 mod compare;
 mod covered;

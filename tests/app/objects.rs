@@ -17,6 +17,7 @@ const SIZES: ViewSizes = ViewSizes {
     map: None,
     wrong: None,
     ghost: None,
+    answers: None,
     scale: 1.0,
     style: Style::Light,
     purpose: Purpose::Window,

@@ -3,6 +3,7 @@
 
 mod animation;
 mod bench;
+mod check;
 mod exchange;
 mod figure;
 mod figure_read_back;
@@ -83,15 +84,15 @@ fn entries(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn commands_that_do_not_exist_yet_are_not_offered() {
+fn every_command_is_offered_and_has_a_help() {
     let help = run("--help").done();
-    for command in
-        ["scenes", "inspect", "render", "trace", "report", "bench", "figure", "export", "import"]
-    {
+    for command in [
+        "scenes", "inspect", "render", "trace", "report", "check", "bench", "figure", "export",
+        "import",
+    ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));
     }
-    assert!(!help.contains("\n  check "), "{help}");
 }
 
 #[test]
@@ -114,6 +115,10 @@ fn wrong_arguments_are_status_2() {
     run("render canonical -o a.png --height 16385").refused("16385 is not in 1..=16384");
     run("render canonical -o a.png --shade phong").refused("lambert, normal, t, object");
     run("render canonical -o a.png --view side").refused("camera, world");
+    run("check canonical").refused("--answers <IN.csv|IN.png>");
+    run("check canonical --answers a.csv --tolerance -1").refused("\"-1\" is no tolerance");
+    run("check canonical --answers a.csv --tolerance=nan").refused("\"nan\" is no tolerance");
+    run("check canonical --answers a.csv --count-from 2").refused("2 is not in 0..=1");
     run("trace canonical").refused("--rays <IN.csv>");
     run("--renderer gpu").refused("wgpu, cpu");
     run("--nonsense").refused("unexpected argument '--nonsense'");

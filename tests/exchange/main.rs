@@ -82,6 +82,6 @@ fn proofs() -> Vec<(&'static str, Document)> {
             camera([0.5, 1.5, -8.0], [0.3, 0.0, 0.0], [0.2, 1.0, 0.0], [0.9, 0.9, 1.4], [140, 70]),
         ),
     ];
-    let scene = |camera| Document { camera, spheres: marker(), ..Document::default() };
+    let scene = |camera| Document { camera, spheres: marker().into(), ..Document::default() };
     cameras.into_iter().map(|(name, camera)| (name, scene(camera))).collect()
 }

@@ -147,10 +147,11 @@ fn what_is_left_open_is_as_at_hand() {
 fn spheres_and_planes_come_back() {
     let plane = Plane { point: DVec3::new(0.0, -3.0, 0.0), normal: DVec3::Y };
     let planes = vec![Item { name: None, color: Some([255, 128, 0]), shape: plane }];
-    let document = Document { spheres: marker(), planes, ..Document::default() };
+    let document =
+        Document { spheres: marker().into(), planes: planes.into(), ..Document::default() };
     for name in ["povray", "pbrt", "mitsuba", "three", "weekend"] {
         let taken = read(name, &text_of(name, &document)).unwrap();
-        assert_eq!(taken.spheres, document.spheres, "{name}");
+        assert_eq!(taken.spheres, *document.spheres, "{name}");
         let has_planes = ["povray", "mitsuba", "three"].contains(&name);
         assert_eq!(taken.planes.len(), usize::from(has_planes), "{name}");
         for plane in taken.planes {

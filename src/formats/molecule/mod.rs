@@ -66,7 +66,7 @@ pub fn parse(text: &str, path: &Path) -> Result<Document, FileError> {
     Ok(Document {
         note: molecule.note(),
         camera: framing::camera(spheres.iter().map(|item| item.shape)),
-        spheres,
+        spheres: spheres.into(),
         ..Document::default()
     })
 }

@@ -1,0 +1,56 @@
+//! A student's answers in the window: read, told from scenes, and put away.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::App;
+use crate::action::Action;
+use crate::formats::scene_argument::SceneSource;
+use crate::formats::{FileError, answers};
+use crate::grades::{AnswersAtHand, AnswersFile};
+use crate::panels::dialogs::{Dialog, PathField};
+use crate::session::ViewLayout;
+
+/// What a file that is dropped on the window is opened as.
+pub(super) fn dropped(path: PathBuf) -> Action {
+    match fs::read(&path) {
+        Ok(bytes) if answers::are_meant(&path, &bytes) => Action::CheckAnswers(path),
+        _ => Action::Open(SceneSource::File(path)),
+    }
+}
+
+impl App {
+    /// Asks for the file of answers, near the last one or the scene.
+    pub(super) fn ask_answers(&mut self) {
+        let last = self.session.answers.as_ref().map(|answers| answers.file.path.clone());
+        let near = last.as_deref().or(self.open.file());
+        self.dialog = Some(Dialog::Answers(PathField::answers_near(near)));
+    }
+
+    /// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
+    /// the file.
+    pub(super) fn check_answers(&mut self, path: &Path) {
+        match fs::read(path) {
+            Ok(bytes) => {
+                let known = self.session.answers.as_ref().filter(|known| known.file.path == path);
+                let count_from = known.map_or(0, |known| known.count_from);
+                let file = Arc::new(AnswersFile { path: path.to_owned(), bytes });
+                self.session.answers = Some(AnswersAtHand { file, count_from });
+                self.session.settings.layout = ViewLayout::Answers;
+            }
+            Err(error) => {
+                let error = FileError::unreadable(path, &error).to_string();
+                self.tell("These answers cannot be read", error);
+            }
+        }
+    }
+
+    /// Forgets the answers, and goes back to both views.
+    pub(super) fn put_answers_away(&mut self) {
+        self.session.answers = None;
+        if self.session.settings.layout == ViewLayout::Answers {
+            self.session.settings.layout = ViewLayout::Both;
+        }
+    }
+}

@@ -1,0 +1,204 @@
+//! A student's answers against the truth, and the mistakes that explain what is wrong with them.
+//!
+//! [`grade`] takes what a student's ray tracer says of a scene ([`Answers`]: a basis, rays, hits, or a
+//! whole picture), says of each answer whether it is right, and looks for the smallest set of classic
+//! mistakes ([`KnownMistake`]) with which a program gives *all* of them: each mistake in each of the
+//! ways in which it is made, alone, then in pairs.
+//!
+//! # What is right
+//!
+//! Answers are rounded, and each program rounds in its own way. What is right within the tolerance
+//! ([`RELATIVE_TOLERANCE`] unless another one is given) counts:
+//!
+//! - a basis's vector: each coordinate, as a share of the vector's length;
+//! - a ray: its direction *up to a positive factor*, as each coordinate of the unit vector; its origin
+//!   as a share of the eye's distance from the world's origin, or of the viewport's distance where that
+//!   is larger;
+//! - a hit: as the right one for objects that are larger or smaller by the tolerance times their
+//!   distance from the eye. Head-on, that is the tolerance as a share of t. Where a ray grazes an
+//!   object, t may be off by more, and at a sphere's very edge hit, miss, and what lies behind are all
+//!   right. What rounding in `f64` does to the textbook's formulas is allowed in addition, so that no
+//!   right program is called wrong, far out either;
+//! - a picture's pixel: each channel within [`LEVELS_TOLERANCE`] of 255, compared with the shading that
+//!   fits best; at an edge, the colours of both sides.
+//!
+//! Numbers that were written to fewer digits are given half a unit of their last digit in addition
+//! ([`Written::rounding`]). With a tolerance below the usual one, less in proportion: who asks for
+//! more digits wants them to be there.
+
+mod answers;
+mod diagnosis;
+mod given;
+mod grader;
+mod hits;
+mod known;
+mod meetings;
+mod picture;
+mod program;
+mod vectors;
+
+use glam::DVec3;
+
+pub use self::answers::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
+pub use self::diagnosis::Diagnosis;
+use self::grader::Grader;
+pub use self::known::KnownMistake;
+use crate::camera::{Camera, CameraError};
+use crate::ray::Ray;
+use crate::scene::Scene;
+use crate::shade::{Rgb, Shade};
+
+/// How far numbers may be off, as a share, unless another tolerance is given: twice what a number of
+/// six significant digits is off at most, which is what `%g` and C++ streams print; and 80 times the
+/// spacing of `f32`, of which a ray tracer loses some tenfold. The smallest of the known mistakes, half
+/// a pixel of 1000, is fifty times as large.
+pub const RELATIVE_TOLERANCE: f64 = 1e-5;
+
+/// How far a picture's channels may be off, in levels of 255, unless another tolerance is given: one
+/// for truncation in place of rounding, one for light that is computed in other steps.
+pub const LEVELS_TOLERANCE: f64 = 2.0;
+
+/// What answers are graded against.
+#[derive(Clone, Copy)]
+pub struct Truth<'a> {
+    /// The camera.
+    pub camera: &'a Camera,
+    /// What it looks at.
+    pub scene: &'a Scene,
+    /// Each object's own colour, for pictures.
+    pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
+}
+
+/// How right answers are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grade {
+    /// What kind of answers they are.
+    pub kind: Kind,
+    /// Within which tolerance: a share, or levels of 255 for a picture.
+    pub tolerance: f64,
+    /// Whether each answer is right, in their order.
+    pub is_right: Vec<bool>,
+    /// The answer that is farthest off; `None` where there is no answer.
+    pub worst: Option<Worst>,
+    /// How a picture is taken to be shaded.
+    pub shade: Option<Shade>,
+    /// What explains the wrong ones.
+    pub diagnosis: Diagnosis,
+}
+
+/// The answer that is farthest off: a wrong one, where there is any.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Worst {
+    /// Which answer it is, counted from 0.
+    pub index: usize,
+    /// By how much, in the terms of the tolerance. Infinite where a hit is taken for a miss, or for
+    /// one of another object.
+    pub error: f64,
+    /// What would be right.
+    pub right: Right,
+}
+
+/// What would be right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Right {
+    /// This vector of the basis.
+    Vector(DVec3),
+    /// This ray.
+    Ray(Ray),
+    /// This hit, or a miss.
+    Hit(Option<Hit>),
+    /// This colour.
+    Color(Rgb),
+    /// Nothing: there is no such pixel.
+    NoPixel,
+}
+
+/// A first hit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Where on the ray, in units of the direction's length.
+    pub t: f64,
+    /// Where in the world.
+    pub point: DVec3,
+    /// Which object.
+    pub object: u32,
+}
+
+/// What is found of one answer.
+#[derive(Clone, Copy, Debug)]
+struct Judged {
+    is_right: bool,
+    error: f64,
+}
+
+/// How much of what the written digits leave open is allowed.
+#[derive(Clone, Copy, Debug)]
+struct Digits(f64);
+
+impl Digits {
+    fn for_tolerance(tolerance: f64) -> Digits {
+        Digits((tolerance / RELATIVE_TOLERANCE).min(1.0))
+    }
+
+    fn of(self, rounding: f64) -> f64 {
+        self.0 * rounding
+    }
+}
+
+impl Grade {
+    /// How many answers there are.
+    pub fn answers(&self) -> usize {
+        self.is_right.len()
+    }
+
+    /// How many of them are right.
+    pub fn agree(&self) -> usize {
+        self.is_right.iter().filter(|is_right| **is_right).count()
+    }
+
+    /// Whether all are.
+    pub fn all_agree(&self) -> bool {
+        self.is_right.iter().all(|is_right| *is_right)
+    }
+
+    /// What to look at, a sentence for each mistake; that no known mistake explains the answers; or
+    /// that all of them agree.
+    pub fn advice(&self) -> String {
+        if self.all_agree() {
+            return "All answers agree.".to_owned();
+        }
+        if self.diagnosis.mistakes.is_empty() {
+            return "No known mistake explains this.".to_owned();
+        }
+        let sentences = self.diagnosis.mistakes.iter().map(|mistake| mistake.advice());
+        sentences.collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// Grades answers, within a tolerance: a share, or levels of 255 for a picture; the usual one of
+/// their kind where none is given. A picture must have as many pixels as the camera's image.
+///
+/// ```
+/// use pinhole_core::grading::*;
+/// use pinhole_core::*;
+/// let camera = Camera::CANONICAL;
+/// let scene = Scene::new(vec![Sphere::new([0.0, 0.0, -5.0], 1.0)?], vec![])?;
+/// let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [255; 3] };
+/// // The lecture's line w = normalize(view): looking along -z, w is not (0, 0, 1).
+/// let basis = [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
+/// let basis = Answers::Basis(basis.map(|v| Written::exactly(DVec3::from(v))));
+/// let grade = grade(&truth, &basis, None)?;
+/// assert_eq!((grade.answers(), grade.agree()), (3, 1));
+/// assert_eq!(grade.diagnosis.mistakes, [KnownMistake::WAsPrinted]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Where the camera sees nothing.
+pub fn grade(
+    truth: &Truth,
+    answers: &Answers,
+    tolerance: Option<f64>,
+) -> Result<Grade, CameraError> {
+    Ok(Grader::new(truth, answers, tolerance)?.grade())
+}

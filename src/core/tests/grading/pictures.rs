@@ -1,0 +1,86 @@
+//! Whole pictures, right ones and wrong ones.
+
+use super::*;
+
+const COLORS: [Rgb; 4] = [[230, 159, 0], [86, 180, 233], [0, 158, 115], [204, 121, 167]];
+
+/// The student's picture, shaded as the exercise says: by a light at the eye.
+fn painted(student: &Student, lit: bool) -> Answers {
+    let [columns, rows] = student.exercise.image;
+    let linear = |byte: u8| {
+        let s = f64::from(byte) / 255.0;
+        if s <= 0.04045 { s / 12.92 } else { ((s + 0.055) / 1.055).powf(2.4) }
+    };
+    let byte = |x: f64| {
+        let s = if x <= 0.0031308 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+        // Cut off, as `(int)` does.
+        (255.0 * s) as u8
+    };
+    let color = |row: u32, column: u32| {
+        let Some((_, point, object)) = student.hit(row, column) else { return BACKGROUND };
+        let own = COLORS[object as usize];
+        if !lit {
+            return own;
+        }
+        let point = DVec3::from(point);
+        let normal = match student.exercise.spheres.get(object as usize) {
+            Some((center, _)) => point - DVec3::from(*center),
+            None => DVec3::from(student.exercise.planes[0].1),
+        };
+        let d = DVec3::from(student.ray(row, column).1);
+        let light = 0.15 + 0.85 * (normal.dot(d) / normal.length() / d.length()).abs();
+        own.map(|channel| byte(light * linear(channel)))
+    };
+    let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+    Answers::Picture(pixels.map(|(row, column)| color(row, column)).collect())
+}
+
+fn graded(exercise: &Exercise, answers: &Answers) -> Grade {
+    let (camera, scene) = (camera_of(exercise), scene_of(exercise));
+    let truth =
+        Truth { camera: &camera, scene: &scene, color_of: &|object| COLORS[object as usize] };
+    grade(&truth, answers, None).unwrap()
+}
+
+#[test]
+fn the_right_picture_is_right_in_its_shading() {
+    let exercise = general();
+    let student = Student { exercise: &exercise, mistakes: &[] };
+    for (lit, shade) in [(true, Shade::Lambert), (false, Shade::Object)] {
+        let grade = graded(&exercise, &painted(&student, lit));
+        assert!(grade.all_agree(), "{} of {}", grade.agree(), grade.answers());
+        assert_eq!(grade.shade, Some(shade));
+    }
+}
+
+#[test]
+fn mistakes_that_show_in_a_picture_are_found() {
+    let exercise = general();
+    for (id, ways) in MISTAKES {
+        // A colour is the same along the whole ray, and where it leaves a sphere as where it
+        // enters: neither shows.
+        if ["far-root", "t-for-distance"].contains(&id) {
+            let student = Student { exercise: &exercise, mistakes: &[id] };
+            assert!(graded(&exercise, &painted(&student, true)).all_agree(), "{id}");
+            continue;
+        }
+        let student = Student { exercise: &exercise, mistakes: &ways[..1] };
+        for lit in [true, false] {
+            let Diagnosis { mistakes, alternatives } =
+                graded(&exercise, &painted(&student, lit)).diagnosis;
+            let sets = [vec![ids(&mistakes)], alternatives.iter().map(|a| ids(a)).collect()];
+            assert!(sets.concat().contains(&vec![id]), "{id}, {lit}: {sets:?}");
+        }
+    }
+}
+
+#[test]
+fn another_picture_is_explained_by_nothing() {
+    let exercise = general();
+    let noise = (0..600_u32).map(|k| (k.wrapping_mul(2_654_435_761) >> 8).to_le_bytes());
+    let noise = Answers::Picture(noise.map(|[r, g, b, _]| [r, g, b]).collect());
+    let grade = graded(&exercise, &noise);
+    assert!(!grade.all_agree());
+    assert_eq!(grade.diagnosis, Diagnosis::default());
+    assert_eq!(grade.advice(), "No known mistake explains this.");
+}

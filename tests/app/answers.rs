@@ -1,0 +1,164 @@
+//! A student's answers in the window: dropped, graded, shown, and put away.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use pinhole::app::App;
+use pinhole::session::{Selection, ViewLayout};
+
+use super::harness::{assert_says, click_at, export_to, says, texts_with, type_into, window};
+use super::scene_files::drop_file;
+
+const BACKWARDS: &str = "ux,uy,uz,vx,vy,vz,wx,wy,wz\n-1,0,0,0,1,0,0,0,-1\n";
+
+/// t of the canonical scene's sphere in some of its 400 x 400 pixels: the far root.
+fn far_roots(count_from: u32) -> String {
+    let mut text = String::from("row,column,t\n");
+    for i in 190..210 {
+        for j in 180..220 {
+            let u = (f64::from(j) + 0.5) / 400.0 - 0.5;
+            let v = 0.5 - (f64::from(i) + 0.5) / 400.0;
+            let a = u * u + v * v + 1.0;
+            let t = (5.0 + (25.0 - 24.0 * a).sqrt()) / a;
+            writeln!(text, "{},{},{t}", i + count_from, j + count_from).unwrap();
+        }
+    }
+    text
+}
+
+fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
+    let path = folder.join(name);
+    fs::write(&path, text).unwrap();
+    path
+}
+
+fn click(window: &mut Harness<'_, App>, label: &str) {
+    window.get_by_role_and_label(Role::Button, label).click_accesskit();
+    window.run();
+}
+
+fn map_says(window: &Harness<'_, App>) -> String {
+    window.get_by_role_and_label(Role::Image, "Answers").value().unwrap()
+}
+
+/// The open scene, without the objects that would be in the way.
+fn alone() -> (tempfile::TempDir, Harness<'static, App>) {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n\
+                 [[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n";
+    let scene = write(folder.path(), "s.toml", scene);
+    let window = window(scene);
+    (folder, window)
+}
+
+#[test]
+fn dropped_hits_are_graded_and_the_worst_is_selected() {
+    let (folder, mut window) = alone();
+    drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Answers);
+    assert_says(&window, "Answers: mine.csv");
+    assert_says(&window, "0 of 800 hits agree, within 0.00001 of their distance");
+    assert_says(&window, "Mistake: far-root");
+    assert_says(
+        &window,
+        "Look at which root is taken: the smallest t above 0 is the hit, of one object and among all.",
+    );
+    assert!(map_says(&window).starts_with("0 of 800 hits agree"), "{}", map_says(&window));
+    assert!(map_says(&window).contains("Look at which root"), "{}", map_says(&window));
+    let worst = texts_with(&window, "right is t = ");
+    assert!(worst[0].starts_with("row 199, column 199 is t = 5.99"), "{worst:?}");
+    click(&mut window, "Select the worst");
+    let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
+    assert_eq!((pixel.row, pixel.column), (199, 199));
+    // The map shows the image as the camera view does, and is clicked likewise.
+    let rect = window.get_by_role_and_label(Role::Image, "Answers").rect();
+    let image = &window.state().derived().answers_view.clone().unwrap().image;
+    assert_eq!(image.size, window.state().derived().camera_view.clone().unwrap().image.size);
+    let wrong = egui::Color32::from_rgb(0xd5, 0x5e, 0x00);
+    let share = image.pixels.iter().filter(|color| **color == wrong).count() as f32
+        / image.pixels.len() as f32;
+    assert!((0.5 * 0.005..=1.1 * 0.005).contains(&share), "{share}");
+    click_at(&mut window, rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3));
+    let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
+    assert_eq!((pixel.row, pixel.column), (300, 100));
+}
+
+#[test]
+fn the_grade_follows_the_camera() {
+    let (folder, mut window) = alone();
+    drop_file(&mut window, &write(folder.path(), "basis.csv", BACKWARDS));
+    assert_says(&window, "1 of 3 vectors agrees, within 0.00001 in each coordinate");
+    assert_says(&window, "Mistake: w-as-printed");
+    assert_says(&window, "A basis has no place in the image.");
+    // Looking the other way, it is right.
+    type_into(&mut window, "at z", "1");
+    assert_says(&window, "3 of 3 vectors agree, within 0.00001 in each coordinate");
+    assert_eq!(texts_with(&window, "Mistake:"), Vec::<String>::new());
+    // Without a camera, nothing is.
+    type_into(&mut window, "at z", "0");
+    assert_eq!(texts_with(&window, "vectors agree"), Vec::<String>::new());
+    assert_says(&window, "The scene has a fault: there is nothing to grade by.");
+    // While another layout is shown, nothing is graded.
+    type_into(&mut window, "at z", "-1");
+    click(&mut window, "Camera");
+    assert!(window.state().derived().answers.is_none());
+    click(&mut window, "Answers");
+    assert_says(&window, "Mistake: w-as-printed");
+    click(&mut window, "See it: 𝐰 as printed");
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Mistakes);
+    click(&mut window, "Answers");
+    click(&mut window, "Put away");
+    assert_eq!(window.state().session().settings.layout, ViewLayout::Both);
+    assert!(!says(&window, "Answers"));
+}
+
+#[test]
+fn answers_that_count_from_one_are_read_again_as_such() {
+    let (folder, mut window) = alone();
+    drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(1)));
+    assert_says(&window, "Mistake: counted-from-one, far-root");
+    window.get_by_role_and_label(Role::CheckBox, "They count from 1").click();
+    window.run();
+    assert_says(&window, "Mistake: far-root");
+    assert!(texts_with(&window, "right is t = ")[0].starts_with("row 200, column 200 is"));
+    click(&mut window, "Select the worst");
+    let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
+    assert_eq!((pixel.row, pixel.column), (199, 199));
+    fs::write(folder.path().join("mine.csv"), "row,column,t\n1,1,\n").unwrap();
+    click(&mut window, "Read again");
+    assert_says(&window, "1 of 1 hits agrees, within 0.00001 of their distance");
+}
+
+#[test]
+fn answers_are_opened_from_the_menu_and_faults_are_told() {
+    let (folder, mut window) = alone();
+    let bad = write(folder.path(), "bad.csv", "row,column,t\n0,0,nan\n");
+    window.get_by_label("File").click();
+    window.run();
+    window.get_by_label_contains("Check answers…").click();
+    window.run();
+    export_to(&mut window, &bad);
+    window.run();
+    let message = format!(
+        "{}:2:5: column t is \"nan\": it must be a finite number; a miss leaves its cells empty",
+        bad.display()
+    );
+    assert_says(&window, &message);
+    assert_eq!(map_says(&window), message);
+    // What is none of spheres is meant as answers; a scene is a scene.
+    drop_file(&mut window, &write(folder.path(), "typo.csv", "row,colum,t\n0,0,1\n"));
+    assert!(!texts_with(&window, "is unknown: did you mean column?").is_empty());
+    let scene = write(
+        folder.path(),
+        "far.toml",
+        "pinhole = 1\n[camera]\neye = [0, 0, 9]\nat = [0, 0, 0]\nup = [0, 1, 0]\n",
+    );
+    drop_file(&mut window, &scene);
+    assert_eq!(window.state().document().camera.eye.z, 9.0);
+    drop_file(&mut window, &write(folder.path(), "balls.csv", "x,y,z,r\n0,0,0,1\n"));
+    assert_says(&window, "This scene cannot be opened");
+}
