@@ -39,6 +39,7 @@ check_answers() {
 shot canonical canonical '{}'
 shot look-at-light look-at '{"theme": "Light"}'
 shot planet planet '{}'
+shot translator look-at '{"layout": "Translator"}'
 # Measuring takes its time.
 shot accuracy planet '{"layout": "Accuracy"}' 20
 shot frame look-at '{"layout": "Frame"}' 2 orbit

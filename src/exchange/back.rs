@@ -118,6 +118,14 @@ pub(crate) fn shortest_where(x: f64, fits: impl Fn(f64) -> bool) -> f64 {
         .unwrap_or(x)
 }
 
+/// The number with fewest digits that is within the roundings from `x`.
+pub(crate) fn settled(x: f64, roundings: f64) -> f64 {
+    if x.abs() <= roundings {
+        return 0.0;
+    }
+    shortest_where(x, |y| (y - x).abs() <= roundings)
+}
+
 /// `ratio` times as much, in as few digits as keep the ratio to its last one.
 pub(crate) fn in_ratio(x: f64, ratio: f64) -> f64 {
     shortest_where(x * ratio, |y| (y / x / ratio - 1.0).abs() <= 2.0 * f64::EPSILON)

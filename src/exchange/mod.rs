@@ -34,11 +34,10 @@ mod weekend;
 use std::fmt;
 use std::path::Path;
 
-use pinhole_core::Camera;
+use pinhole_core::{Camera, Plane, Sphere};
 
 use crate::document::Item;
 use crate::formats::FileError;
-use pinhole_core::{Plane, Sphere};
 
 pub use sheet::Sheet;
 pub use subject::{Subject, With};

@@ -8,7 +8,7 @@
 
 use pinhole_core::{Camera, DVec3, Intrinsics, Viewport};
 
-use super::back::{MIRRORED, Mirrored, Stance, image_of, shortest_where};
+use super::back::{MIRRORED, Mirrored, Stance, image_of, settled, shortest_where};
 use super::code::{Code, Comments, Piece};
 use super::sheet::{Sheet, flipped, flipped_all, n};
 use super::terms::{Axis, Pixels, Terms};
@@ -171,6 +171,9 @@ pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: 
 pub(super) fn stance([x, y, z]: [DVec3; 3], t: DVec3) -> Stance {
     // eye = -R^T t
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
+    // Nine products and six sums; the digits that they add are not the camera's.
+    let roundings = 4.0 * f64::EPSILON * t.length();
+    let eye = DVec3::from_array(eye.to_array().map(|x| settled(x, roundings)));
     Stance { eye, right: x, up: -y, backwards: -z }
 }
 

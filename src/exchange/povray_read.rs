@@ -2,7 +2,7 @@
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Plane, Sphere, Viewport};
 
-use super::back::{MIRRORED, Mirrored, Stance, image_of};
+use super::back::{MIRRORED, Mirrored, Stance, image_of, settled};
 use super::code::{Code, Comments, Piece, after_spaces, bracketed, number, split, trimmed, words};
 use super::sheet::byte_of_light;
 use super::{Taken, Text};
@@ -56,8 +56,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         height: tidy(up.length()),
         distance: tidy(direction.length()),
     };
-    if let Some(focus) = value(&code, camera, "aperture") {
-        let _ = focus;
+    if value(camera, "aperture").is_some() {
         notes.push("aperture is left out: a pinhole is sharp everywhere".to_owned());
     }
     let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
@@ -82,8 +81,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
 
 /// A length without the digits that a square root adds to a short number.
 fn tidy(length: f64) -> f64 {
-    let short = format!("{length:.13e}").parse().unwrap_or(length);
-    if ((short - length) / length).abs() <= 4.0 * f64::EPSILON { short } else { length }
+    settled(length, 4.0 * f64::EPSILON * length)
 }
 
 /// `+W400 +H300` wherever it stands, the comment at the head included.
@@ -113,8 +111,7 @@ fn blocks<'t>(code: &'t Code, name: &str) -> Vec<Piece<'t>> {
 }
 
 /// What follows a word of a camera, up to the next one.
-fn value<'t>(code: &Code, camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
-    let _ = code;
+fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     let at = *words(camera, word).last()?;
     let rest = camera.from(at + word.len());
     let next = WORDS.iter().flat_map(|word| words(rest, word)).min();
@@ -145,15 +142,15 @@ impl View {
             return Err(code.fault("the projection", piece, "it must be perspective"));
         }
         for turned in ["rotate", "translate"] {
-            if let Some(piece) = value(code, camera, turned) {
+            if let Some(piece) = value(camera, turned) {
                 return Err(code.fault(turned, piece, "the camera must be given without it"));
             }
         }
-        let or = |word: &str, or: DVec3| match value(code, camera, word) {
+        let or = |word: &str, or: DVec3| match value(camera, word) {
             Some(piece) => vector(code, word, piece, image),
             None => Ok(or),
         };
-        let look_at = value(code, camera, "look_at");
+        let look_at = value(camera, "look_at");
         let mut view = View {
             location: or("location", DVec3::ZERO)?,
             right: or("right", DVec3::new(1.33, 0.0, 0.0))?,
@@ -162,7 +159,7 @@ impl View {
             sky: or("sky", DVec3::Y)?,
             look_at: look_at.map(|piece| vector(code, "look_at", piece, image)).transpose()?,
         };
-        if let Some(piece) = value(code, camera, "angle") {
+        if let Some(piece) = value(camera, "angle") {
             let angle = number(piece.text).filter(|angle| *angle > 0.0 && *angle < 180.0);
             let angle = angle.ok_or_else(|| {
                 code.fault("angle", piece, "it must be between 0 and 180 degrees")
