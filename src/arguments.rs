@@ -1,18 +1,22 @@
 //! What may stand on the command line.
 
+mod target;
+
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
-use crate::exchange::{FORMATS, Format};
+use crate::exchange::Format;
 use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::lessons::LessonArgument;
 use crate::overlay::Style;
 use crate::play::Kind;
 use crate::present::Renderer;
+pub use target::Target;
+use target::{exchange_format, target};
 
 /// See what a pinhole camera sees, and why.
 ///
@@ -221,9 +225,9 @@ pub struct TraceArguments {
 pub struct ExportArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The other program, or form
-    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
-    pub to: &'static Format,
+    /// The other program, or form, or the language of the code for this camera
+    #[arg(long, value_name = "NAME", value_parser = target())]
+    pub to: Target,
     /// Where to write it; else to standard output. Of COLMAP, the folder of its files
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
@@ -309,15 +313,6 @@ pub struct BenchArguments {
     /// Draw time against the number of objects; the ending chooses the format
     #[arg(long, value_name = "OUT.svg|OUT.png")]
     pub plot: Option<PathBuf>,
-}
-
-fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
-    PossibleValuesParser::new(
-        FORMATS
-            .iter()
-            .map(|format| clap::builder::PossibleValue::new(format.name).help(format.label)),
-    )
-    .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
 }
 
 fn view() -> impl TypedValueParser<Value = View> {

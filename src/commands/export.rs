@@ -5,31 +5,41 @@ use std::io::Write;
 use std::path::Path;
 
 use super::{CommandError, load, of_scene, pose, to_stdout, warn};
-use crate::arguments::ExportArguments;
+use crate::arguments::{ExportArguments, Target};
 use crate::exchange::{Subject, With, Written};
 use crate::formats::{FileError, atomic};
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
     // What is wrong with the camera is told at its place in the file.
-    pose(&arguments.scene, &document)?;
+    let posed = pose(&arguments.scene, &document)?;
+    let format = match arguments.to {
+        Target::Format(format) => format,
+        Target::Code(language) => {
+            let code = language.code(&posed).map_err(|error| of_scene(&arguments.scene, error))?;
+            return put(arguments.output.as_deref(), &code);
+        }
+    };
     let with = match (arguments.camera_only, arguments.meshes) {
         (true, _) => With::CameraAlone,
         (false, true) => With::Meshes,
         (false, false) => With::Objects,
     };
-    let written = Subject::new(&document, with).and_then(|subject| arguments.to.write(&subject));
+    let written = Subject::new(&document, with).and_then(|subject| format.write(&subject));
     let written = written.map_err(|error| of_scene(&arguments.scene, error))?;
     match &arguments.output {
-        None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,
         Some(path) if written.files.len() > 1 => to_folder(path, &written)?,
-        Some(path) => {
-            let text = written.joined().text;
-            atomic::write(path, |file| file.write_all(text.as_bytes()))?;
-        }
+        output => put(output.as_deref(), &written.joined().text)?,
     }
     written.notes.iter().for_each(|note| warn(note));
     Ok(())
+}
+
+fn put(output: Option<&Path>, text: &str) -> Result<(), CommandError> {
+    match output {
+        None => to_stdout(|out| out.write_all(text.as_bytes())),
+        Some(path) => Ok(atomic::write(path, |file| file.write_all(text.as_bytes()))?),
+    }
 }
 
 /// A format of several files is a folder of them.

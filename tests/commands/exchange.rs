@@ -20,10 +20,20 @@ fn the_names_are_in_the_help_and_in_the_error() {
     for name in NAMES {
         assert!(help.contains(&format!("- {name}:")), "{name}: {help}");
     }
-    run("export canonical --to maya").refused(&format!("[possible values: {}]", NAMES.join(", ")));
+    run("export canonical --to maya").refused(&format!("[possible values: {}, ", NAMES.join(", ")));
     run("export canonical").refused("--to <NAME>");
     run("import a.txt --from maya").refused("possible values: gltf");
     run("export canonical --to gltf --meshes --camera-only").refused("cannot be used with");
+}
+
+#[test]
+fn code_for_the_camera_is_one_of_the_names() {
+    let document = pinhole::formats::builtin::find("look-at").unwrap().load().unwrap();
+    let posed = document.camera.posed().unwrap();
+    for language in &pinhole::code::LANGUAGES {
+        let code = run(&format!("export look-at --to {}", language.name)).done();
+        assert_eq!(code, language.code(&posed).unwrap(), "{}", language.name);
+    }
 }
 
 #[test]
