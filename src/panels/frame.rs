@@ -84,8 +84,7 @@ fn times(ui: &mut Ui, frames: &FrameHistory) {
     ui.label(RichText::new(total).size(TEXT + 3.0).strong()).on_hover_text(
         "Frames that show a new picture are counted, from input to display without waiting for it",
     );
-    Grid::new("times").num_columns(4).spacing([14.0, 2.0]).show(ui, |ui| {
-        // First what makes pictures and numbers; below it what shows them.
+    Grid::new("times").num_columns(3).spacing([14.0, 2.0]).show(ui, |ui| {
         for (index, part) in Part::ALL.into_iter().enumerate() {
             let time = last.and_then(|last| last.time(part));
             let time = time.map_or("-".to_owned(), |time| ms(time.as_secs_f64()));
@@ -96,7 +95,7 @@ fn times(ui: &mut Ui, frames: &FrameHistory) {
                 let label = ui.label(format!("{} {time}", part.name()));
                 label.on_hover_text(format!("{}, in milliseconds", part.about()));
             });
-            if index % 4 == 3 {
+            if index % 3 == 2 {
                 ui.end_row();
             }
         }

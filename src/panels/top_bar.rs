@@ -1,7 +1,7 @@
 //! The bar on top: scenes and files, views, how pictures are coloured, and how numbers are written.
 
 use egui::containers::menu::{MenuButton, MenuConfig};
-use egui::{MenuBar, PopupCloseBehavior, Ui};
+use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 
@@ -62,13 +62,27 @@ pub(crate) fn ui(
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
-        layout(ui, has, settings);
-        ui.separator();
-        shade(ui, &mut settings.shade);
-        ui.separator();
         let changed = if open.has_changes() { " (changed)" } else { "" };
-        ui.strong(format!("{}{changed}", title_of(open.origin())));
+        let title = format!("{}{changed}", title_of(open.origin()));
+        let shading = format!("Shade: {}", Shade::from(settings.shade).name());
+        let after = [width_of(ui, &shading), width_of(ui, &title).min(TITLE)];
+        layout(ui, has, settings, after.into_iter().sum::<f32>() + 2.0 * SEPARATOR);
+        ui.separator();
+        shade(ui, &shading, &mut settings.shade);
+        ui.separator();
+        ui.add(egui::Label::new(RichText::new(&title).strong()).truncate()).on_hover_text(title);
     });
+}
+
+/// So much of the bar the scene's name has at least, and a separator has, in points.
+const TITLE: f32 = 64.0;
+const SEPARATOR: f32 = 14.0;
+
+/// How wide a button with this text is, with the room beside it.
+fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
+    text.size().x + 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x
 }
 
 fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -135,7 +149,6 @@ fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mu
     entry(ui, "Command palette", Action::Palette, actions);
     entry(ui, "Keys", Action::KeySheet, actions);
     ui.separator();
-    ui.separator();
     compare::menu(ui, has_ghost, actions);
     ui.separator();
     ui.label("Drawn over the views");
@@ -190,16 +203,44 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
     ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
 }
 
-fn layout(ui: &mut Ui, has: Has, settings: &mut Settings) {
+/// The layouts side by side; those for which there is no room, so much being kept for what follows,
+/// in a menu.
+fn layout(ui: &mut Ui, has: Has, settings: &mut Settings, after: f32) {
     let answers = has.answers.then_some(ViewLayout::Answers);
-    for layout in ViewLayout::LISTED.into_iter().chain(answers) {
-        let value = ui.selectable_value(&mut settings.layout, layout, layout.label());
-        value.on_hover_text(layout.about());
+    let layouts: Vec<ViewLayout> = ViewLayout::LISTED.into_iter().chain(answers).collect();
+    let widths: Vec<f32> = layouts.iter().map(|layout| width_of(ui, layout.label())).collect();
+    let room = ui.available_width() - after;
+    let fits = |room: f32| {
+        let ends = widths.iter().scan(0.0, |end, width| {
+            *end += width;
+            Some(*end)
+        });
+        ends.take_while(|end| *end <= room).count()
+    };
+    let chosen = settings.layout;
+    let more = |hidden: &[ViewLayout]| match hidden.contains(&chosen) {
+        true => format!("More: {}", chosen.label()),
+        false => "More".to_owned(),
+    };
+    let shown = match fits(room) {
+        all if all == layouts.len() => all,
+        // The longest name that the menu can have.
+        _ => fits(room - width_of(ui, &format!("More: {}", ViewLayout::Translator.label()))),
+    };
+    let (shown, hidden) = layouts.split_at(shown);
+    let mut choices = |ui: &mut Ui, layouts: &[ViewLayout]| {
+        for layout in layouts {
+            let value = ui.selectable_value(&mut settings.layout, *layout, layout.label());
+            value.on_hover_text(layout.about());
+        }
+    };
+    choices(ui, shown);
+    if !hidden.is_empty() {
+        ui.menu_button(more(hidden), |ui| choices(ui, hidden));
     }
 }
 
-fn shade(ui: &mut Ui, chosen: &mut ShadeName) {
-    let text = format!("Shade: {}", Shade::from(*chosen).name());
+fn shade(ui: &mut Ui, text: &str, chosen: &mut ShadeName) {
     ui.menu_button(text, |ui| {
         for name in ShadeName::ALL {
             let radio = ui.radio_value(chosen, name, Shade::from(name).name());

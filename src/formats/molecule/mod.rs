@@ -1,7 +1,7 @@
 //! Molecules as scenes: the atoms of `.xyz` and `.pdb` files as spheres in the colours of their
 //! elements, as large as their van der Waals radii; one unit is one ångström.
 //!
-//! A molecule has no camera of its own: it gets [one that frames it](framing::camera). Nothing is
+//! A molecule has no camera of its own: it gets one that frames it (`framing.rs`). Nothing is
 //! ever saved as a molecule; what was opened as one is saved as a scene file.
 
 mod atoms;
