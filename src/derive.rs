@@ -2,6 +2,7 @@
 //! idle window does no work and one drag does only what it changes.
 
 mod answers;
+mod beside;
 mod derived;
 mod ghost;
 mod ledgers;

@@ -6,16 +6,17 @@ use egui::Color32;
 use pinhole_core::grading::{Truth, grade};
 use pinhole_core::{Camera, ImageSize, Raster};
 
+use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
-use super::{Derived, Shown, ViewSizes, blank};
+use super::{Derived, Shown, ViewSizes};
 use crate::coarseness::Coarseness;
 use crate::document::Document;
 use crate::formats::answers;
 use crate::grades::{AnswersAtHand, Cell, Graded};
-use crate::overlay::{self, CameraView, OverlayItems, Picture, Style};
+use crate::overlay::{OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
 
 /// What a grade is made of: the camera, the objects and their colours by number, and the answers.
@@ -95,21 +96,7 @@ fn map(
     sizes: &ViewSizes,
 ) -> Option<Shown> {
     let picture = picture(graded, size)?;
-    let view = CameraView {
-        picture: &picture,
-        posed: right.posed,
-        inspection: Some(right.inspection),
-        items,
-        size: size.map(|n| n as usize),
-        scale: sizes.scale,
-        style: sizes.style,
-        lit: None,
-        loupe: None,
-    };
-    let mut pixels = blank(size);
-    let drawing = overlay::camera(&view, &mut pixels);
-    sizes.style.finish(&mut pixels);
-    Some(Shown::new(size, pixels, drawing))
+    Some(shown_beside(&picture, (right.posed, right.inspection), items, size, sizes))
 }
 
 /// The map as a picture of as many pixels as are shown; one that stands for several is wrong where

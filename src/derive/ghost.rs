@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use pinhole_core::{Camera, Outputs, PosedCamera, Raster, Shade};
 
+use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
-use super::{Derived, Shown, ViewSizes, blank};
+use super::{Derived, Shown, ViewSizes};
 use crate::document::Document;
 use crate::ghost::{AgainstGhost, Beside, Ghost, difference_map, posed};
-use crate::inspection::Inspection;
-use crate::overlay::{self, CameraView, Item, OverlayItems, Picture, Style};
+use crate::overlay::{Item, OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
 
 /// What is compared: both cameras, the objects and colours by number, the pixels, and the ray.
@@ -105,21 +105,9 @@ impl GhostPictures {
         let key = (self.count, ghost.beside, session.selection, size, items, scale, style);
         self.view.get(key, |_| {
             watched(watch, Work::Overlay, || {
-                let inspection: &Inspection = &against.inspection;
-                let view = CameraView {
-                    picture: &pictures[usize::from(ghost.beside == Beside::Differences)],
-                    posed: &against.ghost,
-                    inspection: Some(inspection),
-                    items,
-                    size: size.map(|n| n as usize),
-                    scale,
-                    style,
-                    lit: None,
-                    loupe: None,
-                };
-                let mut pixels = blank(size);
-                let drawing = overlay::camera(&view, &mut pixels);
-                Shown::new(size, pixels, drawing)
+                let picture = &pictures[usize::from(ghost.beside == Beside::Differences)];
+                let camera = (&against.ghost, &against.inspection);
+                shown_beside(picture, camera, items, size, sizes)
             })
         })
     }

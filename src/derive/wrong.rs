@@ -5,14 +5,15 @@ use std::sync::Arc;
 use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::{Camera, PosedCamera, Raster, Shade};
 
+use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
-use super::{Derived, Shown, ViewSizes, blank};
+use super::{Derived, Shown, ViewSizes};
 use crate::coarseness::Coarseness;
 use crate::inspection::Inspection;
 use crate::mistakes::Wrong;
-use crate::overlay::{self, CameraView, Item, OverlayItems, Picture, Style};
+use crate::overlay::{Item, OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
 
 /// What a wrong picture is made of: the camera, the objects and colours by number, and the rest.
@@ -100,21 +101,8 @@ impl WrongPictures {
         let key = (self.count, right.selection, size, items, sizes.scale, sizes.style);
         let view = self.view.get(key, |_| {
             watched(watch, Work::Overlay, || {
-                let view = CameraView {
-                    picture: &picture,
-                    posed: right.posed,
-                    inspection: Some(right.inspection),
-                    items,
-                    size: size.map(|n| n as usize),
-                    scale: sizes.scale,
-                    style: sizes.style,
-                    lit: None,
-                    loupe: None,
-                };
-                let mut pixels = blank(size);
-                let labels = overlay::camera(&view, &mut pixels);
-                sizes.style.finish(&mut pixels);
-                Shown::new(size, pixels, labels)
+                let camera = (right.posed, right.inspection);
+                shown_beside(&picture, camera, items, size, sizes)
             })
         });
         (wrong, Some(view))
