@@ -30,7 +30,7 @@ use self::lessons::Lessons;
 use self::verbs::Sheet;
 use crate::action::Action;
 use crate::coarseness::Governor;
-use crate::derive::{Derived, Deriver};
+use crate::derive::{Derived, Deriver, ViewSizes};
 use crate::document::Document;
 use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
@@ -214,7 +214,9 @@ impl App {
                 self.apply(&ctx, action);
             }
             let coarseness = self.coarseness(&ctx);
-            let sizes = views::sizes(ui, &places, self.session.settings.layout, coarseness);
+            let sizes = views::sizes(ui, &places, self.session.settings.layout);
+            let under_hand = self.is_under_hand(&ctx);
+            let sizes = ViewSizes { coarseness, under_hand, ..sizes };
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
             let stopwatch = stopwatch.insert(Stopwatch::start());

@@ -31,8 +31,13 @@ impl Coarseness {
     /// What is said on a picture that is coarser than it could be.
     pub(crate) fn told(self) -> Option<String> {
         let Coarseness(step) = self;
+        let ending = match step {
+            2 => "nd",
+            3 => "rd",
+            _ => "th",
+        };
         (self != Coarseness::NONE)
-            .then(|| format!("coarser while it moves: 1 row and column of {step} is traced"))
+            .then(|| format!("coarser while it moves: every {step}{ending} row and column"))
     }
 }
 
@@ -51,7 +56,7 @@ pub(crate) struct Governor {
     budget: Duration,
     /// For a hand that moves.
     moving: Coarseness,
-    /// When the last picture was made under the hand, in seconds.
+    /// When a hand moved last, in seconds.
     moved_at: f64,
 }
 
@@ -67,15 +72,21 @@ impl Governor {
         Governor { budget, ..Governor::default() }
     }
 
-    /// The coarseness now: `held` while a hand holds what is moved, `moves` if it moved just now.
-    pub(crate) fn now(&self, held: bool, moves: bool, time: f64) -> Coarseness {
-        let follows = held && (moves || time - self.moved_at < REST);
-        if follows { self.moving } else { Coarseness::NONE }
+    /// The coarseness now, and whether a hand `moves` just now what is seen.
+    pub(crate) fn now(&mut self, moves: bool, time: f64) -> Coarseness {
+        if moves {
+            self.moved_at = time;
+        }
+        if self.is_followed(time) { self.moving } else { Coarseness::NONE }
+    }
+
+    /// Whether a hand moved not long ago.
+    pub(crate) fn is_followed(&self, time: f64) -> bool {
+        time - self.moved_at < REST
     }
 
     /// New pictures were traced in this time.
-    pub(crate) fn took(&mut self, coarseness: Coarseness, traced_in: Duration, time: f64) {
-        self.moved_at = time;
+    pub(crate) fn took(&mut self, coarseness: Coarseness, traced_in: Duration) {
         let step = f64::from(coarseness.0);
         // Time goes with the pixels, which go with the square of the step; at most, that is.
         let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
@@ -100,22 +111,21 @@ mod tests {
         let mut governor = Governor::default();
         for k in 0..10 {
             let now = f64::from(k);
-            assert_eq!(governor.now(true, true, now), Coarseness::NONE);
-            governor.took(Coarseness::NONE, 7 * MS, now);
+            assert_eq!(governor.now(true, now), Coarseness::NONE);
+            governor.took(Coarseness::NONE, 7 * MS);
         }
     }
 
     #[test]
     fn what_is_too_heavy_is_coarse_as_long_as_the_hand_moves() {
         let mut governor = Governor::default();
-        governor.took(Coarseness::NONE, 70 * MS, 0.0);
-        assert_eq!(governor.now(false, false, 0.0), Coarseness::NONE, "nobody holds it");
+        governor.took(Coarseness::NONE, 70 * MS);
+        assert_eq!(governor.now(false, 0.0), Coarseness::NONE, "nothing moves");
         // Three times as coarse takes a ninth: 7.8 ms.
-        assert_eq!(governor.now(true, true, 5.0), Coarseness(3));
-        governor.took(Coarseness(3), 78 * MS / 10, 5.0);
-        assert_eq!(governor.now(true, false, 5.1), Coarseness(3), "between two moves");
-        assert_eq!(governor.now(true, false, 5.2), Coarseness::NONE, "the hand rests");
-        assert_eq!(governor.now(false, false, 5.1), Coarseness::NONE, "the hand let go");
+        assert_eq!(governor.now(true, 5.0), Coarseness(3));
+        governor.took(Coarseness(3), 78 * MS / 10);
+        assert_eq!(governor.now(false, 5.1), Coarseness(3), "between two moves");
+        assert_eq!(governor.now(false, 5.2), Coarseness::NONE, "the hand rests");
     }
 
     #[test]
@@ -125,8 +135,8 @@ mod tests {
             let time = |c: Coarseness| MS * full / (c.0 * c.0);
             let mut steps = Vec::new();
             for k in 0..30 {
-                let now = governor.now(true, true, f64::from(k));
-                governor.took(now, time(now), f64::from(k));
+                let now = governor.now(true, f64::from(k));
+                governor.took(now, time(now));
                 steps.push(now);
             }
             assert!(steps[20..].iter().all(|step| *step == steps[20]), "{full} ms: {steps:?}");

@@ -26,14 +26,14 @@ pub use self::answers::Grading;
 pub use self::derived::{Derived, Fault, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
 use self::ledgers::Ledgers;
-use self::memo::Memo;
+use self::memo::{Memo, Same};
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
 use self::picture::{GoodPicture, Pictures};
 use self::plots::Plots;
 use self::watch::watched;
 pub use self::watch::{Watch, Work};
-use self::world::WorldPictures;
+use self::world::{WorldPicture, WorldPictures};
 use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
 use crate::document::Document;
@@ -80,6 +80,7 @@ struct CameraViewKey {
 
 #[derive(Debug, PartialEq)]
 struct WorldViewKey {
+    world: Same<WorldPicture>,
     camera: Camera,
     observer: Observer,
     size: [u32; 2],
@@ -313,6 +314,7 @@ impl Deriver {
             scale: sizes.scale,
         };
         let key = WorldViewKey {
+            world: Same(Arc::clone(&world)),
             camera: document.camera,
             observer,
             size,

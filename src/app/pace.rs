@@ -2,12 +2,23 @@
 
 use std::time::Duration;
 
-use egui::{Context, Vec2};
+use egui::{Context, Key, Vec2};
 
 use super::App;
 use crate::coarseness::{Coarseness, Governor, REST};
 use crate::frame_times::WorkTimes;
 use crate::session::ViewLayout;
+
+/// Keys that move the camera, the observer or a handle as long as they are held.
+const STEERING: [Key; 7] = [
+    Key::ArrowLeft,
+    Key::ArrowRight,
+    Key::ArrowUp,
+    Key::ArrowDown,
+    Key::Plus,
+    Key::Equals,
+    Key::Minus,
+];
 
 impl App {
     /// Has all frames timed from now on, for those who keep a log.
@@ -32,22 +43,32 @@ impl App {
     }
 
     /// How coarse new pictures are in this pass.
-    pub(super) fn coarseness(&self, ctx: &Context) -> Coarseness {
-        let plays = self.plays_camera();
-        let (is_down, moves, scrolls, time) = ctx.input(|i| {
+    pub(super) fn coarseness(&mut self, ctx: &Context) -> Coarseness {
+        let plays = self.player.as_ref().is_some_and(|p| p.running && p.kind.moves_camera());
+        let (moves, time) = ctx.input(|i| {
+            let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
             let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
-            (i.pointer.any_down(), i.pointer.delta() != Vec2::ZERO, scrolls, i.time)
+            let steps = STEERING.into_iter().any(|key| i.key_down(key));
+            (drags || scrolls || steps, i.time)
         });
-        self.governor.now(is_down || scrolls || plays, moves || scrolls || plays, time)
+        self.governor.now(moves || plays, time)
+    }
+
+    /// Whether a hand moves what is seen, or did just now.
+    pub(super) fn is_under_hand(&self, ctx: &Context) -> bool {
+        self.governor.is_followed(ctx.input(|i| i.time))
     }
 
     /// Tracing took so long, if anything was traced. What is coarse is made finer as soon as the hand
     /// rests.
     pub(super) fn keep_pace(&mut self, ctx: &Context, was: Coarseness, traced: Option<Duration>) {
         if let Some(traced) = traced {
-            self.governor.took(was, traced, ctx.input(|i| i.time));
+            self.governor.took(was, traced);
         }
-        if self.derived.coarseness.into_iter().any(|shown| shown != Coarseness::NONE) {
+        // A grade may have been put off, too.
+        let waits = self.is_under_hand(ctx) && self.session.answers.is_some();
+        let is_coarse = |shown: Coarseness| shown != Coarseness::NONE;
+        if waits || self.derived.coarseness.into_iter().any(is_coarse) {
             ctx.request_repaint_after(Duration::from_secs_f64(REST));
         }
     }

@@ -12,7 +12,6 @@ use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
 use super::{Derived, Shown, ViewSizes};
-use crate::coarseness::Coarseness;
 use crate::document::Document;
 use crate::formats::answers;
 use crate::grades::{AnswersAtHand, Cell, Graded};
@@ -40,7 +39,7 @@ pub(super) struct GradedAnswers {
 impl GradedAnswers {
     /// Grades anew where something changed, if the layout shows it. Nothing older than the document
     /// is ever shown: where that has a fault, this is not called, and there is no grade; nor is there
-    /// while a hand moves what takes long to grade.
+    /// while a hand moves.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
@@ -52,14 +51,14 @@ impl GradedAnswers {
     ) {
         let (Some(size), Some(at_hand)) = (sizes.answers, &session.answers) else { return };
         let key = (*right.camera, world.generation, world.palette, at_hand.clone());
-        // Where a scene is too heavy to follow the hand, the grade waits until that rests.
-        if sizes.coarseness != Coarseness::NONE && !self.graded.knows(&key) {
+        // Grading traces by the student's program in many variants: it waits until the hand rests.
+        if sizes.under_hand && !self.graded.knows(&key) {
             return;
         }
         let count = &mut self.count;
         let graded = self.graded.get(key, |(camera, _, _, at_hand)| {
             *count += 1;
-            watched(watch, Work::Trace, || graded(document, camera, world, at_hand))
+            graded(document, camera, world, at_hand)
         });
         if let Ok(graded) = &graded {
             let items = session.settings.items;

@@ -39,6 +39,8 @@ pub struct ViewSizes {
     pub purpose: Purpose,
     /// How much is left out of new pictures of the scene.
     pub coarseness: Coarseness,
+    /// A hand moves what is seen: what takes long and can wait does.
+    pub under_hand: bool,
 }
 
 /// What pictures are for.

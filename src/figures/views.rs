@@ -50,6 +50,7 @@ pub fn of_view(
         style,
         purpose: Purpose::Figure { clear: transparent },
         coarseness: Coarseness::NONE,
+        under_hand: false,
     };
     let derived = Deriver::default().derive(document, session, &sizes);
     // A camera without a basis still stands in the world.

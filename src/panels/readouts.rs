@@ -48,6 +48,9 @@ impl NumberStyle {
     }
 }
 
+/// Hits need so much room, in points.
+const HITS: f32 = 280.0;
+
 /// Shows the three blocks side by side.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
@@ -64,16 +67,25 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                 });
                 ui.separator();
             };
+            // Without room for three columns, the ray stands below the basis.
+            let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
+            let seen = derived.inspection.as_ref().zip(derived.posed.as_ref());
             if let Some(posed) = &derived.posed {
                 block(ui, 110.0, &mut |ui| {
                     basis(ui, posed, derived.up_angle, style);
                     if let Some(steps) = derived.steps {
                         ui.weak(self::steps(steps));
                     }
+                    if let (true, Some((inspection, posed))) = (is_narrow, seen) {
+                        ui.add_space(6.0);
+                        ray(ui, inspection, posed, style);
+                    }
                 });
             }
-            if let (Some(inspection), Some(posed)) = (&derived.inspection, &derived.posed) {
-                block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
+            if let Some((inspection, posed)) = seen {
+                if !is_narrow {
+                    block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
+                }
                 ui.vertical(|ui| hits(ui, inspection, derived, document, style));
             }
         });

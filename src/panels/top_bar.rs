@@ -62,7 +62,8 @@ pub(crate) fn ui(
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
-        let changed = if open.has_changes() { " (changed)" } else { "" };
+        // As in the window's title.
+        let changed = if open.has_changes() { "*" } else { "" };
         let title = format!("{}{changed}", title_of(open.origin()));
         let shading = format!("Shade: {}", Shade::from(settings.shade).name());
         let after = [width_of(ui, &shading), width_of(ui, &title).min(TITLE)];

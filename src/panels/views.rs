@@ -1,13 +1,12 @@
 //! The two views: what the mouse and keys do in them, and putting the finished pictures there.
 
 use egui::{
-    Color32, EventFilter, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+    Color32, EventFilter, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::Action;
-use crate::coarseness::Coarseness;
-use crate::derive::{Derived, Purpose, Shown, ViewSizes};
+use crate::derive::{Derived, Shown, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
 use crate::letters::told;
@@ -36,12 +35,7 @@ pub(crate) const ANSWERS: &str = "Answers";
 pub(crate) const GHOST: &str = "Ghost";
 
 /// How large the views are, in physical pixels.
-pub(crate) fn sizes(
-    ui: &Ui,
-    places: &Places,
-    layout: ViewLayout,
-    coarseness: Coarseness,
-) -> ViewSizes {
+pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
     let physical = |rect: Rect| {
         let size = rect.size() * per_point;
@@ -58,8 +52,7 @@ pub(crate) fn sizes(
         answers: beside(ViewLayout::Answers),
         scale: per_point,
         style: look::style(ui),
-        purpose: Purpose::Window,
-        coarseness,
+        ..ViewSizes::default()
     }
 }
 
@@ -356,21 +349,21 @@ const MARK: f32 = 15.0;
 /// What drew a picture, written on it where that was not the ladder: at the bottom, where the picture
 /// has no marks of its own.
 pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
-    mark(ui, rect, text, |size| rect.bottom() - size.y);
+    mark(ui, rect, text, |size| pos2(rect.left(), rect.bottom() - size.y));
 }
 
-/// That a picture is coarser than it could be, written on its top.
+/// That a picture is coarser than it could be, in its other corner there.
 pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
-    mark(ui, rect, text, |_| rect.top());
+    mark(ui, rect, text, |size| rect.max - size);
 }
 
-/// Black text on amber at the left edge of a picture, from the top that `top_of` says for its size.
-fn mark(ui: &mut Ui, rect: Rect, text: &str, top_of: impl FnOnce(Vec2) -> f32) {
+/// Black text on amber, on a picture, with its top left corner where `corner` says for its size.
+fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) {
     let font = egui::FontId::proportional(MARK);
     let most = (rect.width() - 16.0).max(20.0);
     let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
     let size = galley.size() + vec2(16.0, 8.0);
-    let band = Rect::from_min_size(pos2(rect.left(), top_of(size)), size);
+    let band = Rect::from_min_size(corner(size), size);
     ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
     let inside = UiBuilder::new().max_rect(band.shrink2(vec2(8.0, 4.0)));
     ui.scope_builder(inside, |ui| {

@@ -191,7 +191,9 @@ impl Open {
         self.repaint_at = self.repaint_at.filter(|&at| at > began);
         let mut input = self.state.take_egui_input(&self.window);
         input.viewports.insert(ViewportId::ROOT, self.info.clone());
+        let zoom = self.ctx.zoom_factor();
         let mut output = self.ctx.run_ui(input, |ui| self.program.ui(ui));
+        self.keep_pointer(zoom);
         self.info.events.clear();
         let ui_done = began.elapsed();
         let commands = output
@@ -210,6 +212,17 @@ impl Open {
         self.paint(event_loop, output, began, ui_done, exposed)?;
         self.apply(commands);
         Ok(false)
+    }
+
+    /// After another zoom than before, the pointer is where it was on the screen: egui keeps its place
+    /// in points, until the mouse is moved.
+    fn keep_pointer(&mut self, before: f32) {
+        let ratio = before / self.ctx.zoom_factor();
+        if let (true, Some(place)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
+            let there = egui::Event::PointerMoved((ratio * place.to_vec2()).to_pos2());
+            self.state.egui_input_mut().events.push(there);
+            self.repaint_by(Instant::now());
+        }
     }
 
     /// Takes over the window's state.

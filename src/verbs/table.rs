@@ -183,7 +183,7 @@ fn playing() -> Vec<Verb> {
             [plain(Untyped, Key::Period)], Action::Play(PlayMove::Step(1));
         Play, "Step back", "Takes the open animation a step back.",
             [plain(Untyped, Key::Comma)], Action::Play(PlayMove::Step(-1));
-        Play, "Freeze the camera", "Makes the camera the ghost, to compare with.",
+        Play, "Freeze the camera as a ghost", "Makes the camera the ghost, to compare with.",
             [plain(Untyped, Key::G)], Action::Ghost(GhostMove::Freeze);
         Play, "Drop the ghost", "Takes the frozen camera away.",
             [key(Untyped, Modifiers::SHIFT, Key::G)], Action::Ghost(GhostMove::Drop);

@@ -22,6 +22,7 @@ const SIZES: ViewSizes = ViewSizes {
     style: Style::Light,
     purpose: Purpose::Window,
     coarseness: Coarseness::NONE,
+    under_hand: false,
 };
 
 fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {

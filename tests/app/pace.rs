@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::accesskit::Role;
-use egui::{ColorImage, Event, Modifiers, PointerButton, Pos2, vec2};
+use egui::{ColorImage, Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
@@ -14,7 +14,7 @@ use pinhole_core::{DVec3, Orientation};
 
 use crate::harness::{says, window};
 
-const TOLD: &str = "coarser while it moves: 1 row and column of 8 is traced";
+const TOLD: &str = "coarser while it moves: every 8th row and column";
 
 const COARSE: [Coarseness; 2] = [Coarseness::MOST, Coarseness::NONE];
 
@@ -92,17 +92,42 @@ fn under_the_hand_the_picture_is_coarse_and_at_rest_it_is_fine() {
 
 #[test]
 fn the_observer_in_the_hand_makes_the_world_view_coarse_alone() {
-    let mut window = heavy();
-    let from = middle_of(&window, "World view") + vec2(0.0, 150.0);
-    press(&mut window, from, PointerButton::Primary, true);
-    window.event(Event::PointerMoved(from + vec2(40.0, 0.0)));
-    window.step();
-    window.event(Event::PointerMoved(from + vec2(60.0, 0.0)));
-    window.step();
+    let (mut window, mut patient) = (heavy(), heavy());
+    patient.state_mut().follow_within(Duration::MAX);
+    // Beside every object, of which the pointer would show handles.
+    let from = window.get_by_role_and_label(Role::Image, "World view").rect().left_bottom();
+    let from = from + vec2(12.0, -12.0);
+    for window in [&mut window, &mut patient] {
+        press(window, from, PointerButton::Primary, true);
+        for x in [40.0, 60.0] {
+            window.event(Event::PointerMoved(from + vec2(x, 0.0)));
+            window.step();
+        }
+    }
     assert_eq!(coarseness(&window), [Coarseness::NONE, Coarseness::MOST]);
     assert!(says(&window, TOLD));
-    press(&mut window, from + vec2(60.0, 0.0), PointerButton::Primary, false);
+    for window in [&mut window, &mut patient] {
+        press(window, from + vec2(60.0, 0.0), PointerButton::Primary, false);
+        window.run();
+    }
+    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    let image =
+        |w: &Harness<'_, App>| w.state().derived().world_view.clone().map(|view| view.image);
+    assert!(image(&window) == image(&patient), "the world view stays coarse");
+}
+
+#[test]
+fn an_animation_that_stands_still_is_fine() {
+    let mut window = heavy();
+    window.get_by_role_and_label(Role::Button, "Play").click();
     window.run();
+    window.get_by_label("Orbit the camera round at").click();
+    window.run();
+    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    let before = window.state().document().camera;
+    window.key_press(Key::Period);
+    window.run();
+    assert_ne!(window.state().document().camera, before);
     assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
 }
 

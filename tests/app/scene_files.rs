@@ -38,7 +38,7 @@ fn a_scene_is_edited_and_saved_as_a_file() {
     assert_eq!(saved, *window.state().document());
     assert_says(&window, "mine.toml");
     type_into(&mut window, "eye x", "0.5");
-    assert_says(&window, "mine.toml (changed)");
+    assert_says(&window, "mine.toml*");
     ctrl(&mut window, egui::Key::S);
     assert_eq!(scene_file::load(&path).unwrap().camera.eye.x, 0.5);
 }
