@@ -117,8 +117,11 @@ impl Sight<'_> {
             let slack = self.slack(t.abs() * self.length) + rounding;
             let wide = quadratic.roots(radius + slack)?;
             let narrow = (radius > slack).then(|| quadratic.roots(radius - slack)).flatten();
-            let inner = narrow.map_or(quadratic.vertex, |roots| roots[end]);
-            let (least, most) = (wide[end].min(inner), wide[end].max(inner));
+            // Missed, it is touched: both roots are there, but for the rounding of t itself.
+            let touched = quadratic.vertex;
+            let along = self.slack(touched.abs());
+            let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
+            let (least, most) = (wide[end].min(inner[0]), wide[end].max(inner[1]));
             Some(Meeting { object: index, t, least, most, is_sure: narrow.is_some() })
         };
         let (Some(near), Some(far)) = (at(0), at(1)) else { return };

@@ -1,6 +1,8 @@
 //! Answers of a student's own programs, right ones and wrong ones.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "grading/grazing.rs"]
+mod grazing;
 #[path = "grading/pictures.rs"]
 mod pictures;
 #[path = "grading/random.rs"]
@@ -337,34 +339,6 @@ fn many_spheres_are_graded_as_few_are() {
         assert_eq!(hits(&[mistake]), [[mistake]]);
     }
     assert_eq!(hits(&["distance-dropped", "far-root"]), [["distance-dropped", "far-root"]]);
-}
-
-#[test]
-fn where_a_hair_decides_neither_side_is_wrong() {
-    // The lecture's sphere, touched exactly by the rays of row 0: D is 0, or what rounding makes of it.
-    let exercise = Exercise {
-        eye: [0.0; 3],
-        at: [0.0, 0.0, -1.0],
-        up: [0.0, 1.0, 0.0],
-        viewport: [2.0, 2.0, 1.0],
-        image: [1, 1],
-        spheres: vec![([1.0, 0.0, -7.0], 1.0), ([0.0, 0.0, -9.0], 1.0)],
-        planes: vec![],
-    };
-    let pixel = Pixel { row: 0, column: 0 };
-    let say = |hit: Option<(f64, u32)>| {
-        let hit = hit.map(|(t, object)| GivenHit {
-            t: Some(Written::exactly(t)),
-            point: None,
-            object: Some(object),
-        });
-        graded(&exercise, &Answers::Hits(vec![HitAnswer { pixel, hit }])).all_agree()
-    };
-    assert!(say(Some((7.0, 0))), "the sphere that is touched");
-    assert!(say(Some((8.0, 1))), "what is behind it");
-    assert!(!say(None), "that there is nothing at all");
-    assert!(!say(Some((10.0, 1))), "the far side of what is behind it");
-    assert!(!say(Some((8.0, 0))));
 }
 
 #[test]

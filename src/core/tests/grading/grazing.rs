@@ -1,0 +1,60 @@
+//! Answers where a ray grazes a sphere.
+
+use super::*;
+
+#[test]
+fn where_a_hair_decides_neither_side_is_wrong() {
+    // The lecture's sphere, touched exactly by the rays of row 0: D is 0, or what rounding makes of it.
+    let exercise = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [2.0, 2.0, 1.0],
+        image: [1, 1],
+        spheres: vec![([1.0, 0.0, -7.0], 1.0), ([0.0, 0.0, -9.0], 1.0)],
+        planes: vec![],
+    };
+    let pixel = Pixel { row: 0, column: 0 };
+    let say = |hit: Option<(f64, u32)>| {
+        let hit = hit.map(|(t, object)| GivenHit {
+            t: Some(Written::exactly(t)),
+            point: None,
+            object: Some(object),
+        });
+        graded(&exercise, &Answers::Hits(vec![HitAnswer { pixel, hit }])).all_agree()
+    };
+    for t in [7.0, 7.0 * (1.0 + 1e-7), 7.0 * (1.0 - 1e-7)] {
+        assert!(say(Some((t, 0))), "the sphere that is touched, as t = {t}");
+    }
+    assert!(!say(Some((7.001, 0))), "what is behind where it is touched");
+    assert!(say(Some((8.0, 1))), "what is behind it");
+    assert!(!say(None), "that there is nothing at all");
+    assert!(!say(Some((10.0, 1))), "the far side of what is behind it");
+    assert!(!say(Some((8.0, 0))));
+}
+
+#[test]
+fn single_precision_is_enough_at_every_pixel_of_an_ordinary_scene() {
+    // Some of these rays graze a sphere so closely that D is 0 in `f32`, or on its other side.
+    let distance_two = Exercise {
+        eye: [0.0; 3],
+        at: [0.0, 0.0, -1.0],
+        up: [0.0, 1.0, 0.0],
+        viewport: [1.0, 1.0, 2.0],
+        image: [400, 400],
+        spheres: vec![([-0.5, 0.4, -5.0], 0.6), ([0.5, 0.6, -4.5], 0.25)],
+        planes: vec![([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])],
+    };
+    let moved_eye = Exercise {
+        eye: [0.5, 0.4, 1.0],
+        at: [0.5, 0.4, 0.0],
+        viewport: [1.0; 3],
+        spheres: vec![([0.0, 0.0, -5.0], 1.0), ([-1.2, 0.9, -4.0], 0.5)],
+        ..distance_two.clone()
+    };
+    for exercise in [distance_two, moved_eye] {
+        let student = single::Student { exercise: &exercise, mistakes: &[] };
+        assert_right(&exercise, &Answers::Rays(student.rays()));
+        assert_right(&exercise, &Answers::Hits(student.hits()));
+    }
+}
