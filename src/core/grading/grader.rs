@@ -4,11 +4,15 @@ use std::cmp::Reverse;
 
 use super::answers::{Answers, HitAnswer, Kind, Measured, RayAnswer};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
+use super::digits::Precision;
 use super::given::Given;
 use super::hits::{Hits, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
 use super::vectors::{Rays, Vectors};
-use super::{Digits, Grade, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst};
+use super::{
+    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
+    digits_wanted,
+};
 use crate::camera::CameraError;
 use crate::image::Pixel;
 use crate::shade::{Rgb, Shade};
@@ -44,12 +48,53 @@ impl<'a> Grader<'a> {
     }
 
     pub(super) fn grade(&self) -> Grade {
-        match self.answers {
+        let grade = match self.answers {
             Answers::Basis(vectors) => self.basis(vectors),
             Answers::Rays(rays) => self.rays(rays),
             Answers::Hits(hits) => self.hits(hits),
             Answers::Picture(pixels) => self.picture(pixels),
+        };
+        if grade.all_agree() || !grade.diagnosis.mistakes.is_empty() {
+            return grade;
         }
+        Grade { right_digits: self.right_digits(), ..grade }
+    }
+
+    /// To how many digits the answers are right, if they all are as far as they are written, and these
+    /// are too few.
+    fn right_digits(&self) -> Option<u32> {
+        let (answers, digits) = Precision::of(self.answers)?.allowed(self.answers);
+        let too_few = 1..digits_wanted(self.tolerance) as i32;
+        if !too_few.contains(&digits) {
+            return None;
+        }
+        let Grader { tolerance, .. } = *self;
+        let written = Digits::as_written();
+        let judged = match &answers {
+            Answers::Basis(answers) => {
+                Vectors { answers, tolerance, digits: written }.judged(&self.given)
+            }
+            Answers::Rays(rays) => self.of_rays(rays, written).judged(&self.given),
+            Answers::Hits(hits) => {
+                let fits =
+                    Hits { answers: hits, scene: self.truth.scene, tolerance, digits: written };
+                fits.judged(&self.given, &self.first_of(hits))
+            }
+            Answers::Picture(_) => return None,
+        };
+        judged.iter().all(|judged| judged.is_right).then_some(digits as u32)
+    }
+
+    fn of_rays<'b>(&self, answers: &'b [RayAnswer], digits: Digits) -> Rays<'b> {
+        let posed = &self.given.posed;
+        let (size, image) = (posed.viewport().distance, posed.image());
+        Rays { answers, tolerance: self.tolerance, digits, size, image }
+    }
+
+    /// What the rays of these answers hit first.
+    fn first_of(&self, hits: &[HitAnswer]) -> Vec<Option<Hit>> {
+        let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
+        truth_of(self.truth, &self.given.posed, &pixels)
     }
 
     fn basis(&self, vectors: &[Measured; 3]) -> Grade {
@@ -61,10 +106,9 @@ impl<'a> Grader<'a> {
     }
 
     fn rays(&self, rays: &[RayAnswer]) -> Grade {
-        let Grader { tolerance, digits, .. } = *self;
         let posed = &self.given.posed;
-        let (size, image) = (posed.viewport().distance, posed.image());
-        let fits = Rays { answers: rays, tolerance, digits, size, image };
+        let image = posed.image();
+        let fits = self.of_rays(rays, self.digits);
         let right = |index: usize| match rays[index].pixel {
             pixel if image.contains(pixel) => Right::Ray(posed.ray_of_pixel(pixel)),
             _ => Right::NoPixel,
@@ -76,9 +120,8 @@ impl<'a> Grader<'a> {
         let Grader { tolerance, digits, .. } = *self;
         let image = self.given.posed.image();
         let fits = Hits { answers: hits, scene: self.truth.scene, tolerance, digits };
-        let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
-        let first = truth_of(self.truth, &self.given.posed, &pixels);
-        let right = |index: usize| match pixels[index] {
+        let first = self.first_of(hits);
+        let right = |index: usize| match hits[index].pixel {
             pixel if image.contains(pixel) => Right::Hit(first[index]),
             _ => Right::NoPixel,
         };
@@ -135,7 +178,8 @@ impl<'a> Grader<'a> {
         let worst =
             worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
         let (kind, tolerance) = (self.answers.kind(), self.tolerance);
-        Grade { kind, tolerance, is_right, worst, shade: None, diagnosis }
+        let (shade, right_digits, unanswered) = (None, None, 0);
+        Grade { kind, tolerance, is_right, worst, shade, diagnosis, right_digits, unanswered }
     }
 }
 

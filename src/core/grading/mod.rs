@@ -28,6 +28,7 @@
 
 mod answers;
 mod diagnosis;
+mod digits;
 mod given;
 mod grader;
 mod hits;
@@ -84,6 +85,12 @@ pub struct Grade {
     pub shade: Option<Shade>,
     /// What explains the wrong ones.
     pub diagnosis: Diagnosis,
+    /// To how many digits the answers are right, as far as they are written, where that is all that is
+    /// wrong with them: at least one, and fewer than [`Grade::digits_wanted`].
+    pub right_digits: Option<u32>,
+    /// Pixels without an answer, where each of them counts as a wrong one:
+    /// [`Grade::counting_unanswered`].
+    pub unanswered: usize,
 }
 
 /// The answer that is farthest off: a wrong one, where there is any.
@@ -140,15 +147,25 @@ impl Digits {
         Digits((tolerance / RELATIVE_TOLERANCE).min(1.0))
     }
 
+    /// All of it.
+    fn as_written() -> Digits {
+        Digits(1.0)
+    }
+
     fn of(self, rounding: f64) -> f64 {
         self.0 * rounding
     }
 }
 
 impl Grade {
-    /// How many answers there are.
+    /// The grade with so many pixels counted as wrong answers, as they have none.
+    pub fn counting_unanswered(self, unanswered: usize) -> Grade {
+        Grade { unanswered, ..self }
+    }
+
+    /// How many answers there are, or should be.
     pub fn answers(&self) -> usize {
-        self.is_right.len()
+        self.is_right.len() + self.unanswered
     }
 
     /// How many of them are right.
@@ -158,21 +175,42 @@ impl Grade {
 
     /// Whether all are.
     pub fn all_agree(&self) -> bool {
-        self.is_right.iter().all(|is_right| *is_right)
+        self.agree() == self.answers()
     }
 
-    /// What to look at, a sentence for each mistake; that no known mistake explains the answers; or
-    /// that all of them agree.
-    pub fn advice(&self) -> String {
-        if self.all_agree() {
-            return "All answers agree.".to_owned();
-        }
-        if self.diagnosis.mistakes.is_empty() {
-            return "No known mistake explains this.".to_owned();
-        }
-        let sentences = self.diagnosis.mistakes.iter().map(|mistake| mistake.advice());
-        sentences.collect::<Vec<_>>().join(" ")
+    /// How many significant digits an answer should have: six, or more for a stricter tolerance.
+    pub fn digits_wanted(&self) -> u32 {
+        digits_wanted(self.tolerance)
     }
+
+    /// What to look at, a sentence for each mistake; that there are too few digits, or that no known
+    /// mistake explains the answers; or that all of them agree.
+    pub fn advice(&self) -> String {
+        let all_given_agree = self.agree() == self.is_right.len();
+        match (self.right_digits, &self.diagnosis.mistakes[..]) {
+            _ if self.all_agree() => "All answers agree.".to_owned(),
+            _ if all_given_agree => "All answers that are given agree.".to_owned(),
+            (Some(digits), []) => {
+                let wanted = match self.digits_wanted() {
+                    6 => "six".to_owned(),
+                    wanted => wanted.to_string(),
+                };
+                let plural = if digits == 1 { "" } else { "s" };
+                format!("The answers are right to {digits} digit{plural}; write at least {wanted}.")
+            }
+            (None, []) => "No known mistake explains this.".to_owned(),
+            (_, mistakes) => {
+                let sentences = mistakes.iter().map(|mistake| mistake.advice());
+                sentences.collect::<Vec<_>>().join(" ")
+            }
+        }
+    }
+}
+
+/// So many digits that half a unit of the last one is within the tolerance.
+fn digits_wanted(tolerance: f64) -> u32 {
+    let digits = (1.0 - tolerance.max(f64::EPSILON).log10() - 1e-9).ceil();
+    digits.clamp(6.0, 17.0) as u32
 }
 
 /// Grades answers, within a tolerance: a share, or levels of 255 for a picture; the usual one of

@@ -268,7 +268,10 @@ fn numbers_of_six_digits_are_right_and_fewer_are_not() {
         other => other,
     };
     let [_, _, hits] = written(3);
-    assert!(!graded(&exercise, &without_digits(&hits)).all_agree());
+    let few = graded(&exercise, &without_digits(&hits));
+    assert!(!few.all_agree());
+    assert_eq!((few.right_digits, &few.diagnosis.mistakes[..]), (Some(3), &[][..]));
+    assert_eq!(few.advice(), "The answers are right to 3 digits; write at least six.");
 }
 
 #[test]
