@@ -10,6 +10,7 @@ use pinhole_core::{
 use super::sheet::n;
 use super::{Format, Taken, Text, Written};
 use crate::document::Item;
+use crate::formats::FileError;
 
 /// Where a camera stands and how it is turned, as read: right, up and backwards of any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +27,7 @@ impl Stance {
     /// # Errors
     /// What is wrong with the three, as "up and backwards are parallel".
     pub(crate) fn orientation(&self, notes: &mut Vec<String>) -> Result<Orientation, String> {
-        let Stance { right, up, backwards, .. } = *self;
+        let [right, up, backwards] = [self.right, self.up, self.backwards].map(without_noise);
         if let Ok(basis) = Basis::by_hand(right, up, backwards) {
             return Ok(Orientation::Basis(basis));
         }
@@ -138,16 +139,65 @@ pub(crate) fn upright(degrees: f64, aspect: f64, distance: f64) -> Viewport {
     Viewport { width: in_ratio(height, aspect), height, distance }
 }
 
+/// An axis whose parts that are a rounding from -1, 0 or 1 of its length are just that.
+fn without_noise(axis: DVec3) -> DVec3 {
+    let roundings = 4.0 * f64::EPSILON;
+    let length = axis.length();
+    DVec3::from_array(axis.to_array().map(|x| match (x / length).round() * length {
+        whole if (x - whole).abs() <= roundings * length => settled(x, roundings * length),
+        _ => x,
+    }))
+}
+
+/// Those of a text's objects that could be read; of the others a note says how many there are, and
+/// what is wrong with the first: no object spoils the camera.
+pub(crate) fn readable<T>(
+    objects: impl IntoIterator<Item = Result<T, FileError>>,
+    what: &str,
+    notes: &mut Vec<String>,
+) -> Vec<T> {
+    let mut faults = Vec::new();
+    let read = objects.into_iter().filter_map(|object| object.map_err(|e| faults.push(e)).ok());
+    let read = read.collect();
+    if let Some(first) = faults.first() {
+        let line = first.place.map(|place| format!("line {}: ", place.line));
+        let line = line.unwrap_or_default();
+        notes.push(format!("{} of {what} left out: {line}{}", faults.len(), first.problem));
+    }
+    read
+}
+
 /// The image of `height` rows that has this ratio of width to height.
-pub(crate) fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
+fn image_of_height(height: u32, aspect: f64) -> Option<ImageSize> {
     let width = (f64::from(height) * aspect).round();
     (1.0..=f64::from(ImageSize::MAX))
         .contains(&width)
         .then(|| ImageSize::new(width as u32, height).ok())?
 }
 
+/// An image near the one at hand whose sides have this ratio, so that its pixels are square: as high
+/// or as wide, else by tens of pixels, else any. A ratio may have been rounded to a float.
+fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
+    let (w, h) = (at_hand.width(), at_hand.height());
+    let by_height = |height: u32, off: f64| {
+        image_of_height(height, aspect).filter(|image| (image.aspect() / aspect - 1.0).abs() <= off)
+    };
+    let are_tens = |image: &ImageSize| image.width() % 10 == 0 && image.height() % 10 == 0;
+    [1e-12, 1e-6].into_iter().find_map(|off| {
+        let as_wide = (f64::from(w) / aspect).round().clamp(1.0, f64::from(ImageSize::MAX)) as u32;
+        let as_wide = || by_height(as_wide, off).filter(are_tens);
+        let mut heights: Vec<u32> = (1..=h.saturating_mul(2)).collect();
+        heights.sort_by_key(|height| height.abs_diff(h));
+        let near = || heights.iter().filter_map(|height| by_height(*height, off));
+        by_height(h, off)
+            .or_else(as_wide)
+            .or_else(|| near().find(are_tens))
+            .or_else(|| near().next())
+    })
+}
+
 /// The image where a format gives the ratio of its sides and no more: that at hand if it has this
-/// ratio, else one as high.
+/// ratio, else one near it.
 pub(crate) fn image_of_aspect(
     at_hand: ImageSize,
     aspect: f64,
@@ -156,7 +206,9 @@ pub(crate) fn image_of_aspect(
 ) -> ImageSize {
     let image = match (at_hand.aspect() - aspect).abs() <= 1e-9 * aspect {
         true => at_hand,
-        false => image_of_height(at_hand.height(), aspect).unwrap_or(at_hand),
+        false => image_in_ratio(at_hand, aspect)
+            .or_else(|| image_of_height(at_hand.height(), aspect))
+            .unwrap_or(at_hand),
     };
     let (w, h) = (image.width(), image.height());
     notes.push(format!("{program} does not say how many pixels there are: {w} × {h} taken"));

@@ -4,8 +4,8 @@
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Sphere, Viewport};
 
 use super::affine::Affine;
-use super::back::{extent, image_of, in_ratio, shortest_where};
-use super::code::{Code, Comments};
+use super::back::{extent, image_of, in_ratio, readable, shortest_where};
+use super::code::{Code, Comments, Piece};
 use super::gltf::placed;
 use super::sheet::{Sheet, commas, light, n, quotable, real};
 use super::subject::square_note;
@@ -146,7 +146,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let (orientation, eye) = placed(&frame(&code)?, &mut notes)
         .map_err(|right| code.rotation("matrix_world", &right))?;
     let mut taken = Taken::camera(Camera { eye, orientation, viewport, image }, notes);
-    spheres(&code, &mut taken)?;
+    spheres(&code, &mut taken);
     Ok(taken)
 }
 
@@ -231,8 +231,8 @@ fn frame(code: &Code) -> Result<Affine, FileError> {
     Ok(turned)
 }
 
-fn spheres(code: &Code, taken: &mut Taken) -> Result<(), FileError> {
-    for call in code.calls("primitive_uv_sphere_add") {
+fn spheres(code: &Code, taken: &mut Taken) {
+    let sphere = |call: Piece<'_>| {
         let parts = super::code::split(call);
         let argument = |name: &str| {
             parts.iter().find_map(|part| {
@@ -247,11 +247,12 @@ fn spheres(code: &Code, taken: &mut Taken) -> Result<(), FileError> {
             return Err(code.fault("radius", call, "it must be greater than 0"));
         }
         let shape = Sphere { center: center.unwrap_or_default(), radius };
-        taken.spheres.push(Item { name: None, color: None, shape });
-    }
+        Ok(Item { name: None, color: None, shape })
+    };
+    let spheres = code.calls("primitive_uv_sphere_add").into_iter().map(sphere);
+    taken.spheres = readable(spheres, "primitive_uv_sphere_add", &mut taken.notes);
     let planes = code.calls("primitive_plane_add").len();
     if planes > 0 {
         taken.notes.push(format!("{planes} squares left out: Pinhole's planes have no end"));
     }
-    Ok(())
 }

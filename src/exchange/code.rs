@@ -24,6 +24,8 @@ pub(crate) struct Code<'a> {
     path: &'a Path,
     text: &'a str,
     plain: String,
+    /// Where each bracket opens and closes, in order.
+    brackets: Vec<(usize, usize)>,
 }
 
 /// A part of a text.
@@ -39,7 +41,8 @@ impl<'a> Code<'a> {
         if comments == Comments::SlashesAndAngles {
             plain = plain.replace('<', "[").replace('>', "]");
         }
-        Code { path: text.path, text: text.text, plain }
+        let brackets = matched(&plain);
+        Code { path: text.path, text: text.text, plain, brackets }
     }
 
     /// The whole text.
@@ -78,54 +81,88 @@ impl<'a> Code<'a> {
     }
 
     pub(crate) fn calls_in<'t>(&self, within: Piece<'t>, name: &str) -> Vec<Piece<'t>> {
-        let found = words(within, name).into_iter();
-        found.filter_map(|at| bracketed(after_spaces(within.from(at + name.len())))).collect()
+        let mut calls = Vec::new();
+        let mut from = 0;
+        for at in words(within, name) {
+            let open = after_spaces(within.from(at + name.len()));
+            // A call within the same one is an argument of it.
+            if at >= from
+                && let Some(inside) = self.bracketed(open)
+            {
+                from = inside.at + inside.text.len() - within.at;
+                calls.push(inside);
+            }
+        }
+        calls
+    }
+
+    /// What stands between the bracket with which the piece begins and the one that closes it.
+    pub(crate) fn bracketed<'t>(&self, piece: Piece<'t>) -> Option<Piece<'t>> {
+        let found = self.brackets.binary_search_by_key(&piece.at, |(open, _)| *open).ok()?;
+        let end = self.brackets[found].1 - piece.at;
+        Some(Piece { text: piece.text.get(..=end)?.get(1..end)?, at: piece.at + 1 })
     }
 
     /// The value that a name is given last: `name = value`, up to the end of the statement.
     pub(crate) fn value(&self, name: &str) -> Option<Piece<'_>> {
-        self.values(name).pop()
+        let whole = self.whole();
+        words(whole, name).into_iter().rev().find_map(|at| assigned(whole.from(at + name.len())))
     }
 
     /// The value that a name is given first.
     pub(crate) fn first_value(&self, name: &str) -> Option<Piece<'_>> {
-        self.values(name).into_iter().next()
-    }
-
-    fn values(&self, name: &str) -> Vec<Piece<'_>> {
         let whole = self.whole();
-        let values = words(whole, name).into_iter().filter_map(|at| {
-            let rest = after_spaces(whole.from(at + name.len()));
-            let value = rest.text.strip_prefix(['=', ':'])?;
-            let value = after_spaces(Piece { text: value, at: rest.at + 1 });
-            (!value.text.starts_with('=')).then(|| statement(value))
-        });
-        values.collect()
+        words(whole, name).into_iter().find_map(|at| assigned(whole.from(at + name.len())))
     }
 
     /// Every number of a value, brackets and names such as `vec3` or `np.array` regardless.
     pub(crate) fn numbers(&self, field: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
         let mut numbers = Vec::new();
-        self.collect(field, trimmed(piece), &mut numbers)?;
+        self.collect(field, trimmed(piece), DEEPEST, &mut numbers)?;
         Ok(numbers)
     }
 
-    fn collect(&self, field: &str, piece: Piece, into: &mut Vec<f64>) -> Result<(), FileError> {
-        if let Some(inside) = list_in(piece) {
+    fn collect(
+        &self,
+        field: &str,
+        piece: Piece,
+        depth: usize,
+        into: &mut Vec<f64>,
+    ) -> Result<(), FileError> {
+        let Some(deeper) = depth.checked_sub(1) else {
+            return Err(self.fault(field, piece, "its brackets are too many"));
+        };
+        if let Some(inside) = self.list_in(piece) {
             for part in split(inside) {
-                self.collect(field, part, into)?;
+                self.collect(field, part, deeper, into)?;
             }
             return Ok(());
         }
         let parts = split(piece);
         if parts.len() > 1 {
-            return parts.into_iter().try_for_each(|part| self.collect(field, part, into));
+            return parts.into_iter().try_for_each(|part| self.collect(field, part, deeper, into));
         }
         match number(piece.text) {
             Some(number) => into.push(number),
             None => return Err(self.fault(field, piece, "it must be a finite number")),
         }
         Ok(())
+    }
+
+    /// What is in a list, be it `[1, 2]`, `(1, 2)`, `vec3(1, 2)` or `np.array([1, 2])`.
+    fn list_in<'t>(&self, piece: Piece<'t>) -> Option<Piece<'t>> {
+        let open = piece.text.find(['(', '[', '{'])?;
+        let name = piece.text[..open].trim();
+        let is_name = name.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c));
+        let short = name.rsplit(['.', ':']).next().unwrap_or_default();
+        if !is_name || FUNCTIONS.contains(&short) {
+            return None;
+        }
+        let inside = self.bracketed(piece.from(open))?;
+        let closed = inside.at + inside.text.len() + 1 == piece.at + piece.text.len();
+        // Brackets round a sum, as in (1 + 2) / 3, are none of a list.
+        let is_sum = name.is_empty() && !inside.text.contains([',', '[', '(']);
+        (closed && (!is_sum || number(inside.text).is_some())).then_some(inside)
     }
 
     pub(crate) fn number(&self, field: &str, piece: Piece) -> Result<f64, FileError> {
@@ -198,23 +235,36 @@ pub(crate) fn split(piece: Piece) -> Vec<Piece> {
     parts
 }
 
-/// What stands between the bracket with which the piece begins and the one that closes it.
-pub(crate) fn bracketed(piece: Piece) -> Option<Piece> {
-    let mut depth = 0_i32;
-    if !piece.text.starts_with(['(', '[', '{']) {
-        return None;
+/// Where each bracket opens and closes, in order, in one pass over the text.
+fn matched(text: &str) -> Vec<(usize, usize)> {
+    let mut open: Vec<(u8, usize)> = Vec::new();
+    let mut pairs = Vec::new();
+    for (at, byte) in text.bytes().enumerate() {
+        // A smaller one that is left open ends with the larger one around it: it may be a sign, as in
+        // (a < b).
+        let (own, smaller): (u8, &[u8]) = match byte {
+            b'(' | b'[' | b'{' => {
+                open.push((byte, at));
+                continue;
+            }
+            b']' => (b'[', b""),
+            b')' => (b'(', b"["),
+            b'}' => (b'{', b"[("),
+            _ => continue,
+        };
+        while open.pop_if(|(kind, _)| smaller.contains(kind)).is_some() {}
+        pairs.extend(open.pop_if(|(kind, _)| *kind == own).map(|(_, from)| (from, at)));
     }
-    for (at, c) in piece.text.char_indices() {
-        match c {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth -= 1,
-            _ => (),
-        }
-        if depth == 0 {
-            return Some(Piece { text: &piece.text[1..at], at: piece.at + 1 });
-        }
-    }
-    None
+    pairs.sort_unstable();
+    pairs
+}
+
+/// `= value` or `: value`, up to the end of the statement.
+fn assigned(rest: Piece) -> Option<Piece> {
+    let rest = after_spaces(rest);
+    let value = rest.text.strip_prefix(['=', ':'])?;
+    let value = after_spaces(Piece { text: value, at: rest.at + 1 });
+    (!value.text.starts_with('=')).then(|| statement(value))
 }
 
 /// Where a word stands that is no part of a longer one.
@@ -249,27 +299,14 @@ fn statement(value: Piece) -> Piece {
     trimmed(value)
 }
 
+/// A list in a list in a list: no camera has more of them.
+const DEEPEST: usize = 16;
+
 /// Words before a bracket that belong to the number: all others are kinds of list.
 const FUNCTIONS: [&str; 12] = [
     "sqrt", "sin", "cos", "tan", "atan", "asin", "acos", "double", "float", "radians", "deg2rad",
     "Float64",
 ];
-
-/// What is in a list, be it `[1, 2]`, `(1, 2)`, `vec3(1, 2)` or `np.array([1, 2])`.
-fn list_in(piece: Piece) -> Option<Piece> {
-    let open = piece.text.find(['(', '[', '{'])?;
-    let name = piece.text[..open].trim();
-    let is_name = name.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c));
-    let short = name.rsplit(['.', ':']).next().unwrap_or_default();
-    if !is_name || FUNCTIONS.contains(&short) {
-        return None;
-    }
-    let inside = bracketed(piece.from(open))?;
-    let closed = inside.at + inside.text.len() + 1 == piece.at + piece.text.len();
-    // Brackets round a sum, as in (1 + 2) / 3, are none of a list.
-    let is_sum = name.is_empty() && !inside.text.contains([',', '[', '(']);
-    (closed && (!is_sum || number(inside.text).is_some())).then_some(inside)
-}
 
 /// A number of code: `1`, `1.0f`, `16.0 / 9.0`, `double(400)`, `math.radians(45)`.
 pub(crate) fn number(text: &str) -> Option<f64> {
@@ -316,8 +353,8 @@ fn without_comments(text: &str, comments: Comments) -> String {
             end.map_or(rest.len(), |end| end + 4)
         } else if matches!(rest[0], b'"' | b'\'') {
             // No comment begins within a string of one line.
-            let line = rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len());
-            let end = rest[1..line].iter().position(|b| *b == rest[0]);
+            let end = rest[1..].iter().position(|b| *b == rest[0] || *b == b'\n');
+            let end = end.filter(|end| rest[end + 1] == rest[0]);
             at += end.map_or(1, |end| end + 2);
             continue;
         } else {

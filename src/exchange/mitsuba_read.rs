@@ -4,7 +4,7 @@ use pinhole_core::{Camera, DVec3, Orientation, Plane, Sphere, Viewport};
 use roxmltree::{Document as Xml, Node};
 
 use super::affine::Affine;
-use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
+use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio, readable};
 use super::code::{error_at, number};
 use super::sheet::{byte_of_light, n};
 use super::{Taken, Text};
@@ -18,7 +18,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         let problem = format!("no XML: {error}");
         FileError { place: Some(place), ..FileError::of_file(text.path, problem) }
     })?;
-    let file = File { text };
+    let file = File::of(text, &xml);
     let mut notes = Vec::new();
     let sensor = xml.descendants().find(|node| node.has_tag_name("sensor"));
     let sensor = sensor.ok_or_else(|| {
@@ -50,7 +50,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         }
     }
     let (orientation, eye, mirrored) = pose(&file, sensor, &mut notes)?;
-    let (mut spheres, mut planes) = shapes(&file, &xml, &mut notes)?;
+    let (mut spheres, mut planes) = shapes(&file, &xml, &mut notes);
     if mirrored {
         notes.push(MIRRORED.to_owned());
         (spheres, planes) = (spheres.mirrored(), planes.mirrored());
@@ -108,7 +108,8 @@ fn viewport(
     if !(fov > 0.0 && fov < 180.0) {
         return Err(file.fault(node, "fov", &n(fov), "it must be between 0 and 180 degrees"));
     }
-    let axis = named(sensor, "fov_axis").and_then(|node| node.attribute("value")).unwrap_or("x");
+    let axis = named(sensor, "fov_axis").map(|node| file.attribute(node, "value"));
+    let axis = axis.as_deref().unwrap_or("x");
     let aspect = image.aspect();
     let across = extent(fov, distance);
     let is_wide = aspect >= 1.0;
@@ -135,49 +136,52 @@ fn viewport(
 
 type Shapes = (Vec<Item<Sphere>>, Vec<Item<Plane>>);
 
-fn shapes(file: &File, xml: &Xml, notes: &mut Vec<String>) -> Result<Shapes, FileError> {
-    let (mut spheres, mut planes) = (Vec::new(), Vec::new());
-    for shape in xml.descendants().filter(|node| node.has_tag_name("shape")) {
-        let to_world = file.transform(named(shape, "to_world"))?;
-        let color = shape.descendants().find(|node| node.has_tag_name("rgb")).and_then(rgb);
-        match shape.attribute("type").unwrap_or_default() {
-            "sphere" => {
-                let center = named(shape, "center").map(|node| file.point(node)).transpose()?;
-                let radius = named(shape, "radius").map(|node| file.number(node)).transpose()?;
-                let Some(scale) = to_world.scale() else {
-                    notes.push("a sphere that is scaled to an ellipsoid is left out".to_owned());
-                    continue;
-                };
-                let center = to_world.point(center.unwrap_or_default());
-                let radius = radius.unwrap_or(1.0) * scale;
-                if radius <= 0.0 {
-                    return Err(file.fault(
-                        shape,
-                        "radius",
-                        &n(radius),
-                        "it must be greater than 0",
-                    ));
-                }
-                spheres.push(Item { name: None, color, shape: Sphere { center, radius } });
-            }
-            "rectangle" | "disk" => {
-                let normal = to_world.x.cross(to_world.y);
-                planes.push(Item {
-                    name: None,
-                    color,
-                    shape: Plane { point: to_world.at, normal },
-                });
-                notes.push("a rectangle or disk is taken as a plane, which has no end".to_owned());
-            }
-            other => notes.push(format!("{other} is left out: Pinhole has spheres and planes")),
-        }
-    }
-    notes.dedup();
-    Ok((spheres, planes))
+fn shapes(file: &File, xml: &Xml, notes: &mut Vec<String>) -> Shapes {
+    let mut shapes = (Vec::new(), Vec::new());
+    let mut left = Vec::new();
+    let nodes = xml.descendants().filter(|node| node.has_tag_name("shape"));
+    let read: Vec<_> = nodes.map(|node| shape(file, node, &mut shapes, &mut left)).collect();
+    left.dedup();
+    notes.append(&mut left);
+    readable(read, "shape", notes);
+    shapes
 }
 
-fn rgb(node: Node) -> Option<[u8; 3]> {
-    let value = node.attribute("value")?;
+fn shape(
+    file: &File,
+    shape: Node,
+    (spheres, planes): &mut Shapes,
+    notes: &mut Vec<String>,
+) -> Result<(), FileError> {
+    let to_world = file.transform(named(shape, "to_world"))?;
+    let color = shape.descendants().find(|node| node.has_tag_name("rgb"));
+    let color = color.and_then(|node| rgb(&file.attribute(node, "value")));
+    match shape.attribute("type").unwrap_or_default() {
+        "sphere" => {
+            let center = named(shape, "center").map(|node| file.point(node)).transpose()?;
+            let radius = named(shape, "radius").map(|node| file.number(node)).transpose()?;
+            let Some(scale) = to_world.scale() else {
+                notes.push("a sphere that is scaled to an ellipsoid is left out".to_owned());
+                return Ok(());
+            };
+            let center = to_world.point(center.unwrap_or_default());
+            let radius = radius.unwrap_or(1.0) * scale;
+            if radius <= 0.0 {
+                return Err(file.fault(shape, "radius", &n(radius), "it must be greater than 0"));
+            }
+            spheres.push(Item { name: None, color, shape: Sphere { center, radius } });
+        }
+        "rectangle" | "disk" => {
+            let normal = to_world.x.cross(to_world.y);
+            planes.push(Item { name: None, color, shape: Plane { point: to_world.at, normal } });
+            notes.push("a rectangle or disk is taken as a plane, which has no end".to_owned());
+        }
+        other => notes.push(format!("{other} is left out: Pinhole has spheres and planes")),
+    }
+    Ok(())
+}
+
+fn rgb(value: &str) -> Option<[u8; 3]> {
     if value.starts_with('#') {
         return color::parse(value);
     }
@@ -196,17 +200,38 @@ fn cells(value: &str) -> impl Iterator<Item = &str> {
 
 struct File<'a> {
     text: &'a Text<'a>,
+    /// Names and values, the longest name first: `$width` is not `$w` and idth.
+    defaults: Vec<(String, String)>,
 }
 
-impl File<'_> {
+impl<'a> File<'a> {
+    fn of(text: &'a Text<'a>, xml: &Xml) -> File<'a> {
+        let defaults = xml.descendants().filter(|node| node.has_tag_name("default"));
+        let defaults = defaults.filter_map(|node| {
+            Some((format!("${}", node.attribute("name")?), node.attribute("value")?.to_owned()))
+        });
+        let mut defaults: Vec<_> = defaults.collect();
+        defaults.sort_by_key(|(name, _)| std::cmp::Reverse(name.len()));
+        File { text, defaults }
+    }
+
+    /// An attribute with the defaults in the places of their names; empty where there is none.
+    fn attribute(&self, node: Node, name: &str) -> String {
+        let value = node.attribute(name).unwrap_or_default().to_owned();
+        if !value.contains('$') {
+            return value;
+        }
+        self.defaults.iter().fold(value, |value, (name, is)| value.replace(name, is))
+    }
+
     fn fault(&self, node: Node, field: &str, value: &str, right: &str) -> FileError {
         let problem = format!("{field} is {value}: {right}");
         error_at(self.text.path, self.text.text, node.range().start, problem)
     }
 
     fn numbers(&self, node: Node, attribute: &str) -> Result<Vec<f64>, FileError> {
-        let value = node.attribute(attribute).unwrap_or_default();
-        let numbers: Option<Vec<f64>> = cells(value).map(number).collect();
+        let value = self.attribute(node, attribute);
+        let numbers: Option<Vec<f64>> = cells(&value).map(number).collect();
         numbers
             .ok_or_else(|| self.fault(node, attribute, &format!("{value:?}"), "it must be numbers"))
     }

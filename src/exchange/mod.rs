@@ -24,6 +24,7 @@ mod opengl;
 mod pbrt;
 mod pbrt_read;
 mod povray;
+mod povray_objects;
 mod povray_read;
 mod sheet;
 mod subject;
@@ -34,7 +35,7 @@ mod weekend;
 use std::fmt;
 use std::path::Path;
 
-use pinhole_core::{Camera, Plane, Sphere};
+use pinhole_core::{Camera, DVec3, Plane, Sphere};
 
 use crate::document::Item;
 use crate::formats::FileError;
@@ -148,7 +149,9 @@ impl Format {
     /// # Errors
     /// The first thing that is wrong with the text, at its place.
     pub fn read(&self, text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-        let taken = (self.read)(text, at_hand)?;
+        let mut taken = (self.read)(text, at_hand)?;
+        // No negative zeros.
+        taken.camera.eye += DVec3::ZERO;
         match taken.camera.posed() {
             Ok(_) => Ok(taken),
             Err(error) => Err(FileError::of_file(text.path, format!("{}: {error}", self.label))),
@@ -198,6 +201,11 @@ pub fn recognised_file(text: &Text) -> Result<&'static Format, FileError> {
 
 /// What is said of a text that is no camera.
 pub fn unknown() -> String {
-    let labels: Vec<&str> = FORMATS.iter().map(|format| format.label).collect();
+    let label = |format: &'static Format| match format.name {
+        // Its code is none.
+        "three" => "three.js (JSON)",
+        _ => format.label,
+    };
+    let labels: Vec<&str> = FORMATS.iter().map(label).collect();
     format!("no camera of a known form: it may be {}", labels.join(", "))
 }

@@ -38,7 +38,11 @@ pub(super) const FORMAT: Format = Format {
     claims: |text| {
         let code = blanked(text);
         let given = |names: &[&str]| names.iter().any(|name| value(&code, name).is_some());
-        given(&K_NAMES) && (given(&R_NAMES) || given(&["Rt", "extrinsics"]))
+        let is_k = |(name, piece)| numbers(&code, name, piece).is_ok_and(|k| k.len() == 9);
+        given(&K_NAMES)
+            && (given(&R_NAMES)
+                || given(&["Rt", "extrinsics"])
+                || find(&code, &K_NAMES).is_some_and(is_k))
     },
 };
 
@@ -97,12 +101,42 @@ fn value<'t>(code: &'t Code, name: &str) -> Option<Piece<'t>> {
         };
         let rest = super::code::after_spaces(rest);
         rest.text.starts_with(['=', ':']).then_some(())?;
-        let open = rest.text.find('[')?;
+        let made = super::code::after_spaces(rest.from(1));
+        if let Some((_, length)) = made_by_numpy(made.text) {
+            return Some(Piece { text: &made.text[..length], ..made });
+        }
+        let (open, _) = rest.text.char_indices().take(100).find(|(_, c)| *c == '[')?;
         let before = &rest.text[1..open];
         let is_plain = before.chars().all(|c| c.is_alphanumeric() || " \n\t._(!-:".contains(c));
         let short = before.len() < 80 && (before.contains("data") || !before.contains('\n'));
-        (is_plain && short).then(|| super::code::bracketed(rest.from(open))).flatten()
+        (is_plain && short).then(|| code.bracketed(rest.from(open))).flatten()
     })
+}
+
+/// `np.eye(3)`, `np.zeros(3)`, `np.zeros((3, 1))`: the numbers, and how long the call is.
+fn made_by_numpy(text: &str) -> Option<(Vec<f64>, usize)> {
+    let (name, rest) = text.split_at(text.char_indices().take(20).find(|(_, c)| *c == '(')?.0);
+    let name = name.trim_start_matches("numpy.").trim_start_matches("np.");
+    let end = rest.char_indices().take(60).find(|(at, c)| {
+        let depth = |c: char| rest[..=*at].matches(c).count();
+        *c == ')' && depth('(') == depth(')')
+    });
+    let end = end?.0;
+    let sizes = rest[1..end].split(',').map(|size| size.trim().trim_matches(['(', ')']).trim());
+    let sizes: Vec<usize> = sizes.map_while(|size| size.parse().ok()).collect();
+    let numbers = match (name, &sizes[..]) {
+        ("eye" | "identity", [3] | [3, 3]) => vec![1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
+        ("zeros", [n]) | ("zeros", [n, 1] | [1, n]) if (1..=20).contains(n) => vec![0.0; *n],
+        _ => return None,
+    };
+    Some((numbers, text.len() - rest.len() + end + 1))
+}
+
+fn numbers(code: &Code, name: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
+    match made_by_numpy(piece.text) {
+        Some((numbers, _)) => Ok(numbers),
+        None => code.numbers(name, piece),
+    }
 }
 
 /// The list that one of the names is given, and which.
@@ -116,8 +150,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let missing = |name: &str, right: &str| code.missing(name, right);
     let (k_name, k) =
         find(&code, &K_NAMES).ok_or_else(|| missing("K", "it must be nine numbers"))?;
-    let numbers = code.numbers(k_name, k)?;
-    let [fx, skew, cx, zero, fy, cy, p, q, r] = numbers[..] else {
+    let [fx, skew, cx, zero, fy, cy, p, q, r] = numbers(&code, k_name, k)?[..] else {
         return Err(code.fault(k_name, k, "it must be 3 × 3 numbers"));
     };
     if [zero, p, q] != [0.0; 3] || r != 1.0 || skew != 0.0 || fx <= 0.0 || fy <= 0.0 {
@@ -130,7 +163,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let (rotation, t) = pose(&code)?;
     if let Some((name, piece)) =
         find(&code, &["distortion", "dist", "distortion_coefficients", "dist_coeffs"])
-        && code.numbers(name, piece)?.iter().any(|k| *k != 0.0)
+        && numbers(&code, name, piece)?.iter().any(|k| *k != 0.0)
     {
         notes.push(format!("{name} is left out: a pinhole draws straight lines straight"));
     }
@@ -211,6 +244,16 @@ fn size(
     if let (Some((w, piece)), Some((h, _))) = (width, height) {
         return image_of(w, h).map_err(|right| code.fault("image_width", piece, &right));
     }
+    // cx = 320 is meant as half of 640 by those who do not count from centres.
+    let [doubled_x, doubled_y] = [k.cx, k.cy].map(|c| 2.0 * (c - 0.5));
+    if doubled_x % 2.0 == 0.0
+        && doubled_y % 2.0 == 0.0
+        && let Ok(image) = image_of(doubled_x, doubled_y)
+    {
+        let (w, h) = (image.width(), image.height());
+        notes.push(format!("the image's size is not given: {w} × {h}, twice cx and cy, taken"));
+        return Ok(image);
+    }
     if let Ok(image) = image_of((2.0 * k.cx).round(), (2.0 * k.cy).round()) {
         let (w, h) = (image.width(), image.height());
         notes.push(format!(
@@ -218,8 +261,10 @@ fn size(
         ));
         return Ok(image);
     }
-    notes.push("the image's size is not given: the one at hand taken".to_owned());
-    Ok(at_hand.image)
+    let image = at_hand.image;
+    let (w, h) = (image.width(), image.height());
+    notes.push(format!("the image's size is not given: {w} × {h}, the one at hand, taken"));
+    Ok(image)
 }
 
 /// The number after `"name":`, up to the next comma.
@@ -246,7 +291,7 @@ fn pose(code: &Code) -> Result<([DVec3; 3], DVec3), FileError> {
     }
     let (name, piece) = find(code, &R_NAMES)
         .ok_or_else(|| code.missing("R", "the rotation must be nine numbers"))?;
-    let m = code.numbers(name, piece)?;
+    let m = numbers(code, name, piece)?;
     let rows = match m[..] {
         [a, b, c, d, e, f, g, h, i] => {
             [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)]
@@ -256,7 +301,10 @@ fn pose(code: &Code) -> Result<([DVec3; 3], DVec3), FileError> {
     };
     let (name, piece) = find(code, &T_NAMES)
         .ok_or_else(|| code.missing("t", "the translation must be three numbers"))?;
-    Ok((rows, code.vector(name, piece)?))
+    match numbers(code, name, piece)?[..] {
+        [x, y, z] => Ok((rows, DVec3::new(x, y, z))),
+        _ => Err(code.fault(name, piece, "it must be three numbers")),
+    }
 }
 
 /// Rows of the rotation about a vector by its length in radians.

@@ -173,7 +173,7 @@ impl<'t> Reader<'t> {
                 found.film = Some((size("xresolution", 1280.0), size("yresolution", 720.0)));
             }
             "Material" => state.color = reflectance(&parameters),
-            "Shape" => found.shape(self, at, kind, &parameters, state)?,
+            "Shape" => found.shape(self, at, kind, &parameters, state),
             _ => {}
         }
         Ok(())
@@ -246,22 +246,27 @@ impl Found {
         kind: Option<&str>,
         parameters: &Parameters,
         state: &State,
-    ) -> Result<(), FileError> {
+    ) {
         let scale = state.transform.scale().filter(|_| kind == Some("sphere"));
         let Some(scale) = scale else {
             let kind = kind.unwrap_or("a shape");
-            self.notes.push(format!("{kind} is left out: Pinhole has spheres and planes"));
-            return Ok(());
+            self.notes.push(match kind {
+                "sphere" => "a sphere that is scaled to an ellipsoid is left out".to_owned(),
+                _ => format!("{kind} is left out: Pinhole has spheres and planes"),
+            });
+            return;
         };
         let radius = parameters.get("radius").and_then(|r| numbers_of(r).first().copied());
         let radius = radius.unwrap_or(1.0) * scale;
         if radius <= 0.0 {
-            let problem = format!("radius is {}: it must be greater than 0", n(radius));
-            return Err(reader.error(at, problem));
+            let place = reader.error(at, String::new()).place;
+            let line = place.map(|place| format!("line {}: ", place.line)).unwrap_or_default();
+            let why = format!("radius is {}: it must be greater than 0", n(radius));
+            self.notes.push(format!("a sphere is left out: {line}{why}"));
+            return;
         }
         let shape = Sphere { center: state.transform.at, radius };
         self.spheres.push(Item { name: None, color: state.color, shape });
-        Ok(())
     }
 
     fn viewport(&self, image: ImageSize, at_hand: &Camera) -> Result<Viewport, String> {

@@ -1,16 +1,15 @@
 //! Reading a POV-Ray scene: its camera, spheres and planes, where they are given by plain numbers.
 
-use pinhole_core::{Basis, Camera, DVec3, ImageSize, Plane, Sphere, Viewport};
+use pinhole_core::{Basis, Camera, DVec3, ImageSize, Viewport};
 
 use super::back::{MIRRORED, Mirrored, Stance, image_of, settled};
-use super::code::{Code, Comments, Piece, after_spaces, bracketed, number, split, trimmed, words};
-use super::sheet::byte_of_light;
+use super::code::{Code, Comments, Piece, number, trimmed, words};
+use super::povray_objects::Blocks;
 use super::{Taken, Text};
-use crate::document::Item;
 use crate::formats::FileError;
 
 /// What may stand in a camera, after whose value the next one begins.
-const WORDS: [&str; 18] = [
+const WORDS: [&str; 26] = [
     "perspective",
     "orthographic",
     "fisheye",
@@ -29,7 +28,19 @@ const WORDS: [&str; 18] = [
     "rotate",
     "translate",
     "aperture",
+    "focal_point",
+    "blur_samples",
+    "confidence",
+    "variance",
+    "bokeh",
+    "scale",
+    "matrix",
+    "transform",
 ];
+
+/// What blurs, as a lens does.
+const BLUR: [&str; 6] =
+    ["aperture", "focal_point", "blur_samples", "confidence", "variance", "bokeh"];
 
 /// The projections that are none of a pinhole camera.
 const OTHER_PROJECTIONS: [&str; 7] = [
@@ -45,7 +56,8 @@ const OTHER_PROJECTIONS: [&str; 7] = [
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::SlashesAndAngles);
     let mut notes = Vec::new();
-    let camera = blocks(&code, "camera").last().copied();
+    let blocks = Blocks::of(&code);
+    let camera = blocks.cameras.last().copied();
     let camera =
         camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
     let image = image(text, at_hand, &mut notes);
@@ -56,24 +68,23 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         height: tidy(up.length()),
         distance: tidy(direction.length()),
     };
-    if value(camera, "aperture").is_some() {
-        notes.push("aperture is left out: a pinhole is sharp everywhere".to_owned());
+    if BLUR.iter().any(|word| value(camera, word).is_some()) {
+        notes.push("lens blur is left out: a pinhole is sharp everywhere".to_owned());
     }
     let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
     let mirrored = Basis::is_left_handed(right, up, -direction);
     let stance = if mirrored { stance.mirrored() } else { stance };
     let orientation =
         stance.orientation(&mut notes).map_err(|right| code.rotation("camera", &right))?;
-    let (mut spheres, mut planes) = (spheres(&code)?, planes(&code)?);
     if mirrored {
         notes.push(MIRRORED.to_owned());
-        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
-    for other in ["box", "cylinder", "cone", "torus", "mesh", "mesh2", "union", "difference"] {
-        let count = blocks(&code, other).len();
-        if count > 0 {
-            notes.push(format!("{count} of {other} left out: Pinhole has spheres and planes"));
-        }
+    blocks.left_out(&mut notes);
+    let mut spheres = blocks.spheres(&code, &mut notes);
+    let mut planes = blocks.planes(&code, &mut notes);
+    blocks.colors(&code, &mut notes);
+    if mirrored {
+        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
     let camera = Camera { eye: stance.eye, orientation, viewport, image };
     Ok(Taken { camera, spheres, planes, notes })
@@ -97,17 +108,6 @@ fn image(text: &Text, at_hand: &Camera, notes: &mut Vec<String>) -> ImageSize {
         notes.push(format!("the scene does not say +W and +H: {w} × {h} pixels taken"));
         image
     })
-}
-
-/// Every `name { ... }`.
-fn blocks<'t>(code: &'t Code, name: &str) -> Vec<Piece<'t>> {
-    let whole = code.whole();
-    let found = words(whole, name).into_iter();
-    let open = |at: usize| after_spaces(whole.from(at + name.len()));
-    found
-        .filter(|at| open(*at).text.starts_with('{'))
-        .filter_map(|at| bracketed(open(at)))
-        .collect()
 }
 
 /// What follows a word of a camera, up to the next one.
@@ -141,7 +141,7 @@ impl View {
             let piece = Piece { text: other, at: camera.at + words(camera, other)[0] };
             return Err(code.fault("the projection", piece, "it must be perspective"));
         }
-        for turned in ["rotate", "translate"] {
+        for turned in ["rotate", "translate", "scale", "matrix", "transform"] {
             if let Some(piece) = value(camera, turned) {
                 return Err(code.fault(turned, piece, "the camera must be given without it"));
             }
@@ -190,7 +190,12 @@ impl View {
 }
 
 /// `<1, 2, 3>`, or a multiple of x, y and z as in `x * image_width / image_height`.
-fn vector(code: &Code, field: &str, piece: Piece, image: ImageSize) -> Result<DVec3, FileError> {
+pub(super) fn vector(
+    code: &Code,
+    field: &str,
+    piece: Piece,
+    image: ImageSize,
+) -> Result<DVec3, FileError> {
     if piece.text.starts_with('[') {
         return code.vector(field, piece);
     }
@@ -210,56 +215,4 @@ fn vector(code: &Code, field: &str, piece: Piece, image: ImageSize) -> Result<DV
         [Some(x), Some(y), Some(z)] => Ok(DVec3::new(x, y, z) + DVec3::ZERO),
         _ => Err(code.fault(field, piece, "it must be a vector of numbers, as <1, 2, 3>")),
     }
-}
-
-fn spheres(code: &Code) -> Result<Vec<Item<Sphere>>, FileError> {
-    let sphere = |block: Piece<'_>| {
-        let (center, rest) = first(code, "sphere", block)?;
-        let center = code.vector("sphere centre", center)?;
-        let radius = leading_number(rest).filter(|radius| *radius > 0.0);
-        let right = "it must have a radius greater than 0, as sphere { <0, 0, 0>, 1 }";
-        let radius = radius.ok_or_else(|| code.fault("sphere", block, right))?;
-        Ok(Item { name: None, color: color(code, block), shape: Sphere { center, radius } })
-    };
-    blocks(code, "sphere").into_iter().map(sphere).collect()
-}
-
-fn planes(code: &Code) -> Result<Vec<Item<Plane>>, FileError> {
-    let plane = |block: Piece<'_>| {
-        let (normal, rest) = first(code, "plane", block)?;
-        let image = Camera::CANONICAL.image;
-        let normal = vector(code, "plane's normal", normal, image)?;
-        let right = "it must have a normal and a distance, as plane { <0, 1, 0>, -1 }";
-        let distance = leading_number(rest).filter(|_| normal != DVec3::ZERO);
-        let distance = distance.ok_or_else(|| code.fault("plane", block, right))?;
-        let point = normal.normalize() * distance + DVec3::ZERO;
-        Ok(Item { name: None, color: color(code, block), shape: Plane { point, normal } })
-    };
-    blocks(code, "plane").into_iter().map(plane).collect()
-}
-
-/// The vector with which an object begins, and what follows its comma.
-fn first<'t>(
-    code: &Code,
-    name: &str,
-    block: Piece<'t>,
-) -> Result<(Piece<'t>, Piece<'t>), FileError> {
-    let parts = split(block);
-    match parts[..] {
-        [vector, rest, ..] => Ok((vector, rest)),
-        _ => Err(code.fault(name, block, "it must begin with a vector and a number")),
-    }
-}
-
-/// The number before the object's pigment and the rest.
-fn leading_number(piece: Piece) -> Option<f64> {
-    let end = piece.text.find(|c: char| c.is_whitespace() || c == '}').unwrap_or(piece.text.len());
-    number(&piece.text[..end])
-}
-
-fn color(code: &Code, block: Piece) -> Option<[u8; 3]> {
-    let at = *words(block, "rgb").first()?;
-    let list = bracketed(after_spaces(block.from(at + 3)))?;
-    let numbers: [f64; 3] = code.numbers("color", list).ok()?.try_into().ok()?;
-    Some(numbers.map(byte_of_light))
 }

@@ -4,7 +4,7 @@
 use pinhole_core::{Camera, DVec3, Plane, Sphere, Viewport};
 
 use super::affine::Affine;
-use super::back::{MIRRORED, Mirrored, image_of, image_of_aspect, upright};
+use super::back::{MIRRORED, Mirrored, image_of, image_of_aspect, readable, upright};
 use super::gltf::{columns, placed};
 use super::json::{self, Node};
 use super::sheet::{Sheet, n, quotable};
@@ -193,7 +193,7 @@ fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Taken) -> Result<(),
         let items = root.get(list).map_or_else(Vec::new, |list| list.items());
         items.into_iter().find(|item| item.value.get("uuid") == Some(uuid))
     };
-    let mut left = 0;
+    let (mut left, mut unread) = (0, Vec::new());
     for (node, world) in all {
         let Some(geometry) = node.value.get("geometry") else { continue };
         let Some(geometry) = by_uuid("geometries", geometry) else { continue };
@@ -203,7 +203,14 @@ fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Taken) -> Result<(),
         let kind = geometry.value.get("type").and_then(|t| t.as_str()).unwrap_or_default();
         match (kind, world.scale()) {
             ("SphereGeometry" | "SphereBufferGeometry", Some(scale)) => {
-                let radius = geometry.get("radius").map_or(Ok(1.0), |r| r.positive())? * scale;
+                let radius = geometry.get("radius").map_or(Ok(1.0), |r| r.positive());
+                let radius = match radius {
+                    Ok(radius) => radius * scale,
+                    Err(fault) => {
+                        unread.push(Err::<(), _>(fault));
+                        continue;
+                    }
+                };
                 let shape = Sphere { center: world.at, radius };
                 taken.spheres.push(Item { name: None, color, shape });
             }
@@ -218,6 +225,7 @@ fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Taken) -> Result<(),
             _ => left += 1,
         }
     }
+    readable(unread, "SphereGeometry", &mut taken.notes);
     if left > 0 {
         taken.notes.push(format!("{left} meshes left out: Pinhole has spheres and planes"));
     }

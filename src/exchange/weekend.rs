@@ -3,7 +3,7 @@
 
 use pinhole_core::{Camera, ImageSize, Orientation, Sphere, Viewport};
 
-use super::back::{extent, image_of, in_ratio};
+use super::back::{extent, image_of, in_ratio, readable};
 use super::code::{Code, Comments, Piece, number, split, trimmed};
 use super::sheet::{Sheet, commas, light, n, real};
 use super::terms::{Pixels, Terms};
@@ -115,7 +115,7 @@ fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
         image,
     };
     let spheres = code.calls("make_shared<sphere>").into_iter().map(|call| sphere(&code, call));
-    let spheres = spheres.collect::<Result<_, _>>()?;
+    let spheres = readable(spheres, "sphere", &mut notes);
     Ok(Taken { spheres, ..Taken::camera(camera, notes) })
 }
 

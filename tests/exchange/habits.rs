@@ -1,5 +1,8 @@
 //! Texts as other people write them.
 
+use std::path::Path;
+
+use pinhole::exchange::{Text, recognised_file};
 use pinhole_core::{Basis, Camera, DVec3};
 
 use super::read;
@@ -112,8 +115,18 @@ fn opencv_in_python_in_yaml_and_by_rodrigues() {
     let (camera, basis, notes) = basis_of("opencv", python);
     assert_eq!(camera.eye, DVec3::new(-1.0, 2.0, 3.0));
     assert_eq!((basis.u, basis.v, basis.w), (DVec3::X, DVec3::Y, DVec3::Z));
-    // Whole numbers are centres: 320 is half a pixel right of the middle of 640.
-    assert_eq!((camera.image.width(), camera.image.height()), (641, 481));
+    // 320 is meant as half of 640, though whole numbers are centres.
+    assert_eq!((camera.image.width(), camera.image.height()), (640, 480));
+    assert_eq!(notes[0], "the image's size is not given: 640 × 480, twice cx and cy, taken");
+    assert!(notes[1].starts_with("the principal point is 0.5 pixels right"), "{notes:?}");
+    let plain = "K = np.array([[500., 0, 319.5], [0, 510, 239.5], [0, 0, 1]])\n\
+                 R = np.eye(3, dtype=np.float64)\nt = np.zeros((3, 1))\n";
+    let file = Text { path: Path::new("camera.py"), text: plain };
+    assert_eq!(recognised_file(&file).unwrap().name, "opencv");
+    let (camera, basis, notes) = basis_of("opencv", plain);
+    assert_eq!((camera.image.width(), camera.eye), (640, DVec3::ZERO));
+    assert_eq!((basis.u, basis.v, basis.w), (DVec3::X, -DVec3::Y, -DVec3::Z));
+    assert!(basis.u.to_array().iter().all(|x| x.is_sign_positive()), "{}", basis.u);
     assert_eq!(notes.len(), 1, "{notes:?}");
     let yaml = "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\ncamera_matrix: !!opencv-matrix\n   \
                 rows: 3\n   cols: 3\n   dt: d\n   data: [ 500., 0., 300.5, 0., 500., 239.5, 0., 0., 1. ]\n\
@@ -156,7 +169,7 @@ fn glm_in_radians() {
     let (camera, _, _) = basis_of("opengl", text);
     assert_eq!(camera.eye, DVec3::new(4.0, 3.0, 3.0));
     assert!((camera.viewport.vertical_fov().to_degrees() - 45.0).abs() < 1e-12);
-    assert_eq!((camera.image.width(), camera.image.height()), (533, 400));
+    assert_eq!((camera.image.width(), camera.image.height()), (400, 300));
 }
 
 #[test]

@@ -5,6 +5,7 @@
 
 mod faults;
 mod habits;
+mod objects;
 mod programs;
 mod round_trip;
 
