@@ -263,6 +263,12 @@ pub struct CheckArguments {
     /// shaded in one of the ways of render.
     #[arg(long, value_name = "IN.csv|IN.png")]
     pub answers: PathBuf,
+    /// What was asked for: answers of another kind are none
+    #[arg(long, value_parser = ["basis", "rays", "hits", "picture"])]
+    pub kind: Option<String>,
+    /// Ask for every pixel: one without an answer counts as a wrong one
+    #[arg(long)]
+    pub complete: bool,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

@@ -114,14 +114,37 @@ impl Graded {
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
         let (agree, all) = (grouped(grade.agree() as u64), grouped(grade.answers() as u64));
-        let plural = match grade.kind {
-            Kind::Basis => "vectors",
-            Kind::Rays => "rays",
-            Kind::Hits => "hits",
-            Kind::Picture => "pixels",
+        let noun = match grade.kind {
+            Kind::Basis => "vector",
+            Kind::Rays => "ray",
+            Kind::Hits => "hit",
+            Kind::Picture => "pixel",
         };
+        let plural = if grade.answers() == 1 { "" } else { "s" };
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
-        format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
+        format!("{agree} of {all} {noun}{plural} {verb}, within {}", self.tolerance())
+    }
+
+    /// The grade where every pixel is asked for: those without an answer count as wrong ones.
+    pub fn complete(self) -> Graded {
+        let is_unanswered = |cell: &&Cell| **cell == Cell::Unanswered;
+        let unanswered = self.map().map_or(0, |cells| cells.iter().filter(is_unanswered).count());
+        Graded { grade: self.grade.counting_unanswered(unanswered), ..self }
+    }
+
+    /// `3 pixels are not answered`, where that counts as wrong.
+    pub fn unanswered(&self) -> Option<String> {
+        match self.grade.unanswered {
+            0 => None,
+            1 => Some("1 pixel is not answered".to_owned()),
+            count => Some(format!("{} pixels are not answered", grouped(count as u64))),
+        }
+    }
+
+    /// Whether so much of the image is answered, a twentieth, that a map of it tells where.
+    pub fn shows_where(&self) -> bool {
+        let pixels = u64::from(self.image.width()) * u64::from(self.image.height());
+        20 * self.grade.is_right.len() as u64 >= pixels
     }
 
     fn tolerance(&self) -> String {
@@ -210,11 +233,9 @@ impl Graded {
 
     /// What to look at, and how much of a guess that is.
     pub fn advice(&self) -> String {
-        let advice = self.grade.advice();
-        match self.caveat() {
-            Some(caveat) => format!("{advice} {caveat}"),
-            None => advice,
-        }
+        let missing = self.unanswered().map(|words| format!("{words}."));
+        let advice = [Some(self.grade.advice()), self.caveat().map(str::to_owned), missing];
+        advice.into_iter().flatten().collect::<Vec<_>>().join(" ")
     }
 
     /// What weakens the diagnosis: misses alone look alike, whatever they come from.

@@ -97,7 +97,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__check)
-            opts="-h --answers --json --tolerance --count-from --map --help"
+            opts="-h --answers --kind --complete --json --tolerance --count-from --map --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -105,6 +105,10 @@ _pinhole() {
             case "${prev}" in
                 --answers)
                     COMPREPLY=($(compgen -f "${cur}"))
+                    return 0
+                    ;;
+                --kind)
+                    COMPREPLY=($(compgen -W "basis rays hits picture" -- "${cur}"))
                     return 0
                     ;;
                 --tolerance)

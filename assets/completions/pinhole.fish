@@ -60,9 +60,14 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -l rays -d 'The r
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s o -l output -d 'Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l answers -d 'The answers, told apart by their header; - reads them from standard input' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l kind -d 'What was asked for: answers of another kind are none' -r -f -a "basis\t''
+rays\t''
+hits\t''
+picture\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l tolerance -d 'How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many levels of 255 in a channel, 2 without this' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 'Where the answers\' rows and columns begin' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey' -r -F
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l complete -d 'Ask for every pixel: one without an answer counts as a wrong one'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l json -d 'Print one JSON object'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -s h -l help -d 'Print help (see more with \'--help\')'
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F

@@ -44,6 +44,12 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let scene = document.scene().map_err(|error| of_scene(&arguments.scene, error))?;
     let image = posed.image();
     let (path, bytes) = read(&arguments.answers)?;
+    if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
+        && asked != kind.name()
+    {
+        let problem = format!("these are answers of the kind {}, not {asked}", kind.name());
+        return Err(FileError::of_file(path, problem).into());
+    }
     let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
     if arguments.map.is_some() && answers.kind() == Kind::Basis {
         let problem =
@@ -55,6 +61,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let grade: Grade = grade(&truth, &answers, arguments.tolerance)
         .map_err(|error| of_scene(&arguments.scene, error))?;
     let graded = Graded { answers, grade, image, count_from: arguments.count_from };
+    let graded = if arguments.complete { graded.complete() } else { graded };
     if let Some(map) = &arguments.map {
         save_map(map, &graded, image)?;
     }
@@ -83,14 +90,18 @@ fn save_map(path: &Path, graded: &Graded, image: ImageSize) -> Result<(), FileEr
 fn text(graded: &Graded) -> String {
     let grade = &graded.grade;
     let mut text = format!("{}: {}\n", grade.kind.name(), graded.agreement());
-    if let Some(worst) = graded.worst().filter(|_| !grade.all_agree()) {
+    if let Some(unanswered) = graded.unanswered() {
+        let _ = writeln!(text, "missing: {unanswered}");
+    }
+    if let Some(worst) = graded.worst().filter(|_| grade.agree() < grade.is_right.len()) {
         let _ = writeln!(text, "worst: {worst}");
-        for (index, line) in graded.sketch().unwrap_or_default().iter().enumerate() {
+        let sketch = graded.sketch().filter(|_| graded.shows_where()).unwrap_or_default();
+        for (index, line) in sketch.iter().enumerate() {
             let head = if index == 0 { "where: " } else { "       " };
             let _ = writeln!(text, "{head}{}", line.trim_end());
         }
     }
-    if grade.all_agree() {
+    if grade.agree() == grade.is_right.len() {
         return text;
     }
     if grade.diagnosis.mistakes.is_empty() {

@@ -3,9 +3,13 @@
 //! ```text
 //! basis   ux,uy,uz,vx,vy,vz,wx,wy,wz           one row
 //! rays    row,column,ox,oy,oz,dx,dy,dz          a row a ray
-//! hits    row,column and t, or x,y,z, or object, or several of them; a miss leaves them all empty
+//! hits    row,column and t, or x,y,z, or object, or several of them
 //! ```
+//!
+//! A miss leaves them all empty, or has inf or nan in their place, or object -1. Capitals and blanks in
+//! the first line do not matter.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use pinhole_core::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
@@ -55,7 +59,21 @@ fn header(bytes: &[u8]) -> Vec<String> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let line = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).find(|line| !line.is_empty());
     let line = String::from_utf8_lossy(line.unwrap_or_default());
-    line.split(',').map(|name| name.trim().trim_matches('"').trim().to_owned()).collect()
+    let name = |name: &str| name.trim().trim_matches('"').trim().to_ascii_lowercase();
+    line.split(',').map(name).collect()
+}
+
+/// The file with a first line in small letters, every byte in its place.
+fn in_small_letters(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+    let start = bytes.iter().position(|byte| !is_end(byte)).unwrap_or(bytes.len());
+    let end = bytes[start..].iter().position(is_end).map_or(bytes.len(), |length| start + length);
+    if !bytes[..end].iter().any(u8::is_ascii_uppercase) {
+        return Cow::Borrowed(bytes);
+    }
+    let mut small = bytes.to_owned();
+    small[..end].make_ascii_lowercase();
+    Cow::Owned(small)
 }
 
 /// Reads the answers of a file's content; `path` is for the messages. `image` is that of the scene
@@ -69,9 +87,13 @@ pub fn parse(
     image: ImageSize,
     count_from: u32,
 ) -> Result<Answers, FileError> {
-    let answers = match kind_of(bytes) {
-        None => return Err(no_answers(path, bytes)),
-        Some(Kind::Picture) => return picture(path, bytes, image),
+    let kind = kind_of(bytes);
+    if kind == Some(Kind::Picture) {
+        return picture(path, bytes, image);
+    }
+    let bytes = &in_small_letters(bytes)[..];
+    let answers = match kind {
+        None | Some(Kind::Picture) => return Err(no_answers(path, bytes)),
         Some(Kind::Basis) => return basis(path, bytes),
         Some(Kind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
         Some(Kind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,
@@ -124,7 +146,7 @@ fn rays(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     let mut rays = Vec::new();
     CsvTable::new(path, bytes, RAYS, RAYS.len())?.for_each(|row| {
         let pixel = pixels.read(row)?;
-        let (origin, direction) = (vector(row, 2)?, vector(row, 5)?);
+        let (origin, direction) = (vector(row, 2)?, relative(vector(row, 5)?));
         if direction.value == DVec3::ZERO {
             return Err(row.error(5, "the direction (dx, dy, dz) is zero: it must point somewhere"));
         }
@@ -156,21 +178,18 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
         let pixel = pixels.read(row)?;
         let answered: Vec<usize> = (T..=OBJECT).filter(|column| has(*column)).collect();
         let is_empty = |column: &usize| row.cell(*column).is_empty();
-        if answered.iter().all(is_empty) {
+        let is_infinite = |column: &usize| number_in(row, *column).is_some_and(|x| !x.is_finite());
+        let is_none = has(OBJECT) && number_in(row, OBJECT) == Some(-1.0);
+        if is_none || answered.iter().all(|column| is_empty(column) || is_infinite(column)) {
             hits.push(HitAnswer { pixel, hit: None });
             return Ok(());
         }
         if let Some(empty) = answered.iter().copied().find(|column| is_empty(column)) {
             return Err(row.error(
                 empty,
-                "a miss leaves all cells behind row and column empty, and \
-                                         a hit none",
+                "a miss leaves all cells behind row and column empty, and a hit none",
             ));
         }
-        let is_infinite = |column: &usize| {
-            let text = std::str::from_utf8(row.cell(*column)).unwrap_or_default();
-            text.parse::<f64>().is_ok_and(|number| !number.is_finite())
-        };
         if let Some(infinite) = answered.iter().copied().find(is_infinite) {
             let right = "it must be a finite number; a miss leaves its cells empty";
             return Err(row.error(infinite, right));
@@ -270,11 +289,16 @@ struct ImageMeasures {
     count: u32,
 }
 
+/// The number in a cell, `inf` and `nan` among them, as C's `-nan(ind)` too.
+fn number_in(row: &Row, column: usize) -> Option<f64> {
+    let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
+    text.trim_end_matches("(ind)").parse().ok()
+}
+
 /// A whole number, as such or as NumPy writes it: `12`, `1.2e+01`.
 fn whole(row: &Row, column: usize) -> Result<u32, FileError> {
-    let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
-    match text.parse::<f64>() {
-        Ok(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
+    match number_in(row, column) {
+        Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
             Ok(number as u32)
         }
         _ => Err(row.error(column, "it must be a whole number, 0 or more")),
@@ -293,8 +317,20 @@ fn vector(row: &Row, first: usize) -> Result<Measured, FileError> {
     Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
 }
 
+/// Half a unit of the sixth digit of a number that begins with 1, as a share of it: no more than this
+/// is a number of six digits off.
+const ROUNDING_SHARE: f64 = 0.5e-5;
+
+/// Of a vector whose length is its own affair, digits count as a share of it: a tiny one written to six
+/// decimals says nothing of where it points.
+fn relative(vector: Measured) -> Measured {
+    let most = ROUNDING_SHARE * vector.value.abs().max_element();
+    Written { rounding: vector.rounding.min(most), ..vector }
+}
+
 /// Half a unit of the last digit that was written: of the sixth where there are fewer, as `%g` and
-/// C++ streams leave zeros at the end away, but not of a number written to six decimals.
+/// C++ streams leave zeros at the end away, but not of a number written to six decimals. It is no more
+/// than [`ROUNDING_SHARE`] of the number; near 0, six decimals are enough.
 fn rounding_of(text: &str, value: f64) -> f64 {
     const DIGITS: usize = 6;
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -304,7 +340,9 @@ fn rounding_of(text: &str, value: f64) -> f64 {
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let digits = mantissa.bytes().filter(u8::is_ascii_digit).skip_while(|d| *d == b'0').count();
     if digits >= DIGITS || decimals >= DIGITS {
-        return 0.5 * 10f64.powi(exponent.saturating_sub(decimals.min(400) as i32));
+        let half_unit = 0.5 * 10f64.powi(exponent.saturating_sub(decimals.min(400) as i32));
+        let least = if exponent <= 0 { ROUNDING_SHARE } else { 0.0 };
+        return half_unit.min(least.max(ROUNDING_SHARE * value.abs()));
     }
     match value.abs() {
         0.0 => 0.0,
@@ -329,6 +367,9 @@ mod tests {
             ("1e+06", 5.0),
             ("0", 0.0),
             ("160000", 0.5),
+            ("0.000000e300", 0.0),
+            ("0.0000001e8", 0.5e-4),
+            ("0.000000e-2", 0.5e-8),
         ];
         for (text, expected) in cases {
             let rounding = rounding_of(text, text.parse().expect("a number"));

@@ -1,5 +1,7 @@
 //! `pinhole check`
 
+mod written;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::io::Write as _;
@@ -94,7 +96,7 @@ fn json_has_the_fields_of_the_contract() {
     for field in ["kind", "answers", "agree", "tolerance", "worst", "mistakes", "advice"] {
         assert!(fields.contains(&field), "{fields:?}");
     }
-    assert_eq!(fields.len(), 9, "{fields:?}");
+    assert_eq!(fields.len(), 10, "{fields:?}");
     assert_eq!(found["kind"], "hits");
     assert_eq!((&found["answers"], &found["agree"]), (&json!(1200), &json!(1040)));
     assert_eq!(found["tolerance"], json!(1e-5));
@@ -137,6 +139,29 @@ fn what_nothing_explains_is_said_so() {
     assert_eq!((&found["agree"], &found["mistakes"]), (&json!(1), &json!([])));
     // A tolerance of a fifth lets it pass.
     check(folder.path(), &["--tolerance", "0.2"]).done();
+}
+
+#[test]
+fn what_was_asked_for_must_be_there() {
+    let folder = folder("row,column,t\n0,0,\n");
+    let said = check(folder.path(), &["--kind", "hits"]).done();
+    assert_eq!(said, "hits: 1 of 1 hit agrees, within 0.00001 of their distance\n");
+    let run = check(folder.path(), &["--complete"]);
+    assert_eq!(run.status, 1);
+    let expected = "hits: 1 of 1,200 hits agrees, within 0.00001 of their distance\n\
+                    missing: 1,199 pixels are not answered\n";
+    assert_eq!(run.stdout, expected);
+    let found = json_of(&check(folder.path(), &["--complete", "--json"]));
+    assert_eq!((&found["agree"], &found["answers"]), (&json!(1), &json!(1200)));
+    assert_eq!(found["unanswered"], json!(1199));
+    let advice = "All answers that are given agree. 1,199 pixels are not answered.";
+    assert_eq!(found["advice"], json!(advice));
+    fs::write(folder.path().join("in.csv"), hits(false, 0)).unwrap();
+    check(folder.path(), &["--complete", "--kind", "hits"]).done();
+    fs::write(folder.path().join("in.csv"), RIGHT_BASIS).unwrap();
+    check(folder.path(), &["--complete", "--kind", "basis"]).done();
+    check(folder.path(), &["--kind", "hits"])
+        .failed(2, "in.csv: these are answers of the kind basis, not hits");
 }
 
 #[test]

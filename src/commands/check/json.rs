@@ -21,6 +21,8 @@ struct Check {
     alternatives: Vec<Vec<&'static str>>,
     /// How a picture is taken to be shaded.
     shade: Option<&'static str>,
+    /// Pixels without an answer, where each counts as a wrong one.
+    unanswered: usize,
 }
 
 pub(super) fn of(graded: &Graded) -> Result<String, CommandError> {
@@ -40,6 +42,7 @@ pub(super) fn of(graded: &Graded) -> Result<String, CommandError> {
             .map(|set| set.iter().map(|mistake| mistake.id()).collect())
             .collect(),
         shade: grade.shade.map(|shade| shade.name()),
+        unanswered: grade.unanswered,
     };
     let mut text = serde_json::to_string_pretty(&check)
         .map_err(|error| CommandError::Input(error.to_string()))?;
@@ -48,7 +51,8 @@ pub(super) fn of(graded: &Graded) -> Result<String, CommandError> {
 }
 
 /// Where, what was given, what is right, and how far that is apart: `null` where a hit is taken for a
-/// miss or for one of another object, which no number measures.
+/// miss or for one of another object, which no number measures. A miss is `"miss"`; nothing is right
+/// where there is no such pixel.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {
     let index = worst.index;
     let given = match &graded.answers {
@@ -58,7 +62,7 @@ fn worst_of(graded: &Graded, worst: &Worst) -> Value {
             json!({"origin": origin.to_array(), "direction": direction.to_array()})
         }
         Answers::Hits(hits) => {
-            hits[index].hit.map_or(Value::Null, |GivenHit { t, point, object }| {
+            hits[index].hit.map_or(json!("miss"), |GivenHit { t, point, object }| {
                 json!({
                     "t": t.map(|t| t.value),
                     "point": point.map(|point| point.value.to_array()),
@@ -76,7 +80,8 @@ fn worst_of(graded: &Graded, worst: &Worst) -> Value {
         Right::Hit(Some(hit)) => {
             json!({"t": hit.t, "point": hit.point.to_array(), "object": hit.object})
         }
-        Right::Hit(None) | Right::NoPixel => Value::Null,
+        Right::Hit(None) => json!("miss"),
+        Right::NoPixel => Value::Null,
         Right::Color(color) => json!(color),
     };
     let name = ["u", "v", "w"].get(index);
