@@ -75,6 +75,22 @@ fn an_xyz_file_may_have_numbers_labels_more_columns_and_frames() {
 }
 
 #[test]
+fn labels_are_of_the_element_they_begin_with_and_dummy_atoms_grey() {
+    let text = "5\n\nc 0 0 0\nC_3 1 0 0\nN.ar 2 0 0\nXx 3 0 0\nDU 4 0 0\n";
+    expect![[r#"
+        5 atoms, C2NX2: spheres of van der Waals radius, in ångström.
+        2 atoms are of no known element: grey.
+        C1: [0, 0, 0] r 1.7 #909090
+        C2: [1, 0, 0] r 1.7 #909090
+        N3: [2, 0, 0] r 1.55 #3050f8
+        X4: [3, 0, 0] r 2 #808080
+        X5: [4, 0, 0] r 2 #808080
+    "#]]
+    .assert_eq(&listed(&parse("a.xyz", text)));
+    assert_eq!(parse("peptide.ent", PEPTIDE), parse("peptide.pdb", PEPTIDE));
+}
+
+#[test]
 fn a_pdb_file_gives_the_first_model_and_the_first_of_alternate_locations() {
     expect![[r#"
         TWO RESIDUES AND AN ION.
@@ -116,7 +132,7 @@ fn what_is_wrong_is_told_at_its_place() {
         xyz("-1\n\n"),
         xyz("2\nwater\nO 0 0 0\n"),
         xyz("2\nwater\nO 0 0 0\n\nH 1 1 1\n"),
-        xyz("1\n\nXx 0 0 0\n"),
+        xyz("1\n\n?? 0 0 0\n"),
         xyz("1\n\n0 0 0 0\n"),
         xyz("1\n\nC 0 0\n"),
         xyz("1\n\nC 0 1,5 0\n"),
@@ -126,7 +142,7 @@ fn what_is_wrong_is_told_at_its_place() {
         xyz("1\nProperties=pos:R:3:species:S:1 x\n0 0 0 C\n"),
         pdb("6.134", "6,134"),
         pdb("  -6.504  1.00  0.00           N", ""),
-        pdb("           N\n", "           Q\n"),
+        pdb("           N\n", "           ?\n"),
         pdb("HG11", "??  "),
         ("m.pdb", "REMARK\nEND\n".to_owned()),
     ];
@@ -141,7 +157,7 @@ fn what_is_wrong_is_told_at_its_place() {
         m.xyz:1:1: the number of atoms is "-1": it must be the number of atoms, a whole number
         m.xyz:4:1: atom 2 of 2 is missing: there must be a line an atom: element, x, y, z
         m.xyz:4:1: atom 2 of 2 is missing: there must be a line an atom: element, x, y, z
-        m.xyz:3:1: atom 1's element is "Xx": it must be a symbol such as C or Cl, or an atomic number
+        m.xyz:3:1: atom 1's element is "??": it must be a symbol such as C or Cl, or an atomic number
         m.xyz:3:1: atom 1's element is "0": it must be a symbol such as C or Cl, or an atomic number
         m.xyz:3:6: atom 1 has no z: a line must be element, x, y, z
         m.xyz:3:5: atom 1's y is "1,5": it must be a number of ångström
@@ -151,7 +167,7 @@ fn what_is_wrong_is_told_at_its_place() {
         m.xyz:2:12: Properties is pos:R:3:species:S:1: the columns must begin with species:S:1:pos:R:3
         m.pdb:6:39: y in columns 39-46 is "6,134": it must be a number of ångström
         m.pdb:6:47: z in columns 47-54 is "": it must be a number of ångström
-        m.pdb:6:77: the element in columns 77-78 is "Q": it must be a symbol such as C or CL
+        m.pdb:6:77: the element in columns 77-78 is "?": it must be a symbol such as C or CL
         m.pdb:9:13: the atom's name in columns 13-16 is "??  ", which begins with no element, and columns 77-78 name none: it must be a symbol such as C or CL
         m.pdb: there is no atom in it: there must be one at least
     "#]].assert_eq(&format!("{}\n", messages.join("\n")));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pinhole_core::{DVec3, Sphere};
 
-use super::elements::Element;
+use super::elements::{Element, UNKNOWN};
 use crate::document::Item;
 
 /// No atom is farther than this from the origin along an axis, in ångström: a tenth of a
@@ -51,7 +51,14 @@ impl Molecule {
         let what =
             format!("{atoms}, {}: spheres of van der Waals radius, in ångström.", self.formula());
         let stop = if title.is_empty() || title.ends_with(['.', '!', '?']) { "" } else { "." };
-        let parts = [format!("{title}{stop}"), what, self.left_out.clone().unwrap_or_default()];
+        let unknown = self.atoms.iter().filter(|atom| *atom.element == UNKNOWN).count();
+        let unknown = match unknown {
+            0 => String::new(),
+            1 => "1 atom is of no known element: grey.".to_owned(),
+            count => format!("{count} atoms are of no known element: grey."),
+        };
+        let left_out = self.left_out.clone().unwrap_or_default();
+        let parts = [format!("{title}{stop}"), what, unknown, left_out];
         parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("\n")
     }
 

@@ -25,6 +25,9 @@ const fn element(symbol: &'static str, color: u32, radius: f64) -> Element {
     Element { symbol, color: [r, g, b], radius }
 }
 
+/// Of an atom that is none of an element, such as a dummy atom: grey.
+pub const UNKNOWN: Element = element("X", 0x808080, UNKNOWN_RADIUS);
+
 /// By atomic number, from hydrogen.
 const ELEMENTS: [Element; 109] = [
     element("H", 0xffffff, 1.20),
@@ -147,4 +150,14 @@ pub fn of_symbol(symbol: &str) -> Option<&'static Element> {
 /// The element of an atomic number, as `6`.
 pub fn of_number(number: usize) -> Option<&'static Element> {
     ELEMENTS.get(number.checked_sub(1)?)
+}
+
+/// The element of an atom's label: of the letters with which it begins, as in `C12`, and force fields'
+/// `C_3` and `C.ar`; [`UNKNOWN`] of other letters, as in `Xx` and `DU`, and `None` of no letter.
+pub fn of_label(label: &str) -> Option<&'static Element> {
+    let end = label.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(label.len());
+    match &label[..end] {
+        "" => None,
+        letters => Some(of_symbol(letters).unwrap_or(&UNKNOWN)),
+    }
 }

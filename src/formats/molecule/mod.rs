@@ -1,4 +1,4 @@
-//! Molecules as scenes: the atoms of `.xyz` and `.pdb` files as spheres in the colours of their
+//! Molecules as scenes: the atoms of `.xyz` and `.pdb` or `.ent` files as spheres in the colours of their
 //! elements, as large as their van der Waals radii; one unit is one ångström.
 //!
 //! A molecule has no camera of its own: it gets one that frames it (`framing.rs`). Nothing is
@@ -21,7 +21,7 @@ use crate::document::{CsvSpheres, Document, Item};
 use atoms::Molecule;
 
 /// The endings of molecules' files.
-pub const ENDINGS: [&str; 2] = ["xyz", "pdb"];
+pub const ENDINGS: [&str; 3] = ["xyz", "pdb", "ent"];
 
 /// More atoms than this are no objects to edit one by one: the scene names the molecule's file for
 /// them, as it names a file of spheres.
@@ -90,7 +90,7 @@ pub fn left_out(path: &Path) -> Result<Option<String>, FileError> {
 fn read(text: &str, path: &Path) -> Result<Molecule, FileError> {
     let text = text.trim_start_matches('\u{feff}');
     let molecule = match kind(path) {
-        Some("pdb") => pdb::read(text, path)?,
+        Some("pdb" | "ent") => pdb::read(text, path)?,
         _ => xyz::read(text, path)?,
     };
     if molecule.atoms.is_empty() {

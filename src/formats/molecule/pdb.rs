@@ -105,7 +105,7 @@ impl<'a> Record<'a> {
                 let name = self.field(13..=16);
                 self.error(13, &format!("the atom's name in columns 13-16 is {name:?}, which begins with no element, and columns 77-78 name none: {right}"))
             }),
-            symbol => elements::of_symbol(symbol).ok_or_else(|| {
+            symbol => elements::of_label(symbol).ok_or_else(|| {
                 self.error(77, &format!("the element in columns 77-78 is {symbol:?}: {right}"))
             }),
         }

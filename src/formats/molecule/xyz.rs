@@ -116,10 +116,10 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// By symbol, by atomic number, or by a label such as `C12`.
+/// By symbol, by atomic number, or by a label such as `C12` or `C_3`.
 fn element(text: &str) -> Option<&'static Element> {
     match text.parse() {
         Ok(number) => elements::of_number(number),
-        Err(_) => elements::of_symbol(text.trim_end_matches(|c: char| c.is_ascii_digit())),
+        Err(_) => elements::of_label(text),
     }
 }
