@@ -38,6 +38,10 @@ fn right_answers_of_few_digits_are_told_so() {
     assert_eq!((run.status, lines.len()), (1, 3), "{lines:?}");
     assert_eq!(lines[0], "hits: 1 of 2 hits agrees, within 0.00001 of their distance");
     assert_eq!(lines[2], "mistake: The answers are right to 4 digits; write at least six.");
+    // At a sphere's edge, where the far root in single precision is as near.
+    fs::write(folder.path().join("in.csv"), "row,column,t\n194,42,2.46\n0,0,3\n").unwrap();
+    let run = run_in(folder.path(), &["check", "distance-two", "--answers", "in.csv"]);
+    assert_eq!(run.stdout.lines().last().unwrap(), lines[2].replace('4', "3"));
 }
 
 #[test]
