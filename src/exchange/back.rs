@@ -182,7 +182,8 @@ fn image_in_ratio(at_hand: ImageSize, aspect: f64) -> Option<ImageSize> {
     let by_height = |height: u32, off: f64| {
         image_of_height(height, aspect).filter(|image| (image.aspect() / aspect - 1.0).abs() <= off)
     };
-    let are_tens = |image: &ImageSize| image.width() % 10 == 0 && image.height() % 10 == 0;
+    let are_tens =
+        |image: &ImageSize| [image.width(), image.height()].iter().all(|n| n.is_multiple_of(10));
     [1e-12, 1e-6].into_iter().find_map(|off| {
         let as_wide = (f64::from(w) / aspect).round().clamp(1.0, f64::from(ImageSize::MAX)) as u32;
         let as_wide = || by_height(as_wide, off).filter(are_tens);

@@ -164,12 +164,13 @@ impl<'t> Blocks<'t> {
     /// What is said of colours that are there and could not be read.
     pub(super) fn colors(&self, code: &Code, notes: &mut Vec<String>) {
         let is_unread = |block: &&Piece| {
-            !words(**block, "pigment").is_empty() && color(code, **block).is_none()
+            let has = |word: &str| !words(**block, word).is_empty();
+            (has("pigment") || has("texture")) && color(code, **block).is_none()
         };
         let count = self.spheres.iter().chain(&self.planes).filter(is_unread).count();
         if count > 0 {
             notes.push(format!(
-                "{count} of pigment left out: a colour must be rgb <1, 0.5, 0> or a name such as Red"
+                "{count} of pigment or texture left out: a colour must be rgb <1, 0.5, 0> or a name such as Red"
             ));
         }
     }

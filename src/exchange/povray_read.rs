@@ -57,7 +57,9 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::SlashesAndAngles);
     let mut notes = Vec::new();
     let blocks = Blocks::of(&code);
-    let camera = blocks.cameras.last().copied();
+    // camera { Name } says nothing itself: it is one that was declared.
+    let says = |camera: &&Piece| WORDS.iter().any(|word| !words(**camera, word).is_empty());
+    let camera = blocks.cameras.iter().rfind(says).or(blocks.cameras.last()).copied();
     let camera =
         camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
     let image = image(text, at_hand, &mut notes);

@@ -117,6 +117,8 @@ fn pov_ray_s_lens_is_left_out_and_what_moves_its_camera_refused() {
     ] {
         assert_eq!(camera(more).unwrap_err().problem, message);
     }
+    let declared = format!("#declare Mine = {CAMERA}camera {{ Mine }}");
+    assert_eq!(read("povray", &declared).unwrap().camera.eye, DVec3::new(0.0, 0.0, 9.0));
     let named = |color: &str| {
         let text = format!("{CAMERA}sphere {{ <0, 0, 0>, 1 pigment {{ {color} }} }}");
         let taken = read("povray", &text).unwrap();
