@@ -114,15 +114,14 @@ impl Graded {
     pub fn agreement(&self) -> String {
         let grade = &self.grade;
         let (agree, all) = (grouped(grade.agree() as u64), grouped(grade.answers() as u64));
-        let noun = match grade.kind {
-            Kind::Basis => "vector",
-            Kind::Rays => "ray",
-            Kind::Hits => "hit",
-            Kind::Picture => "pixel",
+        let plural = match grade.kind {
+            Kind::Basis => "vectors",
+            Kind::Rays => "rays",
+            Kind::Hits => "hits",
+            Kind::Picture => "pixels",
         };
-        let plural = if grade.answers() == 1 { "" } else { "s" };
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
-        format!("{agree} of {all} {noun}{plural} {verb}, within {}", self.tolerance())
+        format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
     }
 
     /// The grade where every pixel is asked for: those without an answer count as wrong ones.

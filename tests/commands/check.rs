@@ -145,7 +145,7 @@ fn what_nothing_explains_is_said_so() {
 fn what_was_asked_for_must_be_there() {
     let folder = folder("row,column,t\n0,0,\n");
     let said = check(folder.path(), &["--kind", "hits"]).done();
-    assert_eq!(said, "hits: 1 of 1 hit agrees, within 0.00001 of their distance\n");
+    assert_eq!(said, "hits: 1 of 1 hits agrees, within 0.00001 of their distance\n");
     let run = check(folder.path(), &["--complete"]);
     assert_eq!(run.status, 1);
     let expected = "hits: 1 of 1,200 hits agrees, within 0.00001 of their distance\n\
