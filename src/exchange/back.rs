@@ -150,15 +150,25 @@ fn without_noise(axis: DVec3) -> DVec3 {
 }
 
 /// Those of a text's objects that could be read; of the others a note says how many there are, and
-/// what is wrong with the first: no object spoils the camera.
+/// what is wrong with the first: no object spoils the camera. After so many faults that the text is of
+/// another kind, it is read no further: each one's line takes a pass over the text.
 pub(crate) fn readable<T>(
     objects: impl IntoIterator<Item = Result<T, FileError>>,
     what: &str,
     notes: &mut Vec<String>,
 ) -> Vec<T> {
-    let mut faults = Vec::new();
-    let read = objects.into_iter().filter_map(|object| object.map_err(|e| faults.push(e)).ok());
-    let read = read.collect();
+    const ENOUGH: usize = 100;
+    let (mut read, mut faults) = (Vec::new(), Vec::new());
+    for object in objects {
+        match object {
+            Ok(object) => read.push(object),
+            Err(fault) => faults.push(fault),
+        }
+        if faults.len() == ENOUGH {
+            notes.push(format!("what follows the first {ENOUGH} of {what} left out is not read"));
+            break;
+        }
+    }
     if let Some(first) = faults.first() {
         let line = first.place.map(|place| format!("line {}: ", place.line));
         let line = line.unwrap_or_default();

@@ -140,10 +140,9 @@ fn shapes(file: &File, xml: &Xml, notes: &mut Vec<String>) -> Shapes {
     let mut shapes = (Vec::new(), Vec::new());
     let mut left = Vec::new();
     let nodes = xml.descendants().filter(|node| node.has_tag_name("shape"));
-    let read: Vec<_> = nodes.map(|node| shape(file, node, &mut shapes, &mut left)).collect();
+    readable(nodes.map(|node| shape(file, node, &mut shapes, &mut left)), "shape", notes);
     left.dedup();
     notes.append(&mut left);
-    readable(read, "shape", notes);
     shapes
 }
 

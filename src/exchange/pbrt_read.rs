@@ -50,6 +50,8 @@ struct Found {
     at: usize,
     spheres: Vec<Item<Sphere>>,
     notes: Vec<String>,
+    /// Spheres that could not be read.
+    unread: usize,
 }
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
@@ -259,6 +261,10 @@ impl Found {
         let radius = parameters.get("radius").and_then(|r| numbers_of(r).first().copied());
         let radius = radius.unwrap_or(1.0) * scale;
         if radius <= 0.0 {
+            self.unread += 1;
+            if self.unread > 1 {
+                return;
+            }
             let place = reader.error(at, String::new()).place;
             let line = place.map(|place| format!("line {}: ", place.line)).unwrap_or_default();
             let why = format!("radius is {}: it must be greater than 0", n(radius));
@@ -329,6 +335,9 @@ impl Found {
         if mirrored {
             self.notes.push(MIRRORED.to_owned());
             self.spheres = self.spheres.mirrored();
+        }
+        if self.unread > 1 {
+            self.notes.push(format!("{} of sphere left out in all", self.unread));
         }
         self.notes.dedup();
         let camera = Camera { eye, orientation, viewport, image };

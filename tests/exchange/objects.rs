@@ -144,6 +144,9 @@ fn what_is_never_closed_or_closed_late_ends() {
     ] {
         assert!(read(name, &text).is_err(), "{name}");
     }
+    let spheres = "make_shared<sphere>(c, r, m);\n".repeat(many);
+    let taken = read("weekend", &format!("cam.lookfrom = point3(1, 2, 3);\n{spheres}")).unwrap();
+    assert_eq!((taken.spheres.len(), taken.notes.len()), (0, 2), "{:?}", taken.notes);
 }
 
 /// Where a form gives a ratio and no size, pixels are square.
