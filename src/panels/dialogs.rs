@@ -81,7 +81,7 @@ impl PathField {
     /// Of a scene to open: starts in the folder of `path`.
     pub(crate) fn to_open(path: Option<&Path>) -> PathField {
         let hint = "path of a .toml scene, or of a .xyz or .pdb molecule";
-        PathField::of(path, "", &["toml", "xyz", "pdb"], hint)
+        PathField::of(path, "", &["toml", "xyz", "pdb", "ent"], hint)
     }
 
     /// Of a scene to save: starts in the folder of `path`, with a name filled in.
