@@ -47,7 +47,7 @@ const BUDGET: Duration = Duration::from_millis(8);
 /// A finer picture has to fit well, not barely: else it would be coarser again in the next frame.
 const COMFORT: f64 = 0.6;
 
-/// So many seconds without a new picture, and the hand rests.
+/// So many seconds without a move, and the hand rests.
 pub(crate) const REST: f64 = 0.15;
 
 /// Chooses the coarseness from what the pictures so far took.

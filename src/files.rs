@@ -1,11 +1,14 @@
 //! Where the open document came from, and getting it from and to there.
 
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use crate::document::Document;
+use crate::exchange::{Sheet, Written};
 use crate::formats::scene_argument::SceneSource;
-use crate::formats::{molecule, scene_file};
+
+use crate::formats::{FileError, atomic, molecule, scene_file};
 
 /// How many files the list of recent ones holds.
 const RECENT: usize = 10;
@@ -160,4 +163,19 @@ pub fn remember(recent: &mut Vec<PathBuf>, path: &Path) {
 
 fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
+/// Writes a camera in another program's terms: a text as a file, several as a folder of files.
+///
+/// # Errors
+/// Where it cannot be written.
+pub(crate) fn save_written(written: &Written, path: &Path) -> Result<(), FileError> {
+    let save = |path: &Path, sheet: &Sheet| {
+        atomic::write(path, |file| file.write_all(sheet.text.as_bytes()))
+    };
+    if let [(_, sheet)] = &written.files[..] {
+        return save(path, sheet);
+    }
+    fs::create_dir_all(path).map_err(|error| FileError::unwritable(path, &error))?;
+    written.files.iter().try_for_each(|(name, sheet)| save(&path.join(name), sheet))
 }

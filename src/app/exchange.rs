@@ -1,7 +1,5 @@
 //! A camera from the clipboard, and the translator's text to a file.
 
-use std::fs;
-use std::io::Write as _;
 use std::path::Path;
 
 use egui::{Context, Event, ViewportCommand};
@@ -9,7 +7,7 @@ use egui::{Context, Event, ViewportCommand};
 use super::App;
 use crate::action::Action;
 use crate::exchange::{Subject, Written};
-use crate::formats::{FileError, atomic};
+use crate::files::save_written;
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::panels::translator;
 use crate::translator::{pasted, with};
@@ -82,19 +80,8 @@ impl App {
     /// Writes the translator's text, or its files into a folder.
     pub(super) fn translate(&mut self, path: &Path) {
         let Some(written) = self.translated() else { return };
-        if let Err(error) = write(&written, path) {
+        if let Err(error) = save_written(&written, path) {
             self.tell("The camera was not saved", error.to_string());
         }
     }
-}
-
-fn write(written: &Written, path: &Path) -> Result<(), FileError> {
-    if let [(_, sheet)] = &written.files[..] {
-        return atomic::write(path, |file| file.write_all(sheet.text.as_bytes()));
-    }
-    fs::create_dir_all(path).map_err(|error| FileError::unwritable(path, &error))?;
-    for (name, sheet) in &written.files {
-        atomic::write(&path.join(name), |file| file.write_all(sheet.text.as_bytes()))?;
-    }
-    Ok(())
 }

@@ -1,13 +1,9 @@
 //! `pinhole export`: the camera and the scene in another program's words.
 
-use std::fs;
-use std::io::Write;
-use std::path::Path;
-
 use super::{CommandError, load, of_scene, pose, to_stdout, warn};
 use crate::arguments::ExportArguments;
-use crate::exchange::{Subject, With, Written};
-use crate::formats::{FileError, atomic};
+use crate::exchange::{Subject, With};
+use crate::files::save_written;
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
@@ -22,21 +18,8 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let written = written.map_err(|error| of_scene(&arguments.scene, error))?;
     match &arguments.output {
         None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,
-        Some(path) if written.files.len() > 1 => to_folder(path, &written)?,
-        Some(path) => {
-            let text = written.joined().text;
-            atomic::write(path, |file| file.write_all(text.as_bytes()))?;
-        }
+        Some(path) => save_written(&written, path)?,
     }
     written.notes.iter().for_each(|note| warn(note));
-    Ok(())
-}
-
-/// A format of several files is a folder of them.
-fn to_folder(folder: &Path, written: &Written) -> Result<(), FileError> {
-    fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))?;
-    for (name, sheet) in &written.files {
-        atomic::write(&folder.join(name), |file| file.write_all(sheet.text.as_bytes()))?;
-    }
     Ok(())
 }
