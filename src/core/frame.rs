@@ -115,15 +115,36 @@ impl Raster {
         &self.columns
     }
 
+    /// For each row of the image the place among [`Raster::rows`] of the nearest one, and likewise for
+    /// columns; of two equally near ones the first.
+    pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
+        [nearest(&self.rows, image.height()), nearest(&self.columns, image.width())]
+    }
+
+    /// The place among the raster's pixels, row by row, of the one in the nearest row and column, as
+    /// [`Raster::nearest`] has it for all; `None` where no pixel is traced.
+    pub fn nearest_to(&self, pixel: Pixel) -> Option<usize> {
+        let place = |traced: &[u32], own: u32| {
+            let after = traced.partition_point(|x| *x < own);
+            let before = after.saturating_sub(1);
+            let is_nearer = |x: &u32| x.abs_diff(own) < traced[before].abs_diff(own);
+            if traced.get(after).is_some_and(is_nearer) { after } else { before }
+        };
+        let is_there = !self.is_empty();
+        is_there.then(|| {
+            let row = place(&self.rows, pixel.row);
+            row * self.columns.len() + place(&self.columns, pixel.column)
+        })
+    }
+
     /// Values of the raster's pixels for every pixel of the image: one that was left out gets the value
-    /// of the nearest row and column, of two equally near ones the first. None where there are none,
-    /// or not as many as pixels.
+    /// of the nearest row and column ([`Raster::nearest`]). None where there are none, or not as many
+    /// as pixels.
     pub fn spread<V: Copy>(&self, image: ImageSize, values: &[V]) -> Vec<V> {
         if self.is_empty() || values.len() != self.len() {
             return Vec::new();
         }
-        let (rows, columns) =
-            (nearest(&self.rows, image.height()), nearest(&self.columns, image.width()));
+        let [rows, columns] = self.nearest(image);
         let of_row = |row: &usize| &values[row * self.columns.len()..][..self.columns.len()];
         rows.iter().flat_map(|row| columns.iter().map(|column| of_row(row)[*column])).collect()
     }

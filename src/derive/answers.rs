@@ -104,19 +104,17 @@ fn picture(graded: &Graded, size: [u32; 2]) -> Option<Picture> {
     let cells = graded.map()?;
     let image: ImageSize = graded.image;
     let raster = Raster::shown_on(image, size[0], size[1]);
-    let mut shown = Picture { pixels: Vec::new(), image, raster };
-    let (rows, columns) = shown.nearest();
-    let width = shown.raster.columns().len();
-    let mut worst = vec![Cell::Unanswered; shown.raster.len()];
+    let [rows, columns] = raster.nearest(image);
+    let width = raster.columns().len();
+    let mut worst = vec![Cell::Unanswered; raster.len()];
     for (index, cell) in cells.into_iter().enumerate() {
         let (row, column) = (index / image.width() as usize, index % image.width() as usize);
-        let known = &mut worst[rows.of(row) * width + columns.of(column)];
+        let known = &mut worst[rows[row] * width + columns[column]];
         *known = (*known).max(cell);
     }
     let color = |cell: Cell| {
         let [r, g, b] = cell.color();
         Color32::from_rgb(r, g, b)
     };
-    shown.pixels = worst.into_iter().map(color).collect();
-    Some(shown)
+    Some(Picture { pixels: worst.into_iter().map(color).collect(), image, raster })
 }

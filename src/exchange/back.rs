@@ -129,6 +129,9 @@ pub(crate) fn settled(x: f64, roundings: f64) -> f64 {
 
 /// `ratio` times as much, in as few digits as keep the ratio to its last one.
 pub(crate) fn in_ratio(x: f64, ratio: f64) -> f64 {
+    if ratio == 1.0 {
+        return x;
+    }
     shortest_where(x * ratio, |y| (y / x / ratio - 1.0).abs() <= 2.0 * f64::EPSILON)
 }
 

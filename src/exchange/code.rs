@@ -149,10 +149,11 @@ impl<'a> Code<'a> {
         Ok(())
     }
 
-    /// What is in a list, be it `[1, 2]`, `(1, 2)`, `vec3(1, 2)` or `np.array([1, 2])`.
+    /// What is in a list, be it `[1, 2]`, `(1, 2)`, `new Vec3(1, 2)` or `np.array([1, 2])`.
     fn list_in<'t>(&self, piece: Piece<'t>) -> Option<Piece<'t>> {
         let open = piece.text.find(['(', '[', '{'])?;
         let name = piece.text[..open].trim();
+        let name = name.strip_prefix("new ").unwrap_or(name).trim_start();
         let is_name = name.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c));
         let short = name.rsplit(['.', ':']).next().unwrap_or_default();
         if !is_name || FUNCTIONS.contains(&short) {

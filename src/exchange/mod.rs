@@ -30,6 +30,7 @@ mod sheet;
 mod subject;
 mod terms;
 mod three;
+mod three_code;
 mod weekend;
 
 use std::fmt;

@@ -280,6 +280,14 @@ fn plain_vector(code: &Code, field: &str, piece: Piece) -> Result<DVec3, FileErr
 
 /// Where what follows an object's numbers puts it, one step after the other.
 fn placed(code: &Code, modifiers: Piece) -> Result<Affine, FileError> {
+    steps(code, modifiers, 0)
+}
+
+/// What stands in so many `transform { ... }`.
+fn steps(code: &Code, modifiers: Piece, depth: usize) -> Result<Affine, FileError> {
+    const DEEPEST: usize = 8;
+    const RIGHT: &str = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix \
+                         in transform";
     let mut placed = Affine::IDENTITY;
     let mut rest = modifiers;
     while let Some(c) = rest.text.chars().next() {
@@ -290,20 +298,31 @@ fn placed(code: &Code, modifiers: Piece) -> Result<Affine, FileError> {
             continue;
         }
         let word = word_of(rest);
-        rest = rest.from(word.text.len());
-        if !["translate", "scale", "rotate", "matrix", "transform"].contains(&word.text) {
-            continue;
-        }
-        let (value, after) = value_of(rest);
+        let open = after_spaces(rest.from(word.text.len()));
+        let (value, after) = match code.bracketed(open).filter(|_| open.text.starts_with('{')) {
+            Some(inside) if word.text == "transform" => (inside, open.from(inside.text.len() + 2)),
+            _ => value_of(open),
+        };
         let step = match word.text {
             "translate" => Some(Affine::translation(plain_vector(code, "translate", value)?)),
             "scale" => Some(Affine::scaling(plain_vector(code, "scale", value)?)),
             "rotate" => Some(rotation(plain_vector(code, "rotate", value)?)),
             "matrix" => matrix(&code.numbers("matrix", value)?),
-            _ => None,
+            "transform" if !value.text.is_empty() && depth < DEEPEST => {
+                Some(steps(code, value, depth + 1)?)
+            }
+            // The name of one that is declared.
+            "transform" if value.text.is_empty() => {
+                return Err(code.fault("transform", word_of(open), RIGHT));
+            }
+            "transform" => None,
+            _ if depth > 0 => return Err(code.fault("transform", word, RIGHT)),
+            _ => {
+                rest = open;
+                continue;
+            }
         };
-        let right = "it must be twelve numbers for matrix, and translate, scale or rotate else";
-        placed = step.ok_or_else(|| code.fault(word.text, value, right))?.of(&placed);
+        placed = step.ok_or_else(|| code.fault(word.text, value, RIGHT))?.of(&placed);
         rest = after;
     }
     Ok(placed)

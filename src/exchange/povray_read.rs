@@ -8,39 +8,9 @@ use super::povray_objects::Blocks;
 use super::{Taken, Text};
 use crate::formats::FileError;
 
-/// What may stand in a camera, after whose value the next one begins.
-const WORDS: [&str; 26] = [
-    "perspective",
-    "orthographic",
-    "fisheye",
-    "ultra_wide_angle",
-    "omnimax",
-    "panoramic",
-    "cylinder",
-    "spherical",
-    "location",
-    "right",
-    "up",
-    "direction",
-    "sky",
-    "look_at",
-    "angle",
-    "rotate",
-    "translate",
-    "aperture",
-    "focal_point",
-    "blur_samples",
-    "confidence",
-    "variance",
-    "bokeh",
-    "scale",
-    "matrix",
-    "transform",
-];
-
-/// What blurs, as a lens does.
-const BLUR: [&str; 6] =
-    ["aperture", "focal_point", "blur_samples", "confidence", "variance", "bokeh"];
+/// What a camera of ours has.
+const OWN: [&str; 8] =
+    ["perspective", "location", "right", "up", "direction", "sky", "look_at", "angle"];
 
 /// The projections that are none of a pinhole camera.
 const OTHER_PROJECTIONS: [&str; 7] = [
@@ -53,12 +23,28 @@ const OTHER_PROJECTIONS: [&str; 7] = [
     "spherical",
 ];
 
+/// What moves a camera as a whole.
+const MOVES: [&str; 5] = ["rotate", "translate", "scale", "matrix", "transform"];
+
+/// What blurs, as a lens does.
+const BLUR: [&str; 6] =
+    ["aperture", "focal_point", "blur_samples", "confidence", "variance", "bokeh"];
+
+/// What bends the rays.
+const BENT: &str = "normal";
+
+/// What may stand in a camera, after whose value the next one begins.
+fn camera_words() -> impl Iterator<Item = &'static str> {
+    let lists: [&[&str]; 5] = [&OWN, &OTHER_PROJECTIONS, &MOVES, &BLUR, &[BENT]];
+    lists.into_iter().flatten().copied()
+}
+
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::SlashesAndAngles);
     let mut notes = Vec::new();
     let blocks = Blocks::of(&code);
     // camera { Name } says nothing itself: it is one that was declared.
-    let says = |camera: &&Piece| WORDS.iter().any(|word| !words(**camera, word).is_empty());
+    let says = |camera: &&Piece| camera_words().any(|word| !words(**camera, word).is_empty());
     let camera = blocks.cameras.iter().rfind(says).or(blocks.cameras.last()).copied();
     let camera =
         camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
@@ -72,6 +58,9 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     };
     if BLUR.iter().any(|word| value(camera, word).is_some()) {
         notes.push("lens blur is left out: a pinhole is sharp everywhere".to_owned());
+    }
+    if value(camera, BENT).is_some() {
+        notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
     let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
     let mirrored = Basis::is_left_handed(right, up, -direction);
@@ -116,7 +105,7 @@ fn image(text: &Text, at_hand: &Camera, notes: &mut Vec<String>) -> ImageSize {
 fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     let at = *words(camera, word).last()?;
     let rest = camera.from(at + word.len());
-    let next = WORDS.iter().flat_map(|word| words(rest, word)).min();
+    let next = camera_words().flat_map(|word| words(rest, word)).min();
     Some(trimmed(Piece { text: &rest.text[..next.unwrap_or(rest.text.len())], ..rest }))
 }
 
@@ -143,9 +132,9 @@ impl View {
             let piece = Piece { text: other, at: camera.at + words(camera, other)[0] };
             return Err(code.fault("the projection", piece, "it must be perspective"));
         }
-        for turned in ["rotate", "translate", "scale", "matrix", "transform"] {
-            if let Some(piece) = value(camera, turned) {
-                return Err(code.fault(turned, piece, "the camera must be given without it"));
+        for moved in MOVES {
+            if let Some(piece) = value(camera, moved) {
+                return Err(code.fault(moved, piece, "the camera must be given without it"));
             }
         }
         let or = |word: &str, or: DVec3| match value(camera, word) {

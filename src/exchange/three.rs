@@ -1,4 +1,5 @@
-//! three.js's JSON Object/Scene format 4: what `Object3D.toJSON` writes and `ObjectLoader` reads.
+//! three.js's JSON Object/Scene format 4: what `Object3D.toJSON` writes and `ObjectLoader` reads. What
+//! a program says to make its camera is read, too (`three_code`).
 //! Cameras look along their own -z with y up; matrices are column after column.
 
 use pinhole_core::{Camera, DVec3, Plane, Sphere, Viewport};
@@ -10,7 +11,7 @@ use super::json::{self, Node};
 use super::sheet::{Sheet, n, quotable};
 use super::subject::square_note;
 use super::terms::{Pixels, Terms};
-use super::{Format, Subject, Taken, Text, Unsayable, Written};
+use super::{Format, Subject, Taken, Text, Unsayable, Written, three_code};
 use crate::document::Item;
 use crate::formats::FileError;
 
@@ -31,7 +32,10 @@ pub(super) const FORMAT: Format = Format {
     },
     write,
     read,
-    claims: |text| json::looks_like(text) && text.contains("\"PerspectiveCamera\""),
+    claims: |text| {
+        (json::looks_like(text) && text.contains("\"PerspectiveCamera\""))
+            || three_code::claims(text)
+    },
 };
 
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
@@ -125,6 +129,9 @@ fn uuid(k: usize) -> String {
 }
 
 fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    if three_code::claims(text.text) {
+        return three_code::read(text, at_hand);
+    }
     let value = json::parse(text)?;
     let root = Node::root(text, &value);
     let mut notes = Vec::new();

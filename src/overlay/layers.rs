@@ -9,7 +9,7 @@ use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT};
 use rayon::prelude::*;
 
 use crate::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
-use crate::overlay::picture::{Nearest, Picture};
+use crate::overlay::picture::Picture;
 
 /// Everything flat in one world view, and the t-buffer that it is compared with.
 pub(crate) struct Layers<'a> {
@@ -36,8 +36,8 @@ pub(crate) struct ViewportLayer<'a> {
 /// A picture with the nearest traced pixel of each pixel looked up beforehand.
 pub(crate) struct PictureLookup<'a> {
     picture: &'a Picture,
-    rows: Nearest,
-    columns: Nearest,
+    rows: Vec<usize>,
+    columns: Vec<usize>,
 }
 
 /// The part of an infinite plane near what the observer looks at, fading outwards, with grid lines
@@ -73,13 +73,13 @@ impl<'a> PictureLookup<'a> {
         if !picture.is_whole() || picture.image != image {
             return None;
         }
-        let (rows, columns) = picture.nearest();
+        let [rows, columns] = picture.raster.nearest(image);
         Some(PictureLookup { picture, rows, columns })
     }
 
     fn color(&self, row: usize, column: usize) -> Color32 {
         let width = self.picture.raster.columns().len();
-        self.picture.pixels[self.rows.of(row) * width + self.columns.of(column)]
+        self.picture.pixels[self.rows[row] * width + self.columns[column]]
     }
 }
 

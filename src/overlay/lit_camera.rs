@@ -3,7 +3,8 @@
 use egui::Color32;
 use pinhole_core::lecture::{BasisDerivation, Cross};
 use pinhole_core::{
-    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, PosedCamera, Raster, Scene, trace,
+    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, Pixel, PosedCamera, Raster,
+    Scene, trace,
 };
 
 use crate::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
@@ -300,17 +301,10 @@ impl Cells {
 
     /// The object seen at a place, in dots.
     fn object_at(&self, at: DVec2) -> u32 {
-        let raster = self.frame.raster();
-        let pixel = at / self.per_pixel - 0.5;
-        let nearest = |traced: &[u32], own: f64| {
-            let after = traced.partition_point(|x| f64::from(*x) < own);
-            let away =
-                |k: usize| traced.get(k).map_or(f64::INFINITY, |x| (own - f64::from(*x)).abs());
-            let before = after.saturating_sub(1);
-            if away(before) <= away(after) { before } else { after }
-        };
-        let row = nearest(raster.rows(), pixel.y);
-        let place = row * raster.columns().len() + nearest(raster.columns(), pixel.x);
+        let cell = at / self.per_pixel;
+        // A cast saturates: at the first beside the picture.
+        let pixel = Pixel { row: cell.y as u32, column: cell.x as u32 };
+        let Some(place) = self.frame.raster().nearest_to(pixel) else { return NO_OBJECT };
         self.frame.object.get(place).copied().unwrap_or(NO_OBJECT)
     }
 }

@@ -1,7 +1,7 @@
 //! The traced picture of the edited camera, and how it is shown with its pixels as pixels.
 
 use egui::Color32;
-use pinhole_core::{ImageSize, Raster};
+use pinhole_core::{ImageSize, Pixel, Raster};
 use rayon::prelude::*;
 
 /// What the edited camera sees: one colour per traced pixel of its image.
@@ -15,45 +15,10 @@ pub struct Picture {
     pub pixels: Vec<Color32>,
 }
 
-/// For each row or column of the image, which of the traced ones is nearest.
-pub(crate) struct Nearest(Vec<u32>);
-
-impl Nearest {
-    /// `traced` is ascending. Of two equally near, the first.
-    fn new(traced: &[u32], count: u32) -> Nearest {
-        let mut index = 0;
-        Nearest(
-            (0..count)
-                .map(|own| {
-                    while let Some(next) = traced.get(index + 1)
-                        && next.abs_diff(own) < traced[index].abs_diff(own)
-                    {
-                        index += 1;
-                    }
-                    index as u32
-                })
-                .collect(),
-        )
-    }
-
-    /// The index in the raster.
-    pub(crate) fn of(&self, own: usize) -> usize {
-        self.0[own] as usize
-    }
-}
-
 impl Picture {
     /// Whether there is a colour for every traced pixel, and at least one.
     pub(crate) fn is_whole(&self) -> bool {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
-    }
-
-    /// The nearest traced row of every row of the image, and likewise for columns.
-    pub(crate) fn nearest(&self) -> (Nearest, Nearest) {
-        (
-            Nearest::new(self.raster.rows(), self.image.height()),
-            Nearest::new(self.raster.columns(), self.image.width()),
-        )
     }
 
     /// The colour of a pixel of the image, or of the nearest traced one; `None` outside the image.
@@ -61,17 +26,7 @@ impl Picture {
         if row >= self.image.height() || column >= self.image.width() {
             return None;
         }
-        let nearest = |traced: &[u32], own: u32| {
-            let after = traced.partition_point(|x| *x < own);
-            let before = after.saturating_sub(1);
-            match (traced.get(before), traced.get(after)) {
-                (Some(b), Some(a)) if a.abs_diff(own) < b.abs_diff(own) => after,
-                _ => before,
-            }
-        };
-        let row = nearest(self.raster.rows(), row);
-        let column = nearest(self.raster.columns(), column);
-        self.pixels.get(row * self.raster.columns().len() + column).copied()
+        self.pixels.get(self.raster.nearest_to(Pixel { row, column })?).copied()
     }
 
     /// Fills a buffer of `columns` dots a row with the picture, nearest-neighbour: dot `k` of `n`
@@ -81,12 +36,11 @@ impl Picture {
             return;
         }
         let rows = dots.len() / columns;
-        let (nearest_row, nearest_column) = self.nearest();
+        let [nearest_row, nearest_column] = self.raster.nearest(self.image);
         let width = self.raster.columns().len();
-        let of_column: Vec<usize> = (0..columns)
-            .map(|k| nearest_column.of(shown(k, columns, self.image.width())))
-            .collect();
-        let row_of = |k: usize| nearest_row.of(shown(k, rows, self.image.height()));
+        let of_column: Vec<usize> =
+            (0..columns).map(|k| nearest_column[shown(k, columns, self.image.width())]).collect();
+        let row_of = |k: usize| nearest_row[shown(k, rows, self.image.height())];
         let bands = dots.par_chunks_mut(BAND * columns).enumerate();
         bands.for_each(|(band, dots)| {
             for k in 0..dots.len() / columns {
@@ -157,9 +111,9 @@ mod tests {
         assert_eq!(row_of(5), Some(7));
         assert_eq!(row_of(9), Some(7));
         assert_eq!(row_of(10), None);
-        let (rows, _) = picture.nearest();
+        let [rows, _] = picture.raster.nearest(image);
         assert!((0..10).all(|row| {
-            let nearest = picture.raster.rows()[rows.of(row as usize)];
+            let nearest = picture.raster.rows()[rows[row as usize]];
             row_of(row) == Some(nearest as u8)
         }));
     }

@@ -8,6 +8,7 @@ mod habits;
 mod objects;
 mod programs;
 mod round_trip;
+mod three_code;
 
 use std::path::Path;
 

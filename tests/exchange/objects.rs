@@ -22,6 +22,10 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
     for (object, place) in [
         ("sphere { <1, 2, 3>, 2 translate <1, 0, 0> scale 2 }", ([4.0, 4.0, 6.0], 4.0)),
         ("sphere { <1, 2, 3> 2 scale 2 translate x*3 }", ([5.0, 4.0, 6.0], 4.0)),
+        (
+            "sphere { <1, 2, 3>, 2 transform { translate x transform { scale 2 } } pigment { Red } }",
+            ([4.0, 4.0, 6.0], 4.0),
+        ),
         ("sphere { <1, 2, 3>, 0.5 rotate y*90 }", ([3.0, 2.0, -1.0], 0.5)),
         ("sphere { <1, 2, 3>, 0.5 rotate <90, 0, 90> }", ([3.0, 1.0, 2.0], 0.5)),
         (
@@ -32,6 +36,19 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
     ] {
         let (spheres, notes) = povray(object);
         assert_eq!((spheres, notes), (vec![place], Vec::new()), "{object}");
+    }
+    let right = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix in \
+                 transform";
+    for (moved, said) in [
+        ("transform { rotate 90*y inverse }", "transform is inverse"),
+        ("transform { Mine }", "transform is Mine"),
+        ("transform Mine", "transform is Mine"),
+        (&"transform { ".repeat(10), "transform is transform { }"),
+    ] {
+        let closed = "}".repeat(moved.matches('{').count() - moved.matches('}').count());
+        let (spheres, notes) = povray(&format!("sphere {{ <1, 2, 3>, 2 {moved}{closed} }}"));
+        assert_eq!(spheres, []);
+        assert_eq!(notes, [format!("1 of sphere left out: line 2: {said}: {right}")]);
     }
     let (spheres, notes) = povray("sphere { <1, 2, 3>, 2 scale <1, 2, 1> }");
     assert_eq!(spheres, []);
@@ -111,6 +128,8 @@ fn pov_ray_s_lens_is_left_out_and_what_moves_its_camera_refused() {
         camera("focal_point <0, 0, 1> blur_samples 10 confidence 0.9 variance 1/128").unwrap();
     assert_eq!(taken.notes, ["lens blur is left out: a pinhole is sharp everywhere"]);
     assert_eq!(taken.camera.viewport.distance, 1.0);
+    let bent = camera("normal { bumps 0.1 }").unwrap();
+    assert_eq!(bent.notes, ["the camera's normal is left out: a pinhole's rays are straight"]);
     for (more, message) in [
         ("scale 2", "scale is 2: the camera must be given without it"),
         ("translate 2*x", "translate is 2*x: the camera must be given without it"),

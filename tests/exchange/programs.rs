@@ -19,7 +19,7 @@ use pinhole_core::{DVec2, DVec3, Pixel, PosedCamera, Scene};
 use super::{proofs, written};
 
 /// Whether a program is there; where it must be and is not, that is an error.
-fn there(name: &str, probe: &mut Command) -> bool {
+pub(super) fn there(name: &str, probe: &mut Command) -> bool {
     let found = probe.output().is_ok_and(|output| output.status.success());
     let wanted = env::var("PINHOLE_TEST_PROGRAMS").unwrap_or_default();
     let required = wanted == "required" || wanted.split(',').any(|wanted| wanted == name);
@@ -37,11 +37,11 @@ fn python_with(name: &str, module: &str) -> bool {
     there(name, python().args(["-c", &format!("import {module}")]))
 }
 
-fn script(name: &str) -> PathBuf {
+pub(super) fn script(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/exchange/programs").join(name)
 }
 
-fn output(command: &mut Command) -> String {
+pub(super) fn output(command: &mut Command) -> String {
     let output = command.output().unwrap();
     let complaint = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{command:?}: {complaint}");
@@ -285,7 +285,7 @@ fn colmap_sees_points_in_the_same_places() {
     }
 }
 
-fn node_modules() -> PathBuf {
+pub(super) fn node_modules() -> PathBuf {
     env::var_os("PINHOLE_TEST_NODE_MODULES").map_or("node_modules".into(), PathBuf::from)
 }
 

@@ -1,7 +1,8 @@
 //! Code for the camera at hand: compiled and run, it gives this program's rays.
 //!
 //! A language whose tools are not installed is left out, and that is printed;
-//! `PINHOLE_TEST_CODE=required` makes it an error for all but Julia, which Debian does not have.
+//! `PINHOLE_TEST_CODE=required` makes it an error for all but Julia's own program, which no package
+//! registry has; its grammar is in npm's, in the folder `PINHOLE_TEST_NODE_MODULES`.
 
 #![allow(clippy::print_stdout, reason = "CI shows which languages ran, and how far they were off")]
 
@@ -63,6 +64,20 @@ fn error(camera: &PosedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) ->
     let ray = camera.ray_of_pixel(pixel);
     let apart = |a: DVec3, b: DVec3| a.distance(b) / a.length().max(f64::MIN_POSITIVE);
     apart(ray.origin, origin).max(apart(ray.direction, direction))
+}
+
+/// The largest error of six numbers a pixel.
+fn worst_error(camera: &PosedCamera, pixels: &[Pixel], numbers: &[f64]) -> f64 {
+    assert_eq!(numbers.len(), 6 * pixels.len(), "{numbers:?}");
+    let errors = numbers
+        .chunks(6)
+        .zip(pixels)
+        .map(|(n, pixel)| error(camera, *pixel, DVec3::from_slice(n), DVec3::from_slice(&n[3..])));
+    errors.fold(0.0, f64::max)
+}
+
+fn numbers_of(text: &str) -> Vec<f64> {
+    text.split_whitespace().map(|word| word.parse().unwrap()).collect()
 }
 
 /// Names and texts.
@@ -200,7 +215,7 @@ fn numbers(runner: &Runner, code: &str, pixels: &[Pixel]) -> Vec<f64> {
         assert!(output.status.success() && said.is_empty(), "{line:?}: {said}");
         if numbers.is_empty() {
             let text = String::from_utf8(output.stdout).unwrap();
-            numbers = text.split_whitespace().map(|word| word.parse().unwrap()).collect();
+            numbers = numbers_of(&text);
         }
     }
     numbers
@@ -221,14 +236,37 @@ fn every_language_gives_this_programs_rays() {
         for (name, camera) in cameras.iter().chain(extreme.iter().filter(|_| double)) {
             let pixels = pixels(camera);
             let numbers = numbers(&runner, &named(language).code(camera).unwrap(), &pixels);
-            assert_eq!(numbers.len(), 6 * pixels.len(), "{language}: {numbers:?}");
-            let errors = numbers.chunks(6).zip(&pixels).map(|(n, pixel)| {
-                error(camera, *pixel, DVec3::from_slice(n), DVec3::from_slice(&n[3..]))
-            });
-            let worst = errors.fold(0.0, f64::max);
+            let worst = worst_error(camera, &pixels, &numbers);
             println!("{language}, {name}: {} rays, {worst:.1e} off at most", pixels.len());
             assert!(worst <= runner.tolerance, "{language}, {name}: {worst:e}");
         }
+    }
+}
+
+/// Julia without Julia: `julia.mjs` works the rays out from the syntax tree.
+#[test]
+fn julia_is_read_by_its_grammar() {
+    let modules = std::env::var("PINHOLE_TEST_NODE_MODULES").unwrap_or("node_modules".into());
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files/julia.mjs");
+    if !Path::new(&modules).join("@plutojl/lezer-julia").exists() || !is_there(&["node", "-v"]) {
+        assert!(!must_run("Julia's grammar"), "no Node or no grammar of Julia in {modules}");
+        println!("Julia's grammar: left out, no Node or not in {modules}");
+        return;
+    }
+    for (name, camera) in [("non-square", camera("non-square")), ("extreme", extreme())] {
+        let pixels = pixels(&camera);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("camera.jl");
+        fs::write(&path, named("julia").code(&camera).unwrap()).unwrap();
+        let mut run = Command::new("node");
+        run.arg(&script).arg(&modules).arg(&path);
+        let places = pixels.iter().flat_map(|pixel| [pixel.row, pixel.column]);
+        let output = run.args(places.map(|place| place.to_string())).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let text = String::from_utf8(output.stdout).unwrap();
+        let worst = worst_error(&camera, &pixels, &numbers_of(&text));
+        println!("Julia's grammar, {name}: {} rays, {worst:.1e} off at most", pixels.len());
+        assert!(worst <= 1e-12, "{name}: {worst:e}");
     }
 }
 
