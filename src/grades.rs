@@ -6,6 +6,7 @@ use std::sync::Arc;
 use pinhole_core::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
 
+use crate::formats::answers;
 use crate::number::{grouped, significant};
 
 /// A file of answers, as it was read.
@@ -31,6 +32,13 @@ impl AnswersAtHand {
     pub fn name(&self) -> String {
         let name = self.file.path.file_name().unwrap_or(self.file.path.as_os_str());
         name.to_string_lossy().into_owned()
+    }
+
+    /// Whether its rows and columns are numbers that begin somewhere: not those of a basis or a
+    /// picture.
+    pub fn are_numbered(&self) -> bool {
+        let kind = answers::kind_of(&self.file.bytes);
+        !matches!(kind, Some(Kind::Basis | Kind::Picture))
     }
 }
 

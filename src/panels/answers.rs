@@ -5,7 +5,6 @@ use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
     pos2, vec2,
 };
-use pinhole_core::grading::Kind;
 use pinhole_core::lecture::mistakes::Mistake;
 
 use super::number::error_color;
@@ -101,7 +100,7 @@ pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Sessi
 /// What is found, and what can be done with the answers.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    buttons(ui, derived, session, actions);
+    buttons(ui, session, actions);
     ui.add_space(4.0);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         if session.answers.is_none() {
@@ -119,7 +118,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
     });
 }
 
-fn buttons(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
+fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         if ui.button("Check answers…").clicked() {
             actions.push(Action::AskAnswers);
@@ -131,11 +130,7 @@ fn buttons(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut 
         if ui.button("Put away").clicked() {
             actions.push(Action::PutAnswersAway);
         }
-        let kind = match &derived.answers {
-            Some(Ok(graded)) => Some(graded.grade.kind),
-            _ => None,
-        };
-        if matches!(kind, Some(Kind::Basis | Kind::Picture)) {
+        if !answers.are_numbered() {
             return;
         }
         let mut from_one = answers.count_from == 1;

@@ -147,6 +147,7 @@ impl ProgramCamera {
         let upwards = if bottom == Bottom::SignOfV { 1.0 } else { -1.0 };
         let u = self.extent[0] * share(across, columns);
         let v = upwards * self.extent[1] * share(down, rows);
-        u * self.u + v * self.v - self.distance * self.w
+        let direction = u * self.u + v * self.v - self.distance * self.w;
+        if self.program.reversed { -direction } else { direction }
     }
 }

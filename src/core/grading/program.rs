@@ -20,6 +20,8 @@ pub(super) struct Program {
     /// up in v's place, and whether it is normalized.
     pub(super) up_as_v: Option<bool>,
     pub(super) distance: Distance,
+    /// The direction leads back to the eye.
+    pub(super) reversed: bool,
     pub(super) place: Place,
     /// What is added to row and column.
     pub(super) shift: f64,
@@ -154,6 +156,7 @@ pub(super) enum Change {
     ALeftOut,
     UpAsV { unit: bool },
     Distance(Distance),
+    Reversed,
     Place(Place),
     Shift(f64),
     ObjectsFromOne,
@@ -193,6 +196,7 @@ impl KnownMistake {
             KnownMistake::DistanceDropped => {
                 &[Distance(self::Distance::One), Distance(self::Distance::LeftOut)]
             }
+            KnownMistake::RayReversed => &[Reversed],
             KnownMistake::PixelCorner => {
                 &[Place(self::Place::Corner), Place(self::Place::EdgeToEdge)]
             }
@@ -243,6 +247,7 @@ impl Program {
         v_swapped: false,
         up_as_v: None,
         distance: Distance::Right,
+        reversed: false,
         place: Place::Centre,
         shift: 0.0,
         bottom: Bottom::No,
@@ -273,6 +278,7 @@ impl Program {
             Change::ALeftOut => self.quadratic.a_left_out = true,
             Change::UpAsV { unit } => self.up_as_v = Some(unit),
             Change::Distance(distance) => self.distance = distance,
+            Change::Reversed => self.reversed = true,
             Change::Place(place) => self.place = place,
             Change::Shift(shift) => self.shift = shift,
             Change::ObjectsFromOne => self.objects_from_one = true,

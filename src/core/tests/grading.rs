@@ -88,12 +88,13 @@ fn assert_right(exercise: &Exercise, answers: &Answers) {
 }
 
 /// The mistakes, each with the ways in which the student makes it. The last one is of `f32` alone.
-const MISTAKES: [(&str, &[&str]); 15] = [
+const MISTAKES: [(&str, &[&str]); 16] = [
     ("w-as-printed", &["w-as-printed"]),
     ("v-is-u-cross-w", &["v-is-u-cross-w"]),
     ("not-normalized", &["not-normalized", "not-normalized/w", "not-normalized/all"]),
     ("up-as-v", &["up-as-v"]),
     ("distance-dropped", &["distance-dropped", "distance-dropped/left-out"]),
+    ("ray-reversed", &["ray-reversed"]),
     ("pixel-corner", &["pixel-corner"]),
     ("rows-from-bottom", &["rows-from-bottom"]),
     ("rows-columns-swapped", &["rows-columns-swapped"]),
@@ -172,6 +173,12 @@ fn pairs_are_found_wherever_they_can_be_told() {
                 ["v-is-u-cross-w", "rows-from-bottom"] => &["right"],
                 // u and v the other way round: the same as u alone made the other way round.
                 ["rows-from-bottom", "left-handed"] => &["left-handed"],
+                // All three the other way round, and two of them.
+                ["w-as-printed", "v-is-u-cross-w" | "rows-from-bottom"] => &["ray-reversed"],
+                ["w-as-printed", "ray-reversed"] => &["rows-from-bottom"],
+                ["v-is-u-cross-w", "ray-reversed"] | ["ray-reversed", "rows-from-bottom"] => {
+                    &["w-as-printed"]
+                }
                 _ => &pair,
             };
             // Of two that look alike, rows are named.
@@ -180,6 +187,10 @@ fn pairs_are_found_wherever_they_can_be_told() {
                 if *id == "v-is-u-cross-w" {
                     *id = "rows-from-bottom";
                 }
+            }
+            if alike == ["ray-reversed", "left-handed"] {
+                // All but u the other way round, from which v is made or not.
+                alike[0] = "w-as-printed";
             }
             let order = |id: &&str| MISTAKES.iter().position(|(known, _)| known == id);
             alike.sort_by_key(order);

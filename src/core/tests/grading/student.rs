@@ -132,6 +132,7 @@ macro_rules! student {
                         mul(distance, w)
                     };
                     let d = sub(add(mul(across, u), mul(upwards, v)), back);
+                    let d = if self.makes("ray-reversed") { mul(-1.0, d) } else { d };
                     (real(self.exercise.eye), d)
                 }
 
