@@ -108,6 +108,10 @@ impl Part {
 }
 
 impl FrameRecord {
+    pub(crate) fn of(frame: u64, work: WorkTimes) -> FrameRecord {
+        FrameRecord { frame, work, presented: None }
+    }
+
     /// How long a part took; `None` where nothing presents the frame.
     pub(crate) fn time(&self, part: Part) -> Option<Duration> {
         let WorkTimes { plan, trace, overlay, readouts, interface, .. } = self.work;
@@ -177,7 +181,7 @@ impl FrameHistory {
             if self.records.len() == KEPT {
                 self.records.pop_front();
             }
-            self.records.push_back(FrameRecord { frame: self.frame, work, presented: None });
+            self.records.push_back(FrameRecord::of(self.frame, work));
         } else {
             return;
         }

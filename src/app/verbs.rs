@@ -4,7 +4,7 @@
 use egui::{Context, ThemePreference, Ui};
 
 use super::App;
-use crate::action::{Action, ObjectMove};
+use crate::action::{Action, GhostMove, ObjectMove, PlayMove};
 use crate::document::Document;
 use crate::lessons::Which;
 use crate::mistakes::Gallery;
@@ -134,23 +134,52 @@ impl App {
 
     /// Shows what lies over the window; what was chosen in it goes into `actions`.
     pub(super) fn sheets(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
-        let is_open = match &mut self.sheet {
+        let is_open = match self.sheet.take() {
             None => return,
-            Some(Sheet::Keys) => key_sheet::ui(ctx),
-            Some(Sheet::Palette(palette)) => {
-                let open = self.lessons.open.as_ref();
-                let own = open.filter(|open| open.place().lesson == Which::File);
-                let mut extra =
-                    own.map_or_else(Vec::new, |own| verbs::of_lesson(Which::File, own.lesson()));
-                extra.extend(self.recent.iter().map(|path| recent(path)));
-                let document = &self.open.document;
-                let count = document.object_count().min(LISTED_OBJECTS);
-                extra.extend((0..count).map(|index| object(document, index)));
-                palette::ui(ctx, palette, &extra, &self.session, actions)
+            Some(Sheet::Keys) => {
+                self.sheet = Some(Sheet::Keys);
+                key_sheet::ui(ctx)
+            }
+            Some(Sheet::Palette(mut palette)) => {
+                let extra = self.commands_of_what_is_open();
+                let commands = verbs::all().iter().chain(&extra);
+                let commands: Vec<&Verb> =
+                    commands.filter(|verb| self.is_possible(&verb.action)).collect();
+                let is_open = palette::ui(ctx, &mut palette, &commands, &self.session, actions);
+                self.sheet = Some(Sheet::Palette(palette));
+                is_open
             }
         };
         if !is_open {
             self.sheet = None;
+        }
+    }
+
+    /// Commands for the steps of a lesson from a file, recent files and the scene's objects.
+    fn commands_of_what_is_open(&self) -> Vec<Verb> {
+        let open = self.lessons.open.as_ref();
+        let own = open.filter(|open| open.place().lesson == Which::File);
+        let mut commands =
+            own.map_or_else(Vec::new, |own| verbs::of_lesson(Which::File, own.lesson()));
+        commands.extend(self.recent.iter().map(|path| recent(path)));
+        let document = &self.open.document;
+        let count = document.object_count().min(LISTED_OBJECTS);
+        commands.extend((0..count).map(|index| object(document, index)));
+        commands
+    }
+
+    /// Whether there is what the command is done to.
+    fn is_possible(&self, action: &Action) -> bool {
+        match action {
+            Action::Undo => self.changes.undo_name().is_some(),
+            Action::Redo => self.changes.redo_name().is_some(),
+            Action::Ghost(GhostMove::Drop | GhostMove::Swap) => self.session.ghost.is_some(),
+            Action::Play(PlayMove::Toggle | PlayMove::Step(_)) => self.player.is_some(),
+            Action::PutAnswersAway => self.session.answers.is_some(),
+            Action::Next | Action::Previous | Action::BackToStep | Action::CloseLesson => {
+                self.lessons.open.is_some()
+            }
+            _ => true,
         }
     }
 

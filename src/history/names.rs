@@ -38,6 +38,7 @@ fn camera_name(before: &Camera, after: &Camera) -> String {
     let text = match is_other {
         _ if *after == Camera::CANONICAL => "canonical camera",
         [true, false, false, false] => "move eye",
+        [false, true, false, false] if is_turned_alone(before, after) => "look round",
         [false, true, false, false] => orientation_name(&before.orientation, &after.orientation),
         [true, true, false, false] => match (&before.orientation, &after.orientation) {
             (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
@@ -51,6 +52,17 @@ fn camera_name(before: &Camera, after: &Camera) -> String {
         _ => "change the camera",
     };
     text.to_owned()
+}
+
+/// Whether at went round the eye, as near or far as it was: what the camera does that looks round.
+fn is_turned_alone(before: &Camera, after: &Camera) -> bool {
+    match (&before.orientation, &after.orientation) {
+        (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
+            let (old, new) = (before.view().length(), after.view().length());
+            (new - old).abs() <= 1e-12 * old
+        }
+        _ => false,
+    }
 }
 
 fn orientation_name(before: &Orientation, after: &Orientation) -> &'static str {
@@ -239,6 +251,10 @@ mod tests {
         assert_name("move eye", true, |d| d.camera.eye.x = 2.0);
         assert_name("move at", true, |d| {
             d.camera.orientation = Orientation::At { at: DVec3::ONE, up: DVec3::Y };
+        });
+        assert_name("look round", true, |d| {
+            let at = DVec3::new(2.0, 0.0, 1.0);
+            d.camera.orientation = Orientation::At { at, up: DVec3::Y };
         });
         assert_name("turn up", true, |d| {
             d.camera.orientation = Orientation::At { at: DVec3::NEG_Z, up: DVec3::X };

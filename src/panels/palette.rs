@@ -6,7 +6,7 @@ use egui::{
 
 use crate::action::Action;
 use crate::session::Session;
-use crate::verbs::{Verb, all, found};
+use crate::verbs::{Verb, found};
 
 /// Of names, in points.
 const TEXT: f32 = 17.0;
@@ -20,12 +20,11 @@ pub(crate) struct Palette {
     chosen: usize,
 }
 
-/// Shows the palette, with `extra` commands below those of the table; what was chosen goes into
-/// `actions`. Whether it stays open.
+/// Shows the palette of these commands; what was chosen goes into `actions`. Whether it stays open.
 pub(crate) fn ui(
     ctx: &Context,
     palette: &mut Palette,
-    extra: &[Verb],
+    commands: &[&Verb],
     session: &Session,
     actions: &mut Vec<Action>,
 ) -> bool {
@@ -36,7 +35,7 @@ pub(crate) fn ui(
         ui.set_width((window.width() - 48.0).clamp(120.0, 760.0));
         let before = palette.typed.clone();
         field(ui, palette);
-        let fitting = found(&palette.typed, all().iter().chain(extra));
+        let fitting = found(&palette.typed, commands.iter().copied());
         let last = fitting.len().saturating_sub(1);
         let moved = steps != 0;
         palette.chosen = if palette.typed == before {

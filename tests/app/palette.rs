@@ -173,3 +173,24 @@ fn the_readme_has_the_table_of_keys() {
     let table = verbs::markdown();
     assert!(readme.contains(&table), "the README's table of keys should be:\n{table}");
 }
+
+#[test]
+fn what_has_nothing_to_be_done_to_is_not_offered() {
+    let mut harness = window("canonical");
+    let offered = |harness: &mut Harness<'_, App>, text: &str| {
+        look_for(harness, text);
+        let (titles, _) = listed(harness);
+        press(harness, Modifiers::NONE, Key::Escape);
+        titles
+    };
+    let ghost = "Play and compare: Swap camera and ghost".to_owned();
+    let undo = "Edit: Undo".to_owned();
+    assert!(!offered(&mut harness, "swap ghost").contains(&ghost));
+    assert!(!offered(&mut harness, "undo").contains(&undo));
+    command(&mut harness, "freeze ghost");
+    assert!(offered(&mut harness, "swap ghost").contains(&ghost));
+    command(&mut harness, "look left");
+    assert!(offered(&mut harness, "undo").contains(&undo));
+    command(&mut harness, "undo");
+    assert!(!offered(&mut harness, "undo").contains(&undo));
+}

@@ -8,7 +8,7 @@ use pinhole_core::methods::Method;
 
 use super::table::color_of;
 use crate::accuracy::WRONG;
-use crate::number::{power_of_ten, short};
+use crate::number::{grouped, power_of_ten, short};
 use crate::panels::look;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
@@ -115,7 +115,7 @@ fn description(row: &MethodRow) -> String {
         row.name.clone(),
         format!("{} ns a pixel", number(row.ns_per_pixel.median)),
         format!("t off by at most {} ulps of its own precision", number(row.ulp.max)),
-        format!("{} of {} decisions wrong", row.wrong, row.decisions),
+        format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
     ];
     if let Some(method) = Method::from_name(&row.name) {
         lines.extend(wrapped(method.about()));

@@ -1,7 +1,7 @@
 //! What the last frames took, a bar a frame, the parts on top of each other.
 
-use egui::{Color32, Stroke, Ui};
-use egui_plot::{Bar, BarChart, HLine, LineStyle, Plot, PlotBounds};
+use egui::{Align2, Color32, RichText, Stroke, Ui};
+use egui_plot::{Bar, BarChart, HLine, LineStyle, Plot, PlotBounds, PlotPoint, Text};
 
 use super::ms;
 use crate::frame_times::{FrameHistory, FrameRecord, KEPT, Part};
@@ -12,6 +12,10 @@ const SMOOTH: f64 = 1000.0 / 60.0;
 
 /// The plot shows at least this much, in milliseconds: a frame that is fast enough looks small.
 const LEAST: f64 = 20.0;
+
+/// It shows at most so many times what half of the frames take: one that takes as long as none besides,
+/// as the first does, makes no others small. How long it took is written on its bar.
+const MOST: f64 = 5.0;
 
 /// Shows the plot.
 pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
@@ -44,6 +48,12 @@ pub(super) fn ui(ui: &mut Ui, frames: &FrameHistory) {
                 charts.push(chart);
             }
             charts.into_iter().for_each(|chart| plot.bar_chart(chart));
+            for (x, text) in cut_off(&records, top) {
+                let place = PlotPoint::new(x, top);
+                let text = Text::new("longer", place, RichText::new(text).strong());
+                let anchor = if x < right / 2.0 { Align2::LEFT_TOP } else { Align2::RIGHT_TOP };
+                plot.text(text.anchor(anchor).color(line).allow_hover(false));
+            }
             let smooth = HLine::new("60 frames a second", SMOOTH).allow_hover(false);
             plot.hline(smooth.color(line).width(2.0).style(LineStyle::dashed_loose()));
         });
@@ -65,7 +75,58 @@ fn chart(part: Part, color: Color32, records: &[&FrameRecord]) -> BarChart {
     BarChart::new(part.name(), bars.collect()).color(color).element_formatter(Box::new(description))
 }
 
-/// The upper end in milliseconds: a little above the slowest frame, so that no bar is cut off.
+fn total(record: &FrameRecord) -> f64 {
+    1e3 * record.total().as_secs_f64()
+}
+
+/// The upper end in milliseconds: a little above the slowest frame that is not cut off.
 fn top(records: &[&FrameRecord]) -> f64 {
-    records.iter().map(|r| 1.05e3 * r.total().as_secs_f64()).fold(LEAST, f64::max)
+    let mut totals: Vec<f64> = records.iter().map(|record| total(record)).collect();
+    totals.sort_unstable_by(f64::total_cmp);
+    let most = totals.get(totals.len() / 2).map_or(LEAST, |median| (MOST * median).max(LEAST));
+    let slowest = totals.into_iter().rfind(|total| *total <= most).unwrap_or_default();
+    (1.05 * slowest).max(LEAST)
+}
+
+/// Where the bars are that go on above the plot, and how long they are.
+fn cut_off(records: &[&FrameRecord], top: f64) -> Vec<(f64, String)> {
+    let first = KEPT - records.len();
+    let places = records.iter().enumerate();
+    places
+        .filter(|(_, record)| total(record) > top)
+        .map(|(index, record)| {
+            let text = format!("{} ms", ms(1e-3 * total(record)));
+            ((first + index) as f64 + 0.5, text)
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::frame_times::WorkTimes;
+
+    fn record(milliseconds: u64) -> FrameRecord {
+        let work = WorkTimes { trace: Duration::from_millis(milliseconds), ..WorkTimes::default() };
+        FrameRecord::of(0, work)
+    }
+
+    #[test]
+    fn one_frame_that_takes_long_makes_no_others_small() {
+        let records: Vec<FrameRecord> = [900, 10, 12, 11, 30, 10].map(record).into();
+        let records: Vec<&FrameRecord> = records.iter().collect();
+        let top = top(&records);
+        assert!((top - 31.5).abs() < 1e-9, "{top}");
+        let place = (KEPT - records.len()) as f64 + 0.5;
+        assert_eq!(cut_off(&records, top), [(place, "900.0 ms".to_owned())]);
+    }
+
+    #[test]
+    fn no_frame_and_fast_frames_leave_the_line_of_60_a_second() {
+        assert_eq!(top(&[]), LEAST);
+        assert_eq!(top(&[&record(1)]), LEAST);
+        assert_eq!(cut_off(&[&record(1)], LEAST), []);
+    }
 }

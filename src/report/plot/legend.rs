@@ -5,6 +5,7 @@ use super::marker::{self, WRONG};
 use super::summary::{Summary, Worst};
 use crate::chart::figure::{Align, Figure, Place};
 use crate::chart::frame::{TEXT, WEAK};
+use crate::number::grouped;
 
 /// From one line to the next, in points.
 const LINE: f64 = 29.0;
@@ -50,28 +51,4 @@ fn count(figure: &mut Figure, [x, y]: Place, method: &Worst) {
     }
     marker::ring(figure, [x, y]);
     figure.bold(at, Align::Left, 17.0, WRONG, grouped(method.wrong));
-}
-
-/// With a blank between thousands.
-fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let mut out = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            out.push(' ');
-        }
-        out.push(digit);
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::grouped;
-
-    #[test]
-    fn thousands_are_apart() {
-        let texts = [0, 999, 1000, 1_234_567].map(grouped);
-        assert_eq!(texts, ["0", "999", "1 000", "1 234 567"]);
-    }
 }
