@@ -11,7 +11,7 @@ use crate::derive::Derived;
 use crate::document::Document;
 use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::letters::told;
-use crate::number::written;
+use crate::number::{grouped, written};
 use crate::present::fonts;
 use crate::symbols::words_of_readout;
 
@@ -94,7 +94,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
 
 /// How far up the ladder the picture had to go.
 pub(crate) fn steps(steps: Steps) -> String {
-    let Steps { f64, double_double, exact } = steps;
+    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact].map(grouped);
     if steps.beyond_f64() == 0 {
         return format!("Decisions in the picture: {f64}, all by f64");
     }

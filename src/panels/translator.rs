@@ -19,6 +19,9 @@ use crate::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, s
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
 const CODE: f32 = 15.0;
+/// Where a line is too long, code is as small as this before it is broken: rows of a matrix are read in
+/// columns.
+const SMALL_CODE: f32 = 12.0;
 
 /// Width of the table's first column, in points.
 const ABOUT: f32 = 118.0;
@@ -151,7 +154,9 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
         Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
             ui.set_width(ui.available_width());
             let exact = sheet.text.trim_end();
-            let response = ui.add(Label::new(marked(ui, &shortened(sheet, digits))).wrap());
+            let shown = shortened(sheet, digits);
+            let size = code_size(ui, &shown.text);
+            let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
             ui.ctx().accesskit_node_builder(response.id, |node| {
                 node.set_role(egui::accesskit::Role::Code);
                 node.set_label("translation");
@@ -170,8 +175,17 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     }
 }
 
-fn code_format(ui: &Ui, is_marked: bool) -> TextFormat {
-    let font = FontId::monospace(CODE);
+/// The size in which the longest line fits, as far as that can be read.
+fn code_size(ui: &Ui, text: &str) -> f32 {
+    let letter = ui.ctx().fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(CODE), '0'));
+    let longest = text.lines().map(|line| line.chars().count()).max().unwrap_or_default();
+    // A dot less, for what rounding adds.
+    let fits = CODE * (ui.available_width() - 1.0) / (letter * longest.max(1) as f32);
+    (2.0 * fits).floor().clamp(2.0 * SMALL_CODE, 2.0 * CODE) / 2.0
+}
+
+fn code_format(ui: &Ui, is_marked: bool, size: f32) -> TextFormat {
+    let font = FontId::monospace(size);
     if is_marked {
         let color = mark_color(ui);
         return TextFormat {
@@ -187,16 +201,16 @@ fn mark_color(ui: &Ui) -> Color32 {
     error_color(ui)
 }
 
-fn marked(ui: &Ui, sheet: &Sheet) -> LayoutJob {
+fn marked(ui: &Ui, sheet: &Sheet, size: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let text = sheet.text.trim_end();
     let mut from = 0;
     for mark in &sheet.flipped {
-        job.append(&text[from..mark.start], 0.0, code_format(ui, false));
-        job.append(&text[mark.clone()], 0.0, code_format(ui, true));
+        job.append(&text[from..mark.start], 0.0, code_format(ui, false, size));
+        job.append(&text[mark.clone()], 0.0, code_format(ui, true, size));
         from = mark.end;
     }
-    job.append(&text[from..], 0.0, code_format(ui, false));
+    job.append(&text[from..], 0.0, code_format(ui, false, size));
     job
 }
 

@@ -254,17 +254,22 @@ fn a_fault_leaves_the_last_map_and_stops_measuring() {
     assert!(window.state().derived().error_map.is_some());
 }
 
+fn by_thousands(n: u64) -> String {
+    if n < 1000 { n.to_string() } else { format!("{},{:03}", by_thousands(n / 1000), n % 1000) }
+}
+
 #[test]
 fn the_window_says_how_far_up_the_ladder_its_picture_went() {
     let mut window = window("canonical");
     let steps = window.state().derived().steps.unwrap();
     assert!(steps.total() > 0);
+    let [f64, double_double, exact] =
+        [steps.f64, steps.double_double, steps.exact].map(by_thousands);
     let said = if steps.beyond_f64() == 0 {
-        format!("Decisions in the picture: {}, all by f64", steps.f64)
+        format!("Decisions in the picture: {f64}, all by f64")
     } else {
         format!(
-            "Decisions in the picture: {} by f64, {} by double-double, {} exactly",
-            steps.f64, steps.double_double, steps.exact
+            "Decisions in the picture: {f64} by f64, {double_double} by double-double, {exact} exactly"
         )
     };
     assert_says(&window, &said);
@@ -272,5 +277,5 @@ fn the_window_says_how_far_up_the_ladder_its_picture_went() {
     let steps = window.state().derived().steps.unwrap();
     let said = texts_with(&window, "Decisions in the picture: ");
     assert!(!said.is_empty());
-    assert!(said.iter().all(|text| text.contains(&steps.f64.to_string())), "{said:?}");
+    assert!(said.iter().all(|text| text.contains(&by_thousands(steps.f64))), "{said:?}");
 }
