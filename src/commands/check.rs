@@ -109,8 +109,9 @@ fn text(graded: &Graded) -> String {
         return text;
     }
     let _ = writeln!(text, "mistake: {}", graded.mistakes());
-    for mistake in &grade.diagnosis.mistakes {
-        let _ = writeln!(text, "  {}", mistake.advice());
+    let sentences = grade.diagnosis.mistakes.iter().map(|mistake| mistake.advice());
+    for sentence in sentences.chain(grade.diagnosis.or_reversed()) {
+        let _ = writeln!(text, "  {sentence}");
     }
     if let Some(caveat) = graded.caveat() {
         let _ = writeln!(text, "  {caveat}");

@@ -176,8 +176,8 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
             actions.push(Action::Mistake(shown));
         }
     }
-    if let Some(caveat) = graded.caveat() {
-        ui.label(caveat);
+    for sentence in grade.diagnosis.or_reversed().into_iter().chain(graded.caveat()) {
+        ui.label(sentence);
     }
     if let Some(others) = graded.alternatives() {
         ui.add_space(4.0);

@@ -17,6 +17,9 @@ pub struct Diagnosis {
     pub mistakes: Vec<KnownMistake>,
     /// Other sets of as many that give the same answers here, in the same order.
     pub alternatives: Vec<Vec<KnownMistake>>,
+    /// Whether no single known mistake gives these answers, but rays do that are right except that they
+    /// lead back to the eye: `d = eye - point`.
+    pub reversed: bool,
 }
 
 /// Answers of some kind, held against a program.
@@ -74,13 +77,20 @@ pub(super) fn diagnose(
             sets.push((both, programs.collect()));
         }
     }
-    Diagnosis::of(explaining(given, answers, &looks, &sets))
+    let reversed = explains(given, answers, &looks, &Program::REVERSED);
+    Diagnosis { reversed, ..Diagnosis::of(explaining(given, answers, &looks, &sets)) }
 }
 
 impl Diagnosis {
+    /// What gives the same answers as the mistakes named, where that is one slip in place of two.
+    pub fn or_reversed(&self) -> Option<&'static str> {
+        let is_one_for_two = self.reversed && !self.mistakes.is_empty();
+        is_one_for_two.then_some("Or every ray leads back to the eye: it is d = point - eye.")
+    }
+
     fn of(mut found: Vec<Vec<KnownMistake>>) -> Diagnosis {
         let alternatives = if found.is_empty() { Vec::new() } else { found.split_off(1) };
-        Diagnosis { mistakes: found.pop().unwrap_or_default(), alternatives }
+        Diagnosis { mistakes: found.pop().unwrap_or_default(), alternatives, reversed: false }
     }
 }
 
@@ -91,14 +101,17 @@ fn explaining(
     looks: &[usize],
     sets: &[(Vec<KnownMistake>, Vec<Program>)],
 ) -> Vec<Vec<KnownMistake>> {
-    let explains = |program: &Program| {
-        let mut camera = given.camera_of(*program);
-        answers.prepare(&mut camera);
-        looks.iter().all(|index| answers.fits(&camera, *index))
-            && (0..answers.len()).into_par_iter().all(|index| answers.fits(&camera, index))
-    };
+    let explains = |program: &Program| explains(given, answers, looks, program);
     let found = sets.iter().filter(|(_, programs)| programs.iter().any(explains));
     found.map(|(mistakes, _)| mistakes.clone()).collect()
+}
+
+/// Whether the program gives all the answers.
+fn explains(given: &Given, answers: &dyn Fits, looks: &[usize], program: &Program) -> bool {
+    let mut camera = given.camera_of(*program);
+    answers.prepare(&mut camera);
+    looks.iter().all(|index| answers.fits(&camera, *index))
+        && (0..answers.len()).into_par_iter().all(|index| answers.fits(&camera, index))
 }
 
 /// Some wrong answers and some right ones, from all over: a program that did not give them is found

@@ -17,8 +17,6 @@ pub enum KnownMistake {
     UpAsV,
     /// The viewport's distance taken as 1, or the part along w left out.
     DistanceDropped,
-    /// `d = eye - point`, from the viewport back to the eye.
-    RayReversed,
     /// The pixel's corner instead of its centre; also centres spread from edge to edge.
     PixelCorner,
     /// Rows counted from the bottom.
@@ -45,13 +43,12 @@ pub enum KnownMistake {
 
 impl KnownMistake {
     /// All of them.
-    pub const ALL: [KnownMistake; 17] = [
+    pub const ALL: [KnownMistake; 16] = [
         KnownMistake::WAsPrinted,
         KnownMistake::VIsUCrossW,
         KnownMistake::NotNormalized,
         KnownMistake::UpAsV,
         KnownMistake::DistanceDropped,
-        KnownMistake::RayReversed,
         KnownMistake::PixelCorner,
         KnownMistake::RowsFromBottom,
         KnownMistake::RowsColumnsSwapped,
@@ -73,7 +70,6 @@ impl KnownMistake {
             KnownMistake::NotNormalized => "not-normalized",
             KnownMistake::UpAsV => "up-as-v",
             KnownMistake::DistanceDropped => "distance-dropped",
-            KnownMistake::RayReversed => "ray-reversed",
             KnownMistake::PixelCorner => "pixel-corner",
             KnownMistake::RowsFromBottom => "rows-from-bottom",
             KnownMistake::RowsColumnsSwapped => "rows-columns-swapped",
@@ -113,10 +109,6 @@ impl KnownMistake {
             KnownMistake::DistanceDropped => {
                 "Look at the direction's part along w: it is -distance w, with the viewport's own \
                  distance."
-            }
-            KnownMistake::RayReversed => {
-                "Look at the direction's sign: it leads from the eye to the point on the viewport, \
-                 d = point - eye, and w points the other way."
             }
             KnownMistake::PixelCorner => {
                 "Look at where in a pixel (u, v) is taken: at its centre, (j + 0.5)/W and \

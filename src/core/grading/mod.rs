@@ -198,10 +198,15 @@ impl Grade {
                 let plural = if digits == 1 { "" } else { "s" };
                 format!("The answers are right to {digits} digit{plural}; write at least {wanted}.")
             }
+            (None, []) if self.diagnosis.reversed => {
+                "Look at the direction's sign: every ray leads back to the eye, and it is \
+                 d = point - eye."
+                    .to_owned()
+            }
             (None, []) => "No known mistake explains this.".to_owned(),
             (_, mistakes) => {
                 let sentences = mistakes.iter().map(|mistake| mistake.advice());
-                sentences.collect::<Vec<_>>().join(" ")
+                sentences.chain(self.diagnosis.or_reversed()).collect::<Vec<_>>().join(" ")
             }
         }
     }

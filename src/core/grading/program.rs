@@ -156,7 +156,6 @@ pub(super) enum Change {
     ALeftOut,
     UpAsV { unit: bool },
     Distance(Distance),
-    Reversed,
     Place(Place),
     Shift(f64),
     ObjectsFromOne,
@@ -196,7 +195,6 @@ impl KnownMistake {
             KnownMistake::DistanceDropped => {
                 &[Distance(self::Distance::One), Distance(self::Distance::LeftOut)]
             }
-            KnownMistake::RayReversed => &[Reversed],
             KnownMistake::PixelCorner => {
                 &[Place(self::Place::Corner), Place(self::Place::EdgeToEdge)]
             }
@@ -261,6 +259,9 @@ impl Program {
         objects_from_one: false,
     };
 
+    /// Right but for `d = eye - point`.
+    pub(super) const REVERSED: Program = Program { reversed: true, ..Program::RIGHT };
+
     /// The program with one mistake more.
     pub(super) fn with(mut self, change: Change) -> Program {
         match change {
@@ -278,7 +279,6 @@ impl Program {
             Change::ALeftOut => self.quadratic.a_left_out = true,
             Change::UpAsV { unit } => self.up_as_v = Some(unit),
             Change::Distance(distance) => self.distance = distance,
-            Change::Reversed => self.reversed = true,
             Change::Place(place) => self.place = place,
             Change::Shift(shift) => self.shift = shift,
             Change::ObjectsFromOne => self.objects_from_one = true,

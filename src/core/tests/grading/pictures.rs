@@ -66,7 +66,7 @@ fn mistakes_that_show_in_a_picture_are_found() {
         }
         let student = Student { exercise: &exercise, mistakes: &ways[..1] };
         for lit in [true, false] {
-            let Diagnosis { mistakes, alternatives } =
+            let Diagnosis { mistakes, alternatives, .. } =
                 graded(&exercise, &painted(&student, lit)).diagnosis;
             let sets = [vec![ids(&mistakes)], alternatives.iter().map(|a| ids(a)).collect()];
             assert!(sets.concat().contains(&vec![id]), "{id}, {lit}: {sets:?}");
