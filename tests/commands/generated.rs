@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::CommandFactory as _;
 use clap_complete::Shell;
+use clap_mangen::roff::{Roff, roman};
 use expect_test::expect_file;
 use pinhole::arguments::Arguments;
 
@@ -32,6 +33,55 @@ fn assert_files(folder: &str, files: &[(String, String)]) {
     assert_eq!(found.iter().map(String::as_str).collect::<BTreeSet<_>>(), expected, "{folder}");
 }
 
+/// As clap has it, but for the synopsis, which is that of `--help` with the values' names, and for the
+/// status, which a section of its own tells.
+fn man_page(command: &clap::Command, name: &str) -> String {
+    const STATUS: &str = "0: done; 1: the input is at fault; 2: the arguments are wrong.";
+    let own = command.get_after_help().map(ToString::to_string).unwrap_or_default();
+    let (status, notes) = match own.strip_prefix("Status ") {
+        Some(status) => (status, ""),
+        None => (STATUS, &own[..]),
+    };
+    let has_commands = command.has_subcommands();
+    let man = clap_mangen::Man::new(command.clone()).title(name).manual("Pinhole").date("");
+    let mut page = Vec::new();
+    man.render_title(&mut page).unwrap();
+    man.render_name_section(&mut page).unwrap();
+    section(&mut page, "SYNOPSIS", &usage(command));
+    man.render_description_section(&mut page).unwrap();
+    man.render_options_section(&mut page).unwrap();
+    if has_commands {
+        man.render_subcommands_section(&mut page).unwrap();
+    }
+    if !notes.is_empty() {
+        section(&mut page, "NOTES", notes);
+    }
+    section(&mut page, "EXIT STATUS", status);
+    if !has_commands {
+        section(&mut page, "SEE ALSO", "pinhole(1)");
+    }
+    String::from_utf8(page).unwrap()
+}
+
+/// `pinhole check [OPTIONS] --answers <IN.csv|IN.png> <SCENE>`, a line a way to call it.
+fn usage(command: &clap::Command) -> String {
+    let usage = command.clone().render_usage().to_string();
+    let lines = usage.trim_start_matches("Usage:").lines().map(str::trim);
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+fn section(page: &mut Vec<u8>, title: &str, text: &str) {
+    let mut section = Roff::new();
+    section.control("SH", [title]);
+    for (index, line) in text.lines().enumerate() {
+        if index > 0 {
+            section.control("br", []);
+        }
+        section.text([roman(line)]);
+    }
+    section.to_writer(page).unwrap();
+}
+
 #[test]
 fn the_man_pages_are_current() {
     let definition = definition();
@@ -40,10 +90,7 @@ fn the_man_pages_are_current() {
         .chain(definition.get_subcommands())
         .map(|command| {
             let name = command.get_display_name().unwrap_or(command.get_name()).to_owned();
-            let mut page = Vec::new();
-            let man = clap_mangen::Man::new(command.clone()).title(name.clone());
-            man.manual("Pinhole").date("").render(&mut page).unwrap();
-            (format!("{name}.1"), String::from_utf8(page).unwrap())
+            (format!("{name}.1"), man_page(command, &name))
         })
         .collect();
     assert!(pages[0].1.contains("pinhole") && pages.len() > 7);
