@@ -5,6 +5,7 @@ use std::path::Path;
 use pinhole_core::DVec3;
 
 use super::Text;
+use super::names::{Given, Known};
 use crate::expression;
 use crate::formats::{FileError, Place};
 
@@ -26,6 +27,7 @@ pub(crate) struct Code<'a> {
     plain: String,
     /// Where each bracket opens and closes, in order.
     brackets: Vec<(usize, usize)>,
+    pub(super) known: Known,
 }
 
 /// A part of a text.
@@ -42,7 +44,7 @@ impl<'a> Code<'a> {
             plain = plain.replace('<', "[").replace('>', "]");
         }
         let brackets = matched(&plain);
-        Code { path: text.path, text: text.text, plain, brackets }
+        Code { path: text.path, text: text.text, plain, brackets, known: Known::default() }
     }
 
     /// The whole text.
@@ -122,7 +124,7 @@ impl<'a> Code<'a> {
         Ok(numbers)
     }
 
-    fn collect(
+    pub(super) fn collect(
         &self,
         field: &str,
         piece: Piece,
@@ -142,9 +144,15 @@ impl<'a> Code<'a> {
         if parts.len() > 1 {
             return parts.into_iter().try_for_each(|part| self.collect(field, part, deeper, into));
         }
-        match number(piece.text) {
-            Some(number) => into.push(number),
-            None => return Err(self.fault(field, piece, "it must be a finite number")),
+        if let Some(number) = number(piece.text) {
+            into.push(number);
+        } else if let Some(numbers) = self.numbers_by_names(piece, deeper) {
+            into.extend(numbers);
+        } else if let Given::Changed = self.given(piece.text.trim()) {
+            let right = "it is given more than once, or changed: here it must be numbers";
+            return Err(self.fault(field, piece, right));
+        } else {
+            return Err(self.fault(field, piece, "it must be a finite number"));
         }
         Ok(())
     }
@@ -154,9 +162,9 @@ impl<'a> Code<'a> {
         let open = piece.text.find(['(', '[', '{'])?;
         let name = piece.text[..open].trim();
         let name = name.strip_prefix("new ").unwrap_or(name).trim_start();
-        let is_name = name.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c));
-        let short = name.rsplit(['.', ':']).next().unwrap_or_default();
-        if !is_name || FUNCTIONS.contains(&short) {
+        let is_path = name.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c));
+        let short = name.rsplit(['.', ':']).next().unwrap_or_default().to_ascii_lowercase();
+        if !is_path || !(short.is_empty() || KINDS_OF_LIST.contains(&&short[..])) {
             return None;
         }
         let inside = self.bracketed(piece.from(open))?;
@@ -285,7 +293,7 @@ pub(crate) fn after_spaces(piece: Piece) -> Piece {
 }
 
 /// Up to the semicolon or line's end at which the statement ends; brackets go over lines.
-fn statement(value: Piece) -> Piece {
+pub(super) fn statement(value: Piece) -> Piece {
     let mut depth = 0_i32;
     for (at, c) in value.text.char_indices() {
         match c {
@@ -303,14 +311,56 @@ fn statement(value: Piece) -> Piece {
 /// A list in a list in a list: no camera has more of them.
 const DEEPEST: usize = 16;
 
-/// Words before a bracket that belong to the number: all others are kinds of list.
-const FUNCTIONS: [&str; 12] = [
-    "sqrt", "sin", "cos", "tan", "atan", "asin", "acos", "double", "float", "radians", "deg2rad",
-    "Float64",
+/// Words before a bracket that make a list of what is in it, in small letters; all others do something
+/// with it.
+const KINDS_OF_LIST: [&str; 38] = [
+    "array",
+    "asarray",
+    "color",
+    "double3",
+    "dmat3",
+    "dmat4",
+    "dvec2",
+    "dvec3",
+    "dvec4",
+    "euler",
+    "float3",
+    "float4",
+    "list",
+    "mat3",
+    "mat4",
+    "matrix",
+    "matx33d",
+    "matx33f",
+    "new",
+    "point",
+    "point3",
+    "point3d",
+    "point3f",
+    "quat",
+    "quaternion",
+    "svector",
+    "sa",
+    "tuple",
+    "vec",
+    "vec2",
+    "vec3",
+    "vec3d",
+    "vec3f",
+    "vec4",
+    "vector",
+    "vector3",
+    "vector3d",
+    "vector3f",
 ];
+
+/// What turns a number into one with digits behind the point, whatever stands behind it.
+const CASTS: [&str; 6] =
+    ["(float)", "(double)", "(GLfloat)", "(GLdouble)", "static_cast<float>", "static_cast<double>"];
 
 /// A number of code: `1`, `1.0f`, `16.0 / 9.0`, `double(400)`, `math.radians(45)`.
 pub(crate) fn number(text: &str) -> Option<f64> {
+    let text = CASTS.iter().fold(text.to_owned(), |text, cast| text.replace(cast, ""));
     let text = text.trim();
     for name in ["radians", "deg2rad"] {
         if let Some((before, rest)) = text.split_once(name)

@@ -19,6 +19,7 @@ mod gltf_mesh;
 mod json;
 mod mitsuba;
 mod mitsuba_read;
+mod names;
 mod opencv;
 mod opengl;
 mod pbrt;

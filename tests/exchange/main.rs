@@ -5,6 +5,7 @@
 
 mod faults;
 mod habits;
+mod names;
 mod objects;
 mod programs;
 mod round_trip;

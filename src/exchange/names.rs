@@ -1,0 +1,202 @@
+//! What names stand for in code, without running it: one that is given a value once and is changed
+//! nowhere is that value.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use super::code::{Code, Piece, after_spaces, number, split, statement, trimmed, words};
+
+/// A statement that gives a name a value, or changes it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Assignment<'t> {
+    /// What the name belongs to: `cam.data` in `cam.data.lens = 50`, nothing for a plain name.
+    pub(crate) owner: &'t str,
+    /// Where the statement's name stands.
+    #[allow(dead_code, reason = "readers that follow statements in their order need it")]
+    pub(crate) at: usize,
+    /// The value; `None` where only a part is changed, as by `x += 1`, `K[0, 2] = 320` or `p.x = 1`.
+    pub(crate) value: Option<Piece<'t>>,
+}
+
+/// How a plain name is given.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Given<'t> {
+    /// By no statement.
+    Never,
+    /// By one, and nothing changes it.
+    Once(Piece<'t>),
+    /// By several, or something changes a part of it.
+    Changed,
+}
+
+/// What was worked out of names.
+#[derive(Debug, Default)]
+pub(crate) struct Known(RefCell<HashMap<String, Option<Vec<f64>>>>);
+
+/// So many names are looked up: each one takes a pass over the text.
+const MOST_NAMES: usize = 500;
+
+impl Code<'_> {
+    /// Every statement that gives this name a value or changes it, in the order of the text: `x = 1`,
+    /// `const float x = 1.0f;`, `a.x = 1`, `x, y = 1, 2`, `vec3 x(1, 2, 3);`, `#define x 1`. An argument
+    /// by name in a call is none.
+    pub(crate) fn assignments(&self, name: &str) -> Vec<Assignment<'_>> {
+        let whole = self.whole();
+        words(whole, name).into_iter().filter_map(|at| assignment(self, whole, name, at)).collect()
+    }
+
+    /// How a plain name, or a path such as `this.fov`, is given.
+    pub(crate) fn given(&self, name: &str) -> Given<'_> {
+        let mut given = Given::Never;
+        for assignment in self.assignments(name).iter().filter(|found| found.owner.is_empty()) {
+            given = match (given, assignment.value) {
+                (Given::Never, Some(value)) => Given::Once(value),
+                _ => return Given::Changed,
+            };
+        }
+        given
+    }
+
+    /// The numbers of a piece with names in it: those of the one name that it is, or what it comes to
+    /// with a number for every name.
+    pub(crate) fn numbers_by_names(&self, piece: Piece, deeper: usize) -> Option<Vec<f64>> {
+        let text = piece.text.trim();
+        if names_in(text).eq([0..text.len()]) {
+            return self.numbers_of_name(text, deeper);
+        }
+        let (mut plain, mut from) = (String::new(), 0);
+        for name in names_in(text) {
+            let followed = text[name.end..].trim_start();
+            let number = match followed.starts_with('(') {
+                true => None,
+                false => self.numbers_of_name(&text[name.clone()], deeper),
+            };
+            if let Some([number]) = number.as_deref() {
+                plain.push_str(&text[from..name.start]);
+                plain.push_str(&format!("({number:?})"));
+                from = name.end;
+            }
+        }
+        plain.push_str(&text[from..]);
+        (from > 0).then(|| number(&plain).map(|number| vec![number]))?
+    }
+
+    fn numbers_of_name(&self, name: &str, deeper: usize) -> Option<Vec<f64>> {
+        let known = &self.known.0;
+        if let Some(known) = known.borrow().get(name) {
+            return known.clone();
+        }
+        if known.borrow().len() == MOST_NAMES {
+            return None;
+        }
+        // Whatever is made of itself comes to nothing.
+        known.borrow_mut().insert(name.to_owned(), None);
+        let Given::Once(value) = self.given(name) else { return None };
+        let mut numbers = Vec::new();
+        self.collect(name, value, deeper, &mut numbers).ok()?;
+        known.borrow_mut().insert(name.to_owned(), Some(numbers.clone()));
+        Some(numbers)
+    }
+}
+
+/// Where names stand in an expression, paths such as `this.fov` whole.
+fn names_in(text: &str) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        loop {
+            let rest = &text[at..];
+            let c = rest.chars().next()?;
+            let end = rest.find(|c: char| !is_of_path(c)).unwrap_or(rest.len()).max(c.len_utf8());
+            let from = at;
+            at += end;
+            if c.is_alphabetic() || c == '_' {
+                return Some(from..at);
+            }
+        }
+    })
+}
+
+fn is_of_path(c: char) -> bool {
+    c.is_alphanumeric() || matches!(c, '_' | '.' | '$')
+}
+
+fn assignment<'t>(
+    code: &'t Code,
+    whole: Piece<'t>,
+    name: &str,
+    at: usize,
+) -> Option<Assignment<'t>> {
+    let before = &whole.text[..at];
+    let path = before.trim_end_matches(is_of_path);
+    let owner = before[path.len()..].strip_suffix('.');
+    if owner.is_none() && path.len() < before.len() {
+        return None;
+    }
+    let start = path.rfind(['\n', ';', '{', '}']).map_or(0, |end| end + 1);
+    let head = &path[start..];
+    let rest = whole.from(at + name.len());
+    if head.trim() == "#define" {
+        let end = rest.text.find('\n').unwrap_or(rest.text.len());
+        let value = trimmed(Piece { text: &rest.text[..end], ..rest });
+        return Some(Assignment { owner: "", at, value: Some(value) });
+    }
+    let owner = owner.unwrap_or_default();
+    let is_head = |c: char| is_of_path(c) || " \t:<>*&,#".contains(c);
+    if !head.chars().all(is_head) || head.trim() == "return" {
+        return None;
+    }
+    let place = head.chars().filter(|c| *c == ',').count();
+    let value = value_given(code, after_spaces(rest), place, !head.trim().is_empty())?;
+    Some(Assignment { owner, at, value })
+}
+
+/// What follows a name at which a statement begins: the value that it is given, `Some(None)` where a
+/// part of it is changed, and `None` where nothing is done to it.
+fn value_given<'t>(
+    code: &'t Code,
+    rest: Piece<'t>,
+    place: usize,
+    has_type: bool,
+) -> Option<Option<Piece<'t>>> {
+    let first = rest.text.chars().next()?;
+    if first == '(' {
+        // vec3 eye(1, 2, 3);
+        return (has_type && place == 0).then(|| code.bracketed(rest)).flatten().map(Some);
+    }
+    // The others of a, b = 1, 2; what kind of thing it is; a part of it.
+    let mut left = rest;
+    let mut is_part = false;
+    loop {
+        let next = left.text.chars().next()?;
+        left = match next {
+            '=' if left.text[1..].starts_with(['=', '>']) => return None,
+            '=' => break,
+            '[' => {
+                is_part = true;
+                let inside = code.bracketed(left)?;
+                left.from(inside.text.len() + 2)
+            }
+            '.' => {
+                is_part = true;
+                left.from(1)
+            }
+            '+' | '-' | '*' | '/' if left.text[1..].starts_with('=') => {
+                is_part = true;
+                left.from(1)
+            }
+            ',' | ':' | '_' | ' ' | '\t' => left.from(1),
+            c if c.is_alphanumeric() => left.from(c.len_utf8()),
+            _ => return None,
+        };
+    }
+    if is_part {
+        return Some(None);
+    }
+    let others = rest.text[..left.at - rest.at].chars().filter(|c| *c == ',').count();
+    let value = statement(after_spaces(left.from(1)));
+    if place + others == 0 {
+        return Some(Some(value));
+    }
+    let values = split(value);
+    (values.len() == place + others + 1).then(|| Some(values[place]))
+}
