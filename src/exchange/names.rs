@@ -61,7 +61,7 @@ impl Code<'_> {
     /// with a number for every name.
     pub(crate) fn numbers_by_names(&self, piece: Piece, deeper: usize) -> Option<Vec<f64>> {
         let text = piece.text.trim();
-        if names_in(text).eq([0..text.len()]) {
+        if names_in(text).next() == Some(0..text.len()) {
             return self.numbers_of_name(text, deeper);
         }
         let (mut plain, mut from) = (String::new(), 0);
