@@ -241,12 +241,24 @@ impl Graded {
     /// What to look at, and how much of a guess that is.
     pub fn advice(&self) -> String {
         let missing = self.unanswered().map(|words| format!("{words}."));
-        let advice = [Some(self.grade.advice()), self.caveat().map(str::to_owned), missing];
-        advice.into_iter().flatten().collect::<Vec<_>>().join(" ")
+        let advice = [self.grade.advice()].into_iter().chain(self.own_remarks()).chain(missing);
+        advice.collect::<Vec<_>>().join(" ")
+    }
+
+    /// What is to be said beside each mistake's own sentence.
+    pub fn remarks(&self) -> Vec<String> {
+        self.grade.remarks().into_iter().chain(self.own_remarks()).collect()
+    }
+
+    fn own_remarks(&self) -> impl Iterator<Item = String> {
+        let from_one = self.grade.diagnosis.counted_from_one.then_some(
+            "If they are meant to count from 1, all agree: say --count-from 1, or “They count from 1”.",
+        );
+        [from_one, self.caveat()].into_iter().flatten().map(str::to_owned)
     }
 
     /// What weakens the diagnosis: misses alone look alike, whatever they come from.
-    pub fn caveat(&self) -> Option<&'static str> {
+    fn caveat(&self) -> Option<&'static str> {
         let Answers::Hits(hits) = &self.answers else { return None };
         let grade = &self.grade;
         let mut wrong = hits.iter().zip(&grade.is_right).filter(|(_, is_right)| !**is_right);

@@ -7,7 +7,8 @@ use pinhole_core::{Camera, Pixel, shortest};
 use crate::code::{LANGUAGES, Language};
 use crate::document::Document;
 use crate::exchange::{
-    FORMATS, Format, Row, Sheet, Subject, Text, Unsayable, With, Written, recognised, rows, unknown,
+    FIELD_OF_VIEW, FORMATS, Format, MIRRORED, Row, Sheet, Subject, Text, Unsayable, With, Written,
+    recognised, rows, unknown,
 };
 use crate::formats::{FileError, scene_file};
 
@@ -86,7 +87,15 @@ impl Target {
     /// How its terms differ, with the numbers of a pixel. Code is in the lecture's own.
     fn rows(self, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
         match self {
-            Target::Format(format) => rows(format, subject, pixel, digits),
+            Target::Format(format) => {
+                let mut rows = rows(format, subject, pixel, digits);
+                for row in rows.iter_mut().filter(|row| row.about == FIELD_OF_VIEW) {
+                    let theirs =
+                        Sheet { text: std::mem::take(&mut row.theirs), flipped: Vec::new() };
+                    row.theirs = shortened(&theirs, digits).text;
+                }
+                rows
+            }
             Target::Code(_) => Vec::new(),
         }
     }
@@ -131,6 +140,10 @@ pub struct Pasted {
     pub camera: Camera,
 }
 
+/// What is said of a left-handed camera among objects that stay as they are.
+const ALONE: &str = "its world is left-handed, Pinhole's is right-handed: its every z is negated, and the \
+                     objects here are not: negate theirs, too, for the same picture";
+
 /// The camera that a text gives, and the format's name; what the text leaves open is as in the camera
 /// at hand. Objects in the text are not taken over.
 ///
@@ -158,7 +171,10 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
     match format.read(&text, at_hand) {
         Ok(read) => {
             let objects = read.spheres.len() + read.planes.len();
-            taken(format!("Camera pasted: {}", format.label), read.camera, read.notes, objects)
+            let notes = read.notes.into_iter();
+            let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
+            let title = format!("Camera pasted: {}", format.label);
+            taken(title, read.camera, notes.collect(), objects)
         }
         Err(error) => {
             let title = format!("Not pasted: this camera of {} cannot be read", format.label);

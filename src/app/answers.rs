@@ -1,6 +1,7 @@
 //! A student's answers in the window: read, told from scenes, and put away.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -12,10 +13,13 @@ use crate::grades::{AnswersAtHand, AnswersFile};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::session::ViewLayout;
 
-/// What a file that is dropped on the window is opened as.
+/// What a file that is dropped on the window is opened as: its first bytes tell.
 pub(super) fn dropped(path: PathBuf) -> Action {
-    match fs::read(&path) {
-        Ok(bytes) if answers::are_meant(&path, &bytes) => Action::CheckAnswers(path),
+    const FIRST: u64 = 1 << 16;
+    let mut bytes = Vec::new();
+    let read = File::open(&path).and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
+    match read {
+        Ok(_) if answers::are_meant(&path, &bytes) => Action::CheckAnswers(path),
         _ => Action::Open(SceneSource::File(path)),
     }
 }

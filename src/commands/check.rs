@@ -109,12 +109,9 @@ fn text(graded: &Graded) -> String {
         return text;
     }
     let _ = writeln!(text, "mistake: {}", graded.mistakes());
-    let sentences = grade.diagnosis.mistakes.iter().map(|mistake| mistake.advice());
-    for sentence in sentences.chain(grade.diagnosis.or_reversed()) {
+    let sentences = grade.diagnosis.mistakes.iter().map(|mistake| mistake.advice().to_owned());
+    for sentence in sentences.chain(graded.remarks()) {
         let _ = writeln!(text, "  {sentence}");
-    }
-    if let Some(caveat) = graded.caveat() {
-        let _ = writeln!(text, "  {caveat}");
     }
     if let Some(others) = graded.alternatives() {
         let _ = writeln!(text, "these would give the same answers here: {others}");

@@ -81,6 +81,11 @@ impl ImageSize {
         f64::from(self.width) / f64::from(self.height)
     }
 
+    /// How many pixels there are: W H.
+    pub fn pixel_count(self) -> u64 {
+        u64::from(self.width()) * u64::from(self.height())
+    }
+
     /// Whether the pixel lies in the image.
     pub fn contains(self, pixel: Pixel) -> bool {
         pixel.row < self.height && pixel.column < self.width

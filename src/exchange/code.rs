@@ -360,6 +360,11 @@ const CASTS: [&str; 6] =
 
 /// A number of code: `1`, `1.0f`, `16.0 / 9.0`, `double(400)`, `math.radians(45)`.
 pub(crate) fn number(text: &str) -> Option<f64> {
+    /// No number is longer, and so none is a bracket in a bracket without end.
+    const LONGEST: usize = 400;
+    if text.len() > LONGEST {
+        return None;
+    }
     let text = CASTS.iter().fold(text.to_owned(), |text, cast| text.replace(cast, ""));
     let text = text.trim();
     for name in ["radians", "deg2rad"] {
@@ -383,7 +388,7 @@ pub(crate) fn number(text: &str) -> Option<f64> {
             clean.push(*c);
         }
     }
-    if clean.is_empty() || clean.len() > 200 {
+    if clean.is_empty() {
         return None;
     }
     expression::evaluate(&clean).ok()

@@ -42,8 +42,10 @@ use pinhole_core::{Camera, DVec3, Plane, Sphere};
 use crate::document::Item;
 use crate::formats::FileError;
 
+pub(crate) use back::MIRRORED;
 pub use sheet::Sheet;
 pub use subject::{Subject, With};
+pub(crate) use terms::FIELD_OF_VIEW;
 pub use terms::{Axis, Pixels, Row, Terms, rows};
 
 /// A program, or a habit of writing cameras, that Pinhole exchanges them with.

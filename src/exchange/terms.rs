@@ -165,6 +165,9 @@ impl Pixels {
     }
 }
 
+/// What the line on the field of view is about.
+pub(crate) const FIELD_OF_VIEW: &str = "field of view";
+
 /// The table for a camera: the format's terms beside those here. The pixel is what the numbers of the
 /// line on pixels are about; numbers have that many significant digits.
 pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
@@ -206,7 +209,7 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
     );
     let spoken = format!("({}, {})", pixel.row, pixel.column);
     line(
-        "the selected pixel",
+        "in numbers",
         format!("row, column {spoken}, centre {}", Pixels::Corner.of(pixel, size)),
         pixels.of(pixel, size),
         pixels.flips(),
@@ -214,7 +217,7 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
     );
     let viewport = subject.viewport();
     line(
-        "field of view",
+        FIELD_OF_VIEW,
         format!(
             "width {} × height {} at distance {}",
             n(viewport.width),

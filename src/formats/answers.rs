@@ -105,6 +105,19 @@ pub fn parse(
 }
 
 fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
+    let names = header(bytes);
+    let separator = [(';', "semicolons"), ('\t', "tabs")];
+    let separator = separator.iter().find(|(c, _)| names.iter().any(|name| name.contains(*c)));
+    if let Some((_, separator)) = separator {
+        let problem = format!(
+            "the first line has {separator}: commas must stand between cells, and a point in a number"
+        );
+        return FileError {
+            file: path.display().to_string(),
+            place: Some(Place { line: 1, column: 1 }),
+            problem,
+        };
+    }
     let problem = format!(
         "the first line must name the columns {}, or {}, or row,column with t or x,y,z or object; or \
          the file must be a picture in PNG",

@@ -39,7 +39,7 @@ impl<'a> CsvTable<'a> {
         table.width = header.len();
         for (field, cell) in header.iter().enumerate() {
             let place = table.place_of(&header, field);
-            let name = String::from_utf8_lossy(cell.trim_ascii());
+            let name = String::from_utf8_lossy(plain(cell));
             let Some(column) = names.iter().position(|known| *known == name) else {
                 return Err(table.error(Some(place), unknown_column(&name, names)));
             };
@@ -105,12 +105,19 @@ impl<'a> CsvTable<'a> {
     }
 }
 
+/// A cell without the blanks around it, and without quotes that a blank before them has kept.
+fn plain(cell: &[u8]) -> &[u8] {
+    let cell = cell.trim_ascii();
+    let inside = cell.strip_prefix(b"\"").and_then(|cell| cell.strip_suffix(b"\""));
+    inside.map_or(cell, <[u8]>::trim_ascii)
+}
+
 impl Row<'_, '_> {
     /// The cell of a known column, without the blanks around it; empty if the file has no such
     /// column.
     pub(crate) fn cell(&self, column: usize) -> &[u8] {
         let field = self.table.fields[column];
-        field.and_then(|field| self.record.get(field)).unwrap_or_default().trim_ascii()
+        plain(field.and_then(|field| self.record.get(field)).unwrap_or_default())
     }
 
     /// The finite number in a column.

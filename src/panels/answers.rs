@@ -157,7 +157,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
             {
                 *selection = Selection::Pixel(pixel);
             }
-            ui.add(egui::Label::new(worst).wrap());
+            ui.add(egui::Label::new(format!("Worst: {worst}")).wrap());
         });
     }
     ui.add_space(6.0);
@@ -176,8 +176,8 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
             actions.push(Action::Mistake(shown));
         }
     }
-    for sentence in grade.diagnosis.or_reversed().into_iter().chain(graded.caveat()) {
-        ui.label(sentence);
+    for remark in graded.remarks() {
+        ui.label(remark);
     }
     if let Some(others) = graded.alternatives() {
         ui.add_space(4.0);

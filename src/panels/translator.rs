@@ -164,7 +164,8 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
             });
         });
     }
-    if written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty()) {
+    let is_marked = written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty());
+    if is_marked || translation.rows.iter().any(|row| row.flipped) {
         ui.horizontal_wrapped(|ui| {
             ui.label(WidgetText::from(marked_word(ui, "underlined")));
             ui.label("the sign is turned against Pinhole's u, v, w");
@@ -258,6 +259,11 @@ fn table(ui: &mut Ui, rows: &[Row], label: &str) {
 
 fn sentence(text: &str) -> String {
     let text = told(text);
+    // A name such as zNear stays as it is.
+    let word = text.split_whitespace().next().unwrap_or_default();
+    if word.contains(|c: char| c.is_uppercase() || c == '_') {
+        return format!("{}.", text.trim_end_matches('.'));
+    }
     let mut chars = text.chars();
     let first = chars.next().map_or_else(String::new, |c| c.to_uppercase().collect());
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))

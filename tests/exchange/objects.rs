@@ -160,6 +160,10 @@ fn what_is_never_closed_or_closed_late_ends() {
         ("weekend", "lookfrom = (".repeat(many)),
         ("weekend", format!("lookfrom = {}{}", "(".repeat(many), ")".repeat(many))),
         ("opencv", "K = ".repeat(many)),
+        (
+            "opengl",
+            format!("gluPerspective({}1{}, 1, 1, 9)", "radians(".repeat(many), ")".repeat(many)),
+        ),
     ] {
         assert!(read(name, &text).is_err(), "{name}");
     }

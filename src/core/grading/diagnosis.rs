@@ -4,10 +4,11 @@ use rayon::prelude::*;
 
 use super::KnownMistake;
 use super::given::{Given, ProgramCamera};
-use super::program::Program;
+use super::program::{Change, Program};
 
 /// The mistakes that explain wrong answers.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Diagnosis {
     /// The smallest set of known mistakes with which a program gives all of these answers, the right
     /// ones too: one, or two. Of several such sets, the first in the order of
@@ -17,9 +18,13 @@ pub struct Diagnosis {
     pub mistakes: Vec<KnownMistake>,
     /// Other sets of as many that give the same answers here, in the same order.
     pub alternatives: Vec<Vec<KnownMistake>>,
-    /// Whether no single known mistake gives these answers, but rays do that are right except that they
-    /// lead back to the eye: `d = eye - point`.
-    pub reversed: bool,
+    /// The slip that gives these answers, where no single known mistake does.
+    pub other_slip: Option<OtherSlip>,
+    /// Whether all answers would be right if rows and columns counted from 1.
+    pub counted_from_one: bool,
+    /// Every how many answers were held against the program that is named: all, 1, unless they are so
+    /// many, and spheres too, that it would take minutes.
+    pub of_every: usize,
 }
 
 /// Answers of some kind, held against a program.
@@ -35,12 +40,20 @@ pub(super) trait Fits: Sync {
     /// What has to be known before the first answer is looked at.
     fn prepare(&self, _camera: &mut ProgramCamera) {}
 
+    /// How many spheres one answer is held against, about.
+    fn work(&self, _program: &Program) -> usize {
+        1
+    }
+
     /// Whether the program may have given this answer.
     fn fits(&self, camera: &ProgramCamera, index: usize) -> bool;
 }
 
 /// Answers that are looked at before all others are.
 const FIRST_LOOKS: usize = 64;
+
+/// So many spheres a program's rays are held against at most, some seconds' work.
+const MOST_WORK: usize = 50_000_000;
 
 /// Finds the smallest set of mistakes; `is_right` says which answers need none, of which not all do.
 pub(super) fn diagnose(
@@ -64,7 +77,10 @@ pub(super) fn diagnose(
         known.iter().map(|mistake| (vec![*mistake], one(*mistake))).collect();
     let found = explaining(given, answers, &looks, &sets);
     if !found.is_empty() {
-        return Diagnosis::of(found);
+        let from_one = Program::RIGHT.with(Change::Shift(-1.0));
+        let counted_from_one = found[0].0 == [KnownMistake::CountedFromOne]
+            && explains(given, answers, &looks, &from_one);
+        return Diagnosis { counted_from_one, ..Diagnosis::of(found) };
     }
     sets.clear();
     for (place, first) in known.iter().enumerate() {
@@ -77,41 +93,97 @@ pub(super) fn diagnose(
             sets.push((both, programs.collect()));
         }
     }
-    let reversed = explains(given, answers, &looks, &Program::REVERSED);
-    Diagnosis { reversed, ..Diagnosis::of(explaining(given, answers, &looks, &sets)) }
+    let other_slip = Program::OTHER_SLIPS
+        .iter()
+        .find(|(program, _)| explains(given, answers, &looks, program))
+        .map(|(_, slip)| *slip);
+    Diagnosis { other_slip, ..Diagnosis::of(explaining(given, answers, &looks, &sets)) }
+}
+
+/// One slip that is none of the known mistakes: of rays, it looks like two of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum OtherSlip {
+    /// `d = eye - point`.
+    RayReversed,
+    /// `d = u U + v V + distance w`.
+    DistanceAdded,
+}
+
+impl OtherSlip {
+    /// What to look at.
+    pub fn advice(self) -> &'static str {
+        match self {
+            OtherSlip::RayReversed => {
+                "Look at the direction's sign: every ray leads back to the eye, and it is \
+                 d = point - eye."
+            }
+            OtherSlip::DistanceAdded => {
+                "Look at the direction's part along w: it is added, and it is -distance w."
+            }
+        }
+    }
+}
+
+impl Default for Diagnosis {
+    /// Nothing is wrong, or nothing explains it.
+    fn default() -> Diagnosis {
+        Diagnosis::of(Vec::new())
+    }
 }
 
 impl Diagnosis {
     /// What gives the same answers as the mistakes named, where that is one slip in place of two.
-    pub fn or_reversed(&self) -> Option<&'static str> {
-        let is_one_for_two = self.reversed && !self.mistakes.is_empty();
-        is_one_for_two.then_some("Or every ray leads back to the eye: it is d = point - eye.")
+    pub fn or_other_slip(&self) -> Option<&'static str> {
+        self.other_slip.filter(|_| !self.mistakes.is_empty()).map(|slip| match slip {
+            OtherSlip::RayReversed => "Or every ray leads back to the eye: it is d = point - eye.",
+            OtherSlip::DistanceAdded => {
+                "Or the direction's part along w is added: it is -distance w."
+            }
+        })
     }
 
-    fn of(mut found: Vec<Vec<KnownMistake>>) -> Diagnosis {
-        let alternatives = if found.is_empty() { Vec::new() } else { found.split_off(1) };
-        Diagnosis { mistakes: found.pop().unwrap_or_default(), alternatives, reversed: false }
+    fn of(found: Vec<(Vec<KnownMistake>, usize)>) -> Diagnosis {
+        let of_every = found.first().map_or(1, |(_, of_every)| *of_every);
+        let mut sets = found.into_iter().map(|(mistakes, _)| mistakes);
+        let mistakes = sets.next().unwrap_or_default();
+        Diagnosis {
+            mistakes,
+            alternatives: sets.collect(),
+            other_slip: None,
+            counted_from_one: false,
+            of_every,
+        }
     }
 }
 
-/// The sets of which a program gives all the answers.
+/// The sets of which a program gives all the answers, and every how many of them were looked at.
 fn explaining(
     given: &Given,
     answers: &dyn Fits,
     looks: &[usize],
     sets: &[(Vec<KnownMistake>, Vec<Program>)],
-) -> Vec<Vec<KnownMistake>> {
-    let explains = |program: &Program| explains(given, answers, looks, program);
-    let found = sets.iter().filter(|(_, programs)| programs.iter().any(explains));
-    found.map(|(mistakes, _)| mistakes.clone()).collect()
+) -> Vec<(Vec<KnownMistake>, usize)> {
+    let explains = |program: &&Program| explains(given, answers, looks, program);
+    let found = sets.iter().filter_map(|(mistakes, programs)| {
+        let program = programs.iter().find(explains)?;
+        Some((mistakes.clone(), step(answers, program)))
+    });
+    found.collect()
 }
 
 /// Whether the program gives all the answers.
 fn explains(given: &Given, answers: &dyn Fits, looks: &[usize], program: &Program) -> bool {
     let mut camera = given.camera_of(*program);
     answers.prepare(&mut camera);
+    let step = step(answers, program);
     looks.iter().all(|index| answers.fits(&camera, *index))
-        && (0..answers.len()).into_par_iter().all(|index| answers.fits(&camera, index))
+        && (0..answers.len()).into_par_iter().step_by(step).all(|k| answers.fits(&camera, k))
+}
+
+/// Every how many answers are held against a program.
+fn step(answers: &dyn Fits, program: &Program) -> usize {
+    answers.len().saturating_mul(answers.work(program)).div_ceil(MOST_WORK).max(1)
 }
 
 /// Some wrong answers and some right ones, from all over: a program that did not give them is found

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::program::{Bottom, Distance, Extent, Place, Program, Swap};
 use crate::basis::Basis;
 use crate::camera::{Camera, CameraError, Orientation};
+use crate::image::Pixel;
 use crate::posed::PosedCamera;
 use crate::scale::{length, unit};
 
@@ -55,6 +56,7 @@ impl Given {
             Distance::Right => self.posed.viewport().distance,
             Distance::One => 1.0,
             Distance::LeftOut => 0.0,
+            Distance::Plus => -self.posed.viewport().distance,
         };
         let up = match program.up_as_v {
             Some(true) => Some(unit(self.up)),
@@ -99,6 +101,8 @@ impl Given {
             Extent::Right | Extent::Ones => [width, height],
             Extent::WidthForHeight => [width, width],
             Extent::HeightForWidth => [height, height],
+            Extent::WidthByImage => [height * self.posed.image().aspect(), height],
+            Extent::HeightByImage => [width, width / self.posed.image().aspect()],
         }
     }
 }
@@ -125,6 +129,13 @@ pub(super) struct ProgramCamera {
 }
 
 impl ProgramCamera {
+    /// Whether the program answers for a pixel of this name.
+    pub(super) fn answers_for(&self, pixel: Pixel) -> bool {
+        let [w, h] = self.count;
+        let is_inside = f64::from(pixel.column) < w && f64::from(pixel.row) < h;
+        is_inside || self.program.from_one
+    }
+
     /// The direction that the program has for what it calls this row and column.
     pub(super) fn direction(&self, row: f64, column: f64) -> DVec3 {
         let Program { bottom, swap, shift, .. } = self.program;
@@ -134,19 +145,22 @@ impl ProgramCamera {
             Swap::No => ((column, w), (row, h)),
             Swap::Indices => ((row, w), (column, h)),
             Swap::Shares => ((row, h), (column, w)),
+            Swap::Counts => ((column, h), (row, w)),
         };
         // In the form of the right camera, whose numerator is exact.
-        let share = |index: f64, count: f64| match self.program.place {
-            Place::Centre => (2.0 * (index + shift) + 1.0 - count) / (2.0 * count),
-            Place::Corner => (2.0 * (index + shift) - count) / (2.0 * count),
+        let share = |index: f64, count: f64, corner: Place| match self.program.place {
             Place::EdgeToEdge => {
                 let steps = count - 1.0;
                 (2.0 * (index + shift) - steps) / (2.0 * steps)
             }
+            place if place == Place::Corner || place == corner => {
+                (2.0 * (index + shift) - count) / (2.0 * count)
+            }
+            _ => (2.0 * (index + shift) + 1.0 - count) / (2.0 * count),
         };
         let upwards = if bottom == Bottom::SignOfV { 1.0 } else { -1.0 };
-        let u = self.extent[0] * share(across, columns);
-        let v = upwards * self.extent[1] * share(down, rows);
+        let u = self.extent[0] * share(across, columns, Place::CornerAcross);
+        let v = upwards * self.extent[1] * share(down, rows, Place::CornerDown);
         let direction = u * self.u + v * self.v - self.distance * self.w;
         if self.program.reversed { -direction } else { direction }
     }

@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use super::answers::{Answers, HitAnswer, Kind, Measured, RayAnswer};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::digits::Precision;
+use super::error::GradeError;
 use super::given::Given;
 use super::hits::{Hits, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
@@ -13,7 +14,6 @@ use super::{
     Digits, Grade, Hit, Judged, KnownMistake, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth,
     Worst, digits_wanted,
 };
-use crate::camera::CameraError;
 use crate::image::Pixel;
 use crate::shade::{Rgb, Shade};
 
@@ -33,8 +33,17 @@ impl<'a> Grader<'a> {
         truth: &'a Truth<'a>,
         answers: &'a Answers,
         tolerance: Option<f64>,
-    ) -> Result<Grader<'a>, CameraError> {
+    ) -> Result<Grader<'a>, GradeError> {
         let given = Given::new(truth.camera)?;
+        let image = given.posed.image();
+        match answers {
+            Answers::Picture(pixels) if pixels.len() as u64 != image.pixel_count() => {
+                return Err(GradeError::PictureSize { pixels: pixels.len(), image });
+            }
+            Answers::Rays(rays) if rays.is_empty() => return Err(GradeError::NoAnswer),
+            Answers::Hits(hits) if hits.is_empty() => return Err(GradeError::NoAnswer),
+            _ => (),
+        }
         // Made here, and not within the parallel work that asks for it.
         let _ = truth.scene.index();
         let usual = match answers.kind() {
@@ -42,6 +51,9 @@ impl<'a> Grader<'a> {
             _ => RELATIVE_TOLERANCE,
         };
         let tolerance = tolerance.unwrap_or(usual);
+        if !(tolerance >= 0.0) {
+            return Err(GradeError::Tolerance(tolerance));
+        }
         let digits = Digits::for_tolerance(tolerance);
         let may_be_single = answers.may_be_single();
         Ok(Grader { truth, answers, given, tolerance, digits, may_be_single })
@@ -61,35 +73,59 @@ impl<'a> Grader<'a> {
             [mistake] if mistake != KnownMistake::SinglePrecision => return grade,
             _ => 3,
         };
-        match self.right_digits().filter(|digits| *digits >= least) {
-            None => grade,
-            right_digits => Grade { right_digits, diagnosis: Diagnosis::default(), ..grade },
+        if let Some(digits) = self.right_digits().filter(|digits| *digits >= least) {
+            return Grade { right_digits: Some(digits), diagnosis: Diagnosis::default(), ..grade };
         }
+        match self.mistake_in_few_digits(&grade.is_right) {
+            Some((diagnosis, digits)) => Grade { right_digits: Some(digits), diagnosis, ..grade },
+            None => grade,
+        }
+    }
+
+    /// The answers with what their digits leave open, and how many those are; `None` where they are as
+    /// many as wanted.
+    fn few_digits(&self) -> Option<(Answers, u32)> {
+        let (answers, digits) = Precision::of(self.answers)?.allowed(self.answers);
+        let too_few = 1..digits_wanted(self.tolerance) as i32;
+        too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
     /// To how many digits the answers are right, if they all are as far as they are written, and these
     /// are too few.
     fn right_digits(&self) -> Option<u32> {
-        let (answers, digits) = Precision::of(self.answers)?.allowed(self.answers);
-        let too_few = 1..digits_wanted(self.tolerance) as i32;
-        if !too_few.contains(&digits) {
-            return None;
-        }
-        let Grader { tolerance, .. } = *self;
-        let written = Digits::as_written();
+        let (answers, digits) = self.few_digits()?;
         let judged = match &answers {
-            Answers::Basis(answers) => {
-                Vectors { answers, tolerance, digits: written }.judged(&self.given)
-            }
-            Answers::Rays(rays) => self.of_rays(rays, written).judged(&self.given),
+            Answers::Basis(answers) => self.as_written(answers).judged(&self.given),
+            Answers::Rays(rays) => self.of_rays(rays, Digits::as_written()).judged(&self.given),
             Answers::Hits(hits) => {
-                let fits =
-                    Hits { answers: hits, scene: self.truth.scene, tolerance, digits: written };
-                fits.judged(&self.given, &self.first_of(hits))
+                self.of_hits(hits, Digits::as_written()).judged(&self.given, &self.first_of(hits))
             }
             Answers::Picture(_) => return None,
         };
-        judged.iter().all(|judged| judged.is_right).then_some(digits as u32)
+        judged.iter().all(|judged| judged.is_right).then_some(digits)
+    }
+
+    /// The one mistake that explains the answers as far as they are written, where that is to too few
+    /// digits: what they lack is not put down to `f32`.
+    fn mistake_in_few_digits(&self, is_right: &[bool]) -> Option<(Diagnosis, u32)> {
+        const LEAST: u32 = 3;
+        let (answers, digits) = self.few_digits().filter(|(_, digits)| *digits >= LEAST)?;
+        let explained = |fits: &dyn Fits| diagnose(&self.given, fits, is_right, false);
+        let diagnosis = match &answers {
+            Answers::Basis(answers) => explained(&self.as_written(answers)),
+            Answers::Rays(rays) => explained(&self.of_rays(rays, Digits::as_written())),
+            Answers::Hits(hits) => explained(&self.of_hits(hits, Digits::as_written())),
+            Answers::Picture(_) => return None,
+        };
+        (diagnosis.mistakes.len() == 1).then_some((diagnosis, digits))
+    }
+
+    fn as_written<'b>(&self, answers: &'b [Measured; 3]) -> Vectors<'b> {
+        Vectors { answers, tolerance: self.tolerance, digits: Digits::as_written() }
+    }
+
+    fn of_hits<'b>(&'b self, answers: &'b [HitAnswer], digits: Digits) -> Hits<'b> {
+        Hits { answers, scene: self.truth.scene, tolerance: self.tolerance, digits }
     }
 
     fn of_rays<'b>(&self, answers: &'b [RayAnswer], digits: Digits) -> Rays<'b> {
@@ -124,15 +160,15 @@ impl<'a> Grader<'a> {
     }
 
     fn hits(&self, hits: &[HitAnswer]) -> Grade {
-        let Grader { tolerance, digits, .. } = *self;
         let image = self.given.posed.image();
-        let fits = Hits { answers: hits, scene: self.truth.scene, tolerance, digits };
+        let fits = self.of_hits(hits, self.digits);
         let first = self.first_of(hits);
         let right = |index: usize| match hits[index].pixel {
             pixel if image.contains(pixel) => Right::Hit(first[index]),
             _ => Right::NoPixel,
         };
-        self.graded(&fits.judged(&self.given, &first), &fits, &right)
+        let grade = self.graded(&fits.judged(&self.given, &first), &fits, &right);
+        Grade { sentinel: sentinel(hits, &first, &grade.is_right), ..grade }
     }
 
     /// A picture in the shading that fits best: that in which most pixels agree, or, where no mistake
@@ -185,9 +221,26 @@ impl<'a> Grader<'a> {
         let worst =
             worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
         let (kind, tolerance) = (self.answers.kind(), self.tolerance);
-        let (shade, right_digits, unanswered) = (None, None, 0);
-        Grade { kind, tolerance, is_right, worst, shade, diagnosis, right_digits, unanswered }
+        Grade {
+            kind,
+            tolerance,
+            is_right,
+            worst,
+            shade: None,
+            diagnosis,
+            right_digits: None,
+            sentinel: None,
+            unanswered: 0,
+        }
     }
+}
+
+/// The one t that all wrong answers have, where each of them should be a miss.
+fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>], is_right: &[bool]) -> Option<f64> {
+    let mut wrong = (0..hits.len()).filter(|index| !is_right[*index]);
+    let t = |index: usize| hits[index].hit.and_then(|hit| hit.t).map(|t| t.value);
+    let known = t(wrong.next().filter(|index| first[*index].is_none())?)?;
+    wrong.all(|index| first[index].is_none() && t(index) == Some(known)).then_some(known)
 }
 
 /// The wrong answer that is farthest off, the first among equals; the right one where none is wrong.

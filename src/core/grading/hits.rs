@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::answers::{GivenHit, HitAnswer, Measured};
 use super::diagnosis::Fits;
 use super::given::{Given, ProgramCamera};
-use super::meetings::{FirstMeetings, Meeting};
+use super::meetings::{FirstMeetings, Meeting, work};
 use super::program::{Measure, Program};
 use super::{Digits, Hit, Judged, Truth};
 use crate::frame::{NO_OBJECT, Outputs, Raster};
@@ -28,8 +28,15 @@ impl Fits for Hits<'_> {
         self.answers.len()
     }
 
+    fn work(&self, program: &Program) -> usize {
+        work(self.scene, program)
+    }
+
     fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
         let HitAnswer { pixel, hit } = self.answers[index];
+        if !camera.answers_for(pixel) {
+            return false;
+        }
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let first = FirstMeetings::of(self.scene, camera, direction, self.tolerance);
         match hit {
@@ -66,14 +73,23 @@ impl Hits<'_> {
             given.value >= t_unit * least - off && given.value <= t_unit * most + off
         });
         let is_point = |given: Measured| {
-            // The point of the ray, as far along as allowed, that is nearest to the one given.
             let from_eye = given.value - camera.eye;
-            let t = (from_eye.dot(step) / step.length_squared()).clamp(least, most);
-            let reach = t.abs() * step.length();
+            let reach = least.abs().max(most.abs()) * step.length();
             let off = (self.tolerance + camera.off) * reach
                 + self.digits.of(given.rounding)
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
-            (from_eye - t * step).abs().max_element() <= off
+            // A point of the ray, as far along as allowed, within this of each coordinate.
+            let mut along = [least, most];
+            for axis in 0..3 {
+                let ends = [from_eye[axis] - off, from_eye[axis] + off].map(|x| x / step[axis]);
+                if step[axis] == 0.0 && from_eye[axis].abs() > off {
+                    return false;
+                } else if step[axis] != 0.0 {
+                    along[0] = along[0].max(ends[0].min(ends[1]));
+                    along[1] = along[1].min(ends[0].max(ends[1]));
+                }
+            }
+            along[0] <= along[1]
         };
         is_object && is_t && given.point.is_none_or(is_point)
     }
@@ -109,7 +125,8 @@ fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
     let of_t = given.t.map_or(0.0, |t| (t.value - truth.t).abs() / truth.t);
     let distance = (truth.point - eye).length();
     let of_point = given.point.map_or(0.0, |p| (p.value - truth.point).length() / distance);
-    of_t.max(of_point)
+    // What is no number is off by any.
+    if of_t.is_nan() || of_point.is_nan() { f64::INFINITY } else { of_t.max(of_point) }
 }
 
 /// The first hits of these pixels' rays; `None` for a miss, or for what is no pixel.

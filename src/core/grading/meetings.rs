@@ -8,7 +8,7 @@
 use glam::DVec3;
 
 use super::given::ProgramCamera;
-use super::program::{Quadratic, Sign, WhichRoot};
+use super::program::{Program, Quadratic, Sign, WhichRoot};
 use crate::exact_ray::ExactRay;
 use crate::line::Line;
 use crate::plane::Plane;
@@ -36,6 +36,20 @@ pub(super) struct FirstMeetings {
     pub(super) meetings: Vec<Meeting>,
     /// It may be said to hit nothing.
     pub(super) may_miss: bool,
+}
+
+/// Whether a program's rays meet what is not near them, so that each must be held against every sphere:
+/// those of wrong formulas do, and those of coarse numbers.
+fn meets_far_off(program: &Program) -> bool {
+    !program.quadratic.is_right() || program.single
+}
+
+/// How many spheres a program's ray is held against, about.
+pub(super) fn work(scene: &Scene, program: &Program) -> usize {
+    /// Those that the index leaves, as a rule.
+    const NEAR: usize = 10;
+    let all = scene.spheres().len();
+    if meets_far_off(program) { all } else { all.min(NEAR) }
 }
 
 /// Roots of one sphere, the smaller first.
@@ -75,11 +89,8 @@ impl Sight<'_> {
     /// Every sphere that the ray's line may be said to meet.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
-        let program = &self.camera.program;
-        // Wrong formulas meet what lies far off, and so do coarse numbers.
-        let is_everywhere = !program.quadratic.is_right() || program.single;
         match (scene.index(), ExactRay::of(&ray)) {
-            (Some(index), Ok(ray)) if !is_everywhere => {
+            (Some(index), Ok(ray)) if !meets_far_off(&self.camera.program) => {
                 let line = Line::of(&ray);
                 let share = self.tolerance + self.camera.off + 64.0 * self.camera.epsilon;
                 let origin = self.camera.eye.to_array();
@@ -126,12 +137,14 @@ impl Sight<'_> {
         };
         let (Some(near), Some(far)) = (at(0), at(1)) else { return };
         match (self.camera.program.sign, self.camera.program.root) {
-            (Sign::Positive, WhichRoot::Near) if near.least > 0.0 => all.push(near),
-            (Sign::Positive, WhichRoot::Near | WhichRoot::Farthest) => {
+            (Sign::Positive, WhichRoot::Near | WhichRoot::Last) if near.least > 0.0 => {
+                all.push(near)
+            }
+            (Sign::Positive, WhichRoot::Near | WhichRoot::Last | WhichRoot::Farthest) => {
                 all.extend([near, far].into_iter().filter_map(Meeting::in_front));
             }
             (Sign::Positive, WhichRoot::Far) => all.extend(far.in_front()),
-            (_, WhichRoot::Near) => all.push(near),
+            (_, WhichRoot::Near | WhichRoot::Last) => all.push(near),
             (_, WhichRoot::Far) => all.push(far),
             (_, WhichRoot::Farthest) => all.extend([near, far]),
         }
@@ -169,6 +182,7 @@ impl Sight<'_> {
             let Meeting { least, most, .. } = *meeting;
             match (program.root, program.sign) {
                 (WhichRoot::Farthest, _) => (-most, -least),
+                (WhichRoot::Last, _) => (-f64::from(meeting.object), -f64::from(meeting.object)),
                 (_, Sign::Nearest) if most < 0.0 => (-most, -least),
                 (_, Sign::Nearest) if least < 0.0 => (0.0, most.max(-least)),
                 _ => (least, most),

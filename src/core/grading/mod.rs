@@ -29,6 +29,7 @@
 mod answers;
 mod diagnosis;
 mod digits;
+mod error;
 mod given;
 mod grader;
 mod hits;
@@ -41,10 +42,12 @@ mod vectors;
 use glam::DVec3;
 
 pub use self::answers::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
-pub use self::diagnosis::Diagnosis;
+pub use self::diagnosis::{Diagnosis, OtherSlip};
+pub use self::error::GradeError;
 use self::grader::Grader;
 pub use self::known::KnownMistake;
-use crate::camera::{Camera, CameraError};
+use crate::camera::Camera;
+use crate::number::shortest;
 use crate::ray::Ray;
 use crate::scene::Scene;
 use crate::shade::{Rgb, Shade};
@@ -85,9 +88,11 @@ pub struct Grade {
     pub shade: Option<Shade>,
     /// What explains the wrong ones.
     pub diagnosis: Diagnosis,
-    /// To how many digits the answers are right, as far as they are written, where that is all that is
-    /// wrong with them: at least one, and fewer than [`Grade::digits_wanted`].
+    /// To how many digits the answers are written, where these are fewer than [`Grade::digits_wanted`]
+    /// and the answers are right as far as they go, but for the mistake that is named, if any.
     pub right_digits: Option<u32>,
+    /// The one t that all wrong answers have, where a miss would be right: what stands for it there.
+    pub sentinel: Option<f64>,
     /// Pixels without an answer, where each of them counts as a wrong one:
     /// [`Grade::counting_unanswered`].
     pub unanswered: usize,
@@ -191,23 +196,42 @@ impl Grade {
             _ if self.all_agree() => "All answers agree.".to_owned(),
             _ if all_given_agree => "All answers that are given agree.".to_owned(),
             (Some(digits), []) => {
-                let wanted = match self.digits_wanted() {
-                    6 => "six".to_owned(),
-                    wanted => wanted.to_string(),
-                };
+                let wanted = self.digits_in_words();
                 let plural = if digits == 1 { "" } else { "s" };
                 format!("The answers are right to {digits} digit{plural}; write at least {wanted}.")
             }
-            (None, []) if self.diagnosis.reversed => {
-                "Look at the direction's sign: every ray leads back to the eye, and it is \
-                 d = point - eye."
-                    .to_owned()
-            }
-            (None, []) => "No known mistake explains this.".to_owned(),
+            (None, []) => match (self.diagnosis.other_slip, self.sentinel) {
+                (Some(slip), _) => slip.advice().to_owned(),
+                (None, Some(t)) => format!(
+                    "t = {} seems to stand for a miss: a miss leaves its cells empty, or is inf.",
+                    shortest(t)
+                ),
+                (None, None) => "No known mistake explains this.".to_owned(),
+            },
             (_, mistakes) => {
-                let sentences = mistakes.iter().map(|mistake| mistake.advice());
-                sentences.chain(self.diagnosis.or_reversed()).collect::<Vec<_>>().join(" ")
+                let sentences = mistakes.iter().map(|mistake| mistake.advice().to_owned());
+                sentences.chain(self.remarks()).collect::<Vec<_>>().join(" ")
             }
+        }
+    }
+
+    /// What is to be said beside each mistake's own sentence: what else gives the same answers, how
+    /// many of them were looked at, that their digits are too few.
+    pub fn remarks(&self) -> Vec<String> {
+        let Diagnosis { mistakes, of_every, .. } = &self.diagnosis;
+        let slip = self.diagnosis.or_other_slip().map(str::to_owned);
+        let sampled = (*of_every > 1).then(|| format!("One of {of_every} answers was looked at."));
+        let digits = self.right_digits.filter(|_| !mistakes.is_empty()).map(|digits| {
+            let wanted = self.digits_in_words();
+            format!("They are written to {digits} digits: write at least {wanted}.")
+        });
+        [slip, sampled, digits].into_iter().flatten().collect()
+    }
+
+    fn digits_in_words(&self) -> String {
+        match self.digits_wanted() {
+            6 => "six".to_owned(),
+            wanted => wanted.to_string(),
         }
     }
 }
@@ -219,7 +243,7 @@ fn digits_wanted(tolerance: f64) -> u32 {
 }
 
 /// Grades answers, within a tolerance: a share, or levels of 255 for a picture; the usual one of
-/// their kind where none is given. A picture must have as many pixels as the camera's image.
+/// their kind where none is given.
 ///
 /// ```
 /// use pinhole_core::grading::*;
@@ -237,11 +261,12 @@ fn digits_wanted(tolerance: f64) -> u32 {
 /// ```
 ///
 /// # Errors
-/// Where the camera sees nothing.
+/// Where the camera sees nothing, there is no answer, a picture has not as many pixels as the camera's
+/// image, or the tolerance is negative or no number.
 pub fn grade(
     truth: &Truth,
     answers: &Answers,
     tolerance: Option<f64>,
-) -> Result<Grade, CameraError> {
+) -> Result<Grade, GradeError> {
     Ok(Grader::new(truth, answers, tolerance)?.grade())
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::diagnosis::Fits;
 use super::given::{Given, ProgramCamera};
-use super::meetings::{FirstMeetings, normal_at};
+use super::meetings::{FirstMeetings, normal_at, work};
 use super::program::Program;
 use super::{Judged, RELATIVE_TOLERANCE, Truth};
 use crate::frame::{Outputs, Raster};
@@ -58,6 +58,10 @@ impl Fits for Picture<'_> {
             let first = self.meetings(camera, brightest).0;
             camera.nearest = first.meetings.first().map_or(f64::NAN, |meeting| meeting.t);
         }
+    }
+
+    fn work(&self, program: &Program) -> usize {
+        work(self.scene, program)
     }
 
     fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {

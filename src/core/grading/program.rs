@@ -1,6 +1,7 @@
 //! A student's program as a set of choices, and how each known mistake changes them.
 
 use super::KnownMistake;
+use super::diagnosis::OtherSlip;
 
 /// The choices on the way from eye, view and up to a hit. [`Program::RIGHT`] is the lecture's own.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +26,8 @@ pub(super) struct Program {
     pub(super) place: Place,
     /// What is added to row and column.
     pub(super) shift: f64,
+    /// The last row and column are H and W.
+    pub(super) from_one: bool,
     pub(super) bottom: Bottom,
     pub(super) swap: Swap,
     pub(super) extent: Extent,
@@ -45,6 +48,8 @@ pub(super) enum Distance {
     One,
     /// There is no part along w.
     LeftOut,
+    /// It is added.
+    Plus,
 }
 
 /// Where in a pixel its ray passes.
@@ -53,6 +58,10 @@ pub(super) enum Place {
     Centre,
     /// `j / W`.
     Corner,
+    /// `j / W`, and `(i + 0.5) / H`.
+    CornerAcross,
+    /// `(j + 0.5) / W`, and `i / H`.
+    CornerDown,
     /// `j / (W - 1)`: the first pixel on one edge, the last on the other.
     EdgeToEdge,
 }
@@ -76,6 +85,8 @@ pub(super) enum Swap {
     Indices,
     /// `i / H` and `j / W`, for u and v.
     Shares,
+    /// `j / H` and `i / W`.
+    Counts,
 }
 
 /// What stands for the viewport's width and height.
@@ -86,6 +97,10 @@ pub(super) enum Extent {
     HeightForWidth,
     /// 1 and 1, where they differ.
     Ones,
+    /// The width made of the height, and the image's W / H.
+    WidthByImage,
+    /// The height made of the width, and the image's H / W.
+    HeightByImage,
 }
 
 /// `t = (-numerator b -+ sqrt(square b^2 - product a c)) / (denominator a)`, with
@@ -107,6 +122,8 @@ pub(super) enum WhichRoot {
     Far,
     /// Of all roots of all objects, the largest.
     Farthest,
+    /// The last object's that is hit at all.
+    Last,
 }
 
 /// Which t count.
@@ -158,6 +175,7 @@ pub(super) enum Change {
     Distance(Distance),
     Place(Place),
     Shift(f64),
+    LoopFromOne,
     ObjectsFromOne,
     Bottom(Bottom),
     Swap(Swap),
@@ -196,34 +214,45 @@ impl KnownMistake {
                 &[Distance(self::Distance::One), Distance(self::Distance::LeftOut)]
             }
             KnownMistake::PixelCorner => {
-                &[Place(self::Place::Corner), Place(self::Place::EdgeToEdge)]
+                use self::Place as P;
+                &[
+                    Place(P::Corner),
+                    Place(P::EdgeToEdge),
+                    Place(P::CornerAcross),
+                    Place(P::CornerDown),
+                ]
             }
             KnownMistake::RowsFromBottom => {
                 &[Bottom(self::Bottom::SignOfV), Bottom(self::Bottom::LastRow)]
             }
             KnownMistake::RowsColumnsSwapped => {
-                &[Swap(self::Swap::Indices), Swap(self::Swap::Shares)]
+                &[Swap(self::Swap::Indices), Swap(self::Swap::Shares), Swap(self::Swap::Counts)]
             }
-            KnownMistake::CountedFromOne => &[Shift(-1.0), Shift(1.0), ObjectsFromOne],
+            KnownMistake::CountedFromOne => &[Shift(-1.0), LoopFromOne, Shift(1.0), ObjectsFromOne],
             KnownMistake::AspectDropped => &[
                 Extent(self::Extent::WidthForHeight),
                 Extent(self::Extent::HeightForWidth),
                 Extent(self::Extent::Ones),
+                Extent(self::Extent::WidthByImage),
+                Extent(self::Extent::HeightByImage),
             ],
             KnownMistake::LeftHanded => &[BothSwapped, USwapped],
             KnownMistake::SinglePrecision => &[Single],
             KnownMistake::BForHalfB => {
-                const WAYS: [Change; 6] = [
+                const WAYS: [Change; 7] = [
                     Quadratic(self::Quadratic::of(2.0, 4.0, 1.0, 1.0)),
                     Quadratic(self::Quadratic::of(1.0, 1.0, 4.0, 2.0)),
                     Quadratic(self::Quadratic::of(2.0, 4.0, 4.0, 1.0)),
                     Quadratic(self::Quadratic::of(1.0, 1.0, 1.0, 2.0)),
                     Quadratic(self::Quadratic::of(2.0, 1.0, 1.0, 1.0)),
                     Quadratic(self::Quadratic::of(1.0, 4.0, 4.0, 2.0)),
+                    Quadratic(self::Quadratic::of(2.0, 4.0, 1.0, 2.0)),
                 ];
                 &WAYS
             }
-            KnownMistake::FarRoot => &[Root(WhichRoot::Far), Root(WhichRoot::Farthest)],
+            KnownMistake::FarRoot => {
+                &[Root(WhichRoot::Far), Root(WhichRoot::Farthest), Root(WhichRoot::Last)]
+            }
             KnownMistake::NegativeT => &[Sign(self::Sign::Any), Sign(self::Sign::Nearest)],
             KnownMistake::TForDistance => &[
                 Measure(self::Measure::Distance),
@@ -248,6 +277,7 @@ impl Program {
         reversed: false,
         place: Place::Centre,
         shift: 0.0,
+        from_one: false,
         bottom: Bottom::No,
         swap: Swap::No,
         extent: Extent::Right,
@@ -259,8 +289,11 @@ impl Program {
         objects_from_one: false,
     };
 
-    /// Right but for `d = eye - point`.
-    pub(super) const REVERSED: Program = Program { reversed: true, ..Program::RIGHT };
+    /// Right but for one slip that is none of the known mistakes, and what is said of it.
+    pub(super) const OTHER_SLIPS: [(Program, OtherSlip); 2] = [
+        (Program { reversed: true, ..Program::RIGHT }, OtherSlip::RayReversed),
+        (Program { distance: Distance::Plus, ..Program::RIGHT }, OtherSlip::DistanceAdded),
+    ];
 
     /// The program with one mistake more.
     pub(super) fn with(mut self, change: Change) -> Program {
@@ -280,7 +313,9 @@ impl Program {
             Change::UpAsV { unit } => self.up_as_v = Some(unit),
             Change::Distance(distance) => self.distance = distance,
             Change::Place(place) => self.place = place,
-            Change::Shift(shift) => self.shift = shift,
+            // The first one is 1, so that the last one is H or W.
+            Change::Shift(shift) => (self.shift, self.from_one) = (shift, shift < 0.0),
+            Change::LoopFromOne => self.from_one = true,
             Change::ObjectsFromOne => self.objects_from_one = true,
             Change::Bottom(bottom) => self.bottom = bottom,
             Change::Swap(swap) => self.swap = swap,

@@ -63,7 +63,8 @@ impl Fits for Rays<'_> {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let rounding = self.digits.of(direction.rounding) / length(direction.value);
-        turned(direction.value, wanted) <= self.tolerance + camera.off + rounding
+        camera.answers_for(pixel)
+            && turned(direction.value, wanted) <= self.tolerance + camera.off + rounding
             && self.is_eye(camera, origin)
     }
 }
@@ -87,7 +88,9 @@ impl Rays<'_> {
             let size = length(right.eye).max(self.size);
             let turned = turned(direction.value, given.posed.ray_of_pixel(pixel).direction);
             let moved = length(origin.value - right.eye) / size;
-            Judged { is_right: self.fits(&right, index), error: turned.max(moved) }
+            let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
+            let error = if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY };
+            Judged { is_right: self.fits(&right, index), error }
         };
         (0..self.answers.len()).into_par_iter().map(judge).collect()
     }

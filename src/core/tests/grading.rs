@@ -3,6 +3,8 @@
 
 #[path = "grading/grazing.rs"]
 mod grazing;
+#[path = "grading/habits.rs"]
+mod habits;
 #[path = "grading/pictures.rs"]
 mod pictures;
 #[path = "grading/random.rs"]
@@ -202,31 +204,6 @@ fn pairs_are_found_wherever_they_can_be_told() {
     }
 }
 
-/// No mistake of the list is made, and yet one slip gives it.
-#[test]
-fn rays_that_lead_back_to_the_eye_are_told() {
-    let exercise = general();
-    let student = Student { exercise: &exercise, mistakes: &["ray-reversed"] };
-    for answers in [rays_of(&student), hits_of(&student)] {
-        let found = graded(&exercise, &answers);
-        assert_eq!(ids(&found.diagnosis.mistakes), ["w-as-printed", "rows-from-bottom"]);
-        let said = "Or every ray leads back to the eye: it is d = point - eye.";
-        assert!(found.advice().ends_with(said), "{}", found.advice());
-        // Where u, v and w are given, w cannot be the other way round.
-        let camera = camera_of(&exercise);
-        let basis = *camera.posed().unwrap().basis();
-        let camera = Camera { orientation: Orientation::Basis(basis), ..camera };
-        let scene = scene_of(&exercise);
-        let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [0; 3] };
-        let by_hand = grade(&truth, &answers, None).unwrap();
-        assert_eq!(by_hand.diagnosis.mistakes, []);
-        assert!(by_hand.advice().starts_with("Look at the direction's sign: "));
-    }
-    let both = Student { exercise: &exercise, mistakes: &["rows-from-bottom", "far-root"] };
-    let grade = graded(&exercise, &hits_of(&both));
-    assert_eq!((grade.diagnosis.reversed, grade.diagnosis.or_reversed()), (false, None));
-}
-
 #[test]
 fn rows_and_columns_from_one_are_right_when_said_and_a_mistake_when_not() {
     let exercise = general();
@@ -370,13 +347,43 @@ fn many_spheres_are_graded_as_few_are() {
 }
 
 #[test]
-fn a_broken_camera_is_no_grade() {
+fn what_cannot_be_graded_is_told() {
     let exercise = general();
-    let camera = Camera {
-        orientation: Orientation::At { at: exercise.eye.into(), up: DVec3::Y },
-        ..camera_of(&exercise)
+    let graded_by = |camera: &Camera, answers: &Answers, tolerance| {
+        let truth = Truth { camera, scene: &scene_of(&exercise), color_of: &|_| [0; 3] };
+        grade(&truth, answers, tolerance)
     };
-    let truth = Truth { camera: &camera, scene: &scene_of(&exercise), color_of: &|_| [0; 3] };
+    let camera = camera_of(&exercise);
     let basis = Answers::Basis([DVec3::X, DVec3::Y, DVec3::Z].map(Written::exactly));
-    assert!(grade(&truth, &basis, None).is_err());
+    let orientation = Orientation::At { at: exercise.eye.into(), up: DVec3::Y };
+    let broken = graded_by(&Camera { orientation, ..camera }, &basis, None);
+    assert!(matches!(broken, Err(GradeError::Camera(_))));
+    for tolerance in [-1.0, f64::NAN] {
+        let message = graded_by(&camera, &basis, Some(tolerance)).unwrap_err().to_string();
+        assert!(message.ends_with("it must be a number of at least 0"), "{message}");
+    }
+    for none in [Answers::Rays(vec![]), Answers::Hits(vec![])] {
+        assert_eq!(graded_by(&camera, &none, None), Err(GradeError::NoAnswer));
+    }
+    for pixels in [0, 20, 601] {
+        let picture = Answers::Picture(vec![[0; 3]; pixels]);
+        let error = graded_by(&camera, &picture, None).unwrap_err();
+        assert_eq!(error, GradeError::PictureSize { pixels, image: camera.image });
+    }
+}
+
+#[test]
+fn what_is_no_number_is_off_by_any() {
+    let exercise = general();
+    let pixel = Pixel { row: 19, column: 3 };
+    let hit = |t: f64| GivenHit { t: Some(Written::exactly(t)), ..GivenHit::default() };
+    let hits = Answers::Hits(vec![HitAnswer { pixel, hit: Some(hit(f64::NAN)) }]);
+    let ray = |direction: DVec3| {
+        let origin = Written::exactly(exercise.eye.into());
+        Answers::Rays(vec![RayAnswer { pixel, origin, direction: Written::exactly(direction) }])
+    };
+    for answers in [hits, ray(DVec3::ZERO), ray(DVec3::NAN)] {
+        let worst = graded(&exercise, &answers).worst.unwrap();
+        assert_eq!(worst.error, f64::INFINITY);
+    }
 }

@@ -107,10 +107,12 @@ impl<'a> Lines<'a> {
     /// `word` is a part of the line; empty for its end.
     fn error(&self, line: usize, word: &str, problem: &str) -> FileError {
         let text = self.lines.get(line).copied().unwrap_or_default();
+        // Where the word itself is: another one may be the same.
         let byte = match word {
             "" => text.len(),
-            word => text.find(word).unwrap_or(0),
+            word => (word.as_ptr() as usize).wrapping_sub(text.as_ptr() as usize),
         };
+        let byte = if text.is_char_boundary(byte) { byte } else { 0 };
         let place = Place { line: line + 1, column: text[..byte].chars().count() + 1 };
         FileError { place: Some(place), ..FileError::of_file(self.path, problem) }
     }

@@ -115,12 +115,21 @@ macro_rules! student {
                         (i, j) = (j, i);
                     }
                     let half = if self.makes("pixel-corner") { 0.0 } else { 0.5 };
+                    let half_across = if self.makes("pixel-corner/across") { 0.0 } else { half };
+                    let (mut columns_of_j, mut rows_of_i) = (columns, rows);
+                    if self.makes("rows-columns-swapped/counts") {
+                        (columns_of_j, rows_of_i) = (rows, columns);
+                    }
                     if self.makes("counted-from-one") {
                         (i, j) = (i - 1.0, j - 1.0);
                     }
-                    let across = width * ((j + half) / columns as Real - 0.5);
+                    let wide = match self.makes("aspect-dropped/image") {
+                        true => height * columns as Real / rows as Real,
+                        false => width,
+                    };
+                    let across = wide * ((j + half_across) / columns_of_j as Real - 0.5);
                     let high = if self.makes("aspect-dropped") { width } else { height };
-                    let mut upwards = high * (0.5 - (i + half) / rows as Real);
+                    let mut upwards = high * (0.5 - (i + half) / rows_of_i as Real);
                     if self.makes("rows-from-bottom") {
                         upwards = high * ((i + half) / rows as Real - 0.5);
                     }
@@ -128,6 +137,8 @@ macro_rules! student {
                         w
                     } else if self.makes("distance-dropped/left-out") {
                         [0.0; 3]
+                    } else if self.makes("distance-added") {
+                        mul(-distance, w)
                     } else {
                         mul(distance, w)
                     };
@@ -161,7 +172,8 @@ macro_rules! student {
                     let mut first: Option<(Real, u32)> = None;
                     let mut take = |t: Real, object: usize| {
                         let is_ahead = t > 0.0 || self.makes("negative-t");
-                        if is_ahead && first.is_none_or(|(before, _)| t < before) {
+                        let overwrites = self.makes("far-root/last");
+                        if is_ahead && (overwrites || first.is_none_or(|(before, _)| t < before)) {
                             first = Some((t, object as u32));
                         }
                     };
