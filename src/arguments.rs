@@ -266,6 +266,9 @@ pub struct CheckArguments {
     /// What was asked for: answers of another kind are none
     #[arg(long, value_parser = ["basis", "rays", "hits", "picture"])]
     pub kind: Option<String>,
+    /// Columns that must be there, as t,object: answers without them are none
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub columns: Vec<String>,
     /// Ask for every pixel: one without an answer counts as a wrong one
     #[arg(long)]
     pub complete: bool,

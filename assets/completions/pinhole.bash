@@ -97,7 +97,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__check)
-            opts="-h --answers --kind --complete --json --tolerance --count-from --map --help"
+            opts="-h --answers --kind --columns --complete --json --tolerance --count-from --map --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -109,6 +109,10 @@ _pinhole() {
                     ;;
                 --kind)
                     COMPREPLY=($(compgen -W "basis rays hits picture" -- "${cur}"))
+                    return 0
+                    ;;
+                --columns)
+                    COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
                 --tolerance)

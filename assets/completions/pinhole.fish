@@ -64,6 +64,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l kind -d 'What 
 rays\t''
 hits\t''
 picture\t''"
+complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l columns -d 'Columns that must be there, as t,object: answers without them are none' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l tolerance -d 'How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many levels of 255 in a channel, 2 without this' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l count-from -d 'Where the answers\' rows and columns begin' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -l map -d 'Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey' -r -F

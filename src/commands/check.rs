@@ -50,6 +50,10 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         let problem = format!("these are answers of the kind {}, not {asked}", kind.name());
         return Err(FileError::of_file(path, problem).into());
     }
+    if let [missing, ..] = answers::missing(&bytes, &arguments.columns)[..] {
+        let problem = format!("column {missing} is missing: it is asked for");
+        return Err(FileError::of_file(path, problem).into());
+    }
     let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
     if arguments.map.is_some() && answers.kind() == Kind::Basis {
         let problem =

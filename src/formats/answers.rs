@@ -9,12 +9,15 @@
 //! A miss leaves them all empty, or has inf or nan in their place, or object -1. Capitals and blanks in
 //! the first line do not matter.
 
+mod pixels;
+
 use std::borrow::Cow;
 use std::path::Path;
 
 use pinhole_core::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
-use pinhole_core::{DVec3, ImageSize, Pixel};
+use pinhole_core::{DVec3, ImageSize};
 
+use self::pixels::Pixels;
 use super::csv_table::{CsvTable, Row};
 use super::{FileError, Place, png};
 
@@ -27,6 +30,16 @@ const T: usize = 2;
 const X: usize = 3;
 const Z: usize = 5;
 const OBJECT: usize = 6;
+
+/// The columns that are asked for and are not in the first line.
+pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
+    let names = header(bytes);
+    asked
+        .iter()
+        .map(String::as_str)
+        .filter(|name| !names.iter().any(|known| known == name))
+        .collect()
+}
 
 /// What kind of answers a file holds, by its first bytes; `None` of one that holds none.
 pub fn kind_of(bytes: &[u8]) -> Option<Kind> {
@@ -118,8 +131,15 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
             problem,
         };
     }
+    if bytes.trim_ascii().is_empty() {
+        return FileError::of_file(
+            path,
+            "the file is empty: did the program that writes it end well?",
+        );
+    }
+    let first: String = names.join(",").chars().filter(|c| !c.is_control()).take(40).collect();
     let problem = format!(
-        "the first line must name the columns {}, or {}, or row,column with t or x,y,z or object; or \
+        "the first line is {first:?}: it must name the columns {}, or {}, or row,column with t or x,y,z or object; or \
          the file must be a picture in PNG",
         BASIS.join(","),
         RAYS.join(",")
@@ -191,7 +211,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
         let pixel = pixels.read(row)?;
         let answered: Vec<usize> = (T..=OBJECT).filter(|column| has(*column)).collect();
         let is_empty = |column: &usize| row.cell(*column).is_empty();
-        let is_infinite = |column: &usize| number_in(row, *column).is_some_and(|x| !x.is_finite());
+        let is_infinite = |column: &usize| stands_for_a_miss(row.cell(*column));
         let is_none = has(OBJECT) && number_in(row, OBJECT) == Some(-1.0);
         if is_none || answered.iter().all(|column| is_empty(column) || is_infinite(column)) {
             hits.push(HitAnswer { pixel, hit: None });
@@ -204,12 +224,11 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
             ));
         }
         if let Some(infinite) = answered.iter().copied().find(is_infinite) {
-            let right = "it must be a finite number; a miss leaves its cells empty";
-            return Err(row.error(infinite, right));
+            return Err(row.error(infinite, NO_NUMBER));
         }
         let mut hit = GivenHit::default();
         if has(T) {
-            hit.t = Some(number(row, T)?);
+            hit.t = Some(number(row, T).map_err(|_| row.error(T, NO_NUMBER))?);
         }
         if coordinates == 3 {
             hit.point = Some(vector(row, X)?);
@@ -224,82 +243,16 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     Ok(Answers::Hits(hits))
 }
 
-/// Which pixels are answered so far.
-struct Pixels {
-    image: ImageSize,
-    count_from: u32,
-    /// A bit a pixel, with a row and a column to spare.
-    seen: Vec<u64>,
-    /// Whether a row or column of 0 was read.
-    has_zero: bool,
-    /// The first row or column of H or W, which is none unless all count from 1.
-    beyond: Option<FileError>,
-}
+/// What a cell of a hit must be.
+const NO_NUMBER: &str =
+    "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
-impl Pixels {
-    fn new(image: ImageSize, count_from: u32) -> Pixels {
-        let places = (u64::from(image.width()) + 1) * (u64::from(image.height()) + 1);
-        let seen = vec![0; (places / 64 + 1) as usize];
-        Pixels { image, count_from, seen, has_zero: false, beyond: None }
-    }
-
-    fn read(&mut self, row: &Row) -> Result<Pixel, FileError> {
-        let place = |column: usize| {
-            let value = whole(row, column)?;
-            let below = || self.outside(row, column, None);
-            value.checked_sub(self.count_from).ok_or_else(below)
-        };
-        let pixel = Pixel { row: place(ROW)?, column: place(COLUMN)? };
-        let (width, height) = (self.image.width(), self.image.height());
-        for (column, value, count) in [(ROW, pixel.row, height), (COLUMN, pixel.column, width)] {
-            if value < count {
-                continue;
-            }
-            let error = self.outside(row, column, Some(pixel));
-            if value > count || self.count_from != 0 {
-                return Err(error);
-            }
-            self.beyond.get_or_insert(error);
-        }
-        self.has_zero |= pixel.row == 0 || pixel.column == 0;
-        let bit = u64::from(pixel.row) * (u64::from(width) + 1) + u64::from(pixel.column);
-        let (word, bit) = ((bit / 64) as usize, 1 << (bit % 64));
-        if self.seen[word] & bit != 0 {
-            let twice = "this row and column is answered above: once is enough";
-            return Err(row.error(ROW, twice));
-        }
-        self.seen[word] |= bit;
-        Ok(pixel)
-    }
-
-    fn outside(&self, row: &Row, column: usize, pixel: Option<Pixel>) -> FileError {
-        let ImageMeasures { what, count } = match column {
-            ROW => ImageMeasures { what: "rows", count: self.image.height() },
-            _ => ImageMeasures { what: "columns", count: self.image.width() },
-        };
-        let (first, last) = (self.count_from, count - 1 + self.count_from);
-        let mut right = format!("{what} are {first} to {last}");
-        let turned = pixel.map(|pixel| Pixel { row: pixel.column, column: pixel.row });
-        if turned.is_some_and(|turned| self.image.contains(turned)) {
-            right += "; are rows and columns exchanged?";
-        } else if self.count_from == 1 {
-            right += ", as they are said to count from 1";
-        }
-        row.error(column, &right)
-    }
-
-    /// Whether all that was read fits together.
-    fn finish(self) -> Result<(), FileError> {
-        match self.beyond {
-            Some(error) if self.has_zero => Err(error),
-            _ => Ok(()),
-        }
-    }
-}
-
-struct ImageMeasures {
-    what: &'static str,
-    count: u32,
+/// What languages print where nothing is hit: `inf` and `nan`, C's `-nan(ind)` too. A number too large
+/// for a double is none.
+fn stands_for_a_miss(cell: &[u8]) -> bool {
+    let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
+    let word = text.trim_start_matches(['+', '-']);
+    !text.starts_with("-inf") && ["inf", "infinity", "nan", "nan(ind)"].contains(&word)
 }
 
 /// The number in a cell, `inf` and `nan` among them, as C's `-nan(ind)` too.

@@ -160,6 +160,10 @@ fn what_was_asked_for_must_be_there() {
     check(folder.path(), &["--complete", "--kind", "hits"]).done();
     fs::write(folder.path().join("in.csv"), RIGHT_BASIS).unwrap();
     check(folder.path(), &["--complete", "--kind", "basis"]).done();
+    let asked = ["--columns", "ux,wz"];
+    check(folder.path(), &asked).done();
+    check(folder.path(), &["--columns", "ux,t"])
+        .failed(2, "in.csv: column t is missing: it is asked for");
     check(folder.path(), &["--kind", "hits"])
         .failed(2, "in.csv: these are answers of the kind basis, not hits");
 }
@@ -184,7 +188,7 @@ fn counted_from_one_is_right_when_said() {
     fs::write(folder.path().join("in.csv"), hits(false, 0)).unwrap();
     check(folder.path(), &["--count-from", "1"]).failed(
         2,
-        "in.csv:2:1: column row is \"0\": rows are 1 to 30, as they are said to count from 1",
+        "in.csv:2:1: column row is \"0\": rows are 1 to 30, as the scene's image is 40 x 30, and they are said to count from 1",
     );
 }
 
@@ -248,11 +252,37 @@ fn what_cannot_be_read_is_status_2_and_says_where() {
     let rays = "row,column,ox,oy,oz,dx,dy,dz\n";
     let hits = "row,column,t,object\n";
     let cases = [
+        (String::new(), "in.csv: the file is empty: did the program that writes it end well?"),
         (
-            String::new(),
-            "in.csv: the first line must name the columns ux,uy,uz,vx,vy,vz,wx,wy,wz, or \
-             row,column,ox,oy,oz,dx,dy,dz, or row,column with t or x,y,z or object; or the file must \
-             be a picture in PNG",
+            "i,j,depth\n1,2,3\n".to_owned(),
+            "in.csv:1:1: the first line is \"i,j,depth\": it must name the columns \
+             ux,uy,uz,vx,vy,vz,wx,wy,wz, or row,column,ox,oy,oz,dx,dy,dz, or row,column with t or \
+             x,y,z or object; or the file must be a picture in PNG",
+        ),
+        (
+            "row;column;t\n0;0;1,5\n".to_owned(),
+            "in.csv:1:1: the first line has semicolons: commas must stand between cells, and a point \
+             in a number",
+        ),
+        (
+            format!("{hits}3,4,none,0\n"),
+            "in.csv:2:5: column t is \"none\": it must be a finite number; a miss leaves its cells \
+             empty, or has inf in them",
+        ),
+        (
+            format!("{hits}3,4,1e400,\n"),
+            "in.csv:2:11: column object is \"\": a miss leaves all cells behind row and column empty, \
+             and a hit none",
+        ),
+        (
+            "row,column,t\n3,4,1e400\n".to_owned(),
+            "in.csv:2:5: column t is \"1e400\": it must be a finite number; a miss leaves its cells \
+             empty, or has inf in them",
+        ),
+        (
+            "row,column,t\n3,4,-inf\n".to_owned(),
+            "in.csv:2:5: column t is \"-inf\": it must be a finite number; a miss leaves its cells \
+             empty, or has inf in them",
         ),
         (
             "row,column,t,object".to_owned(),
@@ -295,7 +325,7 @@ fn what_cannot_be_read_is_status_2_and_says_where() {
         (
             format!("{hits}3,4,5,0\n3,5,nan,0\n"),
             "in.csv:3:5: column t is \"nan\": it must be a finite number; a miss leaves its cells \
-             empty",
+             empty, or has inf in them",
         ),
         (
             format!("{hits}3,4,5,\n"),
@@ -316,11 +346,13 @@ fn what_cannot_be_read_is_status_2_and_says_where() {
         ),
         (
             format!("{hits}0,0,,\n30,4,,\n"),
-            "in.csv:3:1: column row is \"30\": rows are 0 to 29; are rows and columns exchanged?",
+            "in.csv:3:1: column row is \"30\": rows are 0 to 29, as the scene's image is \
+             40 x 30; are rows and columns exchanged?",
         ),
         (
             format!("{hits}0,0,,\n3,41,,\n"),
-            "in.csv:3:3: column column is \"41\": columns are 0 to 39",
+            "in.csv:3:3: column column is \"41\": columns are 0 to 39, as the scene's image \
+             is 40 x 30",
         ),
     ];
     for (answers, message) in cases {

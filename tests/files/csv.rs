@@ -26,6 +26,8 @@ fn columns_come_in_any_order() {
     let text = "\u{feff}name, r ,color,z,y,x\r\n\"a, b\",.5,#ff0000, 3 ,-2e-3,1\r\n\r\n,1,,0,0,0";
     assert_eq!(parse(text).unwrap(), [named, sphere(0.0, 0.0, 0.0, 1.0)]);
     assert_eq!(parse("x,y,z,r\n").unwrap(), []);
+    let quoted = "\"x\", \"y\" , \"z\", \"r\"\n 0, \"0\", 0, 1\n";
+    assert_eq!(parse(quoted).unwrap(), [sphere(0.0, 0.0, 0.0, 1.0)]);
 }
 
 #[test]

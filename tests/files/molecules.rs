@@ -136,6 +136,7 @@ fn what_is_wrong_is_told_at_its_place() {
         xyz("1\n\n0 0 0 0\n"),
         xyz("1\n\nC 0 0\n"),
         xyz("1\n\nC 0 1,5 0\n"),
+        xyz("1\n\nC 1.0 C 2\n"),
         xyz("1\n\nC 0 0 nan\n"),
         xyz("1\n\nC 0 0 1e9\n"),
         xyz("1\n\nC 0 0 0\nC 1 1 1\n"),
@@ -161,6 +162,7 @@ fn what_is_wrong_is_told_at_its_place() {
         m.xyz:3:1: atom 1's element is "0": it must be a symbol such as C or Cl, or an atomic number
         m.xyz:3:6: atom 1 has no z: a line must be element, x, y, z
         m.xyz:3:5: atom 1's y is "1,5": it must be a number of ångström
+        m.xyz:3:7: atom 1's y is "C": it must be a number of ångström
         m.xyz:3:7: atom 1's z is "nan": it must be a finite number of ångström
         m.xyz:3:7: atom 1's z is "1e9": it must be at most a million ångström
         m.xyz:4:1: "C 1 1 1" follows the last atom: after atom 1, the last one by the first line, the file must end, or another frame begin with its number of atoms
