@@ -19,6 +19,10 @@ use crate::session::{Selection, Session};
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
+/// Above a narrower map, in points, there is room for the file's name alone, and for two colours.
+const NARROW: f32 = 440.0;
+const NARROWEST: f32 = 330.0;
+
 /// What is said where there are none.
 const NONE: &str = "Drop a student’s answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
@@ -40,12 +44,13 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, ha
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
         ui.horizontal_centered(|ui| {
             let title = match answers {
+                Some(answers) if area.width() < NARROW => answers.name(),
                 Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
                 None => views::ANSWERS.to_owned(),
             };
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if has_map {
-                    legend(ui);
+                    legend(ui, area.width() >= NARROWEST);
                 }
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
@@ -55,11 +60,11 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, ha
     });
 }
 
-/// What the map's colours mean, from the right.
-fn legend(ui: &mut Ui) {
+/// What the map's colours mean, from the right; where there is little room, that of answers alone.
+fn legend(ui: &mut Ui, whole: bool) {
     let cells =
         [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
-    for (cell, text) in cells {
+    for (cell, text) in cells.into_iter().skip(usize::from(!whole)) {
         ui.label(text);
         let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
         let [r, g, b] = cell.color();

@@ -83,7 +83,8 @@ pub(crate) fn places(
             [Some(left), Some(right), None]
         }
     };
-    let strip = if presenting { 0.0 } else { STRIP };
+    // What is beside the camera view has its title and legend before an audience, too.
+    let strip = if presenting && parts[2].is_none() { 0.0 } else { STRIP };
     Places::of(parts, rest, image, ui.ctx().pixels_per_point(), strip)
 }
 

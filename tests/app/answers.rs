@@ -75,7 +75,7 @@ fn dropped_hits_are_graded_and_the_worst_is_selected() {
     assert!(map_says(&window).starts_with("0 of 800 hits agree"), "{}", map_says(&window));
     assert!(map_says(&window).contains("Look at which root"), "{}", map_says(&window));
     let worst = texts_with(&window, "right is t = ");
-    assert!(worst[0].starts_with("row 199, column 199 is t = 5.99"), "{worst:?}");
+    assert!(worst[0].starts_with("Worst: row 199, column 199 is t = 5.99"), "{worst:?}");
     click(&mut window, "Select the worst");
     let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
     assert_eq!((pixel.row, pixel.column), (199, 199));
@@ -129,7 +129,7 @@ fn answers_that_count_from_one_are_read_again_as_such() {
     window.get_by_role_and_label(Role::CheckBox, "They count from 1").click();
     window.run();
     assert_says(&window, "Mistake: far-root");
-    assert!(texts_with(&window, "right is t = ")[0].starts_with("row 200, column 200 is"));
+    assert!(texts_with(&window, "right is t = ")[0].starts_with("Worst: row 200, column 200 is"));
     click(&mut window, "Select the worst");
     let Selection::Pixel(pixel) = window.state().session().selection else { panic!() };
     assert_eq!((pixel.row, pixel.column), (199, 199));
@@ -148,7 +148,10 @@ fn answers_are_opened_from_the_menu_and_faults_are_told() {
     window.run();
     export_to(&mut window, &bad);
     window.run();
-    let message = format!("{}:2:5: column t is \"x\": it must be a number", bad.display());
+    let message = format!(
+        "{}:2:5: column t is \"x\": it must be a finite number; a miss leaves its cells empty, or has inf in them",
+        bad.display()
+    );
     assert_says(&window, &message);
     assert_eq!(map_says(&window), message);
     // What is none of spheres is meant as answers; a scene is a scene.
@@ -163,4 +166,23 @@ fn answers_are_opened_from_the_menu_and_faults_are_told() {
     assert_eq!(window.state().document().camera.eye.z, 9.0);
     drop_file(&mut window, &write(folder.path(), "balls.csv", "x,y,z,r\n0,0,0,1\n"));
     assert_says(&window, "This scene cannot be opened");
+}
+
+/// Before an audience the map's key is needed most: whole, and inside the window.
+#[test]
+fn the_maps_title_and_key_are_seen_while_presenting() {
+    let (folder, mut window) = alone();
+    drop_file(&mut window, &write(folder.path(), "mine.csv", &far_roots(0)));
+    for size in [[1920.0, 1080.0], [1024.0, 768.0]] {
+        window.set_size(size.into());
+        for _ in 0..2 {
+            window.key_press(egui::Key::F5);
+            window.run();
+            let whole = window.ctx.content_rect();
+            for label in ["right", "wrong"] {
+                let place = window.get_by_role_and_label(Role::Label, label).rect();
+                assert!(whole.contains_rect(place), "{label}: {place} in {whole}");
+            }
+        }
+    }
 }

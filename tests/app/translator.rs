@@ -133,10 +133,17 @@ fn a_paste_of_every_form_sets_the_camera_in_one_step() {
 #[test]
 fn a_paste_says_what_it_could_not_take_over() {
     let mut harness = window("canonical");
+    let left_handed = "camera { location <0, 1, -9> right x up y direction z } // +W40 +H40";
+    paste(&mut harness, left_handed);
+    assert_says(
+        &harness,
+        "Its world is left-handed, Pinhole's is right-handed: its every z is negated, and the objects \
+         here are not: negate theirs, too, for the same picture.",
+    );
     paste(&mut harness, "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);");
     assert_says(
         &harness,
-        "GluPerspective does not say how many pixels there are: 800 × 400 taken.",
+        "gluPerspective does not say how many pixels there are: 800 × 400 taken.",
     );
     let at = Orientation::At { at: DVec3::ZERO, up: DVec3::Y };
     assert_eq!(camera(&harness).orientation, at);
