@@ -140,6 +140,7 @@ fn a_paste_says_what_it_could_not_take_over() {
         "Its world is left-handed, Pinhole's is right-handed: its every z is negated, and the objects \
          here are not: negate theirs, too, for the same picture.",
     );
+    let mut harness = window("canonical");
     paste(&mut harness, "gluPerspective(60, 2, 0.1, 100);\ngluLookAt(0, 0, 9, 0, 0, 0, 0, 1, 0);");
     assert_says(
         &harness,
