@@ -77,8 +77,9 @@ impl Cell {
     }
 }
 
-/// Digits that a reader is shown of a number.
-const DIGITS: usize = 7;
+/// Digits that a reader is shown of a number; more where what is given and what is right would look
+/// alike.
+const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
 impl Graded {
     /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place in
@@ -176,7 +177,9 @@ impl Graded {
             (None, 1) => "v".to_owned(),
             (None, _) => "w".to_owned(),
         };
-        let (given, right) = (self.given(worst), self.right(worst));
+        let texts = DIGITS.map(|digits| (self.given(worst, digits), self.right(worst, digits)));
+        let differ = texts.iter().find(|(given, right)| given != right);
+        let (given, right) = differ.unwrap_or(&texts[0]);
         Some(format!("{place} is {given}; right is {right}{}", off(worst.error, self.grade.kind)))
     }
 
@@ -186,17 +189,17 @@ impl Graded {
         format!("row {row}, column {column}")
     }
 
-    fn given(&self, worst: &Worst) -> String {
+    fn given(&self, worst: &Worst, digits: usize) -> String {
         match &self.answers {
-            Answers::Basis(vectors) => triple(vectors[worst.index].value),
+            Answers::Basis(vectors) => triple(vectors[worst.index].value, digits),
             Answers::Rays(rays) => {
                 let ray = &rays[worst.index];
-                ray_words(ray.origin.value, ray.direction.value)
+                ray_words(ray.origin.value, ray.direction.value, digits)
             }
             Answers::Hits(hits) => match hits[worst.index].hit {
                 None => "a miss".to_owned(),
                 Some(GivenHit { t, point, object }) => {
-                    hit_words(t.map(|t| t.value), point.map(|point| point.value), object)
+                    hit_words(t.map(|t| t.value), point.map(|point| point.value), object, digits)
                 }
             },
             Answers::Picture(pixels) => color_words(pixels[worst.index]),
@@ -204,21 +207,22 @@ impl Graded {
     }
 
     /// What would be right, in the parts that were answered.
-    fn right(&self, worst: &Worst) -> String {
+    fn right(&self, worst: &Worst, digits: usize) -> String {
         let given = match &self.answers {
             Answers::Hits(hits) => hits[worst.index].hit,
             _ => None,
         };
         match worst.right {
-            Right::Vector(vector) => triple(vector),
-            Right::Ray(ray) => ray_words(ray.origin, ray.direction),
+            Right::Vector(vector) => triple(vector, digits),
+            Right::Ray(ray) => ray_words(ray.origin, ray.direction, digits),
             Right::Hit(None) => "a miss".to_owned(),
             Right::Hit(Some(hit)) => match given {
-                None => hit_words(Some(hit.t), None, Some(hit.object)),
+                None => hit_words(Some(hit.t), None, Some(hit.object), digits),
                 Some(given) => hit_words(
                     given.t.map(|_| hit.t),
                     given.point.map(|_| hit.point),
                     given.object.map(|_| hit.object),
+                    digits,
                 ),
             },
             Right::Color(color) => color_words(color),
@@ -312,19 +316,19 @@ fn ids(mistakes: &[KnownMistake], between: &str) -> String {
     mistakes.iter().map(|mistake| mistake.id()).collect::<Vec<_>>().join(between)
 }
 
-fn triple(v: DVec3) -> String {
-    let [x, y, z] = v.to_array().map(|x| significant(x, DIGITS));
+fn triple(v: DVec3, digits: usize) -> String {
+    let [x, y, z] = v.to_array().map(|x| significant(x, digits));
     format!("({x}, {y}, {z})")
 }
 
-fn ray_words(origin: DVec3, direction: DVec3) -> String {
-    format!("{} + t {}", triple(origin), triple(direction))
+fn ray_words(origin: DVec3, direction: DVec3, digits: usize) -> String {
+    format!("{} + t {}", triple(origin, digits), triple(direction, digits))
 }
 
-fn hit_words(t: Option<f64>, point: Option<DVec3>, object: Option<u32>) -> String {
+fn hit_words(t: Option<f64>, point: Option<DVec3>, object: Option<u32>, digits: usize) -> String {
     let parts = [
-        t.map(|t| format!("t = {}", significant(t, DIGITS))),
-        point.map(|point| format!("point {}", triple(point))),
+        t.map(|t| format!("t = {}", significant(t, digits))),
+        point.map(|point| format!("point {}", triple(point, digits))),
         object.map(|object| format!("object {object}")),
     ];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")

@@ -142,6 +142,15 @@ fn what_nothing_explains_is_said_so() {
 }
 
 #[test]
+fn what_is_given_and_what_is_right_look_different() {
+    let folder = folder(&RIGHT_BASIS.replace(",1\n", ",1.000000002\n"));
+    let run = check(folder.path(), &["--tolerance", "1e-12"]);
+    assert_eq!(run.status, 1);
+    let worst = "worst: w is (0, 0, 1.000000002); right is (0, 0, 1) (off by 2e-9)\n";
+    assert!(run.stdout.contains(worst), "{}", run.stdout);
+}
+
+#[test]
 fn what_was_asked_for_must_be_there() {
     let folder = folder("row,column,t\n0,0,\n");
     let said = check(folder.path(), &["--kind", "hits"]).done();
