@@ -6,6 +6,7 @@ use std::fmt;
 ///
 /// Their order is the one in which they are tried and named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum KnownMistake {
     /// `w = normalize(view)`, as the lecture prints it; also `normalize(at - eye)`.
     WAsPrinted,
@@ -43,7 +44,7 @@ pub enum KnownMistake {
 
 impl KnownMistake {
     /// All of them.
-    pub const ALL: [KnownMistake; 16] = [
+    pub const ALL: &'static [KnownMistake] = &[
         KnownMistake::WAsPrinted,
         KnownMistake::VIsUCrossW,
         KnownMistake::NotNormalized,
@@ -86,7 +87,7 @@ impl KnownMistake {
 
     /// The mistake of this [`KnownMistake::id`].
     pub fn from_id(id: &str) -> Option<KnownMistake> {
-        KnownMistake::ALL.into_iter().find(|mistake| mistake.id() == id)
+        KnownMistake::ALL.iter().copied().find(|mistake| mistake.id() == id)
     }
 
     /// One sentence on what to look at.

@@ -75,6 +75,7 @@ pub struct Truth<'a> {
 
 /// How right answers are.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Grade {
     /// What kind of answers they are.
     pub kind: Kind,
@@ -100,6 +101,7 @@ pub struct Grade {
 
 /// The answer that is farthest off: a wrong one, where there is any.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Worst {
     /// Which answer it is, counted from 0.
     pub index: usize,
