@@ -14,6 +14,7 @@ use super::views;
 use crate::action::Action;
 use crate::derive::Derived;
 use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::letters::told;
 use crate::session::{Selection, Session};
 
 /// Size of the text, in points.
@@ -162,7 +163,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
             {
                 *selection = Selection::Pixel(pixel);
             }
-            ui.add(egui::Label::new(format!("Worst: {worst}")).wrap());
+            ui.add(egui::Label::new(told(format!("Worst: {worst}"))).wrap());
         });
     }
     ui.add_space(6.0);
@@ -173,7 +174,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     let text = RichText::new(format!("Mistake: {}", graded.mistakes())).size(17.0).strong();
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
-        ui.label(mistake.advice());
+        ui.label(told(mistake.advice()));
         let shown = Mistake::from_id(mistake.id());
         if let Some(shown) = shown
             && ui.button(format!("See it: {}", shown.name())).clicked()
