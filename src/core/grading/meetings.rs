@@ -44,12 +44,9 @@ fn meets_far_off(program: &Program) -> bool {
     !program.quadratic.is_right() || program.single
 }
 
-/// How many spheres a program's ray is held against, about.
+/// How many spheres a program's ray is held against, about: few where the index finds those near it.
 pub(super) fn work(scene: &Scene, program: &Program) -> usize {
-    /// Those that the index leaves, as a rule.
-    const NEAR: usize = 10;
-    let all = scene.spheres().len();
-    if meets_far_off(program) { all } else { all.min(NEAR) }
+    if meets_far_off(program) { scene.spheres().len() } else { 1 }
 }
 
 /// Roots of one sphere, the smaller first.
