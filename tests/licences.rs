@@ -160,3 +160,40 @@ fn the_list_is_current() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/licences/THIRD_PARTY.md");
     expect_file![path].assert_eq(&format!("{}\n", list.trim_end()));
 }
+
+#[test]
+#[cfg(all(target_os = "linux", target_arch = "x86_64"))]
+fn a_release_has_the_text_of_every_licence() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("LICENCES.txt");
+    let output = Command::new(root.join(".ci/licences")).arg(&file).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = std::fs::read_to_string(&file).unwrap();
+    let words: BTreeSet<&str> = text.split_whitespace().collect();
+    for Package { name, version, .. } in packages() {
+        assert!(words.contains(&*format!("{name}-{version}")), "{name} {version}");
+    }
+    // One that comes without its licence's text, and one whose texts are those of its fonts.
+    let line = "=".repeat(80);
+    let blocks: Vec<&str> = text.split(&line).collect();
+    for crate_name in ["egui-0.", "epaint_default_fonts-0."] {
+        let named = |block: &&&str| {
+            let (names, text) = block.trim_start().split_once("\n\n").unwrap_or_default();
+            names.split_whitespace().any(|name| name.starts_with(crate_name))
+                && text.starts_with("Copyright (c) Emil Ernerfeldt")
+                && text.contains("Permission is hereby granted, free of charge")
+        };
+        assert_eq!(blocks.iter().filter(named).count(), 1, "{crate_name}");
+    }
+    assert!(text.contains("Bitstream Vera"), "the fonts' own");
+}
+
+#[test]
+fn the_crate_that_can_be_used_alone_has_its_licences() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for name in ["LICENSE-APACHE", "LICENSE-MIT"] {
+        let [own, ours] =
+            ["src/core", "."].map(|folder| std::fs::read(root.join(folder).join(name)).unwrap());
+        assert_eq!(own, ours, "{name}");
+    }
+}

@@ -10,6 +10,7 @@ use crate::steering::angle_between;
 
 /// How one camera differs from another; lengths in world units, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct CameraDifference {
     /// From the other's eye to this one's.
     pub eye: DVec3,

@@ -47,6 +47,7 @@ impl Default for Outputs {
 /// T is what `t` is kept in, `f64` or `f32`. Which pixels are hit, and which object is first, is the
 /// same for both: exact.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Frame<T = f64> {
     pub(crate) camera: PosedCamera,
     pub(crate) raster: Raster,
@@ -66,6 +67,7 @@ pub struct Frame<T = f64> {
 
 /// One traced pixel of a [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct FramePixel<T = f64> {
     /// Which pixel of the image it is.
     pub pixel: Pixel,

@@ -20,6 +20,7 @@ pub struct Pixel {
 
 /// An image measure outside 1 to [`ImageSize::MAX`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ImageError {
     /// `width` or `height`.
     pub field: &'static str,

@@ -6,10 +6,13 @@
 //! ```
 //! use pinhole_core::*;
 //!
-//! let scene = Scene::new(vec![Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 }], vec![])?;
-//! let camera = Camera { image: ImageSize::new(8, 8)?, ..Camera::CANONICAL }.posed()?;
+//! let ball = Sphere::new([0.0, 0.0, -5.0], 1.5)?;
+//! let floor = Plane::new([0.0, -1.0, 0.0], [0.0, 1.0, 0.0])?;
+//! let scene = Scene::new(vec![ball], vec![floor])?;
+//! let camera = Camera { image: ImageSize::new(20, 10)?, ..Camera::CANONICAL }.posed()?;
 //! let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
-//! assert_eq!(frame.at(4, 4).object, Some(0));
+//! assert_eq!(frame.at(4, 10).object, Some(0));
+//! assert_eq!(frame.at(9, 0).object, Some(1));
 //! assert_eq!(frame.at(0, 0).object, None);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -169,9 +172,15 @@
 //!
 //! Until 1.0, a minor version may change names. Within one:
 //!
-//! - Errors and [`Counts`] may grow: they are `#[non_exhaustive]`. [`Shade`], [`Orientation`],
-//!   [`Roots`], [`Object`] and [`methods::Formula`] are complete: whoever shows them all wants to be
-//!   told of a new one by the compiler.
+//! - What may grow is `#[non_exhaustive]`: errors; what a frame tells ([`Frame`], [`Counts`],
+//!   [`Steps`], [`Step`], [`Stage`]); [`Mistake`](lecture::mistakes::Mistake),
+//!   [`Check`](lecture::mistakes::Check) and [`Slip`](lecture::exercises::Slip); derivations.
+//! - What is built from numbers stays so: [`Camera`], [`Viewport`], [`Sphere`], [`Plane`], [`Ray`],
+//!   [`Outputs`] by their fields.
+//! - [`Shade`], [`Orientation`], [`Roots`], [`Object`], [`methods::Formula`] and the
+//!   [exercises](lecture::exercises) with their verdicts are complete: whoever shows them all wants to
+//!   be told of a new one by the compiler.
+//! - [`Depth`], [`methods::FrameKernel`] and [`methods::RayKernel`] can be used, not implemented.
 //! - The bits of every result are part of the interface: the same input gives the same picture, on
 //!   any processor and any number of threads.
 //! - Two other crates are in the signatures: glam, of which `DVec2` and `DVec3` are used, and
@@ -264,6 +273,46 @@ mod viewport;
 #[cfg(doctest)]
 #[doc = include_str!("README.md")]
 struct Readme;
+
+/// What may grow cannot be built or matched as if it were complete, or implemented elsewhere.
+///
+/// ```compile_fail,E0639
+/// let _ = pinhole_core::ImageError { field: "width", value: 0 };
+/// ```
+/// ```compile_fail,E0639
+/// let _ = pinhole_core::ViewportError { field: "width", value: 0.0 };
+/// ```
+/// ```compile_fail,E0004
+/// fn of(step: pinhole_core::Step) -> u8 {
+///     use pinhole_core::Step::*;
+///     match step { F64 => 0, DoubleDouble => 1, Exact => 2 }
+/// }
+/// ```
+/// ```compile_fail,E0004
+/// fn of(error: pinhole_core::lecture::lines::LineError) -> u8 {
+///     use pinhole_core::lecture::lines::LineError::*;
+///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } => 0 }
+/// }
+/// ```
+/// ```compile_fail,E0004
+/// fn of(error: pinhole_core::lecture::mistakes::NoWrongCamera) -> u8 {
+///     use pinhole_core::lecture::mistakes::NoWrongCamera::*;
+///     match error {
+///         Camera(_) | GivenByHand(_) | NotGivenByAt | ChangesNothing(_) | Conflict(..) => 0,
+///         OutOfRange(_) => 1,
+///     }
+/// }
+/// ```
+/// ```compile_fail,E0277
+/// struct Rays;
+/// impl pinhole_core::methods::RayKernel for Rays {
+///     fn intersect(&mut self) {}
+///     fn hit(&self, _: usize) -> Option<pinhole_core::methods::MethodHit> { None }
+///     fn steps(&self) -> Option<pinhole_core::Steps> { None }
+/// }
+/// ```
+#[cfg(doctest)]
+struct Stays;
 
 #[cfg(test)]
 #[path = "tests/unit/arithmetic.rs"]

@@ -24,6 +24,7 @@ use crate::trace::trace;
 
 /// The first hit of a ray, by some method.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct MethodHit {
     /// The object's index in the scene.
     pub object: u32,
@@ -36,6 +37,7 @@ pub struct MethodHit {
 
 /// The first hits of a raster's pixels, row by row, see [`trace_by`].
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Traced {
     /// `t` of the first hit, widened to `f64`; infinite where there is none.
     pub t: Vec<f64>,
@@ -114,8 +116,9 @@ pub fn trace_by(method: Method, scene: &Scene, camera: &PosedCamera, raster: &Ra
 /// A raster traced by one method in one thread, for a caller that takes the time, and single pixels
 /// of it looked at closely.
 ///
-/// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand.
-pub trait FrameKernel: Send + Sync {
+/// The ladder is the exception to the one thread: it is [`trace`], in the thread pool at hand. No other
+/// crate can implement this: [`frame_kernel`] makes what there is.
+pub trait FrameKernel: Send + Sync + sealed::Sealed {
     /// Traces the whole raster again, from the scene as given to the last pixel's t and object, into
     /// memory of its own.
     fn trace(&mut self);
@@ -230,7 +233,7 @@ impl<M: Intersect> FrameKernel for KnownFrame<M> {
 
 /// Rays, each with a scene of its own, intersected by one method in one thread, for a caller that
 /// takes the time.
-pub trait RayKernel: Send + Sync {
+pub trait RayKernel: Send + Sync + sealed::Sealed {
     /// Finds every ray's first hit again, into memory of its own.
     fn intersect(&mut self);
 
@@ -324,4 +327,16 @@ impl<M: Intersect> RayKernel for KnownRays<M> {
         };
         Some(MethodHit { object, t: t.to_f64(), normal: normal.to_f64() })
     }
+}
+
+/// Kernels are made by [`frame_kernel`] and [`ray_kernel`] alone: their traits may get more methods.
+mod sealed {
+    use super::*;
+
+    pub trait Sealed {}
+
+    impl Sealed for LadderFrame {}
+    impl<M: Intersect> Sealed for KnownFrame<M> {}
+    impl Sealed for LadderRays {}
+    impl<M: Intersect> Sealed for KnownRays<M> {}
 }

@@ -10,9 +10,9 @@
 //! use pinhole_core::*;
 //!
 //! // The course's floor, seen from just above: the textbook's near root loses its digits.
-//! let floor = Sphere { center: DVec3::new(0.0, -5001.0, 0.0), radius: 5000.0 };
+//! let floor = Sphere::new([0.0, -5001.0, 0.0], 5000.0)?;
 //! let scene = Scene::new(vec![floor], vec![])?;
-//! let ray = Ray { origin: DVec3::ZERO, direction: DVec3::new(0.25, -0.25, -1.0) };
+//! let ray = Ray::new([0.0; 3], [0.25, -0.25, -1.0])?;
 //! let t = |method| first_hit_by(method, &scene, &ray).map(|hit| hit.t);
 //! let (right, textbook) = (t(Method::Ladder).unwrap(), t("textbook-f32".parse()?).unwrap());
 //! assert!((textbook - right).abs() > 1e-5 * right);
@@ -149,10 +149,10 @@ impl std::error::Error for UnknownMethod {}
 impl Method {
     /// All methods: the ladder, double-double, then the known formulas, from the plainest on, `f32`
     /// first.
-    pub const ALL: [Method; 16] = {
+    pub const ALL: &'static [Method] = {
         use Formula::*;
         use Precision::*;
-        [
+        &[
             Method::Ladder,
             Method::DoubleDouble,
             Method::Known(Textbook, F32),
@@ -198,7 +198,7 @@ impl Method {
 
     /// The method of this name.
     pub fn from_name(name: &str) -> Option<Method> {
-        Method::ALL.into_iter().find(|method| method.name() == name)
+        Method::ALL.iter().copied().find(|method| method.name() == name)
     }
 
     /// The precision of the answer, in whose ulps its error is counted.

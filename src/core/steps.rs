@@ -7,6 +7,7 @@ use std::ops::{Add, AddAssign};
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
 /// knows a bound of its own error and hands over what lies within it to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Steps {
     /// Decided in `f64`.
     pub f64: u64,
@@ -18,6 +19,7 @@ pub struct Steps {
 
 /// One step of the ladder, the lowest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
 pub enum Step {
     /// `f64` with an error bound.
     F64,

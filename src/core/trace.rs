@@ -21,6 +21,7 @@ use crate::steps::Steps;
 
 /// What of a frame was just done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Stage {
     /// The plan: what the rows can see, and what their pixels share.
     Planned,

@@ -17,6 +17,7 @@ pub struct Viewport {
 
 /// A viewport measure that is not a positive, finite number.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ViewportError {
     /// `width`, `height` or `distance`.
     pub field: &'static str,

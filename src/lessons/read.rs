@@ -257,7 +257,8 @@ fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<()
     say(section, "ledger", &mut looks.ledger, ledger)?;
     say(section, "lit", &mut looks.lit, |field| lit(field, objects))?;
     say(section, "mistake", &mut looks.mistake, |field| {
-        let id = field.one_of(&Mistake::ALL.map(Mistake::id))?;
+        let ids: Vec<_> = Mistake::ALL.iter().map(|mistake| mistake.id()).collect();
+        let id = field.one_of(&ids)?;
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
     })?;
     say(section, "t", &mut looks.t, Field::number)?;
@@ -282,7 +283,8 @@ fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
             None => Ok(None),
         };
     };
-    let id = field.one_of(&Exercise::ALL.map(Exercise::id))?;
+    let ids: Vec<_> = Exercise::ALL.iter().map(|exercise| exercise.id()).collect();
+    let id = field.one_of(&ids)?;
     let exercise = Exercise::from_id(id)
         .ok_or_else(|| field.error("it must be an exercise of the exercises layout"))?;
     let largest = i64::try_from(LARGEST_SEED).unwrap_or(i64::MAX);

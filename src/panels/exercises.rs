@@ -53,7 +53,7 @@ pub(crate) fn ui(
 
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     let chosen = exercises.question().exercise;
-    for exercise in Exercise::ALL {
+    for &exercise in Exercise::ALL {
         let text = RichText::new(exercises::title(exercise)).size(15.0);
         let response = ui.add(egui::Button::selectable(exercise == chosen, text).wrap());
         if response.clicked() && exercise != chosen {

@@ -161,7 +161,7 @@ fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mu
     }
     ui.separator();
     ui.menu_button("Picture drawn by", |ui| {
-        for method in Method::ALL {
+        for &method in Method::ALL {
             let hint = format!("{}\n{}", method.about(), method.source());
             ui.radio_value(&mut settings.method.0, method, method.name()).on_hover_text(hint);
         }

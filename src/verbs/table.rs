@@ -288,7 +288,7 @@ fn looks() -> Vec<Verb> {
     for scheme in Scheme::ALL {
         verbs.push(verb(Group::Colours, scheme.label(), scheme.about(), Action::Scheme(scheme)));
     }
-    for method in Method::ALL {
+    for &method in Method::ALL {
         let action = Action::Method(MethodName(method));
         verbs.push(verb(Group::Method, method.name(), method.about(), action));
     }
@@ -304,11 +304,11 @@ fn places() -> Vec<Verb> {
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         verbs.extend(of_lesson(Which::Builtin(index), lesson));
     }
-    for exercise in Exercise::ALL {
+    for &exercise in Exercise::ALL {
         let name = exercises::title(exercise);
         verbs.push(verb(Group::Exercise, name, "Asks this.", Action::Exercise(exercise)));
     }
-    for mistake in Mistake::ALL {
+    for &mistake in Mistake::ALL {
         let action = Action::Mistake(mistake);
         verbs.push(verb(Group::Mistake, mistake.name(), mistake.shows(), action));
     }

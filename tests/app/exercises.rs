@@ -259,7 +259,7 @@ fn scalars_are_italic_and_a_question_is_read_without_marks() {
     let shown = "The line 𝑥 + 𝑦 − 2 = 0 and the ray (0,\u{a0}0) + 𝑡 (1,\u{a0}1).";
     assert_eq!(texts_with(&window, shown), [shown]);
     assert_says(&window, "𝑡 =");
-    for exercise in Exercise::ALL {
+    for &exercise in Exercise::ALL {
         for paragraph in pinhole::exercises::question(&Question::new(exercise, None).given) {
             assert_eq!(paragraph.matches('*').count() % 2, 0, "{paragraph}");
             let words =

@@ -9,6 +9,7 @@ use clap_complete::Shell;
 use clap_mangen::roff::{Roff, roman};
 use expect_test::expect_file;
 use pinhole::arguments::Arguments;
+use pinhole::formats::builtin;
 
 use super::{entries, run};
 
@@ -104,9 +105,79 @@ fn the_completions_are_current() {
     let files = completions.map(|(shell, name)| {
         let mut text = Vec::new();
         clap_complete::generate(shell, &mut definition(), "pinhole", &mut text);
-        (name.to_owned(), String::from_utf8(text).unwrap())
+        (name.to_owned(), with_scenes(shell, String::from_utf8(text).unwrap()))
     });
     assert_files("completions", &files);
+}
+
+/// With the built-in scenes where one may stand, for which clap offers files alone.
+fn with_scenes(shell: Shell, mut text: String) -> String {
+    let scenes: Vec<&str> = builtin::all().iter().map(|scene| scene.name).collect();
+    let scenes = scenes.join(" ");
+    let definition = definition();
+    let commands = definition.get_subcommands().filter(|command| takes_scene(command));
+    let commands = commands.map(clap::Command::get_name);
+    match shell {
+        Shell::Bash => {
+            let subcommands = commands.map(|name| format!("pinhole__subcmd__{name}"));
+            for case in subcommands.chain(["pinhole".to_owned()]) {
+                let options = format!(" {case})\n            opts=\"");
+                assert_eq!(text.matches(&options).count(), 1, "{case}");
+                text = text.replace(&options, &format!("{options}{scenes} "));
+            }
+        }
+        Shell::Zsh => {
+            let count = text.matches(":scene -- ").count() + text.matches(":scenes -- ").count();
+            assert_eq!(count, commands.count() + 1);
+            let lines = text.lines().map(|line| match line.split_once(":scene") {
+                Some(_) => line.replace(":_files'", ":_pinhole_scenes'") + "\n",
+                None => format!("{line}\n"),
+            });
+            let start = "if [ \"$funcstack[1]\"";
+            let own = format!(
+                "_pinhole_scenes() {{\n    _alternative 'scenes:built-in scene:({scenes})' \
+                 'files:scene file:_files'\n}}\n\n{start}"
+            );
+            text = lines.collect::<String>().replace(start, &own);
+        }
+        Shell::Fish => {
+            let conditions = commands.map(|name| format!("using_subcommand {name}"));
+            for condition in conditions.chain(["needs_command".to_owned()]) {
+                text += &format!(
+                    "complete -c pinhole -n \"__fish_pinhole_{condition}\" -a \"{scenes}\" \
+                     -d 'Built-in scene'\n"
+                );
+            }
+        }
+        other => panic!("{other} is not written"),
+    }
+    text
+}
+
+fn takes_scene(command: &clap::Command) -> bool {
+    command
+        .get_positionals()
+        .any(|argument| ["scene", "scenes"].contains(&argument.get_id().as_str()))
+}
+
+#[test]
+#[cfg(unix)]
+fn bash_offers_the_built_in_scenes() {
+    let offered = |words: &str| {
+        let script = format!(
+            "source {}; COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
+             _pinhole pinhole \"${{COMP_WORDS[-1]}}\" \"${{COMP_WORDS[-2]}}\"; \
+             echo \"${{COMPREPLY[@]}}\"",
+            assets().join("completions/pinhole.bash").display()
+        );
+        let output = std::process::Command::new("bash").args(["-c", &script]).output().unwrap();
+        String::from_utf8(output.stdout).unwrap().trim_end().to_owned()
+    };
+    for words in ["render can", "trace --rays in.csv can", "report can", "can"] {
+        assert_eq!(offered(&format!("pinhole {words}")), "canonical", "{words}");
+    }
+    assert_eq!(offered("pinhole import can"), "", "that is another program's file");
+    assert_eq!(offered("pinhole render no-such-scene"), "", "which is completed as a file");
 }
 
 #[test]

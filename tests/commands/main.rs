@@ -9,6 +9,7 @@ mod figure;
 mod figure_read_back;
 mod generated;
 mod inspect;
+mod install;
 mod lesson;
 mod molecule;
 mod render;

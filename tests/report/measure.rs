@@ -42,7 +42,7 @@ fn a_small_scene_is_measured_whole() {
     assert_eq!((case.name.as_str(), case.knob), ("small", None));
     assert!((0.05..0.2).contains(&case.coverage), "{}", case.coverage);
     let names: Vec<_> = case.methods.iter().map(|row| row.name.as_str()).collect();
-    assert_eq!(names, Method::ALL.map(Method::name));
+    assert_eq!(names, Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>());
     for row in &case.methods {
         assert_eq!(row.decisions, 24 * 20, "{}", row.name);
         let (median, max) = (row.ulp.median.unwrap(), row.ulp.max.unwrap());

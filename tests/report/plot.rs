@@ -24,7 +24,7 @@ fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
     let svg = svg_of(&report);
     // One around the mark, one in the table.
     assert_eq!(count(&svg, "<circle"), 2);
-    assert_eq!(count(&svg, ">1 234</text>"), 1);
+    assert_eq!(count(&svg, ">1,234</text>"), 1);
 }
 
 #[test]

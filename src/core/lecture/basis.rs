@@ -33,6 +33,7 @@ pub enum BasisDerivation {
 /// Every number is computed exactly and rounded once (lengths and the area: within an ulp). u, v and w
 /// are those of [`Camera::basis`]. What is above the largest `f64` is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct BasisFromUp {
     /// The camera's position.
     pub eye: DVec3,
@@ -85,6 +86,7 @@ pub struct Cross {
 
 /// The checks that u, v, w set by hand have to pass, each with the verdict of [`Basis::by_hand`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct BasisByHand {
     /// The camera's position.
     pub eye: DVec3,
@@ -106,6 +108,7 @@ pub struct BasisByHand {
 
 /// Whether a vector is of length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LengthCheck {
     /// Which one.
     pub vector: BasisVector,
@@ -117,6 +120,7 @@ pub struct LengthCheck {
 
 /// Whether two vectors are at a right angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct DotCheck {
     /// One of them.
     pub first: BasisVector,
@@ -130,6 +134,7 @@ pub struct DotCheck {
 
 /// Whether the three are right-handed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct HandednessCheck {
     /// `u x v`: w of a right-handed basis, -w of a left-handed one.
     pub u_cross_v: DVec3,

@@ -142,6 +142,7 @@ pub enum Answer {
 
 /// One thing that a question asks for.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Part {
     /// What.
     pub asked: Asked,
@@ -159,6 +160,7 @@ pub struct Part {
 
 /// A question with everything that is known of it.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Question {
     /// Of which kind.
     pub exercise: Exercise,
@@ -170,7 +172,7 @@ pub struct Question {
 
 impl Exercise {
     /// All of them, in the lecture's order.
-    pub const ALL: [Exercise; 8] = [
+    pub const ALL: &'static [Exercise] = &[
         Exercise::WarmUpRay,
         Exercise::WarmUpPlane,
         Exercise::Distance,
@@ -197,7 +199,7 @@ impl Exercise {
 
     /// The exercise of this [`Exercise::id`].
     pub fn from_id(id: &str) -> Option<Exercise> {
-        Exercise::ALL.into_iter().find(|exercise| exercise.id() == id)
+        Exercise::ALL.iter().copied().find(|exercise| exercise.id() == id)
     }
 }
 

@@ -39,6 +39,7 @@ pub struct ParametricLine {
 
 /// Why numbers make no line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum LineError {
     /// The named number is NaN or infinite.
     NotFinite {

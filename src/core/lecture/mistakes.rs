@@ -18,6 +18,7 @@ pub use picture::WrongPicture;
 
 /// A classic mistake on the way to a pixel's ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Mistake {
     /// `w = normalize(view)`, as the lecture prints it.
     WAsPrinted,
@@ -60,7 +61,7 @@ struct Texts {
 
 impl Mistake {
     /// All of them, in the order of a gallery.
-    pub const ALL: [Mistake; 14] = [
+    pub const ALL: &'static [Mistake] = &[
         Mistake::WAsPrinted,
         Mistake::WIsAtMinusEye,
         Mistake::VIsUCrossW,
@@ -84,7 +85,7 @@ impl Mistake {
 
     /// The mistake of this [`Mistake::id`].
     pub fn from_id(id: &str) -> Option<Mistake> {
-        Mistake::ALL.into_iter().find(|mistake| mistake.id() == id)
+        Mistake::ALL.iter().copied().find(|mistake| mistake.id() == id)
     }
 
     /// A few words for a list.

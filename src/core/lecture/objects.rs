@@ -34,6 +34,7 @@ pub enum ObjectDerivation {
 /// with a, b, c and D as in [`SphereQuadratic`] (b is half the linear coefficient). (Marschner,
 /// Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.)
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct SphereDerivation {
     /// The sphere.
     pub sphere: Sphere,
@@ -77,6 +78,7 @@ pub enum SphereMeeting {
 ///
 /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 2.5.5 and 4.4.)
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PlaneDerivation {
     /// The plane.
     pub plane: Plane,

@@ -18,6 +18,7 @@ use crate::scale::length;
 /// The direction and its three parts are computed from the basis before rounding and rounded once,
 /// so the parts' sum may differ from the direction in the last bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RayDerivation {
     /// The pixel that the ray goes through and its shares of the image; `None` of a ray that is given
     /// by (u, v).
@@ -42,6 +43,7 @@ pub struct RayDerivation {
 
 /// Where a pixel's centre is in the image, as shares of its width and height.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct PixelShares {
     /// The pixel.
     pub pixel: Pixel,

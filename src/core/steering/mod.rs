@@ -67,6 +67,7 @@ pub const ROUNDING_TURN: f64 = 1e-6;
 
 /// What a drag of a handle made of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Steered {
     /// The camera after it.
     pub camera: Camera,

@@ -183,7 +183,7 @@ impl Case {
 /// The methods of one precision, across, and the cases, down.
 fn table(precision: Precision, cases: &[Case]) -> String {
     let methods: Vec<Method> =
-        Method::ALL.into_iter().filter(|method| method.precision() == precision).collect();
+        Method::ALL.iter().copied().filter(|method| method.precision() == precision).collect();
     let mut text = format!("{:43} {:>12}", "", "t");
     let short = |method: &Method| {
         let name = method.name();

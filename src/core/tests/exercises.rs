@@ -73,7 +73,7 @@ fn the_lectures_answers_are_right() {
 
 /// All questions of many seeds, the lecture's among them.
 fn questions() -> impl Iterator<Item = Question> {
-    Exercise::ALL.into_iter().flat_map(|exercise| {
+    Exercise::ALL.iter().copied().flat_map(|exercise| {
         (0..200).map(Some).chain([None]).map(move |seed| Question::new(exercise, seed))
     })
 }
@@ -146,7 +146,7 @@ fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
 
 #[test]
 fn every_seed_gives_a_question_that_can_be_solved() {
-    for exercise in Exercise::ALL {
+    for &exercise in Exercise::ALL {
         let asked = |question: &Question| -> Vec<Asked> {
             question.parts.iter().map(|part| part.asked).collect()
         };
@@ -166,7 +166,7 @@ fn every_seed_gives_a_question_that_can_be_solved() {
 
 #[test]
 fn seeds_are_kept_and_differ() {
-    for exercise in Exercise::ALL {
+    for &exercise in Exercise::ALL {
         assert_eq!(Question::new(exercise, Some(7)), Question::new(exercise, Some(7)));
         let all: Vec<_> = (0..20).map(|seed| Question::new(exercise, Some(seed)).given).collect();
         let others = all.iter().filter(|given| **given != all[0]).count();
@@ -177,7 +177,7 @@ fn seeds_are_kept_and_differ() {
 
 #[test]
 fn lessons_name_exercises_by_ids_that_stay() {
-    let ids = Exercise::ALL.map(Exercise::id);
+    let ids: Vec<_> = Exercise::ALL.iter().map(|exercise| exercise.id()).collect();
     let known = [
         "warm-up-ray",
         "warm-up-plane",
@@ -189,7 +189,8 @@ fn lessons_name_exercises_by_ids_that_stay() {
         "lines",
     ];
     assert_eq!(ids, known);
-    assert_eq!(ids.map(Exercise::from_id), Exercise::ALL.map(Some));
+    let named: Vec<_> = ids.into_iter().filter_map(Exercise::from_id).collect();
+    assert_eq!(named, Exercise::ALL);
     assert_eq!(Exercise::from_id("circle"), None);
 }
 

@@ -128,7 +128,7 @@ fn the_mapping_mistakes_have_the_uv_found_by_hand() {
 #[test]
 fn what_changes_nothing_says_so_and_what_to_change() {
     let mut nothing: Vec<&str> = Vec::new();
-    for mistake in Mistake::ALL {
+    for &mistake in Mistake::ALL {
         if let Err(why) = WrongCamera::new(&Camera::CANONICAL, mistake) {
             assert_eq!(why, NoWrongCamera::ChangesNothing(mistake));
             assert!(why.to_string().ends_with(mistake.hint()), "{why}");
@@ -152,7 +152,7 @@ fn what_changes_nothing_says_so_and_what_to_change() {
 
 #[test]
 fn each_mistake_is_found_by_the_checks_that_it_names_and_no_other() {
-    for mistake in Mistake::ALL {
+    for &mistake in Mistake::ALL {
         assert_eq!(failing(&wrong(&general(), mistake)), mistake.found_by(), "{mistake}");
     }
 }
@@ -161,8 +161,8 @@ fn each_mistake_is_found_by_the_checks_that_it_names_and_no_other() {
 fn pairs_add_up_or_say_that_they_cannot_be_made_together() {
     let camera = general();
     let mut conflicts = 0;
-    for first in Mistake::ALL {
-        for second in Mistake::ALL {
+    for &first in Mistake::ALL {
+        for &second in Mistake::ALL {
             match WrongCamera::with(&camera, &[first, second]) {
                 Ok(pair) => assert_eq!(pair.mistakes(), [first, second]),
                 Err(NoWrongCamera::Conflict(a, b)) => {
@@ -192,7 +192,7 @@ fn some_mistakes_are_told_apart_by_no_picture() {
     let same = |a, b| wrong(&camera, a).sees_the_same(&wrong(&camera, b));
     assert!(same(Mistake::WAsPrinted, Mistake::WIsAtMinusEye));
     assert!(same(Mistake::VIsUCrossW, Mistake::RowsFromBottom));
-    let pairs = Mistake::ALL.into_iter().flat_map(|a| Mistake::ALL.map(|b| (a, b)));
+    let pairs = Mistake::ALL.iter().flat_map(|&a| Mistake::ALL.iter().map(move |&b| (a, b)));
     assert_eq!(pairs.filter(|(a, b)| a < b && same(*a, *b)).count(), 2);
 }
 
@@ -237,11 +237,11 @@ fn the_picture_is_what_the_wrong_rays_meet() {
     let tall = Camera { image: ImageSize::new(16, 27).unwrap(), ..general() };
     for camera in [general(), tall] {
         let rasters = [Raster::full(camera.image), Raster::shown_on(camera.image, 11, 13)];
-        for mistake in Mistake::ALL {
+        for &mistake in Mistake::ALL {
             for raster in &rasters {
                 assert_picture(&scene, &wrong(&camera, mistake), raster);
             }
-            for other in Mistake::ALL {
+            for &other in Mistake::ALL {
                 if let Ok(pair) = WrongCamera::with(&camera, &[mistake, other]) {
                     assert_picture(&scene, &pair, &rasters[1]);
                 }
@@ -259,7 +259,7 @@ fn the_largest_images_have_wrong_pictures_too() {
         let image = ImageSize::new(width, height).unwrap();
         let camera = Camera { image, ..general() };
         let raster = Raster::shown_on(image, 61, 67);
-        for mistake in Mistake::ALL {
+        for &mistake in Mistake::ALL {
             let wrong = wrong(&camera, mistake);
             let picture = WrongPicture::trace(&scene, &wrong, &raster).unwrap();
             let mut pixels = raster
@@ -338,7 +338,7 @@ proptest! {
         let image = ImageSize::new(30, 20).unwrap();
         let camera = Camera { eye, orientation: Orientation::At { at, up }, viewport, image };
         prop_assume!(camera.up_angle().is_ok_and(|angle| angle.conditioning < 1e3));
-        for mistake in Mistake::ALL {
+        for &mistake in Mistake::ALL {
             if let Ok(wrong) = WrongCamera::new(&camera, mistake) {
                 prop_assert_ne!(failing(&wrong), Vec::<Check>::new(), "{}", mistake);
             }

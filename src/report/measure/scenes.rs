@@ -91,7 +91,7 @@ pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
         Method::Known(formula, _) => !scene.spheres().is_empty() || *formula == Formula::Textbook,
         Method::Ladder | Method::DoubleDouble => true,
     };
-    Method::ALL.into_iter().filter(differ).collect()
+    Method::ALL.iter().copied().filter(differ).collect()
 }
 
 fn plan(part: Part, camera: Camera, posed: PosedCamera) -> Plan {

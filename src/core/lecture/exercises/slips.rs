@@ -4,6 +4,7 @@ use super::Asked;
 
 /// A classic mistake in an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Slip {
     /// `w = normalize(view)`, as the lecture prints it.
     WAsPrinted,

@@ -58,6 +58,7 @@ pub(super) struct Mapping {
 
 /// Why there is no wrong camera to show.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NoWrongCamera {
     /// The right camera sees nothing.
     Camera(CameraError),

@@ -8,6 +8,7 @@ use crate::scale::{length, unit};
 
 /// Something that is so of every right camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Check {
     /// `|u| = 1`.
     LengthU,
@@ -63,6 +64,7 @@ pub enum Wanted {
 
 /// A check, carried out.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Checked {
     /// Which one.
     pub check: Check,
@@ -76,7 +78,7 @@ pub struct Checked {
 
 impl Check {
     /// All of them.
-    pub const ALL: [Check; 14] = [
+    pub const ALL: &'static [Check] = &[
         Check::LengthU,
         Check::LengthV,
         Check::LengthW,
@@ -137,7 +139,7 @@ impl Check {
 impl WrongCamera {
     /// Every check, with this camera's numbers.
     pub fn checks(&self) -> Vec<Checked> {
-        Check::ALL.into_iter().map(|check| self.check(check)).collect()
+        Check::ALL.iter().copied().map(|check| self.check(check)).collect()
     }
 
     /// One check, with this camera's numbers.

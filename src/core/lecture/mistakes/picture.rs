@@ -21,6 +21,7 @@ use crate::viewport::Viewport;
 
 /// The first hits of a wrong camera's rays.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct WrongPicture {
     camera: WrongCamera,
     raster: Raster,

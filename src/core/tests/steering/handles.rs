@@ -77,8 +77,9 @@ fn the_viewport_is_put_through_a_point() {
     assert_eq!(size, Viewport { width: 4.0, height: 2.0, distance: 3.0 });
     let picture = through(-1.0, DistanceKeeps::Picture).unwrap().viewport;
     assert_eq!(picture, Viewport { width: 12.0, height: 6.0, distance: 3.0 });
-    let error = through(2.0, DistanceKeeps::Size).unwrap_err();
-    assert_eq!(error, ViewportError { field: "distance", value: 0.0 }.into());
+    let nowhere = Viewport { distance: 0.0, ..size }.check().unwrap_err();
+    assert_eq!((nowhere.field, nowhere.value), ("distance", 0.0));
+    assert_eq!(through(2.0, DistanceKeeps::Size), Err(nowhere.into()));
     assert!(through(2.5, DistanceKeeps::Picture).is_err());
 }
 

@@ -155,7 +155,7 @@ fn a_camera_without_a_basis_is_led_out_of_it() {
         assert_eq!(led.is_ok(), keep == Keep::At);
     }
     let led = collapsed.with_eye_at(eye, Keep::At).unwrap();
-    assert_eq!(led, Steered { camera: Camera { eye, ..collapsed }, up_went_along: false });
+    assert_eq!((led.camera, led.up_went_along), (Camera { eye, ..collapsed }, false));
     let parallel = over_the_top(0.0, 0.0);
     assert!(parallel.basis().is_err());
     assert!(parallel.with_at(DVec3::X).is_ok());
@@ -288,7 +288,7 @@ proptest! {
     fn a_travelling_eye_turns_nothing(camera in calm_camera(), offset in offset()) {
         let reach = camera.eye.distance(camera.pivot().unwrap());
         let eye = camera.eye + reach * offset;
-        let Steered { camera: after, up_went_along } =
+        let Steered { camera: after, up_went_along, .. } =
             camera.with_eye_at(eye, Keep::View).unwrap();
         prop_assert!(!up_went_along);
         prop_assert_eq!(after.eye, eye);
