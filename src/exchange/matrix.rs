@@ -19,6 +19,8 @@ pub(super) const MOST: usize = 64;
 pub(super) enum Index {
     At(i64),
     Range(Option<i64>, Option<i64>),
+    /// None of it, but a new axis of one.
+    New,
 }
 
 impl Matrix {
@@ -221,14 +223,21 @@ impl Matrix {
 
     /// Where in its numbers those of an index are, and their shape.
     fn chosen(&self, index: &[Index]) -> Option<(Vec<usize>, Vec<usize>)> {
-        if index.len() > self.shape.len() {
-            return None;
-        }
         let (mut shape, mut places) = (Vec::new(), vec![0]);
-        for (axis, n) in self.shape.iter().enumerate() {
+        let mut axes = self.shape.iter();
+        let count = index.iter().filter(|index| !matches!(index, Index::New)).count();
+        let whole = self.shape.len().checked_sub(count)?;
+        let whole = std::iter::repeat_n(&Index::Range(None, None), whole);
+        for index in index.iter().chain(whole) {
+            if matches!(index, Index::New) {
+                shape.push(1);
+                continue;
+            }
+            let n = axes.next()?;
             let size = i64::try_from(*n).ok()?;
             let from_end = |k: i64| if k < 0 { k + size } else { k };
-            let (from, to) = match index.get(axis).unwrap_or(&Index::Range(None, None)) {
+            let (from, to) = match index {
+                Index::New => return None,
                 Index::At(k) => (from_end(*k), from_end(*k) + 1),
                 Index::Range(from, to) => {
                     let [from, to] = [from.unwrap_or(0), to.unwrap_or(size)].map(from_end);

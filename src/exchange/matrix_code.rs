@@ -196,6 +196,10 @@ impl<'t> Reader<'_, 't> {
             _ => self.named()?,
         };
         loop {
+            let next = after_spaces(self.rest);
+            if next.text.starts_with('.') {
+                self.rest = next;
+            }
             if self.rest.text.starts_with('[') {
                 let inside = self.inside()?;
                 let index = self.index(inside).ok_or(inside)?;
@@ -345,6 +349,7 @@ impl<'t> Reader<'_, 't> {
                 Some(Index::Range(whole(from)?, whole(to)?))
             }
             Some(_) => None,
+            None if ["None", "np.newaxis"].contains(&piece.text) => Some(Index::New),
             None => Some(Index::At(whole(piece)??)),
         };
         split(inside).into_iter().map(one).collect()

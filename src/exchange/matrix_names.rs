@@ -119,7 +119,9 @@ impl<'t> Names<'t> {
         let piece = self.piece(whole.what);
         let read = |piece: Piece<'t>, at: usize| evaluate(self, piece, at, depth).map_err(shown);
         let mut value = match whole.what {
-            What::OneOf(_, 0, 2) if is_rodrigues(piece) => read(piece, whole.at)?,
+            What::OneOf(_, 0, 2) if is_rodrigues(piece) && split(piece).len() == 1 => {
+                read(piece, whole.at)?
+            }
             What::OneOf(_, place, count) => {
                 let parts = split(piece);
                 match parts.len() == count {
@@ -186,8 +188,9 @@ impl<'t> Names<'t> {
         // cv::FileStorage's YAML, and that of ROS: a matrix has its numbers behind its sizes.
         let tag = from.text.strip_prefix("!!opencv-matrix").unwrap_or(from.text);
         let head = near(tag).split('[').next().unwrap_or_default();
-        let is_sizes = |c: char| c.is_alphanumeric() || " \r\n\t:,{".contains(c);
-        let is_matrix = head.trim_end().ends_with("data:") && head.chars().all(is_sizes);
+        let is_sizes = |c: char| c.is_alphanumeric() || " \r\n\t:,{\"-_".contains(c);
+        let is_data = ["data:", "data\":"].iter().any(|data| head.trim_end().ends_with(data));
+        let is_matrix = is_data && head.chars().all(is_sizes);
         let skipped = from.text.len() - tag.len() + head.len();
         let from = if is_matrix { from.from(skipped) } else { from };
         if let Some(inside) = self.code.bracketed(from).filter(|_| from.text.starts_with('['))

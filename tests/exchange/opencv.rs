@@ -74,6 +74,10 @@ fn snippets() -> Vec<String> {
         "Rt = np.vstack((np.column_stack((np.eye(3), [1, 2, 3])), [0, 0, 0, 1]))\n",
         "a = np.radians(30)\nR = np.array([[np.cos(a), 0, np.sin(a)], [0, 1, 0], [-np.sin(a), 0, np.cos(a)]])\n\
          flip = np.diag([1, -1, -1])\nR = flip @ R\nt = np.array([0, 0, 5])\nt = 2 * t\nt[0] = -1\n",
+        "rvecs = [np.array([0.1, 0, 0])]\ntvecs = [np.array([0, 0, 5.0])]\n\
+         R, t = cv2.Rodrigues(rvecs[0])[0], tvecs[0]\n",
+        "R = (np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])\n     .T)\nt = np.array([0, 0, 5.0])[:, None]\n\
+         t[2] += 1; t[-1] -= .5\n",
         "w, h = 640, 480\nheight, width = 480, 640\nR = np.eye(3)\nt = np.zeros(3)\nt += [0, 0, 4]\n",
     ] {
         all.push(format!("{K}{pose}"));
@@ -207,6 +211,8 @@ fn c_plus_plus_printed_arrays_and_dictionaries() {
         "camera = {'K': [[500, 0, 320], [0, 500, 240], [0, 0, 1]], 'R': np.eye(3), 't': (0, 0, 5)}\n",
         "camera = Camera(K=np.array([[500, 0, 320], [0, 500, 240], [0, 0, 1]]), R=np.eye(3), t=[0, 0, 5])\n",
         "self.K = np.array([[500, 0, 320], [0, 500, 240], [0, 0, 1]])\nself.R = np.eye(3)\nself.t = [0, 0, 5]\n",
+        "{\"camera_matrix\": {\"type_id\": \"opencv-matrix\", \"rows\": 3, \"cols\": 3, \"data\": [500, 0, \
+         320, 0, 500, 240, 0, 0, 1]},\n\"rvec\": [0, 0, 0], \"tvec\": [0, 0, 5]}",
         "camera_matrix:\n  rows: 3\n  cols: 3\n  data: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nrvec: [0, 0, 0]\n\
          tvec: [0, 0, 5]\n",
     ] {
