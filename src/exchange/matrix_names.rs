@@ -120,22 +120,24 @@ impl<'t> Names<'t> {
         let read = |piece: Piece<'t>, at: usize| evaluate(self, piece, at, depth).map_err(shown);
         let mut value = match whole.what {
             What::OneOf(_, 0, 2) if is_rodrigues(piece) && split(piece).len() == 1 => {
-                read(piece, whole.at)?
+                read(piece, whole.from)?
             }
             What::OneOf(_, place, count) => {
                 let parts = split(piece);
                 match parts.len() == count {
-                    true => read(parts[place], whole.at)?,
+                    true => read(parts[place], whole.from)?,
                     false => {
-                        let all = read(piece, whole.at)?;
+                        let all = read(piece, whole.from)?;
                         let part = all.at(&[Index::At(place as i64)]);
                         let part = part.filter(|_| all.length() == Some(count));
                         part.ok_or_else(|| shown(piece))?
                     }
                 }
             }
-            What::Rodrigues(_) => read(piece, whole.at)?.rodrigues().ok_or_else(|| shown(piece))?,
-            _ => read(piece, whole.at)?,
+            What::Rodrigues(_) => {
+                read(piece, whole.from)?.rodrigues().ok_or_else(|| shown(piece))?
+            }
+            _ => read(piece, whole.from)?,
         };
         for step in steps {
             let not = || format!("line {} changes it in a way not understood here", line(step.at));
@@ -144,8 +146,8 @@ impl<'t> Names<'t> {
             }
             value = match step.what {
                 What::Element(index, sign, by) => {
-                    let by = read(statement(by), step.at)?;
-                    let index = super::matrix_code::index(self, index, step.at, depth);
+                    let by = read(statement(by), step.from)?;
+                    let index = super::matrix_code::index(self, index, step.from, depth);
                     let index = index.ok_or_else(not)?;
                     let by = match sign {
                         '=' => Some(by),
@@ -154,7 +156,7 @@ impl<'t> Names<'t> {
                     by.and_then(|by| value.with(&index, &by)).ok_or_else(not)?
                 }
                 What::Step(sign, by) => {
-                    let by = read(statement(by), step.at)?;
+                    let by = read(statement(by), step.from)?;
                     value.combined(sign, &by).ok_or_else(not)?
                 }
                 _ => return Err(not()),

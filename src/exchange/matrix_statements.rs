@@ -7,6 +7,8 @@ use super::matrix_names::Names;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given<'t> {
     pub(super) at: usize,
+    /// Where the statement begins: what it takes is what was given before.
+    pub(super) from: usize,
     /// Who the name belongs to: `cam` in `cam.K`.
     pub(super) owner: &'t str,
     pub(super) what: What<'t>,
@@ -41,8 +43,50 @@ impl Given<'_> {
 }
 
 impl<'t> Names<'t> {
-    /// Everything that is done to a name, in order: to the plain one, else to the one of one owner.
+    /// Everything that is done to a name, in order, by itself or by another name of the same numbers.
     pub(super) fn all_given(&self, name: &str) -> Vec<Given<'t>> {
+        let mut all = self.stated(name);
+        let mut others = self.others(name);
+        all.append(&mut others);
+        all.sort_by_key(|given| given.at);
+        all
+    }
+
+    /// The changes by `S = R`, `S[0] = 1`, as NumPy and OpenCV do not copy what is named again.
+    fn others(&self, name: &str) -> Vec<Given<'t>> {
+        let whole = self.code.whole();
+        let other = |at: usize| {
+            let before = near_end(&whole.text[..at]);
+            let target = before.trim_end().strip_suffix('=')?.trim_end();
+            let is_part = |c: char| c.is_alphanumeric() || c == '_';
+            let start = target.trim_end_matches(is_part);
+            let other = &target[start.len()..];
+            let rest = near(&whole.text[at + name.len()..]);
+            let rest = rest.split(['\n', ';']).next().unwrap_or_default().trim_end();
+            let is_number = rest.starts_with('[') && rest.contains(',') && !rest.contains(':');
+            let is_copy = ["copy", "clone", "astype", "dot", "inv", "tolist", "flatten"]
+                .iter()
+                .any(|copy| rest.contains(copy));
+            let is_same = rest.is_empty() || rest.starts_with(['.', '[']);
+            let is_other = !other.is_empty() && other != name && is_same && !is_number && !is_copy;
+            is_other.then_some((other, at))
+        };
+        let mut changes = Vec::new();
+        for (k, (other, at)) in words(whole, name).into_iter().filter_map(other).enumerate() {
+            if k == MOST_OTHERS {
+                changes.push(Given { at, from: at, owner: "", what: What::Other });
+                break;
+            }
+            let given = self.stated(other);
+            let after = given.into_iter().filter(|given| given.at > at);
+            let changed = after.take_while(|given| !given.is_whole());
+            changes.extend(changed.map(|given| Given { what: What::Other, owner: "", ..given }));
+        }
+        changes
+    }
+
+    /// Everything that is done to a name, in order: to the plain one, else to the one of one owner.
+    fn stated(&self, name: &str) -> Vec<Given<'t>> {
         let whole = self.code.whole();
         let mut all: Vec<Given> =
             words(whole, name).into_iter().filter_map(|at| self.one_given(name, at)).collect();
@@ -81,7 +125,8 @@ impl<'t> Names<'t> {
                     ("Rodrigues", 0) => What::Rodrigues(parts[0]),
                     _ => What::Other,
                 };
-                given.push(Given { at: call.at.saturating_sub(1), owner: "", what });
+                let at = call.at.saturating_sub(1);
+                given.push(Given { at, from: at, owner: "", what });
             }
         }
         given
@@ -93,14 +138,15 @@ impl<'t> Names<'t> {
         if let Some(quote) = before.chars().next_back().filter(|c| matches!(c, '"' | '\''))
             && rest.text.starts_with(quote)
         {
-            return quoted(before, rest.from(1)).map(|what| Given { at, owner: "", what });
+            return quoted(before, rest.from(1)).map(|what| Given {
+                at,
+                from: at,
+                owner: "",
+                what,
+            });
         }
         // No statement begins further before.
-        let mut from = at.saturating_sub(200);
-        while !before.is_char_boundary(from) {
-            from += 1;
-        }
-        let near = &before[from..];
+        let near = near_end(before);
         let path = near.trim_end_matches(|c: char| c.is_alphanumeric() || "_.->:".contains(c));
         let path = near[path.len()..].trim_start_matches(['-', '>', ':']);
         let owner = path.strip_suffix('.').or_else(|| path.strip_suffix("->"));
@@ -109,13 +155,13 @@ impl<'t> Names<'t> {
         }
         let head = &near[..near.len() - path.len()];
         let start = head.rfind(['\n', ';', '{', '}']).map(|end| end + 1);
-        if start.is_none() && from > 0 {
+        if start.is_none() && near.len() < before.len() {
             return None;
         }
         let owner = owner.filter(|owner| !["self", "this"].contains(owner)).unwrap_or_default();
         let head = &head[start.unwrap_or(0)..];
         let what = self.done(head, after_spaces_in_line(rest), at)?;
-        Some(Given { at, owner, what })
+        Some(Given { at, from: at - path.len() - head.len(), owner, what })
     }
 
     /// What is done by a statement, by what stands before the name and after it.
@@ -128,8 +174,11 @@ impl<'t> Names<'t> {
             head.is_empty() || head.ends_with(',') || head.ends_with('(')
         };
         if self.in_call(at) {
-            let is_entry = is_given && opens_entry(head);
-            return is_entry.then(|| What::Entry(value(1)));
+            // np.negative(R, out=R)
+            let argument = head.trim_end().strip_suffix('=').unwrap_or_default().trim_end();
+            let is_written = ["out", "dst"].iter().any(|name| argument.ends_with(name));
+            let entry = || (is_given && opens_entry(head)).then(|| What::Entry(value(1)));
+            return if is_written { Some(What::Other) } else { entry() };
         }
         let is_head = |c: char| c.is_alphanumeric() || "_ \t:<>*&,.".contains(c);
         let word = head.split_whitespace().next().unwrap_or_default().trim_end_matches(':');
@@ -211,6 +260,9 @@ impl<'t> Names<'t> {
     }
 }
 
+/// So many other names of the same numbers are followed; with more, a name is not understood.
+const MOST_OTHERS: usize = 8;
+
 /// Words at which a statement begins that holds sometimes only.
 const CONDITIONS: [&str; 14] = [
     "if", "else", "elif", "for", "while", "case", "switch", "try", "except", "catch", "return",
@@ -278,6 +330,15 @@ pub(super) fn is_assigned(text: &str) -> bool {
 
 fn after_spaces_in_line(piece: Piece) -> Piece {
     piece.from(piece.text.len() - piece.text.trim_start_matches([' ', '\t']).len())
+}
+
+/// The last characters.
+fn near_end(text: &str) -> &str {
+    let mut from = text.len().saturating_sub(200);
+    while !text.is_char_boundary(from) {
+        from += 1;
+    }
+    &text[from..]
 }
 
 /// The next characters; what is looked for is among them.

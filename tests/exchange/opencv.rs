@@ -78,6 +78,8 @@ fn snippets() -> Vec<String> {
          R, t = cv2.Rodrigues(rvecs[0])[0], tvecs[0]\n",
         "R = (np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])\n     .T)\nt = np.array([0, 0, 5.0])[:, None]\n\
          t[2] += 1; t[-1] -= .5\n",
+        "R = np.array([[0, 1, 0], [0, 0, 1], [1, 0, 0]])\nt = np.array([1, 2, 3])\nR, t = R.T, -R.T @ t\n\
+         u = t.copy()\nu[0] = 4\nu = t\nu = 5\nfx = K[0, 0]\nfx *= 2\n",
         "w, h = 640, 480\nheight, width = 480, 640\nR = np.eye(3)\nt = np.zeros(3)\nt += [0, 0, 4]\n",
     ] {
         all.push(format!("{K}{pose}"));
@@ -151,6 +153,9 @@ fn what_may_hold_or_not_is_refused() {
     };
     for (after, line) in [
         ("t.fill(3)\n", 4),
+        ("np.negative(t, out=t)\n", 4),
+        ("u = t\nu[0] = 9\n", 5),
+        ("u = t[:2]\nu *= 2\n", 5),
         ("if far:\n    t[2] = 9\n", 5),
         ("if far: t = [0, 0, 9]\n", 4),
         ("for t in range(3):\n    pass\n", 4),
