@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use pinhole_core::Camera;
 
@@ -14,13 +14,14 @@ use crate::formats::{FileError, atomic, scene_file};
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;
-    let text = read(path)?;
-    let text = Text { path, text: &text };
+    let source = read(path)?;
+    let text = Text { path, text: &source.text };
     let format = match arguments.from {
         Some(format) => format,
         None => recognised_file(&text)?,
     };
-    let taken = format.read(&text, &Camera::CANONICAL)?;
+    let taken =
+        format.read(&text, &Camera::CANONICAL).map_err(|error| source.in_its_file(error))?;
     let document = Document {
         note: format!("From {}.", format.label),
         camera: taken.camera,
@@ -38,29 +39,67 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     Ok(())
 }
 
+/// What is said of a model of COLMAP as it writes it by itself.
+const BINARY_MODEL: &str =
+    "binary: `colmap model_converter --output_type TXT` writes the model as text";
+
+/// A text, and where it is one of COLMAP's two files after the other: their folder, and how many lines
+/// the first one has.
+struct Source {
+    text: String,
+    pair: Option<(PathBuf, usize)>,
+}
+
+/// COLMAP's files that make a camera.
+const PAIR: [&str; 2] = ["cameras.txt", "images.txt"];
+
+impl Source {
+    /// An error at a line of both files, as one at a line of the file that the line is in.
+    fn in_its_file(&self, mut error: FileError) -> FileError {
+        if let (Some((folder, lines)), Some(place)) = (&self.pair, &mut error.place) {
+            let is_second = place.line > *lines;
+            place.line -= if is_second { *lines } else { 0 };
+            error.file = folder.join(PAIR[usize::from(is_second)]).display().to_string();
+        }
+        error
+    }
+}
+
 /// The file's text; of COLMAP, which has its camera and its pose in two files of a folder, both.
-fn read(path: &Path) -> Result<String, FileError> {
+fn read(path: &Path) -> Result<Source, FileError> {
+    let alone = |text: String| Source { text, pair: None };
     if path == Path::new("-") {
         let mut text = String::new();
         let read = io::stdin().lock().read_to_string(&mut text);
         return read
-            .map(|_| text)
+            .map(|_| alone(text))
             .map_err(|error| FileError::unreadable(Path::new("standard input"), &error));
     }
-    let pair = ["cameras.txt", "images.txt"];
     let folder = match path.file_name().and_then(|name| name.to_str()) {
         _ if path.is_dir() => Some(path),
-        Some(name) if pair.contains(&name) => path.parent(),
+        Some(name) if PAIR.contains(&name) => path.parent(),
         _ => None,
     };
-    let Some(folder) = folder else { return read_text(path) };
-    let texts: Result<Vec<String>, FileError> =
-        pair.iter().map(|name| read_text(&folder.join(name))).collect();
-    Ok(texts?.join("\n"))
+    let Some(folder) = folder else { return read_text(path).map(alone) };
+    let binary = folder.join("cameras.bin");
+    if binary.exists() && !folder.join(PAIR[0]).exists() {
+        return Err(FileError::of_file(&binary, BINARY_MODEL));
+    }
+    let texts = PAIR.map(|name| read_text(&folder.join(name)));
+    let [cameras, images] = texts;
+    let cameras = cameras? + "\n";
+    let lines = cameras.matches('\n').count();
+    Ok(Source { text: cameras + &images?, pair: Some((folder.to_owned(), lines)) })
 }
 
 fn read_text(path: &Path) -> Result<String, FileError> {
     let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
+    if bytes.starts_with(b"glTF") {
+        return Err(FileError::of_file(path, "binary glTF: save it as .gltf, which is text"));
+    }
+    if ["cameras.bin", "images.bin"].iter().any(|name| path.ends_with(name)) {
+        return Err(FileError::of_file(path, BINARY_MODEL));
+    }
     String::from_utf8(bytes)
         .map_err(|_| FileError::of_file(path, "not UTF-8 text: a camera is read from text"))
 }

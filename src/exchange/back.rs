@@ -7,6 +7,7 @@ use pinhole_core::{
     Sphere, Viewport, extent_of_fov, fov_of_extent,
 };
 
+use super::affine::Affine;
 use super::sheet::n;
 use super::{Format, Taken, Text, Written};
 use crate::document::Item;
@@ -22,6 +23,28 @@ pub(crate) struct Stance {
 }
 
 impl Stance {
+    /// Of a camera that looks along its own -z with y up, by its frame in the world.
+    pub(crate) fn of(frame: &Affine) -> Stance {
+        Stance { eye: frame.at, right: frame.x, up: frame.y, backwards: frame.z }
+    }
+
+    /// The orientation and the eye, and whether they had to be mirrored for the world to be
+    /// right-handed: a note says so, and what else is in this world must be mirrored, too.
+    ///
+    /// # Errors
+    /// As `orientation`.
+    pub(crate) fn settled(
+        &self,
+        notes: &mut Vec<String>,
+    ) -> Result<(Orientation, DVec3, bool), String> {
+        let mirrored = Basis::is_left_handed(self.right, self.up, self.backwards);
+        let stance = if mirrored { self.mirrored() } else { *self };
+        let orientation = stance.orientation(notes)?;
+        if mirrored {
+            notes.push(MIRRORED.to_owned());
+        }
+        Ok((orientation, stance.eye, mirrored))
+    }
     /// The orientation, and what had to be straightened.
     ///
     /// # Errors
@@ -224,9 +247,14 @@ pub(crate) fn image_of_aspect(
             .or_else(|| image_of_height(at_hand.height(), aspect))
             .unwrap_or(at_hand),
     };
-    let (w, h) = (image.width(), image.height());
-    notes.push(format!("{program} does not say how many pixels there are: {w} × {h} taken"));
+    let unsaid = format!("{program} does not say how many pixels there are");
+    notes.push(size_taken(&unsaid, image, " taken"));
     image
+}
+
+/// What is said of an image whose size is not given: what is not said, and why this size is taken.
+pub(crate) fn size_taken(unsaid: &str, image: ImageSize, taken: &str) -> String {
+    format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
 }
 
 /// The size of an image as read.

@@ -5,7 +5,7 @@ use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
 use super::back::image_of;
 use super::code::error_at;
-use super::opencv::{off_centre, stance, translation, turned, viewport_of};
+use super::opencv::{off_centre, stance, translation, viewport_of};
 use super::sheet::{Sheet, flipped, n};
 use super::terms::{Axis, Pixels, Terms};
 use super::{Format, Subject, Taken, Text, Unsayable, Written};
@@ -31,7 +31,10 @@ pub(super) const FORMAT: Format = Format {
     },
     write,
     read,
-    claims: |text| camera_line(text).is_some() || (image_line(text).is_some()),
+    claims: |text| {
+        let lines = Lines::of(text);
+        !(lines.cameras.is_empty() && lines.images.is_empty())
+    },
 };
 
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
@@ -89,39 +92,75 @@ struct Line<'t> {
     cells: Vec<&'t str>,
 }
 
-fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
-    let mut at = 0;
-    text.split_inclusive('\n').filter_map(move |line| {
-        let from = at;
-        at += line.len();
-        let is_data = !line.trim_start().starts_with('#') && !line.trim().is_empty();
-        is_data.then(|| Line { at: from, cells: line.split_whitespace().collect() })
-    })
+/// An image's line.
+struct ImageLine<'t> {
+    at: usize,
+    /// QW, QX, QY, QZ, TX, TY, TZ.
+    numbers: [f64; 7],
+    camera: u64,
+    name: &'t str,
 }
 
-fn camera_line(text: &str) -> Option<Line<'_>> {
-    lines(text).find(|line| {
-        let is_number = line.cells[0].parse::<u64>().is_ok();
-        is_number
-            && line.cells.get(1).is_some_and(|model| {
-                model.len() > 2 && model.chars().all(|c| c.is_ascii_uppercase() || c == '_')
-            })
-            && line.cells.len() > 4
-    })
+/// The lines of both files, told apart.
+#[derive(Default)]
+struct Lines<'t> {
+    cameras: Vec<Line<'t>>,
+    images: Vec<ImageLine<'t>>,
+    /// Those that are none of them.
+    others: Vec<&'t str>,
 }
 
-fn image_lines(text: &str) -> impl Iterator<Item = Line<'_>> {
-    lines(text).filter(|line| {
-        let numbers = line.cells.iter().take(9).filter(|cell| cell.parse::<f64>().is_ok());
-        line.cells.len() == 10
-            && numbers.count() == 9
-            && line.cells[0].parse::<u64>().is_ok()
-            && line.cells[9].parse::<f64>().is_err()
-    })
+impl<'t> Lines<'t> {
+    /// Each image's line is followed by one of its points, which may be empty.
+    fn of(text: &'t str) -> Lines<'t> {
+        let mut lines = Lines::default();
+        let (mut at, mut is_points) = (0, false);
+        for line in text.split_inclusive('\n') {
+            let from = at;
+            at += line.len();
+            if line.trim_start().starts_with('#') {
+                continue;
+            }
+            let cells: Vec<&str> = line.split_whitespace().collect();
+            let is_numbers = cells.iter().all(|cell| cell.parse::<f64>().is_ok());
+            if std::mem::take(&mut is_points) && is_numbers || cells.is_empty() {
+                continue;
+            }
+            if let Some(image) = image_line(line, from, &cells) {
+                lines.images.push(image);
+                is_points = true;
+            } else if is_camera(&cells) {
+                lines.cameras.push(Line { at: from, cells });
+            } else if !is_numbers {
+                lines.others.push(line.trim());
+            }
+        }
+        lines
+    }
 }
 
-fn image_line(text: &str) -> Option<Line<'_>> {
-    image_lines(text).next()
+fn is_camera(cells: &[&str]) -> bool {
+    let is_model =
+        |model: &&str| model.len() > 2 && model.chars().all(|c| c.is_ascii_uppercase() || c == '_');
+    cells.len() > 4 && cells[0].parse::<u64>().is_ok() && cells.get(1).is_some_and(is_model)
+}
+
+/// `IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME`, whose name may have blanks in it, or be a number.
+fn image_line<'t>(line: &'t str, at: usize, cells: &[&'t str]) -> Option<ImageLine<'t>> {
+    let [id, numbers @ .., camera] = cells.get(..9)? else { return None };
+    let numbers: Vec<f64> = numbers.iter().map_while(|cell| cell.parse().ok()).collect();
+    let numbers: [f64; 7] = numbers.try_into().ok()?;
+    let (_, camera) = (id.parse::<u64>().ok()?, camera.parse::<u64>().ok()?);
+    let (first, rest) = (cells.get(9)?, cells.get(10..).unwrap_or_default());
+    let is_number = |cell: &&str| cell.parse::<f64>().is_ok();
+    let is_unit = (numbers[..4].iter().map(|q| q * q).sum::<f64>() - 1.0).abs() < 0.01;
+    let is_named = !is_number(first) || !rest.iter().all(is_number);
+    // The name is what is left of the line.
+    let skipped = |rest: &'t str, cell: &&str| rest.trim_start().strip_prefix(*cell);
+    let name = cells.iter().take(9).try_fold(line, skipped)?.trim();
+    let is_image =
+        numbers.iter().all(|x| x.is_finite()) && (is_named || rest.is_empty() && is_unit);
+    is_image.then_some(ImageLine { at, numbers, camera, name })
 }
 
 /// The line of a camera.
@@ -170,31 +209,67 @@ fn intrinsics(
     Ok((k, size))
 }
 
+/// The camera that an image has.
+fn camera_of<'l, 't>(
+    text: &Text,
+    cameras: &'l [Line<'t>],
+    image: &ImageLine,
+) -> Result<&'l Line<'t>, FileError> {
+    let id = image.camera;
+    let mut own = cameras.iter().filter(|camera| camera.cells[0].parse() == Ok(id));
+    let error = |at: usize, problem: String| Err(error_at(text.path, text.text, at, problem));
+    match (own.next(), own.next()) {
+        (Some(camera), None) => Ok(camera),
+        (Some(_), Some(second)) => {
+            error(second.at, format!("CAMERA_ID is {id}: it must be given once"))
+        }
+        (None, _) => {
+            let ids: Vec<&str> = cameras.iter().take(5).map(|camera| camera.cells[0]).collect();
+            let more = if cameras.len() > 5 { ", ..." } else { "" };
+            let problem = format!(
+                "CAMERA_ID of {} is {id}: it must be that of a camera in cameras.txt, {}{more}",
+                image.name,
+                ids.join(", ")
+            );
+            error(image.at, problem)
+        }
+    }
+}
+
 fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let error = |at: usize, problem: String| error_at(text.path, text.text, at, problem);
     let missing = |what: &str| FileError::of_file(text.path, what.to_owned());
-    let camera = camera_line(text.text).ok_or_else(|| {
-        missing("the line of cameras.txt is missing: 1 PINHOLE width height fx fy cx cy")
-    })?;
-    let image = image_line(text.text).ok_or_else(|| {
+    let lines = Lines::of(text.text);
+    if lines.cameras.is_empty() {
+        let line = "the line of cameras.txt is missing: 1 PINHOLE width height fx fy cx cy";
+        return Err(missing(line));
+    }
+    let image = lines.images.first().ok_or_else(|| {
         missing("the line of images.txt is missing: 1 QW QX QY QZ TX TY TZ CAMERA_ID NAME")
     })?;
+    let camera = camera_of(text, &lines.cameras, image)?;
     let mut notes = Vec::new();
-    let more = image_lines(text.text).count() - 1;
+    let more = lines.images.len() - 1;
     if more > 0 {
-        let name = image.cells[9];
-        notes.push(format!("{name} is taken; {more} more images are left out"));
+        notes.push(format!("{} is taken; {more} more images are left out", image.name));
     }
-    let (k, size) = intrinsics(text, &camera, &mut notes)?;
-    let number = |k: usize| image.cells[k].parse::<f64>().unwrap_or_default();
-    let turn =
-        Basis::of_quaternion([number(1), number(2), number(3), number(4)]).ok_or_else(|| {
-            error(image.at, "QW QX QY QZ are 0 0 0 0: they must be a rotation".to_owned())
-        })?;
+    if let Some(first) = lines.others.first() {
+        let first: String = first.chars().take(40).collect();
+        let count = lines.others.len();
+        notes.push(format!(
+            "{count} lines are left out, the first is \"{first}\": they are none of a camera, an image \
+             or its points"
+        ));
+    }
+    let (k, size) = intrinsics(text, camera, &mut notes)?;
+    let [qw, qx, qy, qz, x, y, z] = image.numbers;
+    let turn = Basis::of_quaternion([qw, qx, qy, qz]).ok_or_else(|| {
+        error(image.at, "QW QX QY QZ are 0 0 0 0: they must be a rotation".to_owned())
+    })?;
     // Its columns are the world's axes in the camera; R's rows are wanted.
     let rows = [0, 1, 2].map(|k| DVec3::new(turn.u[k], turn.v[k], turn.w[k]));
-    let t = DVec3::new(number(5), number(6), number(7));
-    let (orientation, eye) = turned(stance(rows, t), &mut notes)
+    let (orientation, eye, _) = stance(rows, DVec3::new(x, y, z))
+        .settled(&mut notes)
         .map_err(|right| error(image.at, format!("the pose is no rotation: {right}")))?;
     let viewport = viewport_of(&k, size, at_hand.viewport.distance);
     Ok(Taken::camera(Camera { eye, orientation, viewport, image: size }, notes))

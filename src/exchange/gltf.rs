@@ -5,9 +5,7 @@ use pinhole_core::{Camera, DVec3, Viewport};
 use serde_json::Value;
 
 use super::affine::Affine;
-use super::back::{
-    MIRRORED, Mirrored, Stance, image_of, image_of_aspect, in_ratio, shortest_where,
-};
+use super::back::{Stance, image_of, image_of_aspect, in_ratio, shortest_where};
 use super::gltf_mesh::Meshes;
 use super::json::{self, Node};
 use super::sheet::{Sheet, n};
@@ -97,13 +95,12 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let root = Node::root(text, &value);
     let mut notes = Vec::new();
     let nodes = root.need("nodes", "the camera must be in a node")?.items();
-    let index = nodes.iter().position(|node| node.value.get("camera").is_some());
-    let index = index.ok_or_else(|| {
+    let cameras = root.need("cameras", "it must hold the camera")?.items();
+    let index = node_of_camera(&root, &nodes, &cameras, &mut notes)?.ok_or_else(|| {
         FileError::of_file(text.path, "nodes: none has a camera: one must have \"camera\": 0")
     })?;
     let number = nodes[index].get("camera").and_then(|camera| camera.index());
-    let cameras = root.need("cameras", "it must hold the camera")?;
-    let camera = number.and_then(|number| cameras.item(number));
+    let camera = number.and_then(|number| cameras.get(number));
     let camera = camera.ok_or_else(|| {
         let of_node = nodes[index].get("camera");
         of_node.map_or_else(
@@ -133,7 +130,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let distance = distance.unwrap_or(at_hand.viewport.distance);
     let aspect = aspect.unwrap_or(image.aspect());
     let viewport = upright_radians(fov, aspect, distance);
-    let world = world_of(&nodes, index, 0)?;
+    let world = world_of(&nodes, index)?;
     let (orientation, eye) = placed(&world, &mut notes)
         .map_err(|right| nodes[index].fault(&format!("it is no rotation: {right}")))?;
     if nodes.iter().any(|node| node.value.get("mesh").is_some()) {
@@ -153,31 +150,99 @@ pub(super) fn placed(
     world: &Affine,
     notes: &mut Vec<String>,
 ) -> Result<(pinhole_core::Orientation, DVec3), String> {
-    let stance = Stance { eye: world.at, right: world.x, up: world.y, backwards: world.z };
-    let mirrored = pinhole_core::Basis::is_left_handed(world.x, world.y, world.z);
-    let stance = if mirrored { stance.mirrored() } else { stance };
-    let orientation = stance.orientation(notes)?;
-    if mirrored {
-        notes.push(MIRRORED.to_owned());
-    }
-    Ok((orientation, stance.eye))
+    let (orientation, eye, _) = Stance::of(world).settled(notes)?;
+    Ok((orientation, eye))
 }
 
 /// A node's frame in the world, by way of the nodes that it is a child of.
-fn world_of(nodes: &[Node], index: usize, depth: usize) -> Result<Affine, FileError> {
-    let own = local(&nodes[index])?;
-    let is_child = |node: &Node| {
-        let children = node.value.get("children").and_then(Value::as_array);
-        children.is_some_and(|list| list.iter().any(|k| k.as_u64() == Some(index as u64)))
-    };
-    match nodes.iter().position(is_child) {
-        // More than there are nodes: a ring, which no glTF may have.
-        Some(_) if depth > nodes.len() => {
-            Err(nodes[index].fault("a node must not be its own child"))
+fn world_of(nodes: &[Node], index: usize) -> Result<Affine, FileError> {
+    let mut parents: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
+    for (parent, node) in nodes.iter().enumerate() {
+        for child in children(node) {
+            if let Some(parents) = parents.get_mut(child) {
+                parents.push(parent);
+            }
         }
-        Some(parent) => Ok(world_of(nodes, parent, depth + 1)?.of(&own)),
-        None => Ok(own),
     }
+    let mut passed = vec![false; nodes.len()];
+    let (mut above, mut world) = (index, Affine::IDENTITY);
+    loop {
+        world = local(&nodes[above])?.of(&world);
+        passed[above] = true;
+        above = match parents[above][..] {
+            [] => return Ok(world),
+            [parent] if !passed[parent] => parent,
+            [_] => return Err(nodes[above].fault("it is below itself: it must be no child of it")),
+            _ => return Err(nodes[above].fault("it must be a child of one node only")),
+        };
+    }
+}
+
+/// The numbers of the nodes right below one.
+fn children(node: &Node) -> impl Iterator<Item = usize> {
+    indices(node.value.get("children"))
+}
+
+fn indices(list: Option<&Value>) -> impl Iterator<Item = usize> {
+    let list = list.and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+    list.iter().filter_map(|index| usize::try_from(index.as_u64()?).ok())
+}
+
+/// The node whose camera is taken: the first perspective one of the scene that is shown, else the first
+/// of all, else the first camera of any kind.
+fn node_of_camera(
+    root: &Node,
+    nodes: &[Node],
+    cameras: &[Node],
+    notes: &mut Vec<String>,
+) -> Result<Option<usize>, FileError> {
+    let shown = shown(root, nodes)?;
+    let all: Vec<usize> =
+        (0..nodes.len()).filter(|k| nodes[*k].value.get("camera").is_some()).collect();
+    let is_perspective = |k: &usize| {
+        let number = nodes[*k].get("camera").and_then(|camera| camera.index());
+        let camera = number.and_then(|number| cameras.get(number));
+        camera.is_some_and(|camera| camera.value.get("perspective").is_some())
+    };
+    let mut perspective = all.iter().filter(|k| is_perspective(k));
+    let first = perspective.clone().find(|k| shown[**k]).or_else(|| perspective.next());
+    let Some(&taken) = first else { return Ok(all.first().copied()) };
+    let name = nodes[taken].value.get("name").and_then(Value::as_str);
+    let name = name.map_or_else(|| nodes[taken].path.clone(), |name| format!("node \"{name}\""));
+    if all.len() > 1 {
+        let more = all.len() - 1;
+        let (cameras, are) = if more == 1 { ("camera", "is") } else { ("cameras", "are") };
+        notes.push(format!("{name} is taken; {more} more {cameras} {are} left out"));
+    }
+    if !shown[taken] {
+        notes.push(format!("{name} is not in the scene that is shown: no camera is"));
+    }
+    Ok(Some(taken))
+}
+
+/// Which nodes are in the scene that is shown: the one of number `scene`, else the first one; all where
+/// there are no scenes.
+fn shown(root: &Node, nodes: &[Node]) -> Result<Vec<bool>, FileError> {
+    let Some(scenes) = root.get("scenes") else { return Ok(vec![true; nodes.len()]) };
+    let scenes = scenes.items();
+    let scene = match root.get("scene") {
+        Some(number) => {
+            let scene = number.index().and_then(|number| scenes.get(number));
+            let right = "it must be the number of one of the scenes";
+            Some(scene.ok_or_else(|| number.fault(right))?)
+        }
+        None => scenes.first(),
+    };
+    let Some(scene) = scene else { return Ok(vec![true; nodes.len()]) };
+    let mut shown = vec![false; nodes.len()];
+    let mut left: Vec<usize> = indices(scene.value.get("nodes")).collect();
+    while let Some(index) = left.pop() {
+        if shown.get(index) == Some(&false) {
+            shown[index] = true;
+            left.extend(children(&nodes[index]));
+        }
+    }
+    Ok(shown)
 }
 
 fn local(node: &Node) -> Result<Affine, FileError> {

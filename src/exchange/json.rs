@@ -19,10 +19,21 @@ pub(crate) struct Node<'a> {
 /// # Errors
 /// Where it is no JSON.
 pub(crate) fn parse(text: &Text) -> Result<Value, FileError> {
-    serde_json::from_str(text.text).map_err(|error| FileError {
-        place: Some(Place { line: error.line(), column: error.column() }),
-        ..FileError::of_file(text.path, format!("no JSON: {error}"))
+    serde_json::from_str(text.text).map_err(|error| {
+        let said = error.to_string();
+        let problem = said.split(" at line ").next().unwrap_or_default();
+        FileError {
+            place: Some(place(text.text, &error)),
+            ..FileError::of_file(text.path, format!("no JSON: {problem}"))
+        }
     })
+}
+
+/// Where serde_json is at fault: its columns are bytes, and 0 before the first one.
+fn place(text: &str, error: &serde_json::Error) -> Place {
+    let lines = text.split_inclusive('\n').take(error.line().saturating_sub(1));
+    let start: usize = lines.map(str::len).sum();
+    Place::of_byte(text.as_bytes(), start + error.column().saturating_sub(1))
 }
 
 /// Whether the text is an object of JSON at all.
@@ -56,10 +67,6 @@ impl<'a> Node<'a> {
         items
             .map(|(k, value)| Node { text: self.text, path: format!("{}[{k}]", self.path), value })
             .collect()
-    }
-
-    pub(crate) fn item(&self, index: usize) -> Option<Node<'a>> {
-        self.items().into_iter().nth(index)
     }
 
     /// `path is value: right`, at the last of the path's names where it stands but once.

@@ -17,10 +17,16 @@ mod course;
 mod gltf;
 mod gltf_mesh;
 mod json;
+mod matrix;
+mod matrix_code;
+mod matrix_functions;
+mod matrix_names;
+mod matrix_statements;
 mod mitsuba;
 mod mitsuba_read;
 mod names;
 mod opencv;
+mod opencv_read;
 mod opengl;
 mod pbrt;
 mod pbrt_read;
@@ -187,7 +193,7 @@ pub fn recognised(text: &str) -> Option<&'static Format> {
     FORMATS.iter().find(|format| format.claims(text))
 }
 
-/// The format of a file: by what is in it, else by how its name ends where but one ends so.
+/// The format of a file: by what is in it, else by how its name ends where nothing else ends so.
 ///
 /// # Errors
 /// Where it is none of them; with their names.
@@ -196,18 +202,26 @@ pub fn recognised_file(text: &Text) -> Result<&'static Format, FileError> {
         return Ok(format);
     }
     let ending = text.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let by_name: Vec<_> = FORMATS.iter().filter(|format| format.ending == ending).collect();
-    match by_name[..] {
-        [format] => Ok(format),
-        _ => Err(FileError::of_file(text.path, unknown())),
-    }
+    // Other endings are those of a language, and Python's may be anything.
+    let is_blender = BLENDER_SIGNS.iter().any(|sign| text.text.contains(sign));
+    let name = match ending {
+        "gltf" => "gltf",
+        "pov" => "povray",
+        "pbrt" => "pbrt",
+        "py" if is_blender => "blender",
+        _ => "",
+    };
+    Format::named(name).ok_or_else(|| FileError::of_file(text.path, unknown()))
 }
+
+/// What only Blender's cameras and objects have.
+const BLENDER_SIGNS: [&str; 4] =
+    ["rotation_euler", "rotation_quaternion", "sensor_width", "clip_start"];
 
 /// What is said of a text that is no camera.
 pub fn unknown() -> String {
     let label = |format: &'static Format| match format.name {
-        // Its code is none.
-        "three" => "three.js (JSON)",
+        "three" => "three.js (JSON or code)",
         _ => format.label,
     };
     let labels: Vec<&str> = FORMATS.iter().map(label).collect();

@@ -2,11 +2,13 @@
 //! a program says to make its camera is read, too (`three_code`).
 //! Cameras look along their own -z with y up; matrices are column after column.
 
+use std::collections::HashMap;
+
 use pinhole_core::{Camera, DVec3, Plane, Sphere, Viewport};
 
 use super::affine::Affine;
-use super::back::{MIRRORED, Mirrored, image_of, image_of_aspect, readable, upright};
-use super::gltf::{columns, placed};
+use super::back::{Mirrored, Stance, image_of, image_of_aspect, readable, upright};
+use super::gltf::columns;
 use super::json::{self, Node};
 use super::sheet::{Sheet, n, quotable};
 use super::subject::square_note;
@@ -165,18 +167,20 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     if offset != 0.0 || view.is_some_and(|on| on.value == &serde_json::Value::Bool(true)) {
         notes.push("the offset of the view is left out: the middle is the middle here".to_owned());
     }
-    let (orientation, eye) = placed(world, &mut notes)
+    let (orientation, eye, mirrored) = Stance::of(world)
+        .settled(&mut notes)
         .map_err(|right| camera.fault(&format!("its matrix is no rotation: {right}")))?;
     let mut taken = Taken::camera(Camera { eye, orientation, viewport, image }, notes);
-    objects(&root, &all, &mut taken)?;
-    if taken.notes.iter().any(|note| note == MIRRORED) {
+    objects(&root, &all, &mut taken);
+    if mirrored {
         taken.spheres = std::mem::take(&mut taken.spheres).mirrored();
         taken.planes = std::mem::take(&mut taken.planes).mirrored();
     }
     Ok(taken)
 }
 
-/// Every object below this one, each with its frame in the world.
+/// Every object below this one, each with its frame in the world. JSON that is read has no more than
+/// 128 brackets in each other.
 fn collect<'a>(
     node: &Node<'a>,
     around: Affine,
@@ -195,46 +199,47 @@ fn collect<'a>(
     Ok(())
 }
 
-fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Taken) -> Result<(), FileError> {
-    let by_uuid = |list: &str, uuid: &serde_json::Value| {
-        let items = root.get(list).map_or_else(Vec::new, |list| list.items());
-        items.into_iter().find(|item| item.value.get("uuid") == Some(uuid))
-    };
-    let (mut left, mut unread) = (0, Vec::new());
+/// A list's items by their uuids.
+fn by_uuid<'a>(root: &Node<'a>, list: &str) -> HashMap<&'a str, Node<'a>> {
+    let items = root.get(list).map_or_else(Vec::new, |list| list.items());
+    let named =
+        items.into_iter().filter_map(|item| Some((item.value.get("uuid")?.as_str()?, item)));
+    // Of several, the first.
+    named.rev().collect()
+}
+
+fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Taken) {
+    let (geometries, materials) = (by_uuid(root, "geometries"), by_uuid(root, "materials"));
+    let (mut left, mut squares) = (0, false);
+    let mut spheres = Vec::new();
     for (node, world) in all {
-        let Some(geometry) = node.value.get("geometry") else { continue };
-        let Some(geometry) = by_uuid("geometries", geometry) else { continue };
-        let material = node.value.get("material").and_then(|m| by_uuid("materials", m));
+        let of = |key: &str| node.value.get(key).and_then(|uuid| uuid.as_str());
+        let Some(geometry) = of("geometry").and_then(|uuid| geometries.get(uuid)) else { continue };
+        let material = of("material").and_then(|uuid| materials.get(uuid));
         let color = material.and_then(|m| m.value.get("color")?.as_u64());
         let color = color.map(|c| [(c >> 16) as u8, (c >> 8) as u8, c as u8]);
         let kind = geometry.value.get("type").and_then(|t| t.as_str()).unwrap_or_default();
         match (kind, world.scale()) {
             ("SphereGeometry" | "SphereBufferGeometry", Some(scale)) => {
-                let radius = geometry.get("radius").map_or(Ok(1.0), |r| r.positive());
-                let radius = match radius {
-                    Ok(radius) => radius * scale,
-                    Err(fault) => {
-                        unread.push(Err::<(), _>(fault));
-                        continue;
-                    }
-                };
-                let shape = Sphere { center: world.at, radius };
-                taken.spheres.push(Item { name: None, color, shape });
+                spheres.push((geometry, world.at, scale, color));
             }
             ("PlaneGeometry" | "PlaneBufferGeometry", _) => {
                 let shape = Plane { point: world.at, normal: world.x.cross(world.y) };
                 taken.planes.push(Item { name: None, color, shape });
-                let note = "a PlaneGeometry is taken as a plane, which has no end".to_owned();
-                if !taken.notes.contains(&note) {
-                    taken.notes.push(note);
-                }
+                squares = true;
             }
             _ => left += 1,
         }
     }
-    readable(unread, "SphereGeometry", &mut taken.notes);
+    if squares {
+        taken.notes.push("a PlaneGeometry is taken as a plane, which has no end".to_owned());
+    }
+    let spheres = spheres.into_iter().map(|(geometry, center, scale, color)| {
+        let radius = geometry.get("radius").map_or(Ok(1.0), |radius| radius.positive())?;
+        Ok(Item { name: None, color, shape: Sphere { center, radius: radius * scale } })
+    });
+    taken.spheres = readable(spheres, "SphereGeometry", &mut taken.notes);
     if left > 0 {
         taken.notes.push(format!("{left} meshes left out: Pinhole has spheres and planes"));
     }
-    Ok(())
 }

@@ -75,6 +75,21 @@ fn colmap_is_a_folder_of_files() {
     assert_eq!(run("import model/cameras.txt").done(), from_folder);
     fs::remove_file(model.join("images.txt")).unwrap();
     run("import model").failed(1, "model/images.txt: cannot be read: no such file or directory");
+    // Each fault is in its own file.
+    fs::write(model.join("images.txt"), "# Image list\n1 1 0 0 0 0 0 5 7 a.png\n").unwrap();
+    run("import model").failed(
+        1,
+        "model/images.txt:2:1: CAMERA_ID of a.png is 7: it must be that of a camera in cameras.txt, 1",
+    );
+    fs::write(model.join("cameras.txt"), "\n1 FISHEYE 9 9 9 9 9").unwrap();
+    fs::write(model.join("images.txt"), "1 1 0 0 0 0 0 5 1 a.png\n").unwrap();
+    let fisheye = run("import model");
+    assert!(fisheye.stderr.starts_with("pinhole: model/cameras.txt:2:1: MODEL is FISHEYE"));
+    fs::remove_file(model.join("cameras.txt")).unwrap();
+    fs::write(model.join("cameras.bin"), [1, 0, 0xff]).unwrap();
+    let binary = "model/cameras.bin: binary: `colmap model_converter --output_type TXT` writes the model as text";
+    run("import model").failed(1, binary);
+    run("import model/cameras.bin").failed(1, binary);
 }
 
 #[test]
@@ -133,9 +148,8 @@ fn what_cannot_be_said_or_read_is_an_error() {
     fs::write(folder.path().join("a.txt"), "nothing").unwrap();
     let unknown = run("import a.txt");
     assert_eq!(unknown.status, 1);
-    // COLMAP's files alone end in .txt.
     assert!(
-        unknown.stderr.starts_with("pinhole: a.txt: the line of cameras.txt"),
+        unknown.stderr.starts_with("pinhole: a.txt: no camera of a known form: it may be glTF"),
         "{}",
         unknown.stderr
     );
@@ -151,6 +165,8 @@ fn what_cannot_be_said_or_read_is_an_error() {
     assert_eq!(entries(folder.path()), ["a.dat", "a.txt", "b.c"]);
     fs::write(folder.path().join("c.c"), [0xff, 0xfe]).unwrap();
     run("import c.c").failed(1, "c.c: not UTF-8 text: a camera is read from text");
+    fs::write(folder.path().join("d.glb"), b"glTF\x02\0\0\0\xff").unwrap();
+    run("import d.glb").failed(1, "d.glb: binary glTF: save it as .gltf, which is text");
 }
 
 #[test]

@@ -93,12 +93,12 @@ fn faults_name_place_field_and_what_would_be_right() {
         (
             "opencv",
             "K = [[1, 0, 5], [0, 1, 5]]\nR = [1,0,0,0,1,0,0,0,1]\nt = [0,0,0]",
-            "in:1:6: K is [1, 0, 5], [0, 1, 5]: it must be 3 × 3 numbers",
+            "in:1:5: K is [[1, 0, 5], [0, 1, 5]]: it must be 3 × 3 numbers",
         ),
         (
             "opencv",
             "K = [[1, 2, 5], [0, 1, 5], [0, 0, 1]]\nR = [1,0,0,0,1,0,0,0,1]\nt = [0,0,0]",
-            "in:1:6: K is [1, 2, 5], [0, 1, 5], [0, 0, 1]: it must be fx 0 cx, 0 fy cy, 0 0 1 with fx \
+            "in:1:5: K is [[1, 2, 5], [0, 1, 5], [0, 0, 1]]: it must be fx 0 cx, 0 fy cy, 0 0 1 with fx \
              and fy greater than 0",
         ),
         (
@@ -146,6 +146,16 @@ fn what_is_no_camera_is_recognised_as_none() {
         let text = Text { path: Path::new(name), text: "nothing" };
         recognised_file(&text).map(|format| format.name).map_err(|error| error.to_string())
     };
+    // What may be anything is not told by its ending.
+    for ending in ["py", "json", "txt", "cc", "c", "xml", "jl"] {
+        let name = format!("a.{ending}");
+        let refused = of(&name).unwrap_err();
+        assert!(refused.starts_with(&format!("{name}: no camera of a known form: ")), "{refused}");
+        assert!(refused.contains("three.js (JSON or code)"), "{refused}");
+    }
+    let turned = "camera.location = (0, -10, 2)\ncamera.rotation_euler[0] = 1.1\n";
+    let turned = Text { path: Path::new("a.py"), text: turned };
+    assert_eq!(recognised_file(&turned).unwrap().name, "blender");
     assert_eq!(of("a.pov"), Ok("povray"));
     assert_eq!(of("a.pbrt"), Ok("pbrt"));
     let refused = of("a.json").unwrap_err();

@@ -3,13 +3,16 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 #![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
 
+mod colmap;
 mod faults;
 mod habits;
 mod names;
 mod objects;
+mod opencv;
 mod programs;
 mod round_trip;
 mod three_code;
+mod trees;
 
 use std::path::Path;
 

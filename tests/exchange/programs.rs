@@ -28,12 +28,12 @@ pub(super) fn there(name: &str, probe: &mut Command) -> bool {
     found
 }
 
-fn python() -> Command {
+pub(super) fn python() -> Command {
     let python = env::var_os("PINHOLE_TEST_PYTHON").unwrap_or_else(|| "python3".into());
     Command::new(python)
 }
 
-fn python_with(name: &str, module: &str) -> bool {
+pub(super) fn python_with(name: &str, module: &str) -> bool {
     there(name, python().args(["-c", &format!("import {module}")]))
 }
 
