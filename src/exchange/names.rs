@@ -197,6 +197,7 @@ fn value_given<'t>(
     if place + others == 0 {
         return Some(Some(value));
     }
+    // As many values as names, or one that is taken apart: what each gets is not known.
     let values = split(value);
-    (values.len() == place + others + 1).then(|| Some(values[place]))
+    Some((values.len() == place + others + 1).then(|| values[place]))
 }

@@ -45,6 +45,7 @@ fn a_name_that_has_not_one_value_is_refused() {
     for before in [
         "focal = 1\nfocal = 2\n",
         "focal = 1\nfocal += 1\n",
+        "focal = 1\nfocal, rest = read()\n",
         "focal = 1\nif true\n  focal = 2\nend\n",
     ] {
         let line = before.lines().count() + 1;
