@@ -7,8 +7,10 @@ mod faults;
 mod habits;
 mod names;
 mod objects;
+mod povray_scenes;
 mod programs;
 mod round_trip;
+mod scenes;
 mod three_code;
 
 use std::path::Path;
