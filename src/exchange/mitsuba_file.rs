@@ -45,8 +45,8 @@ impl<'a, 'x> File<'a, 'x> {
         let is_old = major.is_none_or(|major: u32| major < 2);
         let mut file = File { text, defaults: HashMap::new(), ids: HashMap::new(), is_old };
         for node in xml.descendants().filter(Node::is_element) {
-            if let Some(id) = node.attribute("id") {
-                file.ids.insert(id, node);
+            if let (false, Some(id)) = (node.has_tag_name("ref"), node.attribute("id")) {
+                file.ids.entry(id).or_insert(node);
             }
             if let (true, Some(name)) = (node.has_tag_name("default"), node.attribute("name")) {
                 // A default may be made of those before it.
