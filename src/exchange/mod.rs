@@ -31,6 +31,7 @@ mod pbrt_shapes;
 mod pbrt_tokens;
 mod povray;
 mod povray_blocks;
+mod povray_comments;
 mod povray_objects;
 mod povray_read;
 mod povray_values;

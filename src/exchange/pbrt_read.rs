@@ -61,6 +61,19 @@ struct State {
 impl State {
     const INITIAL: State =
         State { transform: Affine::IDENTITY, look_at: None, at_start: true, paint: Paint::Unsaid };
+
+    fn take(&mut self, step: &Step) {
+        if !self.at_start {
+            return;
+        }
+        let mirror = Affine::scaling(DVec3::new(-1.0, 1.0, 1.0));
+        let alone = [Affine::IDENTITY, mirror].contains(&self.transform);
+        self.look_at = step.look_at.filter(|_| alone);
+        self.transform = match step.is_whole {
+            true => step.map,
+            false => self.transform.of(&step.map),
+        };
+    }
 }
 
 /// What is known of the scene so far.
@@ -157,15 +170,7 @@ impl<'t> Found<'t> {
         state: &mut State,
     ) -> Result<(), FileError> {
         if let Some(step) = self.step(reader, word, at)? {
-            if state.at_start {
-                let mirror = Affine::scaling(DVec3::new(-1.0, 1.0, 1.0));
-                let alone = [Affine::IDENTITY, mirror].contains(&state.transform);
-                state.look_at = step.look_at.filter(|_| alone);
-                state.transform = match step.is_whole {
-                    true => step.map,
-                    false => state.transform.of(&step.map),
-                };
-            }
+            state.take(&step);
             return Ok(());
         }
         match word {

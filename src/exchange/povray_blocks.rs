@@ -87,7 +87,11 @@ enum Branch {
 
 /// The directives that are not ended: what comes of each branch, and whether one before it is taken.
 #[derive(Default)]
-struct Branches(Vec<(Branch, bool)>, [usize; 2]);
+struct Branches {
+    begun: Vec<(Branch, bool)>,
+    skipped: usize,
+    open: usize,
+}
 
 /// What stands in a scene under no other block, each block as what is in its braces.
 #[derive(Default)]
@@ -101,24 +105,24 @@ pub(super) struct Blocks<'t> {
 }
 
 impl Branches {
-    /// How many of the open directives skip what they hold, or may.
+    /// Which count a branch is in.
     fn count(&mut self, branch: Branch) -> Option<&mut usize> {
         match branch {
             Branch::Taken => None,
-            Branch::Skipped => Some(&mut self.1[0]),
-            Branch::Open => Some(&mut self.1[1]),
+            Branch::Skipped => Some(&mut self.skipped),
+            Branch::Open => Some(&mut self.open),
         }
     }
 
     fn begin(&mut self, branch: Branch, was_taken: bool) {
-        self.0.push((branch, was_taken || branch == Branch::Taken));
+        self.begun.push((branch, was_taken || branch == Branch::Taken));
         if let Some(count) = self.count(branch) {
             *count += 1;
         }
     }
 
     fn end(&mut self) -> Option<(Branch, bool)> {
-        let ended = self.0.pop()?;
+        let ended = self.begun.pop()?;
         if let Some(count) = self.count(ended.0) {
             *count -= 1;
         }
@@ -138,9 +142,9 @@ impl Branches {
     }
 
     fn now(&self) -> Branch {
-        match self.1 {
-            [0, 0] => Branch::Taken,
-            [0, _] => Branch::Open,
+        match (self.skipped, self.open) {
+            (0, 0) => Branch::Taken,
+            (0, _) => Branch::Open,
             _ => Branch::Skipped,
         }
     }

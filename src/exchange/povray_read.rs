@@ -5,6 +5,7 @@ use pinhole_core::{Basis, Camera, DVec3, ImageSize, Viewport};
 use super::back::{MIRRORED, Mirrored, Stance, image_of, image_of_aspect, settled};
 use super::code::{Code, Comments, Piece, trimmed, words};
 use super::povray_blocks::Blocks;
+use super::povray_comments::without_comments;
 use super::povray_objects::Objects;
 use super::povray_values::{Values, has, word_of};
 use super::{Taken, Text};
@@ -42,7 +43,8 @@ fn camera_words() -> impl Iterator<Item = &'static str> {
 }
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    let code = Code::new(text, Comments::SlashesAndAngles);
+    let plain = without_comments(text.text);
+    let code = Code::new(&Text { text: &plain, ..*text }, Comments::SlashesAndAngles);
     let mut notes = Vec::new();
     let given = size(text);
     let values = Values::of(&code, given.unwrap_or(at_hand.image));

@@ -49,6 +49,8 @@ fn the_camera_of_the_branch_that_is_taken_is_taken() {
         (format!("#if (0) {a} #else {b} #end"), 80.0),
         (format!("#declare Wide = 0;\n#if (Wide) {a} #elseif (1) {b} #else {a} #end"), 80.0),
         (format!("{a} #if (0) {b} #if (1) {b} #end #else #end"), 20.0),
+        (format!("{a} /* {b} /* {b} */ {b} */"), 20.0),
+        (format!("#debug \"/*\"\n// /*\n{a} // \" */"), 20.0),
         (format!("#declare A = {a} #declare B = {b} camera {{ A }}"), 20.0),
     ] {
         assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
