@@ -2,9 +2,12 @@
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Viewport};
 
-use super::back::{MIRRORED, Mirrored, Stance, image_of, settled};
-use super::code::{Code, Comments, Piece, number, trimmed, words};
-use super::povray_objects::Blocks;
+use super::back::{MIRRORED, Mirrored, Stance, image_of, image_of_aspect, settled};
+use super::code::{Code, Comments, Piece, trimmed, words};
+use super::povray_blocks::Blocks;
+use super::povray_comments::without_comments;
+use super::povray_objects::Objects;
+use super::povray_values::{Values, has, word_of};
 use super::{Taken, Text};
 use crate::formats::FileError;
 
@@ -40,16 +43,17 @@ fn camera_words() -> impl Iterator<Item = &'static str> {
 }
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    let code = Code::new(text, Comments::SlashesAndAngles);
+    let plain = without_comments(text.text);
+    let code = Code::new(&Text { text: &plain, ..*text }, Comments::SlashesAndAngles);
     let mut notes = Vec::new();
-    let blocks = Blocks::of(&code);
-    // camera { Name } says nothing itself: it is one that was declared.
-    let says = |camera: &&Piece| camera_words().any(|word| !words(**camera, word).is_empty());
-    let camera = blocks.cameras.iter().rfind(says).or(blocks.cameras.last()).copied();
-    let camera =
-        camera.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
-    let image = image(text, at_hand, &mut notes);
-    let view = View::read(&code, camera, image)?;
+    let given = size(text);
+    let values = Values::of(&code, given.unwrap_or(at_hand.image));
+    let blocks = Blocks::of(&code, &values);
+    let camera = blocks.camera(&code, &mut notes)?;
+    let (view, image, values) = match given {
+        Some(image) => (View::read(&code, &values, camera)?, image, values),
+        None => by_ratio(&code, values, camera, at_hand.image, &mut notes)?,
+    };
     let Frame { right, up, direction } = view.frame();
     let viewport = Viewport {
         width: tidy(right.length()),
@@ -71,9 +75,10 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         notes.push(MIRRORED.to_owned());
     }
     blocks.left_out(&mut notes);
-    let mut spheres = blocks.spheres(&code, &mut notes);
-    let mut planes = blocks.planes(&code, &mut notes);
-    blocks.colors(&code, &mut notes);
+    let mut objects = Objects::of(&code, &values);
+    let mut spheres = objects.spheres(&blocks, &mut notes);
+    let mut planes = objects.planes(&blocks, &mut notes);
+    objects.colors(&mut notes);
     if mirrored {
         (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
@@ -87,18 +92,38 @@ fn tidy(length: f64) -> f64 {
 }
 
 /// `+W400 +H300` wherever it stands, the comment at the head included.
-fn image(text: &Text, at_hand: &Camera, notes: &mut Vec<String>) -> ImageSize {
+fn size(text: &Text) -> Option<ImageSize> {
     let option = |name: &str| {
         let mut words = text.text.split_whitespace();
         words.find_map(|word| word.strip_prefix(name)?.parse::<f64>().ok())
     };
-    let given = option("+W").zip(option("+H")).and_then(|(w, h)| image_of(w, h).ok());
-    given.unwrap_or_else(|| {
-        let image = at_hand.image;
-        let (w, h) = (image.width(), image.height());
-        notes.push(format!("the scene does not say +W and +H: {w} × {h} pixels taken"));
-        image
-    })
+    option("+W").zip(option("+H")).and_then(|(w, h)| image_of(w, h).ok())
+}
+
+/// The camera and an image whose sides have the ratio of right and up, so that pixels are square, as
+/// POV-Ray's are meant to be: that at hand where right follows the image.
+fn by_ratio<'t>(
+    code: &'t Code,
+    values: Values<'t>,
+    camera: Piece,
+    at_hand: ImageSize,
+    notes: &mut Vec<String>,
+) -> Result<(View, ImageSize, Values<'t>), FileError> {
+    let view = View::read(code, &values, camera)?;
+    let (aspect, mut said) = (view.aspect(), Vec::new());
+    if aspect.is_finite() && aspect > 0.0 {
+        let image = image_of_aspect(at_hand, aspect, "the scene", &mut said);
+        let values = values.with_image(image);
+        let other = View::read(code, &values, camera)?;
+        if image == at_hand || other.aspect() == aspect {
+            notes.append(&mut said);
+            return Ok((other, image, values));
+        }
+    }
+    let (w, h) = (at_hand.width(), at_hand.height());
+    notes.push(format!("the scene does not say how many pixels there are: {w} × {h} taken"));
+    let values = Values::of(code, at_hand);
+    Ok((view, at_hand, values))
 }
 
 /// What follows a word of a camera, up to the next one.
@@ -126,9 +151,17 @@ struct Frame {
 }
 
 impl View {
-    fn read(code: &Code, camera: Piece, image: ImageSize) -> Result<View, FileError> {
-        if let Some(other) = OTHER_PROJECTIONS.iter().find(|other| !words(camera, other).is_empty())
-        {
+    fn read(code: &Code, values: &Values, camera: Piece) -> Result<View, FileError> {
+        let first = word_of(trimmed(camera));
+        if !trimmed(camera).text.is_empty() && !camera_words().any(|word| word == first.text) {
+            let right = "it must begin with a word such as location, or be declared in this file";
+            return Err(code.fault("camera", trimmed(camera), right));
+        }
+        if let Some(at) = camera.text.find('#') {
+            let piece = word_of(camera.from(at + 1));
+            return Err(code.fault("camera", piece, "no directive must stand in it"));
+        }
+        if let Some(other) = OTHER_PROJECTIONS.iter().find(|other| has(camera, other)) {
             let piece = Piece { text: other, at: camera.at + words(camera, other)[0] };
             return Err(code.fault("the projection", piece, "it must be perspective"));
         }
@@ -137,21 +170,32 @@ impl View {
                 return Err(code.fault(moved, piece, "the camera must be given without it"));
             }
         }
-        let or = |word: &str, or: DVec3| match value(camera, word) {
-            Some(piece) => vector(code, word, piece, image),
-            None => Ok(or),
+        let given = |word: &str| {
+            let Some(piece) = value(camera, word) else { return Ok(None) };
+            if let Some(vector) = values.vector(piece) {
+                return Ok(Some(vector));
+            }
+            // Which of its numbers is none.
+            let part = code.vector(word, piece).err().filter(|_| piece.text.starts_with('['));
+            let right = match values.is_changed(piece.text) {
+                true => {
+                    "it is declared more than once, or under a condition: here it must be numbers"
+                }
+                false => "it must be a vector of numbers, as <1, 2, 3>",
+            };
+            Err(part.unwrap_or_else(|| code.fault(word, piece, right)))
         };
-        let look_at = value(camera, "look_at");
+        let or = |word: &str, or: DVec3| Ok::<_, FileError>(given(word)?.unwrap_or(or));
         let mut view = View {
             location: or("location", DVec3::ZERO)?,
             right: or("right", DVec3::new(1.33, 0.0, 0.0))?,
             up: or("up", DVec3::Y)?,
             direction: or("direction", DVec3::Z)?,
             sky: or("sky", DVec3::Y)?,
-            look_at: look_at.map(|piece| vector(code, "look_at", piece, image)).transpose()?,
+            look_at: given("look_at")?,
         };
         if let Some(piece) = value(camera, "angle") {
-            let angle = number(piece.text).filter(|angle| *angle > 0.0 && *angle < 180.0);
+            let angle = values.number(piece).filter(|angle| *angle > 0.0 && *angle < 180.0);
             let angle = angle.ok_or_else(|| {
                 code.fault("angle", piece, "it must be between 0 and 180 degrees")
             })?;
@@ -160,6 +204,11 @@ impl View {
             view.direction = view.direction.normalize_or_zero() * length;
         }
         Ok(view)
+    }
+
+    /// Width by height.
+    fn aspect(&self) -> f64 {
+        self.right.length() / self.up.length()
     }
 
     /// As POV-Ray turns the camera towards `look_at`: right, up and direction keep their lengths, and
@@ -177,33 +226,5 @@ impl View {
             up: above * up.length(),
             direction: ahead * direction.length(),
         }
-    }
-}
-
-/// `<1, 2, 3>`, or a multiple of x, y and z as in `x * image_width / image_height`.
-pub(super) fn vector(
-    code: &Code,
-    field: &str,
-    piece: Piece,
-    image: ImageSize,
-) -> Result<DVec3, FileError> {
-    if piece.text.starts_with('[') {
-        return code.vector(field, piece);
-    }
-    let with = |axis: usize| {
-        let mut text = piece.text.to_owned();
-        let size = [("image_width", image.width()), ("image_height", image.height())];
-        for (word, value) in size {
-            text = text.replace(word, &value.to_string());
-        }
-        let letters = text.chars().map(|c| match c {
-            'x' | 'y' | 'z' => format!("({})", u8::from(c as usize - 'x' as usize == axis)),
-            other => other.to_string(),
-        });
-        number(&letters.collect::<String>())
-    };
-    match [with(0), with(1), with(2)] {
-        [Some(x), Some(y), Some(z)] => Ok(DVec3::new(x, y, z) + DVec3::ZERO),
-        _ => Err(code.fault(field, piece, "it must be a vector of numbers, as <1, 2, 3>")),
     }
 }

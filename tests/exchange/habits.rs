@@ -88,7 +88,7 @@ fn mitsuba_by_steps_and_by_the_smaller_side() {
     assert_near(basis.w, [0.0, 0.0, 1.0]);
     assert_eq!((camera.image.width(), camera.image.height()), (768, 576));
     assert!((camera.viewport.vertical_fov().to_degrees() - 40.0).abs() < 1e-12);
-    assert_eq!(notes, ["obj is left out: Pinhole has spheres and planes"]);
+    assert_eq!(notes, ["1 of obj left out: Pinhole has spheres and planes"]);
     let sphere = read("mitsuba", text).unwrap().spheres[0].shape;
     assert_eq!((sphere.center, sphere.radius), (DVec3::new(4.0, 0.0, 0.0), 2.0));
 }

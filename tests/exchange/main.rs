@@ -9,8 +9,10 @@ mod habits;
 mod names;
 mod objects;
 mod opencv;
+mod povray_scenes;
 mod programs;
 mod round_trip;
+mod scenes;
 mod three_code;
 mod trees;
 

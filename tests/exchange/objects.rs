@@ -52,7 +52,7 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
     }
     let (spheres, notes) = povray("sphere { <1, 2, 3>, 2 scale <1, 2, 1> }");
     assert_eq!(spheres, []);
-    assert_eq!(notes, ["a sphere that is scaled to an ellipsoid is left out"]);
+    assert_eq!(notes, ["1 of sphere left out: scaled to an ellipsoid"]);
     let taken =
         read("povray", &format!("{CAMERA}plane {{ y, 2 rotate -90*x translate <0, 0, 3> }}"));
     let plane = taken.unwrap().planes[0].shape;
@@ -74,9 +74,9 @@ fn parts_of_objects_declarations_and_conditions_are_no_objects() {
     assert_eq!(
         notes,
         [
-            "1 of blob left out with its parts: Pinhole has whole spheres and planes",
-            "1 of union left out with its parts: Pinhole has whole spheres and planes",
             "1 of difference left out with its parts: Pinhole has whole spheres and planes",
+            "1 of union left out with its parts: Pinhole has whole spheres and planes",
+            "1 of blob left out with its parts: Pinhole has whole spheres and planes",
             "what #declare names is left out: an object must stand by itself",
             "what stands between #if, #while, #for, #switch or #macro and #end is left out",
         ]
@@ -107,8 +107,8 @@ fn an_object_that_cannot_be_read_leaves_the_camera() {
     assert_eq!(
         read("pbrt", pbrt).unwrap().notes[..2],
         [
-            "a sphere is left out: line 2: radius is -1: it must be greater than 0",
-            "a sphere that is scaled to an ellipsoid is left out"
+            "1 of sphere left out: line 2: radius is -1: it must be greater than 0",
+            "1 of sphere left out: scaled to an ellipsoid"
         ]
     );
     let mitsuba = "<scene version=\"3.0.0\"><default name=\"fov\" value=\"40\"/><sensor \

@@ -1,0 +1,228 @@
+//! Scenes of pbrt and Mitsuba as people have them: old spellings, groups, instances, parts of pictures.
+
+use pinhole_core::DVec3;
+
+use super::read;
+
+const LOOK: &str = "LookAt 0 0 5  0 0 0  0 1 0\nCamera \"perspective\" \"float fov\" 30\n";
+
+fn pbrt(film: &str, world: &str) -> (Vec<[f64; 3]>, Vec<String>) {
+    let text = format!("Scale -1 1 1\n{LOOK}{film}\nWorldBegin\n{world}");
+    let taken = read("pbrt", &text).unwrap();
+    let spheres = taken.spheres.iter().map(|item| item.shape.center.to_array()).collect();
+    (spheres, taken.notes)
+}
+
+fn mitsuba(version: &str, fov_axis: &str, to_world: &str, more: &str) -> String {
+    format!(
+        "<scene version=\"{version}\"><sensor type=\"perspective\"><float name=\"fov\" value=\"40\"/>\
+         <string name=\"{fov_axis}\" value=\"smaller\"/><transform name=\"{to_world}\">\
+         <lookat origin=\"278, 273, -800\" target=\"278, 273, -799\" up=\"0, 1, 0\"/></transform>\
+         <film type=\"hdrfilm\"><integer name=\"width\" value=\"512\"/>\
+         <integer name=\"height\" value=\"256\"/></film></sensor>{more}</scene>"
+    )
+}
+
+fn perspective(more: &str) -> String {
+    mitsuba("3.0.0", "fov_axis", "to_world", more)
+}
+
+#[test]
+fn mitsuba_s_old_spelling_is_read_in_old_scenes_alone() {
+    for (version, fov_axis, to_world) in
+        [("0.5.0", "fovAxis", "toWorld"), ("0.6.0", "fov_axis", "to_world")]
+    {
+        let sphere = "<shape type=\"sphere\"><transform name=\"toWorld\"><translate x=\"100\"/></transform></shape>";
+        let taken = read("mitsuba", &mitsuba(version, fov_axis, to_world, sphere)).unwrap();
+        assert_eq!(taken.camera.eye, DVec3::new(278.0, 273.0, -800.0));
+        assert!((taken.camera.viewport.vertical_fov().to_degrees() - 40.0).abs() < 1e-12);
+        assert_eq!(taken.spheres[0].shape.center, DVec3::new(100.0, 0.0, 0.0));
+        assert_eq!(taken.notes, [""; 0]);
+    }
+    let camel = mitsuba("0.5.0", "fovAxis", "toWorld", "").replace("lookat", "lookAt");
+    assert_eq!(read("mitsuba", &camel).unwrap().camera.eye.z, -800.0);
+    for (version, fov_axis, to_world, said) in [
+        ("3.0.0", "fovAxis", "to_world", "name is fovAxis: version 3.0.0 spells it fov_axis"),
+        ("2.1.0", "fov_axis", "toWorld", "name is toWorld: version 2.1.0 spells it to_world"),
+    ] {
+        let refused = read("mitsuba", &mitsuba(version, fov_axis, to_world, "")).unwrap_err();
+        assert_eq!(refused.problem, said);
+    }
+    // Old versions do not agree where a scaled sphere's centre lies.
+    let scaled = "<shape type=\"sphere\"><point name=\"center\" x=\"1\"/><transform name=\"toWorld\">\
+                  <scale value=\"2\"/></transform></shape>";
+    let taken = read("mitsuba", &mitsuba("0.5.0", "fovAxis", "toWorld", scaled)).unwrap();
+    assert_eq!((taken.spheres.len(), taken.notes.len()), (0, 1));
+}
+
+#[test]
+fn mitsuba_s_groups_instances_and_other_files_are_told() {
+    let sphere = "<shape type=\"sphere\"/>";
+    let obj = "<shape type=\"obj\"/>";
+    let square = "<shape type=\"rectangle\"/>";
+    let group = format!("<shape type=\"shapegroup\" id=\"g\">{sphere}{sphere}</shape>");
+    let instance = "<shape type=\"instance\"><ref id=\"g\"/></shape>";
+    let more = format!(
+        "{group}{instance}{obj}{square}{obj}{square}{obj}<include filename=\"a.xml\"/>{sphere}\
+         <sensor type=\"orthographic\"/>"
+    );
+    let taken = read("mitsuba", &perspective(&more)).unwrap();
+    assert_eq!((taken.spheres.len(), taken.planes.len()), (1, 2));
+    assert_eq!(
+        taken.notes,
+        [
+            "1 of sensor left out: the first is taken",
+            "1 of shapegroup left out with its parts: Pinhole has whole spheres and planes",
+            "1 of instance left out: an object must stand by itself",
+            "3 of obj left out: Pinhole has spheres and planes",
+            "2 of rectangle taken as a plane, which has no end",
+            "1 of include left out: what is in other files is not read",
+        ]
+    );
+    let flat =
+        "<shape type=\"disk\"><transform name=\"to_world\"><scale x=\"0\"/></transform></shape>";
+    let taken = read("mitsuba", &perspective(flat)).unwrap();
+    assert_eq!((taken.planes.len(), taken.notes.len()), (0, 1), "{:?}", taken.notes);
+}
+
+#[test]
+fn mitsuba_s_film_and_colours_are_found_by_reference_and_a_crop_is_told() {
+    let crop = |width: u32| {
+        let crop = format!(
+            "<integer name=\"crop_width\" value=\"{width}\"/><integer name=\"crop_height\" value=\"256\"/>\
+             <integer name=\"crop_offset_x\" value=\"0\"/></film>"
+        );
+        read("mitsuba", &perspective("").replace("</film>", &crop)).unwrap()
+    };
+    assert_eq!(crop(512).notes, [""; 0]);
+    assert_eq!(
+        crop(128).notes,
+        ["the film's crop is left out: the whole image, 512 × 256, is taken"]
+    );
+    let text = "<scene version=\"3.0.0\"><film type=\"hdrfilm\" id=\"f\"><integer name=\"width\" value=\"30\"/>\
+                <integer name=\"height\" value=\"20\"/></film><sensor type=\"perspective\"><float name=\"fov\" \
+                value=\"40\"/><ref id=\"f\"/></sensor><bsdf type=\"diffuse\" id=\"red\"><rgb name=\"reflectance\" \
+                value=\"1 0 0\"/></bsdf><bsdf type=\"conductor\" id=\"gold\"/>\
+                <shape type=\"sphere\"><ref id=\"red\"/></shape><shape type=\"sphere\"><ref id=\"gold\"/></shape>\
+                </scene>";
+    let taken = read("mitsuba", text).unwrap();
+    assert_eq!([taken.camera.image.width(), taken.camera.image.height()], [30, 20]);
+    assert_eq!(taken.spheres[0].color, Some([255, 0, 0]));
+    assert_eq!(taken.notes, ["1 of bsdf left out: a colour must be rgb"]);
+}
+
+/// Each line of it doubles the one before, or more: it came to gigabytes.
+#[test]
+fn mitsuba_s_defaults_are_put_in_once_and_stay_short() {
+    let mut defaults = "<default name=\"d0\" value=\"xxxxxxxx\"/>".to_owned();
+    for k in 1..40 {
+        let value = format!("$d{}", k - 1).repeat(4);
+        defaults.push_str(&format!("<default name=\"d{k}\" value=\"{value}\"/>"));
+    }
+    let problem = read("mitsuba", &perspective(&defaults)).unwrap_err().problem;
+    assert!(
+        problem.ends_with("with its defaults it must not be longer than 4096 bytes"),
+        "{problem}"
+    );
+    let own = "<default name=\"b\" value=\"$b$b\"/>".repeat(19);
+    assert!(read("mitsuba", &perspective(&own)).is_ok());
+    let named = perspective("").replace(
+        "<sensor",
+        "<default name=\"f\" value=\"3\"/><default name=\"ff\" value=\"$f5\"/><sensor",
+    );
+    let named = named.replace("value=\"40\"", "value=\"$ff.5\"");
+    let fov = read("mitsuba", &named).unwrap().camera.viewport.vertical_fov().to_degrees();
+    assert!((fov - 35.5).abs() < 1e-12, "{fov}");
+}
+
+#[test]
+fn pbrt_s_objects_stand_where_they_belong_or_are_told() {
+    let (spheres, notes) = pbrt(
+        "",
+        "ObjectBegin \"ball\"\n Translate 1 1 1\n Shape \"sphere\"\nObjectEnd\n\
+         AttributeBegin\n Translate 5 0 0\n ObjectInstance \"ball\"\nAttributeEnd\n\
+         AttributeBegin\n CoordSysTransform \"camera\"\n Translate 0 0 3\n Shape \"sphere\"\nAttributeEnd\n\
+         Shape \"disk\"\nReverseOrientation\nShape \"cone\"\nInclude \"more.pbrt\"\nShape \"disk\"\n\
+         Shape \"sphere\" \"float zmin\" [0]\nShape \"sphere\" \"float zmin\" -1 \"float zmax\" 1\n",
+    );
+    // Three in front of the eye at z = 5; and the one whose zmin and zmax leave it whole.
+    assert_eq!(spheres, [[0.0, 0.0, 2.0], [0.0; 3]]);
+    assert_eq!(
+        notes,
+        [
+            "1 of ObjectBegin left out with its parts: an object must stand by itself",
+            "1 of ObjectInstance left out: an object must stand by itself",
+            "2 of disk left out: Pinhole has spheres and planes",
+            "1 of cone left out: Pinhole has spheres and planes",
+            "1 of Include left out: what is in other files is not read",
+            "1 of sphere left out with zmin, zmax or phimax: Pinhole has whole spheres",
+        ]
+    );
+    let (spheres, _) = pbrt(
+        "",
+        "Translate 1 2 3\nCoordinateSystem \"mine\"\nTranslate 9 9 9\nCoordSysTransform \"mine\"\n\
+         Shape \"sphere\"\nCoordSysTransform \"world\"\nShape \"sphere\"",
+    );
+    assert_eq!(spheres, [[1.0, 2.0, 3.0], [0.0; 3]]);
+    for (world, said) in [
+        (
+            "CoordSysTransform \"lamp\"",
+            "CoordSysTransform: it must be camera, world, or named by CoordinateSystem before it",
+        ),
+        ("Shear 1 2 3", "Shear: no directive of pbrt"),
+        (
+            "Attribute \"shape\" \"float radius\" 2",
+            "Attribute: a sphere's parameters must stand in its Shape",
+        ),
+        ("Shape \"sphere\" \"float radius\" [ 1", "a list is not closed: its ] is missing"),
+    ] {
+        let text = format!("{LOOK}WorldBegin\n{world}\nShape \"sphere\"");
+        assert_eq!(read("pbrt", &text).unwrap_err().problem, said);
+    }
+}
+
+#[test]
+fn pbrt_s_colours_are_found_by_name_and_the_others_told() {
+    let world = "MakeNamedMaterial \"my red\" \"string type\" \"diffuse\" \"rgb reflectance\" [1 0 0]\n\
+                 MakeNamedMaterial \"gold\" \"string type\" \"conductor\"\n\
+                 NamedMaterial \"my red\" Shape \"sphere\"\nNamedMaterial \"gold\" Shape \"sphere\"\n\
+                 Material \"matte\" \"rgb Kd\" [0 1 0] Shape \"sphere\"\n\
+                 Material \"diffuse\" \"texture reflectance\" \"checks\" Shape \"sphere\"\n";
+    let taken = read("pbrt", &format!("{LOOK}WorldBegin\nShape \"sphere\"\n{world}")).unwrap();
+    let colors: Vec<_> = taken.spheres.iter().map(|item| item.color).collect();
+    assert_eq!(colors, [None, Some([255, 0, 0]), None, Some([0, 255, 0]), None]);
+    assert_eq!(taken.notes[0], "2 of Material left out: a colour must be \"rgb reflectance\"");
+}
+
+#[test]
+fn pbrt_s_camera_is_that_of_its_own_transformation() {
+    let size = "Film \"rgb\" \"integer xresolution\" 60 \"integer yresolution\" 40";
+    let part = format!("{size} \"float cropwindow\" [0.25 0.75 0 1]");
+    let told = ["cropwindow is left out: the whole image, 60 × 40, is taken"];
+    assert_eq!(pbrt(&part, "").1, told);
+    assert_eq!(pbrt(&format!("{size} \"float cropwindow\" [0 1 0 1]"), "").1, [""; 0]);
+    // A LookAt that is ended, replaced, or of another time is none of the camera's.
+    let camera = "Camera \"perspective\"";
+    for (before, eye) in [
+        (
+            "Translate 0 0 7\nAttributeBegin\nLookAt 1 2 5 0 0 0 0 1 0\nAttributeEnd",
+            [0.0, 0.0, 7.0],
+        ),
+        ("LookAt 1 2 5 0 0 0 0 1 0\nIdentity\nTranslate 0 0 7", [0.0, 0.0, 7.0]),
+        ("LookAt 1 2 5 0 0 0 0 1 0\nIdentity", [0.0; 3]),
+        (
+            "LookAt 0 0 7 0 0 0 0 1 0\nActiveTransform EndTime\nTranslate 1 0 0\nActiveTransform All",
+            [0.0, 0.0, -7.0],
+        ),
+    ] {
+        // A mirror of every z comes with each of these left-handed cameras.
+        let taken = read("pbrt", &format!("{before}\n{camera}")).unwrap();
+        assert_eq!(taken.camera.eye.to_array(), eye, "{before}");
+        assert_eq!(
+            taken.notes.len(),
+            1 + usize::from(before.contains("Active")),
+            "{:?}",
+            taken.notes
+        );
+    }
+}
