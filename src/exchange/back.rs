@@ -33,7 +33,7 @@ impl Stance {
     ///
     /// # Errors
     /// As `orientation`.
-    pub(crate) fn settled(
+    pub(crate) fn right_handed(
         &self,
         notes: &mut Vec<String>,
     ) -> Result<(Orientation, DVec3, bool), String> {
@@ -45,6 +45,7 @@ impl Stance {
         }
         Ok((orientation, stance.eye, mirrored))
     }
+
     /// The orientation, and what had to be straightened.
     ///
     /// # Errors

@@ -59,7 +59,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
          #   IMAGE_ID, QW, QX, QY, QZ, TX, TY, TZ, CAMERA_ID, NAME\n\
          #   POINTS2D[] as (X, Y, POINT3D_ID)\n\
          1 {} {} {} {} 1 image.png\n\n",
-        q.map(|x| flipped(n(x))).join(" "),
+        q.map(n).join(" "),
         n(t.x),
         flipped(n(t.y)),
         flipped(n(t.z))
@@ -269,7 +269,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     // Its columns are the world's axes in the camera; R's rows are wanted.
     let rows = [0, 1, 2].map(|k| DVec3::new(turn.u[k], turn.v[k], turn.w[k]));
     let (orientation, eye, _) = stance(rows, DVec3::new(x, y, z))
-        .settled(&mut notes)
+        .right_handed(&mut notes)
         .map_err(|right| error(image.at, format!("the pose is no rotation: {right}")))?;
     let viewport = viewport_of(&k, size, at_hand.viewport.distance);
     Ok(Taken::camera(Camera { eye, orientation, viewport, image: size }, notes))

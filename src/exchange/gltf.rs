@@ -150,7 +150,7 @@ pub(super) fn placed(
     world: &Affine,
     notes: &mut Vec<String>,
 ) -> Result<(pinhole_core::Orientation, DVec3), String> {
-    let (orientation, eye, _) = Stance::of(world).settled(notes)?;
+    let (orientation, eye, _) = Stance::of(world).right_handed(notes)?;
     Ok((orientation, eye))
 }
 

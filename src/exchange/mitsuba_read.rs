@@ -3,7 +3,7 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
 use roxmltree::{Document as Xml, Node};
 
-use super::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
+use super::back::{Mirrored, Stance, extent, image_of, in_ratio};
 use super::mitsuba_file::File;
 use super::mitsuba_shapes::{Shapes, shapes};
 use super::sheet::n;
@@ -46,7 +46,6 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let (orientation, eye, mirrored) = pose(&file, sensor, &mut notes)?;
     let Shapes { mut spheres, mut planes, .. } = shapes(&file, &xml, &mut notes);
     if mirrored {
-        notes.push(MIRRORED.to_owned());
         (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
     Ok(Taken { camera: Camera { eye, orientation, viewport, image }, spheres, planes, notes })
@@ -96,14 +95,8 @@ fn pose<'x>(
     let to_world = file.transform(transform)?;
     let stance =
         Stance { eye: to_world.at, right: -to_world.x, up: to_world.y, backwards: -to_world.z };
-    let Stance { right, up, backwards, .. } = stance;
-    let mirrored = pinhole_core::Basis::is_left_handed(right, up, backwards);
-    let stance = if mirrored { stance.mirrored() } else { stance };
     let node = transform.unwrap_or(sensor);
-    let orientation = stance
-        .orientation(notes)
-        .map_err(|right| file.fault(node, "to_world", "no rotation", &right))?;
-    Ok((orientation, stance.eye, mirrored))
+    stance.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
 }
 
 fn viewport<'x>(

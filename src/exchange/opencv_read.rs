@@ -147,7 +147,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         }
     }
     let (orientation, eye, _) =
-        stance(rows, t).settled(&mut notes).map_err(|right| code.rotation("R", &right))?;
+        stance(rows, t).right_handed(&mut notes).map_err(|right| code.rotation("R", &right))?;
     let viewport = viewport_of(&intrinsics, image, at_hand.viewport.distance);
     Ok(Taken::camera(Camera { eye, orientation, viewport, image }, notes))
 }

@@ -1,8 +1,8 @@
 //! Reading a POV-Ray scene: its camera, spheres and planes, where they are given by plain numbers.
 
-use pinhole_core::{Basis, Camera, DVec3, ImageSize, Viewport};
+use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
-use super::back::{MIRRORED, Mirrored, Stance, image_of, image_of_aspect, settled};
+use super::back::{Mirrored, Stance, image_of, image_of_aspect, settled};
 use super::code::{Code, Comments, Piece, trimmed, words};
 use super::povray_blocks::Blocks;
 use super::povray_comments::without_comments;
@@ -67,13 +67,8 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
     let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
-    let mirrored = Basis::is_left_handed(right, up, -direction);
-    let stance = if mirrored { stance.mirrored() } else { stance };
-    let orientation =
-        stance.orientation(&mut notes).map_err(|right| code.rotation("camera", &right))?;
-    if mirrored {
-        notes.push(MIRRORED.to_owned());
-    }
+    let (orientation, eye, mirrored) =
+        stance.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
     blocks.left_out(&mut notes);
     let mut objects = Objects::of(&code, &values);
     let mut spheres = objects.spheres(&blocks, &mut notes);
@@ -82,7 +77,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     if mirrored {
         (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
-    let camera = Camera { eye: stance.eye, orientation, viewport, image };
+    let camera = Camera { eye, orientation, viewport, image };
     Ok(Taken { camera, spheres, planes, notes })
 }
 

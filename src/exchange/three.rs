@@ -168,7 +168,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         notes.push("the offset of the view is left out: the middle is the middle here".to_owned());
     }
     let (orientation, eye, mirrored) = Stance::of(world)
-        .settled(&mut notes)
+        .right_handed(&mut notes)
         .map_err(|right| camera.fault(&format!("its matrix is no rotation: {right}")))?;
     let mut taken = Taken::camera(Camera { eye, orientation, viewport, image }, notes);
     objects(&root, &all, &mut taken);
