@@ -269,7 +269,10 @@ impl Stance<'_, '_> {
             return Ok(());
         }
         let piece = self.whole(name, part, deed)?;
-        let numbers = code.numbers(name, printed(piece))?;
+        let numbers = match piece.text.starts_with('<') {
+            true => rows(code, name, piece)?,
+            false => code.numbers(name, piece)?,
+        };
         let right = "it must be four rows of four numbers, the last one 0, 0, 0, 1";
         let affine = Affine::of_rows(&numbers).ok_or_else(|| code.fault(name, piece, right))?;
         (self.location, self.located) = (affine.at, [true; 3]);
@@ -372,7 +375,19 @@ fn euler(piece: Piece) -> (Piece, Option<Piece>) {
     }
 }
 
-/// What is in the angle brackets of `<Matrix 4x4 (1, 0, 0, 0) ...>`; else the piece.
+/// The numbers of `<Matrix 4x4 (1, 0, 0, 0) ...>`, between whose rows there is no comma.
+fn rows(code: &Code, name: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
+    let (mut numbers, mut rest) = (Vec::new(), piece);
+    while let Some(open) = rest.text.find('(') {
+        let row = code.bracketed(rest.from(open));
+        let row = row.ok_or_else(|| code.fault(name, piece, "its brackets must be closed"))?;
+        numbers.extend(code.numbers(name, row)?);
+        rest = rest.from(row.at + row.text.len() - rest.at);
+    }
+    Ok(numbers)
+}
+
+/// What is in the angle brackets of `<Vector (1, 0, 0, 0) ...>`; else the piece.
 fn printed(piece: Piece) -> Piece {
     let inside = piece.text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
     let open = piece.text.find('(');

@@ -184,7 +184,7 @@ fn controls(
             split(*call).first().is_some_and(|camera| names.contains(&camera.text))
         };
         // Of several the last one turns the camera last.
-        if let Some((name, _)) = made(code, kind).into_iter().filter(is_own).next_back() {
+        if let Some((name, _)) = made(code, kind).into_iter().rfind(is_own) {
             let steps = name.map(|name| steps(code, name)).unwrap_or_default();
             let mut target = DVec3::ZERO;
             for step in now(code, steps, notes) {

@@ -3,13 +3,17 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 #![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
 
+mod blender;
 mod faults;
 mod habits;
 mod names;
 mod objects;
+mod opengl;
 mod programs;
 mod round_trip;
 mod three_code;
+mod three_more;
+mod weekend;
 
 use std::path::Path;
 
