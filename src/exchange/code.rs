@@ -5,20 +5,11 @@ use std::path::Path;
 use pinhole_core::DVec3;
 
 use super::Text;
+pub(crate) use super::comments::Comments;
+use super::comments::without_comments;
 use super::names::{Given, Known};
 use crate::expression;
 use crate::formats::{FileError, Place};
-
-/// Which comments a language has.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Comments {
-    /// From `#` to the end of the line.
-    Hash,
-    /// From `//` to the end of the line, and `/* */`.
-    Slashes,
-    /// The same, and `<1, 2, 3>` is a list, as in POV-Ray.
-    SlashesAndAngles,
-}
 
 /// A text whose comments are blanked, so that places stay.
 pub(crate) struct Code<'a> {
@@ -111,12 +102,6 @@ impl<'a> Code<'a> {
         words(whole, name).into_iter().rev().find_map(|at| assigned(whole.from(at + name.len())))
     }
 
-    /// The value that a name is given first.
-    pub(crate) fn first_value(&self, name: &str) -> Option<Piece<'_>> {
-        let whole = self.whole();
-        words(whole, name).into_iter().find_map(|at| assigned(whole.from(at + name.len())))
-    }
-
     /// Every number of a value, brackets and names such as `vec3` or `np.array` regardless.
     pub(crate) fn numbers(&self, field: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
         let mut numbers = Vec::new();
@@ -186,16 +171,6 @@ impl<'a> Code<'a> {
             [x, y, z] => Ok(DVec3::new(x, y, z)),
             _ => Err(self.fault(field, piece, "it must be three numbers")),
         }
-    }
-
-    /// The number a name is given, if any.
-    pub(crate) fn number_of(&self, name: &str) -> Result<Option<f64>, FileError> {
-        self.value(name).map(|piece| self.number(name, piece)).transpose()
-    }
-
-    /// The vector a name is given.
-    pub(crate) fn vector_of(&self, name: &str) -> Result<Option<DVec3>, FileError> {
-        self.value(name).map(|piece| self.vector(name, piece)).transpose()
     }
 }
 
@@ -392,38 +367,4 @@ pub(crate) fn number(text: &str) -> Option<f64> {
         return None;
     }
     expression::evaluate(&clean).ok()
-}
-
-fn without_comments(text: &str, comments: Comments) -> String {
-    let mut plain = text.as_bytes().to_vec();
-    let bytes = text.as_bytes();
-    let mut at = 0;
-    while at < bytes.len() {
-        let rest = &bytes[at..];
-        let length = if comments == Comments::Hash && rest[0] == b'#'
-            || comments != Comments::Hash && rest.starts_with(b"//")
-        {
-            rest.iter().position(|b| *b == b'\n').unwrap_or(rest.len())
-        } else if comments != Comments::Hash && rest.starts_with(b"/*") {
-            let end = rest.windows(2).skip(2).position(|pair| pair == b"*/");
-            end.map_or(rest.len(), |end| end + 4)
-        } else if matches!(rest[0], b'"' | b'\'') {
-            // No comment begins within a string of one line.
-            let end = rest[1..].iter().position(|b| *b == rest[0] || *b == b'\n');
-            let end = end.filter(|end| rest[end + 1] == rest[0]);
-            at += end.map_or(1, |end| end + 2);
-            continue;
-        } else {
-            at += 1;
-            continue;
-        };
-        for byte in &mut plain[at..at + length] {
-            if *byte != b'\n' {
-                *byte = b' ';
-            }
-        }
-        at += length;
-    }
-    // Whole comments were blanked: what is left is text.
-    String::from_utf8_lossy(&plain).into_owned()
 }

@@ -69,14 +69,18 @@ fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::Hash);
     let calls = code.calls("PerspectiveCamera");
     // What names its arguments by type is the definition.
-    let call = calls.iter().rfind(|call| !call.text.contains("::"));
-    let Some(call) = call else {
+    let calls: Vec<_> = calls.iter().filter(|call| !call.text.contains("::")).collect();
+    let Some(call) = calls.last() else {
         return Err(code.missing("PerspectiveCamera", "it must be called with its six arguments"));
     };
-    let parts = split(*call);
+    let mut notes = Vec::new();
+    if calls.iter().any(|other| other.text != call.text) {
+        notes.push(format!("{} calls of PerspectiveCamera: the last is taken", calls.len()));
+    }
+    let parts = split(**call);
     let [eye, view, up, focal, rows, columns] = parts[..] else {
         let right = "it must have six arguments: eye, view, up, focal, height, width";
-        return Err(code.fault("PerspectiveCamera", *call, right));
+        return Err(code.fault("PerspectiveCamera", **call, right));
     };
     let vector = |name: &str, piece| -> Result<DVec3, FileError> { code.vector(name, piece) };
     let (eye, view, up) = (vector("eye", eye)?, vector("view", view)?, vector("up", up)?);
@@ -93,5 +97,5 @@ fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
         viewport: Viewport { width: 1.0, height, distance },
         image,
     };
-    Ok(Taken::camera(camera, Vec::new()))
+    Ok(Taken::camera(camera, notes))
 }

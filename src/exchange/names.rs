@@ -12,7 +12,6 @@ pub(crate) struct Assignment<'t> {
     /// What the name belongs to: `cam.data` in `cam.data.lens = 50`, nothing for a plain name.
     pub(crate) owner: &'t str,
     /// Where the statement's name stands.
-    #[allow(dead_code, reason = "readers that follow statements in their order need it")]
     pub(crate) at: usize,
     /// The value; `None` where only a part is changed, as by `x += 1`, `K[0, 2] = 320` or `p.x = 1`.
     pub(crate) value: Option<Piece<'t>>,
@@ -36,13 +35,20 @@ pub(crate) struct Known(RefCell<HashMap<String, Option<Vec<f64>>>>);
 /// So many names are looked up: each one takes a pass over the text.
 const MOST_NAMES: usize = 500;
 
+/// So many statements are looked for that give one name a value: each may go to the end of the text.
+pub(crate) const MOST_ASSIGNMENTS: usize = 100;
+
+/// No statement has more characters before the name, or between it and the sign.
+const LONGEST_HEAD: usize = 500;
+
 impl Code<'_> {
     /// Every statement that gives this name a value or changes it, in the order of the text: `x = 1`,
     /// `const float x = 1.0f;`, `a.x = 1`, `x, y = 1, 2`, `vec3 x(1, 2, 3);`, `#define x 1`. An argument
-    /// by name in a call is none.
+    /// by name in a call is none. No more than [`MOST_ASSIGNMENTS`] are looked for.
     pub(crate) fn assignments(&self, name: &str) -> Vec<Assignment<'_>> {
         let whole = self.whole();
-        words(whole, name).into_iter().filter_map(|at| assignment(self, whole, name, at)).collect()
+        let found = words(whole, name).into_iter();
+        found.filter_map(|at| assignment(self, whole, name, at)).take(MOST_ASSIGNMENTS).collect()
     }
 
     /// How a plain name, or a path such as `this.fov`, is given.
@@ -132,8 +138,12 @@ fn assignment<'t>(
     if owner.is_none() && path.len() < before.len() {
         return None;
     }
-    let start = path.rfind(['\n', ';', '{', '}']).map_or(0, |end| end + 1);
-    let head = &path[start..];
+    let mut back = path.char_indices().rev().take(LONGEST_HEAD);
+    let start = back.find(|(_, c)| matches!(c, '\n' | ';' | '{' | '}'));
+    if start.is_none() && back.next().is_none() && path.len() > LONGEST_HEAD {
+        return None;
+    }
+    let head = &path[start.map_or(0, |(end, _)| end + 1)..];
     let rest = whole.from(at + name.len());
     if head.trim() == "#define" {
         let end = rest.text.find('\n').unwrap_or(rest.text.len());
@@ -168,6 +178,9 @@ fn value_given<'t>(
     let mut is_part = false;
     loop {
         let next = left.text.chars().next()?;
+        if left.at - rest.at > LONGEST_HEAD {
+            return None;
+        }
         left = match next {
             '=' if left.text[1..].starts_with(['=', '>']) => return None,
             '=' => break,

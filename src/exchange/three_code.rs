@@ -1,11 +1,13 @@
 //! three.js as it is written in a program: `new THREE.PerspectiveCamera(...)` and what is done to it,
 //! one statement after the other, without running it.
 
-use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
+use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
 use super::back::{image_of, image_of_aspect, upright};
-use super::code::{Code, Comments, Piece, after_spaces, split, trimmed, words};
-use super::sheet::commas;
+use super::code::{Code, Comments, Piece, split, words};
+use super::three_react;
+use super::three_stand::{Stand, changed, moves, number_after};
+use super::three_steps::{Step, Verb, camera, later, made, names, steps};
 use super::{Taken, Text};
 use crate::formats::FileError;
 
@@ -17,27 +19,42 @@ pub(super) fn claims(text: &str) -> bool {
         let before = text[..at].trim_end();
         before.ends_with("THREE.") || before.ends_with("new")
     };
-    text.match_indices(CAMERA).any(|(at, _)| is_made(at))
+    three_react::claims(text) || text.match_indices(CAMERA).any(|(at, _)| is_made(at))
 }
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let code = Code::new(text, Comments::Slashes);
+    if three_react::claims(text.text) && made(&code, CAMERA).is_empty() {
+        return three_react::read(&code, at_hand);
+    }
     let mut notes = Vec::new();
-    let call = code.calls(CAMERA).last().copied();
-    let call = call.ok_or_else(|| {
-        code.missing(CAMERA, "it must be made, as new THREE.PerspectiveCamera(50, 4 / 3, 0.1, 100)")
-    })?;
+    let (name, call) = camera(&code, CAMERA, &mut notes)?;
     let mut lens = Lens::read(&code, call)?;
     let mut stand = Stand::default();
-    match name_of(code.whole(), call) {
-        Some(name) => stand.follow(&code, call, name, &mut lens)?,
+    match name {
+        Some(name) => follow(&code, call, name, &mut stand, &mut lens, &mut notes)?,
         None => notes.push("the camera is given no name: it stays where it is made".to_owned()),
     }
-    stand.orbit(&code, &mut notes)?;
     let size = match code.calls("setSize").last() {
         Some(call) => size(&code, *call)?,
         None => None,
     };
+    let mut taken = taken(&lens, &stand, size, at_hand, notes);
+    if text.text.contains("Geometry(") {
+        let note = "meshes are left out: they are read of a scene written by toJSON()";
+        taken.notes.push(note.to_owned());
+    }
+    Ok(taken)
+}
+
+/// The camera that stands so.
+pub(super) fn taken(
+    lens: &Lens,
+    stand: &Stand,
+    size: Option<ImageSize>,
+    at_hand: &Camera,
+    mut notes: Vec<String>,
+) -> Taken {
     let aspect = lens.aspect.unwrap_or_else(|said| {
         let image = size.unwrap_or(at_hand.image);
         let (w, h) = (image.width(), image.height());
@@ -51,19 +68,157 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let viewport =
         Viewport { width: viewport.width / zoom, height: viewport.height / zoom, ..viewport };
     let orientation = stand.orientation(&mut notes);
-    if text.text.contains("Geometry(") {
-        let note = "meshes are left out: they are read of a scene written by toJSON()";
-        notes.push(note.to_owned());
+    Taken::camera(Camera { eye: stand.position, orientation, viewport, image }, notes)
+}
+
+/// Every statement about the camera, under each of its names, and those that turn it with others.
+fn follow(
+    code: &Code,
+    made: Piece,
+    name: &str,
+    stand: &mut Stand,
+    lens: &mut Lens,
+    notes: &mut Vec<String>,
+) -> Result<(), FileError> {
+    let names = names(code, name);
+    let mut all: Vec<Step> = names.iter().flat_map(|name| steps(code, name)).collect();
+    all.sort_by_key(|step| step.at);
+    let is_made_once = code.calls(CAMERA).len() == 1;
+    let all: Vec<Step> = all.into_iter().filter(|step| is_made_once || step.at > made.at).collect();
+    for step in now(code, all, notes) {
+        if step.at < made.at && moves(&step.path) {
+            let right = "it stands before the camera is made: it must stand after it";
+            return Err(code.fault(step.path.trim_start_matches('.'), step.values, right));
+        }
+        match (step.path.as_str(), step.verb) {
+            (".fov", verb) if verb != Verb::Call => {
+                lens.fov = number_after(code, "fov", &step, lens.fov)?;
+                lens.check(code, step.values)?;
+            }
+            (".aspect", Verb::Give) => lens.set_aspect(code, step.values)?,
+            _ => stand.step(code, &step, notes)?,
+        }
     }
-    Ok(Taken::camera(Camera { eye: stand.position, orientation, viewport, image }, notes))
+    carried(code, &names, DEEPEST)?;
+    controls(code, &names, stand, notes)
+}
+
+/// Without those that are done later.
+fn now<'t>(code: &Code, all: Vec<Step<'t>>, notes: &mut Vec<String>) -> Vec<Step<'t>> {
+    let later = later(code);
+    let is_later = |step: &Step| later.contains(step.at);
+    let (left, now): (Vec<Step>, Vec<Step>) = all.into_iter().partition(is_later);
+    if left.iter().any(|step| moves(&step.path)) {
+        let note = "what moves the camera later, as in animate() or where an event is answered, is \
+                    left out";
+        if !notes.iter().any(|said| said == note) {
+            notes.push(note.to_owned());
+        }
+    }
+    now
+}
+
+/// So many scenes may hold the camera.
+const MOST_HOLDERS: usize = 10;
+
+/// So many things may hold one another.
+const DEEPEST: usize = 8;
+
+/// What the camera is put into must not stand anywhere but at the origin.
+fn carried(code: &Code, names: &[&str], deeper: usize) -> Result<(), FileError> {
+    let whole = code.whole();
+    let mut held: Vec<&str> = Vec::new();
+    for call in ["add", "attach"].into_iter().flat_map(|name| code.calls(name)) {
+        if !split(call).iter().any(|part| names.contains(&part.text)) {
+            continue;
+        }
+        let before = whole.text[..call.at].trim_end_matches('(').trim_end();
+        let before = before.trim_end_matches(char::is_alphanumeric);
+        let Some(path) = before.strip_suffix('.') else { continue };
+        let start = path.rfind(|c: char| !(c.is_alphanumeric() || "_$.".contains(c)));
+        let holder = &path[start.map_or(0, |at| at + 1)..];
+        let short = holder.rsplit('.').next().unwrap_or_default();
+        if held.contains(&holder) || short.to_ascii_lowercase().ends_with("scene") {
+            continue;
+        }
+        let value = code.value(short).map_or("", |value| value.text);
+        let is_of = |kinds: &[&str]| {
+            kinds.iter().any(|kind| {
+                let rest = value.strip_prefix("new ").unwrap_or_default().trim_start();
+                let rest = rest.strip_prefix("THREE.").unwrap_or(rest);
+                rest.strip_prefix(kind).is_some_and(|rest| rest.starts_with('('))
+            })
+        };
+        held.push(holder);
+        if is_of(&["Scene"]) && held.len() < MOST_HOLDERS {
+            continue;
+        }
+        // A thing has one that holds it.
+        let is_still = held.len() == 1
+            && is_of(&["Group", "Object3D"])
+            && !steps(code, holder).iter().any(|step| moves(&step.path));
+        let Some(deeper) = deeper.checked_sub(1).filter(|_| is_still) else {
+            let right = format!(
+                "{holder} holds the camera and moves it: the camera must stand in the scene, or be \
+                 given as toJSON() writes it"
+            );
+            return Err(code.fault(&format!("{holder}.add"), call, &right));
+        };
+        carried(code, &[holder], deeper)?;
+    }
+    Ok(())
+}
+
+/// What turns the camera to a target of its own; the others only answer the mouse or keys.
+const ORBITING: [&str; 4] =
+    ["OrbitControls", "MapControls", "TrackballControls", "ArcballControls"];
+
+fn controls(
+    code: &Code,
+    names: &[&str],
+    stand: &mut Stand,
+    notes: &mut Vec<String>,
+) -> Result<(), FileError> {
+    for kind in ORBITING {
+        let is_own = |(_, call): &(_, Piece)| {
+            split(*call).first().is_some_and(|camera| names.contains(&camera.text))
+        };
+        // Of several the last one turns the camera last.
+        if let Some((name, _)) = made(code, kind).into_iter().rfind(is_own) {
+            let steps = name.map(|name| steps(code, name)).unwrap_or_default();
+            let mut target = DVec3::ZERO;
+            for step in now(code, steps, notes) {
+                if let Some(rest) = step.path.strip_prefix(".target").filter(|r| *r != "0") {
+                    changed(code, "target", rest, &step, &mut target)?;
+                }
+                if step.path.starts_with(".object.") && moves(&step.path[".object".len()..]) {
+                    let right = "the camera must be moved by its own name";
+                    return Err(code.fault(&step.path[1..], step.values, right));
+                }
+            }
+            stand.orbit(target, kind, notes);
+        }
+    }
+    let (whole, later) = (code.whole(), later(code));
+    for at in words(whole, "getObject") {
+        let rest = whole.from(at + "getObject".len()).text;
+        if ["().position", "().rotation"].iter().any(|word| rest.starts_with(word))
+            && !later.contains(at)
+        {
+            let right = "the camera must be moved by its own name";
+            let piece = Piece { text: "getObject", at };
+            return Err(code.fault("the controls' object", piece, right));
+        }
+    }
+    Ok(())
 }
 
 /// What the camera is made with.
-struct Lens<'t> {
+pub(super) struct Lens<'t> {
     /// Vertical, in degrees.
-    fov: f64,
+    pub(super) fov: f64,
     /// The text where it is no number, such as `window.innerWidth / window.innerHeight`.
-    aspect: Result<f64, &'t str>,
+    pub(super) aspect: Result<f64, &'t str>,
 }
 
 impl<'t> Lens<'t> {
@@ -81,8 +236,12 @@ impl<'t> Lens<'t> {
         Ok(lens)
     }
 
-    fn set_fov(&mut self, code: &Code, value: Piece) -> Result<(), FileError> {
+    pub(super) fn set_fov(&mut self, code: &Code, value: Piece) -> Result<(), FileError> {
         self.fov = code.number("fov", value)?;
+        self.check(code, value)
+    }
+
+    fn check(&self, code: &Code, value: Piece) -> Result<(), FileError> {
         let is_angle = self.fov > 0.0 && self.fov < 180.0;
         let right = "it must be between 0 and 180 degrees";
         is_angle.then_some(()).ok_or_else(|| code.fault("fov", value, right))
@@ -103,149 +262,4 @@ fn size(code: &Code, call: Piece) -> Result<Option<ImageSize>, FileError> {
     let numbers = code.numbers("setSize", call).unwrap_or_default();
     let [width, height, ..] = numbers[..] else { return Ok(None) };
     image_of(width, height).map(Some).map_err(|right| code.fault("setSize", call, &right))
-}
-
-/// The name that the camera is given: `const camera = new THREE.PerspectiveCamera(`.
-fn name_of<'t>(whole: Piece<'t>, call: Piece) -> Option<&'t str> {
-    let (before, made) = whole.text[..call.at].rsplit_once('=')?;
-    let made: String = made.split_whitespace().collect();
-    if !["newTHREE.PerspectiveCamera(", "newPerspectiveCamera("].contains(&made.as_str()) {
-        return None;
-    }
-    // In TypeScript its kind may follow the name.
-    let before = before.trim_end();
-    let before = before.trim_end_matches(CAMERA).trim_end_matches("THREE.").trim_end();
-    let before = before.trim_end_matches(':').trim_end();
-    let is_part = |c: char| c.is_alphanumeric() || "_$.".contains(c);
-    let start = before.rfind(|c| !is_part(c)).map_or(0, |at| at + 1);
-    let name = before.get(start..).unwrap_or_default();
-    (!name.is_empty()).then_some(name)
-}
-
-/// Where the camera stands, as the statements leave it.
-struct Stand {
-    position: DVec3,
-    up: DVec3,
-    zoom: f64,
-    /// From where, to where and with which up it was turned last.
-    turned: Option<(DVec3, DVec3, DVec3)>,
-}
-
-impl Default for Stand {
-    fn default() -> Stand {
-        Stand { position: DVec3::ZERO, up: DVec3::Y, zoom: 1.0, turned: None }
-    }
-}
-
-impl Stand {
-    /// Every statement that begins with the camera's name, in the order of the text.
-    fn follow(
-        &mut self,
-        code: &Code,
-        made: Piece,
-        name: &str,
-        lens: &mut Lens,
-    ) -> Result<(), FileError> {
-        let whole = code.whole();
-        let is_own = |at: &usize| *at > made.at && !whole.text[..*at].ends_with('.');
-        for at in words(whole, name).into_iter().filter(is_own) {
-            let rest = whole.from(at + name.len());
-            let end = rest.text.find(|c: char| !(c.is_alphanumeric() || c == '.'));
-            let (path, rest) = rest.text.split_at(end.unwrap_or(rest.text.len()));
-            let rest = after_spaces(Piece { text: rest, at: at + name.len() + path.len() });
-            let values = match rest.text.chars().next() {
-                Some('(') => code.bracketed(rest),
-                Some('=') if !rest.text.starts_with("==") => {
-                    let value = rest.from(1);
-                    let end = value.text.find([';', '\n']).unwrap_or(value.text.len());
-                    Some(trimmed(Piece { text: &value.text[..end], ..value }))
-                }
-                _ => None,
-            };
-            match (path, values) {
-                (".fov", Some(value)) => lens.set_fov(code, value)?,
-                (".aspect", Some(value)) => lens.set_aspect(code, value)?,
-                (_, Some(values)) => self.step(code, path, values)?,
-                (_, None) => (),
-            }
-        }
-        Ok(())
-    }
-
-    /// `OrbitControls` turn the camera to their target, wherever it looked before.
-    fn orbit(&mut self, code: &Code, notes: &mut Vec<String>) -> Result<(), FileError> {
-        if code.calls("OrbitControls").is_empty() {
-            return Ok(());
-        }
-        let target = code.calls("target.set").last().copied();
-        let target = target.map(|target| code.vector("target", target)).transpose()?;
-        let at = target.unwrap_or(DVec3::ZERO);
-        self.turned = Some((self.position, at, self.up));
-        notes.push(format!("OrbitControls turn the camera to their target, ({})", commas(at)));
-        Ok(())
-    }
-
-    fn step(&mut self, code: &Code, path: &str, values: Piece) -> Result<(), FileError> {
-        match path {
-            ".position.set" | ".position.copy" => {
-                self.position = code.vector("position", values)?
-            }
-            ".position.x" => self.position.x = code.number("position.x", values)?,
-            ".position.y" => self.position.y = code.number("position.y", values)?,
-            ".position.z" => self.position.z = code.number("position.z", values)?,
-            ".up.set" | ".up.copy" => self.up = code.vector("up", values)?,
-            ".up" => self.up = code.vector("up", values)?,
-            ".zoom" => match code.number("zoom", values)? {
-                zoom if zoom > 0.0 => self.zoom = zoom,
-                _ => return Err(code.fault("zoom", values, "it must be greater than 0")),
-            },
-            ".lookAt" => {
-                // Where a scene's position is not set, it is the origin.
-                let at = match values.text.trim() {
-                    "scene.position" => DVec3::ZERO,
-                    _ => code.vector("lookAt", values)?,
-                };
-                self.turned = Some((self.position, at, self.up));
-            }
-            other if turns(other) => {
-                let right =
-                    "the camera must be turned by lookAt, or be given as toJSON() writes it";
-                return Err(code.fault(other.trim_start_matches('.'), values, right));
-            }
-            _ => (),
-        }
-        Ok(())
-    }
-
-    /// A camera that is moved after it was turned looks the same way from elsewhere.
-    fn orientation(&self, notes: &mut Vec<String>) -> Orientation {
-        let Some((from, at, up)) = self.turned else {
-            return Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y };
-        };
-        if from == self.position {
-            return Orientation::At { at, up };
-        }
-        let note = "position is set after lookAt, which had turned the camera from where it was";
-        notes.push(note.to_owned());
-        Orientation::View { view: at - from, up }
-    }
-}
-
-/// What else changes the camera's axes, its place or its lens.
-fn turns(path: &str) -> bool {
-    const TURNING: [&str; 12] = [
-        ".rotation",
-        ".quaternion",
-        ".rotate",
-        ".matrix",
-        ".applyMatrix4",
-        ".applyQuaternion",
-        ".setRotation",
-        ".translate",
-        ".position",
-        ".setViewOffset",
-        ".setFocalLength",
-        ".filmOffset",
-    ];
-    TURNING.iter().any(|word| path.starts_with(word))
 }

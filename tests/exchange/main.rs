@@ -3,18 +3,22 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 #![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
 
+mod blender;
 mod colmap;
 mod faults;
 mod habits;
 mod names;
 mod objects;
 mod opencv;
+mod opengl;
 mod povray_scenes;
 mod programs;
 mod round_trip;
 mod scenes;
 mod three_code;
+mod three_more;
 mod trees;
+mod weekend;
 
 use std::path::Path;
 

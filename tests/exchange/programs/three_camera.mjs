@@ -4,8 +4,11 @@ import { pathToFileURL } from 'node:url';
 
 const [modules, file, name] = process.argv.slice(2);
 const THREE = await import(pathToFileURL(`${modules}/three/build/three.module.js`).href);
-const run = new Function('THREE', 'scene', 'renderer', `${readFileSync(file, 'utf8')}\nreturn ${name};`);
-const camera = run.call({}, THREE, new THREE.Scene(), { setSize() {} });
+const controls = ['OrbitControls', 'MapControls'];
+const from = (name) => import(pathToFileURL(`${modules}/three/examples/jsm/controls/${name}.js`).href);
+const made = await Promise.all(controls.map(async (name) => (await from(name))[name]));
+const run = new Function('THREE', 'scene', 'renderer', ...controls, `${readFileSync(file, 'utf8')}\nreturn ${name};`);
+const camera = run.call({}, THREE, new THREE.Scene(), { setSize() {}, render() {} }, ...made);
 camera.updateMatrixWorld();
 const e = camera.matrixWorld.elements;
 const half = Math.tan(THREE.MathUtils.degToRad(camera.fov) / 2) / camera.zoom;
