@@ -1,8 +1,8 @@
 //! Other programs' cameras: the camera and the scene in each one's own words, and back.
 //!
-//! Nothing here knows a window or a disk. A format is one file and one row of [`FORMATS`]: how it is
-//! written, how it is read, how a text of it is told from others, and its [`Terms`], which say how its
-//! axes, pixels and field of view differ from those here.
+//! Nothing here knows a window or a disk. A format is a file or a folder, and a row of [`FORMATS`]: how
+//! it is written, how it is read, how a text of it is told from others, and its [`Terms`], which say how
+//! its axes, pixels and field of view differ from those here.
 //!
 //! World coordinates are never turned: where another program's habit is z up or a left-handed world,
 //! the camera is given so that the same coordinates make the same picture. What a format has no word
@@ -11,53 +11,26 @@
 mod affine;
 mod back;
 mod blender;
-mod blender_lens;
-mod blender_read;
-mod blender_stance;
-mod blender_things;
 mod code;
 mod colmap;
 mod comments;
 mod course;
 mod gltf;
-mod gltf_mesh;
 mod json;
 mod left_out;
 mod matrix;
-mod matrix_code;
-mod matrix_functions;
-mod matrix_names;
-mod matrix_statements;
 mod mitsuba;
-mod mitsuba_file;
-mod mitsuba_read;
-mod mitsuba_shapes;
 mod names;
 mod opencv;
-mod opencv_read;
 mod opengl;
-mod opengl_read;
 mod pbrt;
-mod pbrt_read;
-mod pbrt_shapes;
-mod pbrt_tokens;
 mod povray;
-mod povray_blocks;
-mod povray_comments;
-mod povray_objects;
-mod povray_read;
-mod povray_values;
 mod python;
 mod sheet;
 mod subject;
 mod terms;
 mod three;
-mod three_code;
-mod three_react;
-mod three_stand;
-mod three_steps;
 mod weekend;
-mod weekend_read;
 
 use std::fmt;
 use std::path::Path;

@@ -51,7 +51,7 @@ impl<'a> Grader<'a> {
             _ => RELATIVE_TOLERANCE,
         };
         let tolerance = tolerance.unwrap_or(usual);
-        if !(tolerance >= 0.0) {
+        if tolerance.is_nan() || tolerance < 0.0 {
             return Err(GradeError::Tolerance(tolerance));
         }
         let digits = Digits::for_tolerance(tolerance);

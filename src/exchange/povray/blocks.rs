@@ -1,0 +1,329 @@
+//! A POV-Ray scene's blocks: its camera, and the objects that stand by themselves.
+
+use super::values::{OPENING, Values, is_letter, word_of};
+use crate::exchange::code::{Code, Piece, after_spaces, trimmed};
+use crate::exchange::left_out::LeftOut;
+use crate::formats::FileError;
+
+/// Other objects.
+const OTHERS: [&str; 27] = [
+    "box",
+    "cylinder",
+    "cone",
+    "torus",
+    "mesh",
+    "mesh2",
+    "blob",
+    "disc",
+    "triangle",
+    "smooth_triangle",
+    "polygon",
+    "prism",
+    "lathe",
+    "sor",
+    "text",
+    "height_field",
+    "superellipsoid",
+    "sphere_sweep",
+    "isosurface",
+    "parametric",
+    "julia_fractal",
+    "bicubic_patch",
+    "quadric",
+    "quartic",
+    "cubic",
+    "poly",
+    "object",
+];
+
+/// Objects made of others, which are parts of them and not there by themselves.
+const MADE_OF_OTHERS: [&str; 4] = ["union", "difference", "intersection", "merge"];
+
+/// POV-Ray's own files, which hold no camera and no object that stands in a scene.
+const STANDARD: [&str; 25] = [
+    "arrays",
+    "chars",
+    "colors",
+    "consts",
+    "debug",
+    "finish",
+    "functions",
+    "glass",
+    "glass_old",
+    "golds",
+    "ior",
+    "logo",
+    "math",
+    "metals",
+    "rand",
+    "shapes",
+    "shapes2",
+    "skies",
+    "stars",
+    "stones",
+    "strings",
+    "textures",
+    "transforms",
+    "woodmaps",
+    "woods",
+];
+
+/// A camera's block, and under what it stands.
+struct Shot<'t> {
+    inside: Piece<'t>,
+    /// The name that it is declared by.
+    name: Option<&'t str>,
+    is_conditional: bool,
+}
+
+/// What `#if` and the like make of what stands behind them.
+#[derive(Clone, Copy, PartialEq)]
+enum Branch {
+    Taken,
+    Skipped,
+    /// By what is not worked out here.
+    Open,
+}
+
+/// The directives that are not ended: what comes of each branch, and whether one before it is taken.
+#[derive(Default)]
+struct Branches {
+    begun: Vec<(Branch, bool)>,
+    skipped: usize,
+    open: usize,
+}
+
+/// What stands in a scene under no other block, each block as what is in its braces.
+#[derive(Default)]
+pub(super) struct Blocks<'t> {
+    cameras: Vec<Shot<'t>>,
+    pub(super) spheres: Vec<Piece<'t>>,
+    pub(super) planes: Vec<Piece<'t>>,
+    others: LeftOut,
+    is_declared: bool,
+    is_conditional: bool,
+}
+
+impl Branches {
+    /// Which count a branch is in.
+    fn count(&mut self, branch: Branch) -> Option<&mut usize> {
+        match branch {
+            Branch::Taken => None,
+            Branch::Skipped => Some(&mut self.skipped),
+            Branch::Open => Some(&mut self.open),
+        }
+    }
+
+    fn begin(&mut self, branch: Branch, was_taken: bool) {
+        self.begun.push((branch, was_taken || branch == Branch::Taken));
+        if let Some(count) = self.count(branch) {
+            *count += 1;
+        }
+    }
+
+    fn end(&mut self) -> Option<(Branch, bool)> {
+        let ended = self.begun.pop()?;
+        if let Some(count) = self.count(ended.0) {
+            *count -= 1;
+        }
+        Some(ended)
+    }
+
+    /// `#else` and `#elseif`, of which the second has a condition of its own.
+    fn turn(&mut self, condition: Branch) {
+        if let Some((branch, was_taken)) = self.end() {
+            let next = match branch {
+                Branch::Open => Branch::Open,
+                _ if was_taken => Branch::Skipped,
+                _ => condition,
+            };
+            self.begin(next, was_taken);
+        }
+    }
+
+    fn now(&self) -> Branch {
+        match (self.skipped, self.open) {
+            (0, 0) => Branch::Taken,
+            (0, _) => Branch::Open,
+            _ => Branch::Skipped,
+        }
+    }
+
+    /// Takes a directive's word; `behind` is what follows it.
+    fn take(&mut self, code: &Code, values: &Values, word: &str, behind: Piece) {
+        let decided = || match code.bracketed(behind).and_then(|inside| values.number(inside)) {
+            Some(0.0) => Branch::Skipped,
+            Some(_) => Branch::Taken,
+            None => Branch::Open,
+        };
+        match word {
+            "if" => self.begin(decided(), false),
+            "elseif" => self.turn(decided()),
+            "else" => self.turn(Branch::Taken),
+            "end" => drop(self.end()),
+            _ if OPENING.contains(&word) => self.begin(Branch::Open, false),
+            _ => (),
+        }
+    }
+}
+
+impl<'t> Blocks<'t> {
+    /// One pass over the text; it ends at the first block that is not closed.
+    pub(super) fn of(code: &'t Code, values: &Values) -> Blocks<'t> {
+        let (mut blocks, mut branches) = (Blocks::default(), Branches::default());
+        let mut rest = code.whole();
+        while let Some(c) = rest.text.chars().next() {
+            let after = rest.from(c.len_utf8());
+            rest = match c {
+                '"' => {
+                    after.from(after.text.find(['"', '\n']).map_or(after.text.len(), |at| at + 1))
+                }
+                '#' => {
+                    let word = word_of(after_spaces(after));
+                    let end = code.whole().from(word.at + word.text.len());
+                    branches.take(code, values, word.text, after_spaces(end));
+                    if word.text == "include" && branches.now() != Branch::Skipped {
+                        blocks.include(after_spaces(end));
+                    }
+                    end
+                }
+                '{' => match code.bracketed(rest) {
+                    Some(inside) => after.from(inside.text.len() + 1),
+                    None => break,
+                },
+                c if is_letter(c) => {
+                    let word = word_of(rest);
+                    let open = after_spaces(rest.from(word.text.len()));
+                    if !open.text.starts_with('{') {
+                        open
+                    } else {
+                        let Some(inside) = code.bracketed(open) else { break };
+                        blocks.take(code, word, inside, branches.now());
+                        open.from(inside.text.len() + 2)
+                    }
+                }
+                _ => after,
+            };
+        }
+        blocks
+    }
+
+    fn include(&mut self, behind: Piece) {
+        let file = behind.text.strip_prefix('"').and_then(|rest| rest.split(['"', '\n']).next());
+        let name = file.and_then(|file| file.strip_suffix(".inc"));
+        if !name.is_some_and(|name| STANDARD.contains(&name)) {
+            self.others.add("#include", "left out: what is in other files is not read");
+        }
+    }
+
+    fn take(&mut self, code: &'t Code, word: Piece<'t>, inside: Piece<'t>, branch: Branch) {
+        if branch == Branch::Skipped {
+            return;
+        }
+        let is_conditional = branch == Branch::Open;
+        let before = code.whole().text[..word.at].trim_end();
+        let declared = before.strip_suffix('=').map(|before| {
+            let before = before.trim_end();
+            &before[before.trim_end_matches(is_letter).len()..]
+        });
+        match (word.text, declared) {
+            ("camera", name) => self.cameras.push(Shot { inside, name, is_conditional }),
+            (other, Some(_)) => self.is_declared |= is_object(other),
+            (other, _) if is_conditional => self.is_conditional |= is_object(other),
+            ("sphere", _) => self.spheres.push(inside),
+            ("plane", _) => self.planes.push(inside),
+            (other, _) if MADE_OF_OTHERS.contains(&other) || other == "blob" => {
+                let said = "left out with its parts: Pinhole has whole spheres and planes";
+                self.others.add(other, said);
+            }
+            (other, _) if is_object(other) => {
+                self.others.add(other, "left out: Pinhole has spheres and planes");
+            }
+            _ => (),
+        }
+    }
+
+    /// The camera that POV-Ray looks through: the last one.
+    pub(super) fn camera(
+        &self,
+        code: &Code,
+        notes: &mut Vec<String>,
+    ) -> Result<Piece<'t>, FileError> {
+        let placed = |shot: &&Shot| shot.name.is_none();
+        let certain = self.cameras.iter().rposition(|shot| placed(&shot) && !shot.is_conditional);
+        // Of those before it none counts.
+        let candidates = &self.cameras[certain.unwrap_or(0)..];
+        let open = candidates.iter().filter(|shot| placed(shot) && shot.is_conditional).count();
+        let shot = match certain {
+            Some(certain) => self.cameras.get(certain),
+            None => self.cameras.iter().rfind(placed),
+        };
+        let Some(shot) = shot else {
+            let shot = self.cameras.last();
+            let shot =
+                shot.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
+            notes.push("no camera is placed: the last that is declared is taken".to_owned());
+            return self.resolved(code, shot, notes);
+        };
+        if open > 0 {
+            let line = code.error(shot.inside.at, "").place.map_or(0, |place| place.line);
+            let which = match certain {
+                Some(_) => "the last that stands under none",
+                None => "the last",
+            };
+            notes.push(format!(
+                "{open} of camera under a condition that is not worked out: {which} is taken, line {line}"
+            ));
+        }
+        self.resolved(code, shot, notes)
+    }
+
+    /// `camera { Name }` is the one that is declared by this name.
+    fn resolved(
+        &self,
+        code: &Code,
+        shot: &Shot<'t>,
+        notes: &mut Vec<String>,
+    ) -> Result<Piece<'t>, FileError> {
+        const MOST: usize = 8;
+        let mut inside = shot.inside;
+        for _ in 0..MOST {
+            let content = trimmed(inside);
+            let name = word_of(content);
+            let declared =
+                |shot: &&Shot| shot.name == Some(name.text) && shot.inside.at < inside.at;
+            let Some(found) = self.cameras.iter().rfind(declared).filter(|_| !name.text.is_empty())
+            else {
+                return Ok(inside);
+            };
+            if name.text.len() < content.text.len() {
+                let right = "what is added to it must stand in its declaration";
+                return Err(code.fault("camera", name, right));
+            }
+            if found.is_conditional {
+                let note = "of it is declared under a condition that is not worked out";
+                notes.push(format!("camera {}: the last {note}", name.text));
+            }
+            inside = found.inside;
+        }
+        Err(code.fault("camera", trimmed(shot.inside), "it is declared by too many other names"))
+    }
+
+    /// What is left out because of where or what it is.
+    pub(super) fn left_out(&self, notes: &mut Vec<String>) {
+        self.others.tell(notes);
+        if self.is_declared {
+            notes
+                .push("what #declare names is left out: an object must stand by itself".to_owned());
+        }
+        if self.is_conditional {
+            let note =
+                "what stands between #if, #while, #for, #switch or #macro and #end is left out";
+            notes.push(note.to_owned());
+        }
+    }
+}
+
+fn is_object(word: &str) -> bool {
+    ["sphere", "plane"].contains(&word) || OTHERS.contains(&word) || MADE_OF_OTHERS.contains(&word)
+}
