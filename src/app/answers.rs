@@ -13,6 +13,9 @@ use crate::grades::{AnswersAtHand, AnswersFile};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::session::ViewLayout;
 
+/// No larger file is graded in the window: two million answers, which take some seconds.
+const MOST_BYTES: u64 = 100_000_000;
+
 /// What a file that is dropped on the window is opened as: its first bytes tell.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
@@ -35,6 +38,16 @@ impl App {
     /// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
     /// the file.
     pub(super) fn check_answers(&mut self, path: &Path) {
+        let size = fs::metadata(path).map_or(0, |file| file.len());
+        if size > MOST_BYTES {
+            let problem = format!(
+                "{} has {} MB, and the window would stand still for long: pinhole check grades it",
+                path.display(),
+                size / 1_000_000
+            );
+            self.tell("These answers are too many", problem);
+            return;
+        }
         match fs::read(path) {
             Ok(bytes) => {
                 let known = self.session.answers.as_ref().filter(|known| known.file.path == path);

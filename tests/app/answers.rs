@@ -186,3 +186,16 @@ fn the_maps_title_and_key_are_seen_while_presenting() {
         }
     }
 }
+
+#[test]
+fn answers_by_the_million_are_for_the_command() {
+    let (folder, mut window) = alone();
+    let path = folder.path().join("many.csv");
+    let file = fs::File::create(&path).unwrap();
+    std::io::Write::write_all(&mut &file, b"row,column,t\n").unwrap();
+    // Holes take no room on a disk.
+    file.set_len(200_000_000).unwrap();
+    drop_file(&mut window, &path);
+    assert_says(&window, "These answers are too many");
+    assert_eq!(window.state().session().answers, None);
+}
