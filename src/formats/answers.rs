@@ -224,7 +224,8 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
             ));
         }
         if let Some(infinite) = answered.iter().copied().find(is_infinite) {
-            return Err(row.error(infinite, NO_NUMBER));
+            let right = "it must be a finite number, as the row's other cells tell of a hit";
+            return Err(row.error(infinite, right));
         }
         let mut hit = GivenHit::default();
         if has(T) {

@@ -333,8 +333,8 @@ fn what_cannot_be_read_is_status_2_and_says_where() {
         ),
         (
             format!("{hits}3,4,5,0\n3,5,nan,0\n"),
-            "in.csv:3:5: column t is \"nan\": it must be a finite number; a miss leaves its cells \
-             empty, or has inf in them",
+            "in.csv:3:5: column t is \"nan\": it must be a finite number, as the row's other \
+             cells tell of a hit",
         ),
         (
             format!("{hits}3,4,5,\n"),

@@ -22,6 +22,8 @@ pub struct Diagnosis {
     pub other_slip: Option<OtherSlip>,
     /// Whether all answers would be right if rows and columns counted from 1.
     pub counted_from_one: bool,
+    /// Whether objects are counted from 1.
+    pub objects_from_one: bool,
     /// Every how many answers were held against the program that is named: all, 1, unless they are so
     /// many, and spheres too, that it would take minutes.
     pub of_every: usize,
@@ -77,10 +79,14 @@ pub(super) fn diagnose(
         known.iter().map(|mistake| (vec![*mistake], one(*mistake))).collect();
     let found = explaining(given, answers, &looks, &sets);
     if !found.is_empty() {
-        let from_one = Program::RIGHT.with(Change::Shift(-1.0));
-        let counted_from_one = found[0].0 == [KnownMistake::CountedFromOne]
-            && explains(given, answers, &looks, &from_one);
-        return Diagnosis { counted_from_one, ..Diagnosis::of(found) };
+        let is_found = |change: Change| {
+            found[0].0 == [KnownMistake::CountedFromOne]
+                && explains(given, answers, &looks, &Program::RIGHT.with(change))
+        };
+        let counted_from_one = is_found(Change::Shift(-1.0));
+        let objects_from_one =
+            !counted_from_one && (is_found(Change::ObjectsFromOne) || is_found(Change::AllFromOne));
+        return Diagnosis { counted_from_one, objects_from_one, ..Diagnosis::of(found) };
     }
     sets.clear();
     for (place, first) in known.iter().enumerate() {
@@ -152,6 +158,7 @@ impl Diagnosis {
             alternatives: sets.collect(),
             other_slip: None,
             counted_from_one: false,
+            objects_from_one: false,
             of_every,
         }
     }

@@ -60,6 +60,32 @@ impl<'a> Grader<'a> {
     }
 
     pub(super) fn grade(&self) -> Grade {
+        let grade = self.graded_as_given();
+        match self.answers {
+            Answers::Hits(hits) if !grade.all_agree() && !grade.is_explained() => {
+                self.with_sentinel(hits, grade)
+            }
+            _ => grade,
+        }
+    }
+
+    /// The grade with what is found where one number that stands for misses is taken as such.
+    fn with_sentinel(&self, hits: &[HitAnswer], grade: Grade) -> Grade {
+        let Some(sentinel) = sentinel(hits, &self.first_of(hits)) else { return grade };
+        let taken = hits.iter().map(|answer| {
+            let stands = answer.hit.and_then(|hit| hit.t).is_some_and(|t| t.value == sentinel);
+            HitAnswer { hit: answer.hit.filter(|_| !stands), ..*answer }
+        });
+        let answers = Answers::Hits(taken.collect());
+        let found = Grader { answers: &answers, ..*self }.graded_as_given();
+        if !found.all_agree() && !found.is_explained() {
+            return grade;
+        }
+        let Grade { diagnosis, right_digits, .. } = found;
+        Grade { diagnosis, right_digits, sentinel: Some(sentinel), ..grade }
+    }
+
+    fn graded_as_given(&self) -> Grade {
         let grade = match self.answers {
             Answers::Basis(vectors) => self.basis(vectors),
             Answers::Rays(rays) => self.rays(rays),
@@ -167,8 +193,7 @@ impl<'a> Grader<'a> {
             pixel if image.contains(pixel) => Right::Hit(first[index]),
             _ => Right::NoPixel,
         };
-        let grade = self.graded(&fits.judged(&self.given, &first), &fits, &right);
-        Grade { sentinel: sentinel(hits, &first, &grade.is_right), ..grade }
+        self.graded(&fits.judged(&self.given, &first), &fits, &right)
     }
 
     /// A picture in the shading that fits best: that in which most pixels agree, or, where no mistake
@@ -235,12 +260,17 @@ impl<'a> Grader<'a> {
     }
 }
 
-/// The one t that all wrong answers have, where each of them should be a miss.
-fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>], is_right: &[bool]) -> Option<f64> {
-    let mut wrong = (0..hits.len()).filter(|index| !is_right[*index]);
-    let t = |index: usize| hits[index].hit.and_then(|hit| hit.t).map(|t| t.value);
-    let known = t(wrong.next().filter(|index| first[*index].is_none())?)?;
-    wrong.all(|index| first[index].is_none() && t(index) == Some(known)).then_some(known)
+/// What stands for a miss: of the numbers that no hit has, 0 and less or beyond all hits, the one that
+/// most answers have where a miss would be right.
+fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
+    let farthest = first.iter().flatten().map(|hit| hit.t).fold(0.0, f64::max);
+    let misses = hits.iter().zip(first).filter(|(_, first)| first.is_none());
+    let t = misses.filter_map(|(answer, _)| Some(answer.hit?.t?.value));
+    let mut given: Vec<f64> = t.filter(|t| *t <= 0.0 || *t > farthest).collect();
+    given.sort_unstable_by(f64::total_cmp);
+    let known = *given.get(given.len() / 2)?;
+    let count = given.iter().filter(|t| **t == known).count();
+    (2 * count > given.len()).then_some(known)
 }
 
 /// The wrong answer that is farthest off, the first among equals; the right one where none is wrong.

@@ -92,7 +92,8 @@ pub struct Grade {
     /// To how many digits the answers are written, where these are fewer than [`Grade::digits_wanted`]
     /// and the answers are right as far as they go, but for the mistake that is named, if any.
     pub right_digits: Option<u32>,
-    /// The one t that all wrong answers have, where a miss would be right: what stands for it there.
+    /// The one t that most answers have where a miss would be right, and that no hit has: it stands for
+    /// a miss, and what is found is found with it taken as one.
     pub sentinel: Option<f64>,
     /// Pixels without an answer, where each of them counts as a wrong one:
     /// [`Grade::counting_unanswered`].
@@ -197,19 +198,18 @@ impl Grade {
         match (self.right_digits, &self.diagnosis.mistakes[..]) {
             _ if self.all_agree() => "All answers agree.".to_owned(),
             _ if all_given_agree => "All answers that are given agree.".to_owned(),
-            (Some(digits), []) => {
+            (Some(digits), []) if self.sentinel.is_none() => {
                 let wanted = self.digits_in_words();
                 let plural = if digits == 1 { "" } else { "s" };
                 format!("The answers are right to {digits} digit{plural}; write at least {wanted}.")
             }
             (None, []) => match (self.diagnosis.other_slip, self.sentinel) {
-                (Some(slip), _) => slip.advice().to_owned(),
-                (None, Some(t)) => format!(
-                    "t = {} seems to stand for a miss: a miss leaves its cells empty, or is inf.",
-                    shortest(t)
-                ),
-                (None, None) => "No known mistake explains this.".to_owned(),
-            },
+                (Some(slip), _) => [slip.advice().to_owned()].into_iter().chain(self.remarks()),
+                (None, Some(_)) => return self.remarks().join(" "),
+                (None, None) => return "No known mistake explains this.".to_owned(),
+            }
+            .collect::<Vec<_>>()
+            .join(" "),
             (_, mistakes) => {
                 let sentences = mistakes.iter().map(|mistake| mistake.advice().to_owned());
                 sentences.chain(self.remarks()).collect::<Vec<_>>().join(" ")
@@ -223,11 +223,25 @@ impl Grade {
         let Diagnosis { mistakes, of_every, .. } = &self.diagnosis;
         let slip = self.diagnosis.or_other_slip().map(str::to_owned);
         let sampled = (*of_every > 1).then(|| format!("One of {of_every} answers was looked at."));
-        let digits = self.right_digits.filter(|_| !mistakes.is_empty()).map(|digits| {
+        let is_beside = !mistakes.is_empty() || self.sentinel.is_some();
+        let digits = self.right_digits.filter(|_| is_beside).map(|digits| {
             let wanted = self.digits_in_words();
             format!("They are written to {digits} digits: write at least {wanted}.")
         });
-        [slip, sampled, digits].into_iter().flatten().collect()
+        let objects = self.diagnosis.objects_from_one.then(|| {
+            "Objects are counted from 1, and they count from 0: spheres, then planes.".to_owned()
+        });
+        let sentinel = self.sentinel.map(|t| {
+            let t = shortest(t);
+            format!("t = {t} seems to stand for a miss: a miss leaves its cells empty, or is inf.")
+        });
+        [slip, sampled, digits, objects, sentinel].into_iter().flatten().collect()
+    }
+
+    /// Whether it is known what is wrong.
+    fn is_explained(&self) -> bool {
+        let Diagnosis { mistakes, other_slip, .. } = &self.diagnosis;
+        !mistakes.is_empty() || other_slip.is_some() || self.right_digits.is_some()
     }
 
     fn digits_in_words(&self) -> String {

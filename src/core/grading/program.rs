@@ -177,6 +177,7 @@ pub(super) enum Change {
     Shift(f64),
     LoopFromOne,
     ObjectsFromOne,
+    AllFromOne,
     Bottom(Bottom),
     Swap(Swap),
     Extent(Extent),
@@ -228,7 +229,9 @@ impl KnownMistake {
             KnownMistake::RowsColumnsSwapped => {
                 &[Swap(self::Swap::Indices), Swap(self::Swap::Shares), Swap(self::Swap::Counts)]
             }
-            KnownMistake::CountedFromOne => &[Shift(-1.0), LoopFromOne, Shift(1.0), ObjectsFromOne],
+            KnownMistake::CountedFromOne => {
+                &[Shift(-1.0), LoopFromOne, Shift(1.0), ObjectsFromOne, AllFromOne]
+            }
             KnownMistake::AspectDropped => &[
                 Extent(self::Extent::WidthForHeight),
                 Extent(self::Extent::HeightForWidth),
@@ -317,6 +320,9 @@ impl Program {
             Change::Shift(shift) => (self.shift, self.from_one) = (shift, shift < 0.0),
             Change::LoopFromOne => self.from_one = true,
             Change::ObjectsFromOne => self.objects_from_one = true,
+            Change::AllFromOne => {
+                (self.shift, self.from_one, self.objects_from_one) = (-1.0, true, true);
+            }
             Change::Bottom(bottom) => self.bottom = bottom,
             Change::Swap(swap) => self.swap = swap,
             Change::Extent(extent) => self.extent = extent,

@@ -154,7 +154,40 @@ fn one_number_for_every_miss_is_told_to_stand_for_it() {
         });
         let grade = graded(&exercise, &Answers::Hits(hits.collect()));
         assert_eq!((grade.sentinel, &grade.diagnosis.mistakes[..]), (Some(stands), &[][..]));
+        assert!(grade.advice().starts_with("t = "), "{}", grade.advice());
         assert!(grade.advice().contains("seems to stand for a miss"), "{}", grade.advice());
+    }
+    // Beside another mistake, both are told.
+    for mistake in ["far-root", "rows-from-bottom", "distance-added"] {
+        let mistakes = [mistake];
+        let student = Student { exercise: &exercise, mistakes: &mistakes };
+        let hits = student.hits().into_iter().map(|answer| {
+            let t = answer.hit.map_or(-1.0, |hit| hit.t.unwrap().value);
+            let t = Some(Written::exactly(t));
+            HitAnswer { hit: Some(GivenHit { t, ..GivenHit::default() }), ..answer }
+        });
+        let grade = graded(&exercise, &Answers::Hits(hits.collect()));
+        let named = found(&exercise, &hits_of(&student)).swap_remove(0);
+        assert_eq!(ids(&grade.diagnosis.mistakes)[..], named[..]);
+        assert!(grade.advice().contains("t = -1 seems to stand for a miss"), "{}", grade.advice());
+    }
+}
+
+#[test]
+fn objects_from_one_are_told_apart_from_rows() {
+    let exercise = general();
+    let student = Student { exercise: &exercise, mistakes: &[] };
+    for by in [0, 1] {
+        let hits = student.hits().into_iter().map(|answer| {
+            let Pixel { row, column } = answer.pixel;
+            let pixel = Pixel { row: row + by, column: column + by };
+            let hit = answer.hit.map(|hit| GivenHit { object: hit.object.map(|k| k + 1), ..hit });
+            HitAnswer { pixel, hit }
+        });
+        let grade = graded(&exercise, &Answers::Hits(hits.collect()));
+        assert_eq!(ids(&grade.diagnosis.mistakes), ["counted-from-one"]);
+        assert!(grade.diagnosis.objects_from_one);
+        assert!(grade.advice().contains("Objects are counted from 1"), "{}", grade.advice());
     }
 }
 
