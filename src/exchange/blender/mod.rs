@@ -2,6 +2,8 @@
 //! y up. World coordinates are kept: Blender's z up is a habit of its views, not of the camera.
 
 mod lens;
+mod parts;
+mod passed;
 mod read;
 mod stance;
 mod things;

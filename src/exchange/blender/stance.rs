@@ -2,6 +2,8 @@
 
 use pinhole_core::{Basis, DVec3};
 
+use super::parts::{euler, parted, printed, rows};
+use super::passed::is_only_read;
 use super::things::{Chosen, Deed, Things};
 use crate::exchange::affine::Affine;
 use crate::exchange::code::{Code, Piece, split, trimmed};
@@ -109,6 +111,22 @@ impl Stance<'_, '_> {
                     return Err(self.code.fault("scale", deed.value, right));
                 }
                 return Ok(false);
+            }
+            "passed" if is_only_read(self.code, deed.value, part.trim_matches(['[', ']'])) => {
+                return Ok(false);
+            }
+            "passed" => {
+                let right = "it may move or turn the camera that it is given: the camera must be \
+                             given by matrix_world, or by location and rotation_euler alone";
+                return Err(self.code.fault("the call", deed.value, right));
+            }
+            property
+                if property.starts_with("keyframe_insert")
+                    || property.starts_with("driver_add") =>
+            {
+                let right = "the camera moves with the frames: it must be given once, without \
+                             keyframes";
+                return Err(self.code.fault("the camera's motion", deed.value, right));
             }
             "constraints"
             | "ops"
@@ -354,47 +372,4 @@ impl Stance<'_, '_> {
 
 fn missing(given: [bool; 3]) -> impl Iterator<Item = &'static str> {
     ["x", "y", "z"].into_iter().zip(given).filter(|(_, given)| !given).map(|(axis, _)| axis)
-}
-
-/// A property, and the part of it that is meant.
-fn parted(path: &str) -> (&str, &str) {
-    let path = path.trim_start_matches('.');
-    path.split_at(path.find(['.', '[']).unwrap_or(path.len()))
-}
-
-/// The angles of `Euler((1, 2, 3), 'XYZ')`, and its order.
-fn euler(piece: Piece) -> (Piece, Option<Piece>) {
-    let inside = ["Euler(", "mathutils.Euler("].iter().find_map(|word| {
-        let inside = piece.text.strip_prefix(word)?.strip_suffix(')')?;
-        Some(Piece { text: inside, at: piece.at + word.len() })
-    });
-    let Some(inside) = inside else { return (piece, None) };
-    match split(inside)[..] {
-        [angles, order] if order.text.starts_with(['\'', '"']) => (angles, Some(order)),
-        _ => (inside, None),
-    }
-}
-
-/// The numbers of `<Matrix 4x4 (1, 0, 0, 0) ...>`, between whose rows there is no comma.
-fn rows(code: &Code, name: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
-    let (mut numbers, mut rest) = (Vec::new(), piece);
-    while let Some(open) = rest.text.find('(') {
-        let row = code.bracketed(rest.from(open));
-        let row = row.ok_or_else(|| code.fault(name, piece, "its brackets must be closed"))?;
-        numbers.extend(code.numbers(name, row)?);
-        rest = rest.from(row.at + row.text.len() - rest.at);
-    }
-    Ok(numbers)
-}
-
-/// What is in the angle brackets of `<Vector (1, 0, 0, 0) ...>`; else the piece.
-fn printed(piece: Piece) -> Piece {
-    let inside = piece.text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
-    let open = piece.text.find('(');
-    match inside.zip(open) {
-        Some((_, open)) => {
-            Piece { text: &piece.text[open..piece.text.len() - 1], at: piece.at + open }
-        }
-        None => piece,
-    }
 }
