@@ -269,3 +269,41 @@ fn the_resolution_is_read_however_the_scene_is_called() {
         format!("{one}scene.render.resolution_y = 480\nif fast:\n    {}", one.replace('6', "1"));
     assert_refused(&format!("{CAMERA}{perhaps}"), "resolution_x is 140: it is given in an if");
 }
+
+/// Blender's own idiom for a camera that looks at a point: y as near to the world's z as can be.
+#[test]
+fn a_camera_that_is_aimed_is_read() {
+    let made = "data = bpy.data.cameras.new('a')\ncam = bpy.data.objects.new('b', data)\n\
+                cam.location = (3, -6, 4)\n";
+    let way = DVec3::new(-3.0, 6.0, -4.0).normalize();
+    for aim in [
+        "cam.rotation_euler = (Vector((0, 0, 0)) - cam.location).to_track_quat('-Z', 'Y').to_euler()\n",
+        "cam.rotation_euler = (cam.location - Vector((0, 0, 0))).to_track_quat('Z', 'Y').to_euler()\n",
+        "target = Vector((0, 0, 0))\ndirection = target - cam.location\n\
+         rot_quat = direction.to_track_quat(\"-Z\", \"Y\")\ncam.rotation_euler = rot_quat.to_euler()\n",
+        "cam.rotation_mode = 'QUATERNION'\n\
+         cam.rotation_quaternion = (Vector((0, 0, 0)) - cam.location).to_track_quat('-Z', 'Y')\n",
+    ] {
+        let (_, basis, _) = blender(&format!("{made}{aim}bpy.context.scene.camera = cam\n"));
+        assert!((basis.w + way).length() < 1e-15, "{basis:?}: {aim}");
+        assert!(basis.u.z.abs() < 1e-15 && basis.v.z > 0.0, "{basis:?}: {aim}");
+    }
+    let aim = "cam.rotation_euler = (Vector((0, 0, 0)) - cam.location).to_track_quat('-Z', 'Y').to_euler()\n";
+    for (text, message) in [
+        (aim.replace("Vector((0, 0, 0))", "cube.location"), "the target is cube.location"),
+        (aim.replace("- cam", "- cube"), "it must be a point less the camera's location"),
+        (aim.replace("'-Z', 'Y'", "'X', 'Z'"), "it must be to_track_quat('-Z', 'Y')"),
+        (aim.replace("(0, 0, 0)", "(3, -6, 9)"), "nor straight up or down"),
+        (format!("{aim}cam.location.x = 1\n"), "location is 1: the camera is aimed before"),
+        (format!("{aim}cam.rotation_mode = 'ZYX'\n"), "it must stand before the camera is aimed"),
+        (format!("{aim}cam.rotation_euler.z += 1\n"), "the camera is turned by a matrix already"),
+        (
+            "way = Vector((0, 0, 0)) - cam.location\ncam.location = (1, 2, 3)\n\
+             cam.rotation_euler = way.to_track_quat('-Z', 'Y').to_euler()\n"
+                .to_owned(),
+            "the camera's location must be given before it is aimed from there",
+        ),
+    ] {
+        assert_refused(&format!("{made}{text}"), message);
+    }
+}

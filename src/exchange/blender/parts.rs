@@ -1,5 +1,8 @@
 //! The parts of what a Blender program says: properties, and values as they are written or printed.
 
+use pinhole_core::DVec3;
+
+use crate::exchange::affine::Affine;
 use crate::exchange::code::{Code, Piece, split};
 use crate::formats::FileError;
 
@@ -73,4 +76,22 @@ pub(super) fn is_path(text: &str) -> bool {
 pub(super) fn plain(text: &str) -> String {
     let quotes = |c: char| if c == '"' { '\'' } else { c };
     text.chars().filter(|c| !c.is_whitespace()).map(quotes).take(2 * LONGEST_PATH).collect()
+}
+
+/// The rotation by angles about the axes, that of the first letter first.
+pub(super) fn turned(angles: DVec3, order: &str) -> Affine {
+    order.chars().rev().fold(Affine::IDENTITY, |frame, axis| {
+        let (angle, axis) = match axis {
+            'X' => (angles.x, DVec3::X),
+            'Y' => (angles.y, DVec3::Y),
+            _ => (angles.z, DVec3::Z),
+        };
+        let turn = Affine::rotation(angle.to_degrees(), axis).unwrap_or(Affine::IDENTITY);
+        frame.of(&turn)
+    })
+}
+
+/// The axes that are not given.
+pub(super) fn missing(given: [bool; 3]) -> impl Iterator<Item = &'static str> {
+    ["x", "y", "z"].into_iter().zip(given).filter(|(_, given)| !given).map(|(axis, _)| axis)
 }

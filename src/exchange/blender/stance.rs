@@ -2,7 +2,7 @@
 
 use pinhole_core::{Basis, DVec3};
 
-use super::parts::{euler, parted, printed, rows};
+use super::parts::{euler, missing, parted, printed, rows, turned};
 use super::passed::is_only_read;
 use super::things::{Chosen, Deed, Things};
 use crate::exchange::affine::Affine;
@@ -22,25 +22,34 @@ enum Turn {
     By(Affine),
 }
 
-struct Stance<'c, 't> {
-    code: &'c Code<'t>,
-    location: DVec3,
-    located: [bool; 3],
+pub(super) struct Stance<'c, 't> {
+    pub(super) code: &'c Code<'t>,
+    pub(super) things: &'c Things<'c>,
+    pub(super) chosen: &'c Chosen,
+    /// Where the text gives the camera its place last.
+    pub(super) placed_at: usize,
+    pub(super) is_aimed: bool,
+    pub(super) location: DVec3,
+    pub(super) located: [bool; 3],
     mode: Option<String>,
     turn: Turn,
     quaternion: Option<Affine>,
 }
 
 /// The camera's frame in the world.
-pub(super) fn frame(
-    code: &Code,
-    things: &Things,
-    chosen: &Chosen,
+pub(super) fn frame<'c>(
+    code: &'c Code<'c>,
+    things: &'c Things<'c>,
+    chosen: &'c Chosen,
     notes: &mut Vec<String>,
 ) -> Result<Affine, FileError> {
     let turn = Turn::Angles(DVec3::ZERO, [false; 3]);
     let mut stance = Stance {
         code,
+        things,
+        chosen,
+        placed_at: 0,
+        is_aimed: false,
         location: DVec3::ZERO,
         located: [false; 3],
         mode: None,
@@ -81,6 +90,14 @@ impl Stance<'_, '_> {
     /// Whether it changes the place or the turn.
     fn take(&mut self, path: &str, deed: &Deed) -> Result<bool, FileError> {
         let (property, part) = parted(path);
+        let is_place = matches!(property, "added" | "location") || property.starts_with("matrix_");
+        if is_place && !matches!(deed.verb, Verb::Say | Verb::Return) || property == "added" {
+            self.placed_at = deed.value.at;
+            if self.is_aimed {
+                let right = "the camera is aimed before: its place must be given first";
+                return Err(self.code.fault(property, deed.value, right));
+            }
+        }
         match property {
             "added" => self.added(deed)?,
             "location" => {
@@ -89,17 +106,7 @@ impl Stance<'_, '_> {
                 (self.location, self.located) = location;
             }
             "rotation_euler" => self.rotation_euler(part, deed)?,
-            "rotation_quaternion" => {
-                let piece = self.whole("rotation_quaternion", part, deed)?;
-                let numbers = self.code.numbers("rotation_quaternion", printed(piece))?;
-                let q: Option<[f64; 4]> = numbers.try_into().ok();
-                let turn = q.and_then(Basis::of_quaternion);
-                let right = "it must be four numbers w, x, y, z";
-                let turn =
-                    turn.ok_or_else(|| self.code.fault("rotation_quaternion", piece, right))?;
-                let at = DVec3::ZERO;
-                self.quaternion = Some(Affine { x: turn.u, y: turn.v, z: turn.w, at });
-            }
+            "rotation_quaternion" => self.rotation_quaternion(part, deed)?,
             "rotation_mode" => self.set_mode(part, deed)?,
             "matrix_world" | "matrix_local" | "matrix_basis" => {
                 self.matrix(property, part, deed)?
@@ -190,6 +197,14 @@ impl Stance<'_, '_> {
 
     fn rotation_euler(&mut self, part: &str, deed: &Deed) -> Result<(), FileError> {
         let code = self.code;
+        if let Some(turn) = self.aimed(part, deed)? {
+            if self.mode.as_deref().is_some_and(|mode| mode != "XYZ") {
+                let right = "its angles are of the order XYZ: rotation_mode must be XYZ";
+                return Err(code.fault("rotation_euler", deed.value, right));
+            }
+            self.turn = Turn::By(turn);
+            return Ok(());
+        }
         let before = match &self.turn {
             Turn::Angles(angles, given) => (*angles, *given),
             Turn::By(_) if part.is_empty() && deed.verb == Verb::Give => (DVec3::ZERO, [false; 3]),
@@ -213,6 +228,22 @@ impl Stance<'_, '_> {
         let mut turned = before;
         self.vector("rotation_euler", part, deed, &mut turned)?;
         self.turn = Turn::Angles(turned.0, turned.1);
+        Ok(())
+    }
+
+    fn rotation_quaternion(&mut self, part: &str, deed: &Deed) -> Result<(), FileError> {
+        if let Some(turn) = self.aimed(part, deed)? {
+            self.quaternion = Some(turn);
+            return Ok(());
+        }
+        let piece = self.whole("rotation_quaternion", part, deed)?;
+        let numbers = self.code.numbers("rotation_quaternion", printed(piece))?;
+        let q: Option<[f64; 4]> = numbers.try_into().ok();
+        let turn = q.and_then(Basis::of_quaternion);
+        let right = "it must be four numbers w, x, y, z";
+        let turn = turn.ok_or_else(|| self.code.fault("rotation_quaternion", piece, right))?;
+        let at = DVec3::ZERO;
+        self.quaternion = Some(Affine { x: turn.u, y: turn.v, z: turn.w, at });
         Ok(())
     }
 
@@ -277,6 +308,10 @@ impl Stance<'_, '_> {
             let right = "it must be QUATERNION, or one of XYZ, XZY, YXZ, YZX, ZXY, ZYX";
             return Err(self.code.fault("rotation_mode", piece, right));
         }
+        if self.is_aimed && !["QUATERNION", "XYZ"].contains(&mode) {
+            let right = "it must stand before the camera is aimed";
+            return Err(self.code.fault("rotation_mode", piece, right));
+        }
         self.mode = Some(mode.to_owned());
         Ok(())
     }
@@ -307,16 +342,7 @@ impl Stance<'_, '_> {
             Turn::Angles(angles, given) => (angles, given),
         };
         let order = self.mode.as_deref().filter(|mode| ORDERS.contains(mode)).unwrap_or("XYZ");
-        let turned = order.chars().rev().fold(Affine::IDENTITY, |frame, axis| {
-            let (angle, axis) = match axis {
-                'X' => (angles.x, DVec3::X),
-                'Y' => (angles.y, DVec3::Y),
-                _ => (angles.z, DVec3::Z),
-            };
-            let turn = Affine::rotation(angle.to_degrees(), axis).unwrap_or(Affine::IDENTITY);
-            frame.of(&turn)
-        });
-        given.contains(&true).then_some(turned)
+        given.contains(&true).then(|| turned(*angles, order))
     }
 
     fn frame(&self, chosen: &Chosen, notes: &mut Vec<String>) -> Result<Affine, FileError> {
@@ -368,8 +394,4 @@ impl Stance<'_, '_> {
         };
         Ok(Affine { at: self.location, ..turned })
     }
-}
-
-fn missing(given: [bool; 3]) -> impl Iterator<Item = &'static str> {
-    ["x", "y", "z"].into_iter().zip(given).filter(|(_, given)| !given).map(|(axis, _)| axis)
 }

@@ -234,7 +234,7 @@ impl<'t> Things<'t> {
     }
 
     /// A path with the things' own names in the place of the program's.
-    fn path_of(&self, text: &str) -> String {
+    pub(super) fn path_of(&self, text: &str) -> String {
         if text.len() > LONGEST_PATH {
             return text.to_owned();
         }
