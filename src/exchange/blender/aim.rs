@@ -17,6 +17,17 @@ impl Stance<'_, '_> {
         if !part.is_empty() || deed.verb != Verb::Give {
             return Ok(None);
         }
+        // Each one that is followed takes passes over the text.
+        const MOST_FOLLOWED: usize = 100;
+        let is_followed = is_path(deed.value.text) || deed.value.text.contains(".to_");
+        self.followed += usize::from(is_followed);
+        if !is_followed {
+            return Ok(None);
+        }
+        if self.followed > MOST_FOLLOWED {
+            let right = "the camera is turned too often: it must be given once";
+            return Err(self.code.fault("the camera's turn", deed.value, right));
+        }
         let found = aim(self.code, self.things, self.chosen, deed.value, self.location)?;
         let Some(Aim { turn, at }) = found else { return Ok(None) };
         let is_located = self.chosen.is_made || self.located == [true; 3];
@@ -97,10 +108,11 @@ fn followed<'t>(code: &'t Code, piece: Piece<'t>) -> Piece<'t> {
     const LONGEST_CHAIN: usize = 4;
     let mut piece = trimmed(piece);
     for _ in 0..LONGEST_CHAIN {
-        piece = match code.given(piece.text) {
-            Given::Once(value) if is_path(piece.text) => trimmed(value),
-            _ => break,
-        };
+        if !is_path(piece.text) {
+            break;
+        }
+        let Given::Once(value) = code.given(piece.text) else { break };
+        piece = trimmed(value);
     }
     match code.bracketed(piece) {
         Some(inside) if inside.text.len() + 2 == piece.text.len() => trimmed(inside),

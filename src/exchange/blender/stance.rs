@@ -29,6 +29,7 @@ pub(super) struct Stance<'c, 't> {
     /// Where the text gives the camera its place last.
     pub(super) placed_at: usize,
     pub(super) is_aimed: bool,
+    pub(super) followed: usize,
     pub(super) location: DVec3,
     pub(super) located: [bool; 3],
     mode: Option<String>,
@@ -50,6 +51,7 @@ pub(super) fn frame<'c>(
         chosen,
         placed_at: 0,
         is_aimed: false,
+        followed: 0,
         location: DVec3::ZERO,
         located: [false; 3],
         mode: None,
