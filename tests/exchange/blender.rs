@@ -193,3 +193,117 @@ fn an_angle_is_of_its_side_of_the_sensor() {
     let length = 12.0 / 0.5_f64.tan();
     assert!((camera.viewport.width - 36.0 / length).abs() < 1e-12, "{:?}", camera.viewport);
 }
+
+/// A function may move what it is given: only one that is seen to read it is let be.
+#[test]
+fn a_camera_that_is_handed_to_a_function_is_refused() {
+    let aim = "def point_at(obj, target):\n    obj.rotation_euler = (Vector(target) - obj.location)\
+               .to_track_quat('-Z', 'Y').to_euler()\n";
+    let up = "def move_up(o):\n    o.location.z += 3\n\n";
+    for (more, message) in [
+        (
+            format!("{aim}point_at(cam, (0, 0, 0))\n"),
+            "the call is point_at(cam, (0, 0, 0)): it may",
+        ),
+        (format!("{up}move_up(cam)\n"), "in:8:1: the call is move_up(cam): it may move or turn"),
+        (format!("{up}move_up(o=cam)\n"), "the call is move_up(o=cam)"),
+        (format!("{up}x = [move_up(o) for o in f([cam])]\n"), "the call is f([cam])"),
+        ("shake(cam.location, 2)\n".to_owned(), "the call is shake(cam.location, 2)"),
+        ("tools.aim(bpy.data.objects[\"Camera\"])\n".to_owned(), "the call is tools.aim"),
+        ("wide(cam.data)\n".to_owned(), "the call is wide(cam.data): it may change the lens"),
+        ("setattr(cam, 'location', (1, 2, 3))\n".to_owned(), "the call is setattr(cam"),
+        ("def f(o):\n  p = o\n  p.location.x = 9\nf(cam)\n".to_owned(), "the call is f(cam)"),
+    ] {
+        assert_refused(&format!("{CAMERA}{more}"), message);
+    }
+    let (alone, _, _) = blender(CAMERA);
+    for more in [
+        "bpy.context.scene.collection.objects.link(cam)\n",
+        "bpy.context.view_layer.objects.active = cam\ncam.select_set(True)\n",
+        "print(cam, cam.location, 'move(cam)', len(cam.name))\n",
+        "def tell(o, k):\n    print(o.name, o.location.x)\n\ntell(cam, 2)\n",
+        "def place(o, c):\n    o.location = (1, 2, 3)\n    x = c.location.x + 1\nplace(light, cam)\n",
+        "way = (Vector((0, 0, 0)) - cam.location).length\n",
+    ] {
+        assert_eq!(blender(&format!("{CAMERA}{more}")).0, alone, "{more}");
+    }
+}
+
+#[test]
+fn a_camera_that_moves_with_the_frames_is_refused() {
+    for (more, message) in [
+        (
+            "cam.keyframe_insert(data_path=\"location\", frame=1)\n",
+            "in:5:1: the camera's motion is cam.keyframe_insert(data_path=\"location\", frame=1)",
+        ),
+        ("cam.driver_add('location', 2)\n", "the camera's motion is cam.driver_add('location', 2)"),
+        ("cam.data.keyframe_insert('lens')\n", "the lens's motion is cam.data.keyframe_insert"),
+    ] {
+        assert_refused(&format!("{CAMERA}{more}"), message);
+    }
+}
+
+#[test]
+fn the_resolution_is_read_however_the_scene_is_called() {
+    let size = |more: &str| {
+        let (camera, _, notes) = blender(&format!("{CAMERA}{more}"));
+        ((camera.image.width(), camera.image.height()), notes)
+    };
+    for more in [
+        "bpy.data.scenes['Scene'].render.resolution_x = 640\n\
+         bpy.data.scenes[\"Scene\"].render.resolution_y = 480\n",
+        "scene.render.resolution_x, scene.render.resolution_y = 640, 480\n",
+        "render = bpy.context.scene.render\nrender.resolution_x = 640\nrender.resolution_y = 480\n",
+        "resolution_x = 640\nr.resolution_x = resolution_x\nr.resolution_y = 480\n",
+    ] {
+        let (size, notes) = size(more);
+        assert_eq!(size, (640, 480), "{more}");
+        assert!(notes.iter().all(|note| !note.contains("resolution")), "{notes:?}");
+    }
+    assert!(size("").1[0].starts_with("the text does not say the resolution: "));
+    let named = "setattr(scene.render, 'resolution_x', 9)\n";
+    assert!(size(named).1[0].starts_with("the text gives the resolution no number: "));
+    let one = "scene.render.resolution_x = 640\n";
+    assert_refused(&format!("{CAMERA}{one}"), "resolution_y is missing: it must be given as");
+    let perhaps =
+        format!("{one}scene.render.resolution_y = 480\nif fast:\n    {}", one.replace('6', "1"));
+    assert_refused(&format!("{CAMERA}{perhaps}"), "resolution_x is 140: it is given in an if");
+}
+
+/// Blender's own idiom for a camera that looks at a point: y as near to the world's z as can be.
+#[test]
+fn a_camera_that_is_aimed_is_read() {
+    let made = "data = bpy.data.cameras.new('a')\ncam = bpy.data.objects.new('b', data)\n\
+                cam.location = (3, -6, 4)\n";
+    let way = DVec3::new(-3.0, 6.0, -4.0).normalize();
+    for aim in [
+        "cam.rotation_euler = (Vector((0, 0, 0)) - cam.location).to_track_quat('-Z', 'Y').to_euler()\n",
+        "cam.rotation_euler = (cam.location - Vector((0, 0, 0))).to_track_quat('Z', 'Y').to_euler()\n",
+        "target = Vector((0, 0, 0))\ndirection = target - cam.location\n\
+         rot_quat = direction.to_track_quat(\"-Z\", \"Y\")\ncam.rotation_euler = rot_quat.to_euler()\n",
+        "cam.rotation_mode = 'QUATERNION'\n\
+         cam.rotation_quaternion = (Vector((0, 0, 0)) - cam.location).to_track_quat('-Z', 'Y')\n",
+    ] {
+        let (_, basis, _) = blender(&format!("{made}{aim}bpy.context.scene.camera = cam\n"));
+        assert!((basis.w + way).length() < 1e-15, "{basis:?}: {aim}");
+        assert!(basis.u.z.abs() < 1e-15 && basis.v.z > 0.0, "{basis:?}: {aim}");
+    }
+    let aim = "cam.rotation_euler = (Vector((0, 0, 0)) - cam.location).to_track_quat('-Z', 'Y').to_euler()\n";
+    for (text, message) in [
+        (aim.replace("Vector((0, 0, 0))", "cube.location"), "the target is cube.location"),
+        (aim.replace("- cam", "- cube"), "it must be a point less the camera's location"),
+        (aim.replace("'-Z', 'Y'", "'X', 'Z'"), "it must be to_track_quat('-Z', 'Y')"),
+        (aim.replace("(0, 0, 0)", "(3, -6, 9)"), "nor straight up or down"),
+        (format!("{aim}cam.location.x = 1\n"), "location is 1: the camera is aimed before"),
+        (format!("{aim}cam.rotation_mode = 'ZYX'\n"), "it must stand before the camera is aimed"),
+        (format!("{aim}cam.rotation_euler.z += 1\n"), "the camera is turned by a matrix already"),
+        (
+            "way = Vector((0, 0, 0)) - cam.location\ncam.location = (1, 2, 3)\n\
+             cam.rotation_euler = way.to_track_quat('-Z', 'Y').to_euler()\n"
+                .to_owned(),
+            "the camera's location must be given before it is aimed from there",
+        ),
+    ] {
+        assert_refused(&format!("{made}{text}"), message);
+    }
+}

@@ -122,3 +122,65 @@ fn glmatrix_and_sums_of_points_are_read() {
                 auto view = glm::lookAt(pos, pos + front, glm::vec3(0, 1, 0));\n";
     assert_eq!(read("opengl", text).unwrap().camera.view(), DVec3::NEG_Z);
 }
+
+const GLM_LENS: &str = "glm::mat4 proj = glm::perspective(1.0f, 1.5f, 0.1f, 100.0f);\n";
+const GLM_LOOK: &str = "glm::lookAt(glm::vec3(4,3,3), glm::vec3(0,0,0), glm::vec3(0,1,0))";
+
+#[test]
+fn a_look_at_that_is_a_part_of_something_else_is_refused() {
+    for (statement, message) in [
+        ("view = X * glm::rotate(glm::mat4(1), 0.3f, axis);", "it is multiplied: the camera's"),
+        ("view = X * roll;", "it is multiplied"),
+        ("view = roll * X;", "it is multiplied"),
+        ("view = glm::perspective(1.0f, 1.5f, 0.1f, 100.0f) * roll * X;", "it is multiplied"),
+        ("view = glm::rotate(X, 0.4f, axis);", "it is an argument of glm::rotate: the camera's"),
+        ("glm::mat4 view = glm::inverse(X);", "it is an argument of glm::inverse"),
+        ("return glm::inverse(X);", "it is an argument of glm::inverse"),
+        ("view = X.inverse();", "it is changed at once"),
+        ("view = X;\nview = glm::inverse(view);", "the camera's matrix is changed after lookAt"),
+    ] {
+        let text = format!("{GLM_LENS}{}\n", statement.replace('X', GLM_LOOK));
+        assert_refused(&text, message);
+    }
+    let invert = "mat4.perspective(proj, 1, 1.5, 0.1, 100);\nlet v = mat4.create();\n\
+                  mat4.invert(v, mat4.lookAt(v, [4, 3, 3], [0, 0, 0], [0, 1, 0]));\n";
+    assert_refused(invert, "it is an argument of mat4.invert");
+    for statement in [
+        "view = X;",
+        "glm::mat4 view(X);",
+        "vp = glm::perspective(1.0f, 1.5f, 0.1f, 100.0f) * X;",
+        "mvp = projection * X * model;",
+        "shader.setMat4(\"view\", X);",
+        "glUniformMatrix4fv(at, 1, GL_FALSE, glm::value_ptr(X));",
+        "glUniformMatrix4fv(at, 1, GL_FALSE, glm::value_ptr(proj * X));",
+    ] {
+        let text = format!("{GLM_LENS}{}\n", statement.replace('X', GLM_LOOK));
+        assert_eq!(eye(&text), DVec3::new(4.0, 3.0, 3.0), "{statement}");
+    }
+}
+
+#[test]
+fn a_light_s_look_at_is_never_the_camera_s() {
+    let text = format!("{GLM_LENS}glm::mat4 lightView = {GLM_LOOK};\nview = c.GetViewMatrix();\n");
+    assert_refused(
+        &text,
+        "this is of a light, not of the camera: the camera's lookAt must be given by numbers",
+    );
+}
+
+#[test]
+fn what_moves_the_lens_is_refused() {
+    let projection = "glMatrixMode(GL_PROJECTION);\nglLoadIdentity();\n";
+    let view = "glMatrixMode(GL_MODELVIEW);\nglLoadIdentity();\n";
+    let mirror = "glScalef(-1, 1, 1);\n";
+    assert_refused(
+        &format!("{projection}{mirror}{LENS}{view}{LOOK}"),
+        "in:4:16: gluPerspective is 45.0, 4.0 / 3.0, 0.1, 100.0: glScale stands before it",
+    );
+    assert_refused(
+        &format!("{projection}{LENS}{mirror}{view}{LOOK}"),
+        "glScale stands behind it in the same matrix",
+    );
+    assert_eq!(eye(&format!("{projection}{LENS}{view}{LOOK}{mirror}")).z, 5.0);
+    assert_eq!(eye(&format!("{mirror}{projection}{LENS}{view}{LOOK}")).z, 5.0);
+}

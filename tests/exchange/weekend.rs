@@ -1,5 +1,6 @@
 //! The book's camera by its constructor, and what is not set.
 
+use pinhole::exchange::recognised;
 use pinhole_core::DVec3;
 
 use super::read;
@@ -63,4 +64,42 @@ fn of_several_cameras_none_is_taken() {
     assert!(
         read("weekend", &two).unwrap_err().to_string().contains("one of 2 cameras: leave in one")
     );
+}
+
+#[test]
+fn a_constructor_of_bare_vectors_is_recognised() {
+    let text = "int nx = 200;\nint ny = 100;\n\
+                camera cam(vec3(-2,2,1), vec3(0,0,-1), vec3(0,1,0), 90, float(nx)/float(ny));\n";
+    let rust = "let cam = Camera::new(\n    Point3::new(-2.0, 2.0, 1.0),\n    Point3::new(0.0, 0.0, -1.0),\n    \
+                Vec3::new(0.0, 1.0, 0.0),\n    90.0,\n    ASPECT,\n);\nconst ASPECT: f64 = 2.0;\n";
+    for text in [text, &text.replace("vec3(-", "point3(-"), rust] {
+        assert_eq!(recognised(text).map(|format| format.name), Some("weekend"), "{text}");
+        let camera = read("weekend", text).unwrap().camera;
+        assert_eq!(camera.eye, DVec3::new(-2.0, 2.0, 1.0));
+        assert_eq!(camera.viewport.width, 2.0 * camera.viewport.height);
+    }
+    for other in [
+        "Camera camera(glm::vec3(0.0f, 0.0f, 3.0f));\n",
+        "Camera camera(vec3(0, 0, 3), vec3(0, 1, 0), -90, 0);\n",
+        "const camera = new THREE.PerspectiveCamera(50, 1.5, 0.1, 100);\n",
+        "perspective_camera(vec3(0,0,3), vec3(0,0,0), vec3(0,1,0), 90, 1);\n",
+    ] {
+        assert_ne!(recognised(other).map(|format| format.name), Some("weekend"), "{other}");
+    }
+}
+
+#[test]
+fn the_first_chapters_camera_stands_where_it_is_made() {
+    let text = "camera cam;\ncam.aspect_ratio = 16.0 / 9.0;\ncam.image_width  = 400;\ncam.render(world);\n";
+    assert_eq!(recognised(text).map(|format| format.name), Some("weekend"));
+    let taken = read("weekend", text).unwrap();
+    assert_eq!((taken.camera.eye, taken.camera.view()), (DVec3::ZERO, DVec3::NEG_Z));
+    assert_eq!((taken.camera.image.width(), taken.camera.image.height()), (400, 225));
+    let told = ["lookfrom", "lookat", "vup", "vfov", "focus_dist"];
+    assert_eq!(taken.notes.len(), told.len());
+    for (note, told) in taken.notes.iter().zip(told) {
+        assert!(note.starts_with(&format!("{told} is not in the text: ")), "{note}");
+    }
+    let error = read("weekend", "int image_width = 400;\n").unwrap_err().to_string();
+    assert!(error.contains("lookfrom is missing"), "{error}");
 }

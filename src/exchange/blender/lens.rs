@@ -2,6 +2,7 @@
 
 use pinhole_core::{ImageSize, Viewport};
 
+use super::passed::is_only_read;
 use super::things::{Chosen, Deed, Things};
 use crate::exchange::back::{extent, in_ratio, shortest_where};
 use crate::exchange::code::{Code, Piece};
@@ -42,6 +43,16 @@ pub(super) fn lens(
     for deed in &things.deeds {
         let own = chosen.data.iter().find_map(|name| deed.path.strip_prefix(name.as_str()));
         let Some(property) = own.and_then(|path| path.strip_prefix('.')) else { continue };
+        if let Some(place) = property.strip_prefix("passed") {
+            if !is_only_read(code, deed.value, place.trim_matches(['[', ']'])) {
+                let right = "it may change the lens that it is given: it must be given by numbers";
+                return Err(code.fault("the call", deed.value, right));
+            }
+        } else if property.starts_with("keyframe_insert") || property.starts_with("driver_add") {
+            let right =
+                "the lens changes with the frames: it must be given once, without keyframes";
+            return Err(code.fault("the lens's motion", deed.value, right));
+        }
         lens.take(code, property, deed, notes)?;
     }
     Ok(lens)

@@ -1,7 +1,10 @@
 //! Blender by its Python: a camera object with `matrix_world`, whose camera looks along its own -z with
 //! y up. World coordinates are kept: Blender's z up is a habit of its views, not of the camera.
 
+mod aim;
 mod lens;
+mod parts;
+mod passed;
 mod read;
 mod stance;
 mod things;

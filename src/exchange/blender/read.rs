@@ -4,12 +4,12 @@ use pinhole_core::{Camera, ImageSize, Sphere};
 
 use super::lens::lens;
 use super::stance::frame;
-use super::things::Things;
+use super::things::{Deed, Things};
 use crate::document::Item;
 use crate::exchange::back::{image_of, readable};
-use crate::exchange::code::{Code, Comments, Piece};
+use crate::exchange::code::{Code, Comments, Piece, words};
 use crate::exchange::gltf::placed;
-use crate::exchange::names::MOST_ASSIGNMENTS;
+use crate::exchange::python::{Block, Verb};
 use crate::exchange::{Taken, Text};
 use crate::formats::FileError;
 
@@ -18,9 +18,10 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let things = Things::of(&code);
     let chosen = things.camera(&code)?;
     let mut notes = Vec::new();
-    let image = image(&code, at_hand, &mut notes)?;
-    let number =
-        |name: &str| -> Result<f64, FileError> { Ok(last(&code, name)?.map_or(1.0, |(x, _)| x)) };
+    let image = image(&code, &things, at_hand, &mut notes)?;
+    let number = |name: &str| -> Result<f64, FileError> {
+        Ok(last(&code, &things, name)?.map_or(1.0, |(x, _)| x))
+    };
     let shape = number("pixel_aspect_x")? / number("pixel_aspect_y")?;
     let lens = lens(&code, &things, &chosen, &mut notes)?;
     if !lens.is_given {
@@ -35,29 +36,61 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     Ok(taken)
 }
 
-/// The number that a property of the scene is given last.
-fn last<'t>(code: &'t Code, name: &str) -> Result<Option<(f64, Piece<'t>)>, FileError> {
-    let assignments = code.assignments(name);
-    let Some(last) = assignments.last() else { return Ok(None) };
-    let Some(value) = last.value.filter(|_| assignments.len() < MOST_ASSIGNMENTS) else {
-        let text = code.whole().text.get(last.at..last.at + name.len()).unwrap_or("");
-        let right = "it is changed: it must be given as a number";
-        return Err(code.fault(name, Piece { text, at: last.at }, right));
+/// The number that a property of the scene's render is given last.
+fn last<'t>(
+    code: &Code,
+    things: &Things<'t>,
+    name: &str,
+) -> Result<Option<(f64, Piece<'t>)>, FileError> {
+    let end = format!(".{name}");
+    let is_given = |deed: &&Deed| !matches!(deed.verb, Verb::Say | Verb::Return | Verb::Define);
+    let of = |is_own: &dyn Fn(&str) -> bool| -> Vec<&Deed<'t>> {
+        things.deeds.iter().filter(is_given).filter(|deed| is_own(&deed.path)).collect()
     };
-    Ok(Some((code.number(name, value)?, value)))
+    let mut given = of(&|path| path.ends_with(&end));
+    if given.is_empty() {
+        given = of(&|path| path == name);
+    }
+    let Some(last) = given.last() else { return Ok(None) };
+    if let Some(changed) = given.iter().find(|deed| deed.verb != Verb::Give) {
+        let right = "it is changed: it must be given as a number";
+        return Err(code.fault(name, changed.value, right));
+    }
+    let others = given.iter().any(|deed| deed.value.text != last.value.text);
+    if others && let Some(perhaps) = given.iter().find(|deed| deed.block == Block::Perhaps) {
+        let right = "it is given in an if, and more than once: leave in one";
+        return Err(code.fault(name, perhaps.value, right));
+    }
+    Ok(Some((code.number(name, last.value)?, last.value)))
 }
 
-fn image(code: &Code, at_hand: &Camera, notes: &mut Vec<String>) -> Result<ImageSize, FileError> {
-    let given = last(code, "resolution_x")?.zip(last(code, "resolution_y")?);
-    let Some(((width, piece), (height, _))) = given else {
-        let image = at_hand.image;
-        let (w, h) = (image.width(), image.height());
-        notes.push(format!("the text does not say the resolution: {w} × {h} pixels taken"));
-        return Ok(image);
+fn image(
+    code: &Code,
+    things: &Things,
+    at_hand: &Camera,
+    notes: &mut Vec<String>,
+) -> Result<ImageSize, FileError> {
+    const NAMES: [&str; 2] = ["resolution_x", "resolution_y"];
+    let [x, y] = NAMES;
+    let (width, height, piece) = match (last(code, things, x)?, last(code, things, y)?) {
+        (Some((width, piece)), Some((height, _))) => (width, height, piece),
+        (None, None) => {
+            let image = at_hand.image;
+            let (w, h) = (image.width(), image.height());
+            let is_named = NAMES.iter().any(|name| !words(code.whole(), name).is_empty());
+            let said = match is_named {
+                true => "gives the resolution no number",
+                false => "does not say the resolution",
+            };
+            notes.push(format!("the text {said}: {w} × {h} pixels taken"));
+            return Ok(image);
+        }
+        (Some(_), None) => return Err(code.missing(y, "it must be given as resolution_x is")),
+        (None, Some(_)) => return Err(code.missing(x, "it must be given as resolution_y is")),
     };
-    let percent = last(code, "resolution_percentage")?.map_or(1.0, |(percent, _)| percent / 100.0);
+    let percent = last(code, things, "resolution_percentage")?.map_or(1.0, |(x, _)| x / 100.0);
     image_of((width * percent).trunc(), (height * percent).trunc())
-        .map_err(|right| code.fault("resolution_x", piece, &right))
+        .map_err(|right| code.fault(x, piece, &right))
 }
 
 fn spheres(code: &Code, taken: &mut Taken) {

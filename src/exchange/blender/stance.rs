@@ -2,6 +2,8 @@
 
 use pinhole_core::{Basis, DVec3};
 
+use super::parts::{euler, missing, parted, printed, rows, turned};
+use super::passed::is_only_read;
 use super::things::{Chosen, Deed, Things};
 use crate::exchange::affine::Affine;
 use crate::exchange::code::{Code, Piece, split, trimmed};
@@ -20,25 +22,36 @@ enum Turn {
     By(Affine),
 }
 
-struct Stance<'c, 't> {
-    code: &'c Code<'t>,
-    location: DVec3,
-    located: [bool; 3],
+pub(super) struct Stance<'c, 't> {
+    pub(super) code: &'c Code<'t>,
+    pub(super) things: &'c Things<'c>,
+    pub(super) chosen: &'c Chosen,
+    /// Where the text gives the camera its place last.
+    pub(super) placed_at: usize,
+    pub(super) is_aimed: bool,
+    pub(super) followed: usize,
+    pub(super) location: DVec3,
+    pub(super) located: [bool; 3],
     mode: Option<String>,
     turn: Turn,
     quaternion: Option<Affine>,
 }
 
 /// The camera's frame in the world.
-pub(super) fn frame(
-    code: &Code,
-    things: &Things,
-    chosen: &Chosen,
+pub(super) fn frame<'c>(
+    code: &'c Code<'c>,
+    things: &'c Things<'c>,
+    chosen: &'c Chosen,
     notes: &mut Vec<String>,
 ) -> Result<Affine, FileError> {
     let turn = Turn::Angles(DVec3::ZERO, [false; 3]);
     let mut stance = Stance {
         code,
+        things,
+        chosen,
+        placed_at: 0,
+        is_aimed: false,
+        followed: 0,
         location: DVec3::ZERO,
         located: [false; 3],
         mode: None,
@@ -79,6 +92,14 @@ impl Stance<'_, '_> {
     /// Whether it changes the place or the turn.
     fn take(&mut self, path: &str, deed: &Deed) -> Result<bool, FileError> {
         let (property, part) = parted(path);
+        let is_place = matches!(property, "added" | "location") || property.starts_with("matrix_");
+        if is_place && !matches!(deed.verb, Verb::Say | Verb::Return) || property == "added" {
+            self.placed_at = deed.value.at;
+            if self.is_aimed {
+                let right = "the camera is aimed before: its place must be given first";
+                return Err(self.code.fault(property, deed.value, right));
+            }
+        }
         match property {
             "added" => self.added(deed)?,
             "location" => {
@@ -87,17 +108,7 @@ impl Stance<'_, '_> {
                 (self.location, self.located) = location;
             }
             "rotation_euler" => self.rotation_euler(part, deed)?,
-            "rotation_quaternion" => {
-                let piece = self.whole("rotation_quaternion", part, deed)?;
-                let numbers = self.code.numbers("rotation_quaternion", printed(piece))?;
-                let q: Option<[f64; 4]> = numbers.try_into().ok();
-                let turn = q.and_then(Basis::of_quaternion);
-                let right = "it must be four numbers w, x, y, z";
-                let turn =
-                    turn.ok_or_else(|| self.code.fault("rotation_quaternion", piece, right))?;
-                let at = DVec3::ZERO;
-                self.quaternion = Some(Affine { x: turn.u, y: turn.v, z: turn.w, at });
-            }
+            "rotation_quaternion" => self.rotation_quaternion(part, deed)?,
             "rotation_mode" => self.set_mode(part, deed)?,
             "matrix_world" | "matrix_local" | "matrix_basis" => {
                 self.matrix(property, part, deed)?
@@ -109,6 +120,22 @@ impl Stance<'_, '_> {
                     return Err(self.code.fault("scale", deed.value, right));
                 }
                 return Ok(false);
+            }
+            "passed" if is_only_read(self.code, deed.value, part.trim_matches(['[', ']'])) => {
+                return Ok(false);
+            }
+            "passed" => {
+                let right = "it may move or turn the camera that it is given: the camera must be \
+                             given by matrix_world, or by location and rotation_euler alone";
+                return Err(self.code.fault("the call", deed.value, right));
+            }
+            property
+                if property.starts_with("keyframe_insert")
+                    || property.starts_with("driver_add") =>
+            {
+                let right = "the camera moves with the frames: it must be given once, without \
+                             keyframes";
+                return Err(self.code.fault("the camera's motion", deed.value, right));
             }
             "constraints"
             | "ops"
@@ -172,6 +199,14 @@ impl Stance<'_, '_> {
 
     fn rotation_euler(&mut self, part: &str, deed: &Deed) -> Result<(), FileError> {
         let code = self.code;
+        if let Some(turn) = self.aimed(part, deed)? {
+            if self.mode.as_deref().is_some_and(|mode| mode != "XYZ") {
+                let right = "its angles are of the order XYZ: rotation_mode must be XYZ";
+                return Err(code.fault("rotation_euler", deed.value, right));
+            }
+            self.turn = Turn::By(turn);
+            return Ok(());
+        }
         let before = match &self.turn {
             Turn::Angles(angles, given) => (*angles, *given),
             Turn::By(_) if part.is_empty() && deed.verb == Verb::Give => (DVec3::ZERO, [false; 3]),
@@ -195,6 +230,22 @@ impl Stance<'_, '_> {
         let mut turned = before;
         self.vector("rotation_euler", part, deed, &mut turned)?;
         self.turn = Turn::Angles(turned.0, turned.1);
+        Ok(())
+    }
+
+    fn rotation_quaternion(&mut self, part: &str, deed: &Deed) -> Result<(), FileError> {
+        if let Some(turn) = self.aimed(part, deed)? {
+            self.quaternion = Some(turn);
+            return Ok(());
+        }
+        let piece = self.whole("rotation_quaternion", part, deed)?;
+        let numbers = self.code.numbers("rotation_quaternion", printed(piece))?;
+        let q: Option<[f64; 4]> = numbers.try_into().ok();
+        let turn = q.and_then(Basis::of_quaternion);
+        let right = "it must be four numbers w, x, y, z";
+        let turn = turn.ok_or_else(|| self.code.fault("rotation_quaternion", piece, right))?;
+        let at = DVec3::ZERO;
+        self.quaternion = Some(Affine { x: turn.u, y: turn.v, z: turn.w, at });
         Ok(())
     }
 
@@ -259,6 +310,10 @@ impl Stance<'_, '_> {
             let right = "it must be QUATERNION, or one of XYZ, XZY, YXZ, YZX, ZXY, ZYX";
             return Err(self.code.fault("rotation_mode", piece, right));
         }
+        if self.is_aimed && !["QUATERNION", "XYZ"].contains(&mode) {
+            let right = "it must stand before the camera is aimed";
+            return Err(self.code.fault("rotation_mode", piece, right));
+        }
         self.mode = Some(mode.to_owned());
         Ok(())
     }
@@ -289,16 +344,7 @@ impl Stance<'_, '_> {
             Turn::Angles(angles, given) => (angles, given),
         };
         let order = self.mode.as_deref().filter(|mode| ORDERS.contains(mode)).unwrap_or("XYZ");
-        let turned = order.chars().rev().fold(Affine::IDENTITY, |frame, axis| {
-            let (angle, axis) = match axis {
-                'X' => (angles.x, DVec3::X),
-                'Y' => (angles.y, DVec3::Y),
-                _ => (angles.z, DVec3::Z),
-            };
-            let turn = Affine::rotation(angle.to_degrees(), axis).unwrap_or(Affine::IDENTITY);
-            frame.of(&turn)
-        });
-        given.contains(&true).then_some(turned)
+        given.contains(&true).then(|| turned(*angles, order))
     }
 
     fn frame(&self, chosen: &Chosen, notes: &mut Vec<String>) -> Result<Affine, FileError> {
@@ -349,52 +395,5 @@ impl Stance<'_, '_> {
             }
         };
         Ok(Affine { at: self.location, ..turned })
-    }
-}
-
-fn missing(given: [bool; 3]) -> impl Iterator<Item = &'static str> {
-    ["x", "y", "z"].into_iter().zip(given).filter(|(_, given)| !given).map(|(axis, _)| axis)
-}
-
-/// A property, and the part of it that is meant.
-fn parted(path: &str) -> (&str, &str) {
-    let path = path.trim_start_matches('.');
-    path.split_at(path.find(['.', '[']).unwrap_or(path.len()))
-}
-
-/// The angles of `Euler((1, 2, 3), 'XYZ')`, and its order.
-fn euler(piece: Piece) -> (Piece, Option<Piece>) {
-    let inside = ["Euler(", "mathutils.Euler("].iter().find_map(|word| {
-        let inside = piece.text.strip_prefix(word)?.strip_suffix(')')?;
-        Some(Piece { text: inside, at: piece.at + word.len() })
-    });
-    let Some(inside) = inside else { return (piece, None) };
-    match split(inside)[..] {
-        [angles, order] if order.text.starts_with(['\'', '"']) => (angles, Some(order)),
-        _ => (inside, None),
-    }
-}
-
-/// The numbers of `<Matrix 4x4 (1, 0, 0, 0) ...>`, between whose rows there is no comma.
-fn rows(code: &Code, name: &str, piece: Piece) -> Result<Vec<f64>, FileError> {
-    let (mut numbers, mut rest) = (Vec::new(), piece);
-    while let Some(open) = rest.text.find('(') {
-        let row = code.bracketed(rest.from(open));
-        let row = row.ok_or_else(|| code.fault(name, piece, "its brackets must be closed"))?;
-        numbers.extend(code.numbers(name, row)?);
-        rest = rest.from(row.at + row.text.len() - rest.at);
-    }
-    Ok(numbers)
-}
-
-/// What is in the angle brackets of `<Vector (1, 0, 0, 0) ...>`; else the piece.
-fn printed(piece: Piece) -> Piece {
-    let inside = piece.text.strip_prefix('<').and_then(|text| text.strip_suffix('>'));
-    let open = piece.text.find('(');
-    match inside.zip(open) {
-        Some((_, open)) => {
-            Piece { text: &piece.text[open..piece.text.len() - 1], at: piece.at + open }
-        }
-        None => piece,
     }
 }

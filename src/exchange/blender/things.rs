@@ -1,7 +1,9 @@
 //! Which thing each statement of a Blender program is about, and which of them is the camera.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
+use super::parts::{LONGEST_PATH, is_active, is_path, owner, plain};
+use super::passed::{Passed, passed};
 use crate::exchange::code::{Code, Piece, split};
 use crate::exchange::python::{Block, Statement, Verb, statements};
 use crate::formats::FileError;
@@ -40,6 +42,8 @@ pub(super) struct Things<'t> {
     /// What `scene.camera` was given.
     given: Vec<String>,
     made: usize,
+    /// To which functions what was given already.
+    handed: HashSet<String>,
     pub(super) deeds: Vec<Deed<'t>>,
 }
 
@@ -67,13 +71,14 @@ const STANCE: [&str; 8] = [
 /// What only a camera's data have.
 const LENS: [&str; 6] =
     [".lens", ".sensor_width", ".sensor_height", ".sensor_fit", ".angle_x", ".angle_y"];
-/// No path of a camera is longer.
-const LONGEST: usize = 300;
 
 impl<'t> Things<'t> {
     pub(super) fn of(code: &'t Code) -> Things<'t> {
         let mut things = Things::default();
         for said in statements(code) {
+            if said.verb != Verb::Define {
+                things.hand_on(code, &said);
+            }
             things.take(&said);
         }
         things
@@ -110,7 +115,7 @@ impl<'t> Things<'t> {
                     let things = ["#", ".objects[", ".cameras[", SCENE_CAMERA];
                     let is_thing = things.iter().any(|word| value.contains(word));
                     let is_name = is_path(&left) && (is_thing || !left.contains('.'));
-                    if is_name && value.len() < LONGEST {
+                    if is_name && value.len() < LONGEST_PATH {
                         self.names.insert(left, value);
                     }
                 }
@@ -125,6 +130,22 @@ impl<'t> Things<'t> {
     fn add(&mut self, path: String, said: &Statement<'t>) {
         let (verb, value, block) = (said.verb, said.right, said.block);
         self.deeds.push(Deed { path, verb, value, block });
+    }
+
+    /// What the calls of a statement are given: a deed of each thing whose place they may change.
+    fn hand_on(&mut self, code: &'t Code, said: &Statement<'t>) {
+        for Passed { call, argument, place } in passed(code, said.right) {
+            let path = self.path_of(&plain(argument));
+            let owner = STANCE.iter().find_map(|word| path.strip_suffix(word)).unwrap_or(&path);
+            // So many are looked through; of more it is not known what they do.
+            let place = if self.handed.len() < 1000 { place } else { "?".to_owned() };
+            let path = format!("{owner}.passed[{place}]");
+            let name = call.text.split('(').next().unwrap_or_default();
+            if self.handed.insert(format!("{name} {path}")) {
+                let (verb, block) = (Verb::Say, said.block);
+                self.deeds.push(Deed { path, verb, value: call, block });
+            }
+        }
     }
 
     fn is_scene(owner: &str) -> bool {
@@ -213,8 +234,8 @@ impl<'t> Things<'t> {
     }
 
     /// A path with the things' own names in the place of the program's.
-    fn path_of(&self, text: &str) -> String {
-        if text.len() > LONGEST {
+    pub(super) fn path_of(&self, text: &str) -> String {
+        if text.len() > LONGEST_PATH {
             return text.to_owned();
         }
         let text = text.replace(".get(", "[").replace("'),", "'],");
@@ -263,7 +284,7 @@ impl<'t> Things<'t> {
     fn standing(&self) -> Vec<String> {
         const MOST: usize = 1000;
         let mut standing: Vec<String> = Vec::new();
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = HashSet::new();
         for deed in &self.deeds {
             let owners = STANCE.iter().filter_map(|word| owner(&deed.path, word));
             for owner in owners.take(1).filter(|owner| !owner.is_empty()) {
@@ -362,30 +383,4 @@ impl<'t> Things<'t> {
 /// How a thing is called in a message.
 fn shown(thing: &str) -> &str {
     thing.split('#').next().unwrap_or(thing)
-}
-
-/// The owner of a property in a path, be it the whole of it or a part of it that is changed.
-pub(super) fn owner<'p>(path: &'p str, property: &str) -> Option<&'p str> {
-    let (owner, rest) = path.split_once(property)?;
-    (rest.is_empty() || rest.starts_with(['.', '['])).then_some(owner)
-}
-
-fn is_active(head: &str) -> bool {
-    ["context.object", "context.active_object", "C.object", "C.active_object", "objects.active"]
-        .iter()
-        .any(|end| {
-            head.strip_suffix(end).is_some_and(|before| before.is_empty() || before.ends_with('.'))
-        })
-}
-
-/// A name or several with points between them.
-fn is_path(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_alphabetic() || c == '_')
-        && text.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '.'))
-}
-
-/// Without blanks, and with one kind of quotes.
-fn plain(text: &str) -> String {
-    let quotes = |c: char| if c == '"' { '\'' } else { c };
-    text.chars().filter(|c| !c.is_whitespace()).map(quotes).take(2 * LONGEST).collect()
 }

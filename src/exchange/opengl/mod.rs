@@ -1,5 +1,6 @@
 //! `gluLookAt` and `gluPerspective`, and GLM's `lookAt` and `perspective`, which are the same numbers.
 
+mod moved;
 mod read;
 
 use crate::exchange::sheet::{Sheet, commas, n, real};

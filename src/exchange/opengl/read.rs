@@ -3,8 +3,9 @@
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
 
+use super::moved::{alone, unmoved};
 use crate::exchange::back::{image_of, image_of_aspect, upright};
-use crate::exchange::code::{Code, Comments, Piece, split, trimmed, words};
+use crate::exchange::code::{Code, Comments, Piece, split, trimmed};
 use crate::exchange::names::Given;
 use crate::exchange::sheet::n;
 use crate::exchange::{Taken, Text};
@@ -35,6 +36,8 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         code.missing("gluPerspective", "fovy, aspect, zNear and zFar must be given by it")
     })?;
     unmoved(&code, &look)?;
+    unmoved(&code, &lens)?;
+    alone(&code, &look)?;
     let [eye, at, up] = points(&code, &look)?;
     let (fovy, ratio) = field_of_view(&code, &lens, language)?;
     let size = size(&code, ratio.ok(), &mut notes)?;
@@ -80,17 +83,20 @@ fn language(text: &str) -> Language {
 
 /// A call that may be the camera's.
 #[derive(Clone, Copy)]
-struct Call<'t> {
-    name: &'static str,
-    arguments: Piece<'t>,
+pub(super) struct Call<'t> {
+    pub(super) name: &'static str,
+    pub(super) arguments: Piece<'t>,
     /// What the matrix is called.
-    matrix: &'t str,
+    pub(super) matrix: &'t str,
 }
 
 /// What the camera's own matrices are called by most, and those of others.
 const LOOKS: [&str; 3] = ["view", "cam", "eye"];
 const LENSES: [&str; 4] = ["proj", "persp", "view", "cam"];
 const OTHERS: [&str; 7] = ["light", "shadow", "sun", "depth", "mirror", "reflect", "cube"];
+
+/// Of these the ones that are never the camera's, even where there is no other.
+const LIGHTS: [&str; 4] = ["light", "shadow", "sun", "depth"];
 
 /// No more different calls of a name are told apart: they are too many long before.
 const MOST_CALLS: usize = 100;
@@ -115,7 +121,20 @@ fn chosen<'t>(
             }
         }
     }
-    let [first, .., last] = calls[..] else { return Ok(calls.first().copied()) };
+    let [first, .., last] = calls[..] else {
+        let only = calls.first().copied();
+        let matrix = only.map_or(String::new(), |call| call.matrix.to_ascii_lowercase());
+        return match only.filter(|_| LIGHTS.iter().any(|word| matrix.contains(word))) {
+            Some(call) => {
+                let right = format!(
+                    "this is of a light, not of the camera: the camera's {} must be given by numbers",
+                    call.name
+                );
+                Err(code.fault(call.matrix, call.arguments, &right))
+            }
+            None => Ok(only),
+        };
+    };
     let is_one = |call: &&Call| {
         let matrix = call.matrix.to_ascii_lowercase();
         let has = |words: &[&str]| words.iter().any(|word| matrix.contains(word));
@@ -152,39 +171,6 @@ fn call<'t>(code: &'t Code, name: &'static str, arguments: Piece<'t>) -> Call<'t
     let matrix = before[start..].split_once('=').map_or("", |(left, _)| left.trim());
     let from = matrix.rfind(|c: char| !(c.is_alphanumeric() || "_.$".contains(c)));
     Call { name, arguments, matrix: &matrix[from.map_or(0, |at| at + 1)..] }
-}
-
-/// What stands before `gluLookAt` in its matrix moves all that is seen, and so does what is done to
-/// GLM's matrix after it.
-fn unmoved(code: &Code, look: &Call) -> Result<(), FileError> {
-    const MOVING: [&str; 5] =
-        ["glTranslate", "glRotate", "glScale", "glMultMatrix", "glLoadMatrix"];
-    let whole = code.whole();
-    if look.name == "gluLookAt" {
-        let before = &whole.text[..look.arguments.at];
-        let fresh = ["glLoadIdentity", "glMatrixMode", "\n}", "glPopMatrix"];
-        let start = fresh.iter().filter_map(|word| before.rfind(word)).max().unwrap_or(0);
-        if let Some(word) = MOVING.iter().find(|word| before[start..].contains(**word)) {
-            let right = format!("{word} stands before it and moves all that is seen");
-            return Err(code.fault("gluLookAt", look.arguments, &right));
-        }
-        return Ok(());
-    }
-    let after = |at: &usize| *at > look.arguments.at;
-    for at in words(whole, look.matrix).into_iter().filter(after) {
-        let rest = whole.text[at + look.matrix.len()..].trim_start();
-        let Some(value) = rest.strip_prefix('=').map(|value| value.split([';', '\n']).next())
-        else {
-            continue;
-        };
-        let value = value.unwrap_or_default();
-        if ["translate(", "rotate(", "scale("].iter().any(|word| value.contains(word)) {
-            let right = "the camera's matrix is changed after lookAt: it must be made by it alone";
-            let piece = Piece { text: look.matrix, at };
-            return Err(code.fault("the matrix", piece, right));
-        }
-    }
-    Ok(())
 }
 
 /// Eye, center and up.

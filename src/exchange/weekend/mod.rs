@@ -5,6 +5,7 @@ mod read;
 
 use pinhole_core::Sphere;
 
+use crate::exchange::code::{Piece, split};
 use crate::exchange::sheet::{Sheet, commas, light, n, real};
 use crate::exchange::terms::{Pixels, Terms};
 use crate::exchange::{Format, Subject, Unsayable, Written};
@@ -26,8 +27,47 @@ pub(super) const FORMAT: Format = Format {
     },
     write,
     read: self::read::read,
-    claims: |text| text.contains("lookfrom") || text.contains("focus_dist"),
+    claims,
 };
+
+fn claims(text: &str) -> bool {
+    // The first chapters' programs leave the camera where it is made.
+    let is_rendered =
+        || [".image_width", ".aspect_ratio", ".render("].iter().all(|w| text.contains(w));
+    text.contains("lookfrom")
+        || text.contains("focus_dist")
+        || is_rendered()
+        || is_constructed(text)
+}
+
+/// `camera cam(vec3(...), vec3(...), vec3(...), 90, ...)` and `Camera::new(Point3::new(...), ...)`: no
+/// other camera is made of three vectors and two numbers.
+fn is_constructed(text: &str) -> bool {
+    /// No call of it is longer.
+    const LONGEST: usize = 2000;
+    const VECTORS: [&str; 4] = ["vec3(", "point3(", "Vec3::new(", "Point3::new("];
+    let found = text.match_indices("amera").map(|(at, _)| at);
+    found.filter(|at| text[..*at].ends_with(['c', 'C'])).any(|at| {
+        let before = text[..at - 1].chars().next_back();
+        let rest = text[at + "amera".len()..].trim_start_matches(' ');
+        let rest = rest.strip_prefix("::new").unwrap_or(rest);
+        let rest = rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+        let mut depth = 0_usize;
+        let end = rest.char_indices().take(LONGEST).find(|(_, c)| {
+            match c {
+                '(' => depth += 1,
+                ')' => depth = depth.saturating_sub(1),
+                _ => (),
+            }
+            depth == 0
+        });
+        let inside = end.and_then(|(end, _)| rest.get(1..end));
+        let parts = split(Piece { text: inside.unwrap_or_default(), at: 0 });
+        !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+            && parts.len() >= 5
+            && parts.iter().take(3).all(|part| VECTORS.iter().any(|v| part.text.starts_with(v)))
+    })
+}
 
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
     subject.square_pixels("Ray Tracing in One Weekend")?;

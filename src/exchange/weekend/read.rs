@@ -22,12 +22,19 @@ pub(super) fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
     Ok(Taken { spheres, ..Taken::camera(camera, notes) })
 }
 
+/// What the programs of the first chapters set of their camera.
+const OWN: [&str; 4] = ["image_width", "aspect_ratio", "vfov", "lookat"];
+
 /// `cam.lookfrom = ...` and its like. What is not set is as in the book's camera, and told.
 fn set_up(code: &Code, notes: &mut Vec<String>) -> Result<Camera, FileError> {
-    let Some(eye) = given(code, "lookfrom")? else {
+    // Without any of it there is no camera whose place could be left as it is made.
+    let is_set = OWN.iter().any(|name| {
+        let assignments = code.assignments(name);
+        assignments.iter().any(|assignment| !assignment.owner.is_empty())
+    });
+    if given(code, "lookfrom")?.is_none() && !is_set {
         return Err(code.missing("lookfrom", "it must be given, as lookfrom = point3(0, 0, 0);"));
-    };
-    let eye = code.vector("lookfrom", eye)?;
+    }
     let mut vector = |name: &str, or: [i32; 3]| -> Result<DVec3, FileError> {
         match given(code, name)? {
             Some(piece) => code.vector(name, piece),
@@ -38,6 +45,7 @@ fn set_up(code: &Code, notes: &mut Vec<String>) -> Result<Camera, FileError> {
             }
         }
     };
+    let eye = vector("lookfrom", [0, 0, 0])?;
     let (at, up) = (vector("lookat", [0, 0, -1])?, vector("vup", [0, 1, 0])?);
     let mut number = |name: &str, or: i32| -> Result<f64, FileError> {
         match given(code, name)? {
