@@ -3,6 +3,7 @@
 
 use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
+use super::handed::handed;
 use super::react;
 use super::stand::{Stand, changed, moves, number_after};
 use super::steps::{Step, Verb, camera, later, made, names, steps};
@@ -100,6 +101,7 @@ fn follow(
         }
     }
     carried(code, &names, DEEPEST)?;
+    handed(code, &names, &later(code))?;
     controls(code, &names, stand, notes)
 }
 
