@@ -285,7 +285,7 @@ fn value_given<'t>(
     }
     // The others of a, b = 1, 2; what kind of thing it is; a part of it.
     let mut left = rest;
-    let mut is_part = false;
+    let (mut is_part, mut is_word_next) = (false, false);
     loop {
         let next = left.text.chars().next()?;
         if left.at - rest.at > LONGEST_HEAD {
@@ -300,15 +300,20 @@ fn value_given<'t>(
                 left.from(inside.text.len() + 2)
             }
             '.' => {
-                is_part = true;
+                (is_part, is_word_next) = (true, true);
                 left.from(1)
             }
             '+' | '-' | '*' | '/' if left.text[1..].starts_with('=') => {
                 is_part = true;
                 left.from(1)
             }
-            ',' | ':' | '_' | ' ' | '\t' => left.from(1),
-            c if c.is_alphanumeric() => left.from(c.len_utf8()),
+            ',' | ':' => {
+                is_word_next = true;
+                left.from(1)
+            }
+            ' ' | '\t' => left.from(1),
+            // Two words in a row are a kind and the name of what is of it: float in float x = 1.
+            c if is_word_next && (c == '_' || c.is_alphanumeric()) => left.from(c.len_utf8()),
             _ => return None,
         };
     }
