@@ -61,6 +61,15 @@ fn the_controls_own_target_counts() {
 }
 
 #[test]
+fn a_look_at_after_controls_that_are_not_updated_is_refused() {
+    let looked = format!("{MADE}{ORBIT}camera.lookAt(1, 1, 1);\n");
+    assert_refused(&looked, "in:4:15: lookAt is 1, 1, 1: OrbitControls turn the camera before it");
+    for update in ["controls.update();\n", "function animate() { controls.update(); }\n"] {
+        assert_eq!(at(&three(&format!("{looked}{update}")).0), Some(DVec3::ZERO), "{update}");
+    }
+}
+
+#[test]
 fn what_moves_the_camera_is_read_or_refused() {
     for (more, eye) in [
         ("camera.position.y += 5;\n", [3.0, 7.0, 6.0]),
@@ -163,6 +172,11 @@ fn what_is_done_later_is_left_out_and_told() {
         );
         assert_eq!(notes[0], told, "{more}");
     }
+    let turned = "function animate() {\n  camera.lookAt(scene.position);\n}\n";
+    let alone = "lookAt is among it, and stands nowhere else";
+    assert_eq!(three(&format!("{MADE}{turned}")).1[1], alone);
+    let both = format!("{MADE}camera.lookAt(0, 0, 0);\n{turned}");
+    assert!(!three(&both).1.contains(&alone.to_owned()));
     let harmless = "function animate() { renderer.render(scene, camera); }\n";
     assert!(!three(&format!("{MADE}{harmless}")).1.contains(&told.to_owned()));
 }
