@@ -7,7 +7,7 @@ use pinhole_core::DVec3;
 use super::Text;
 pub(crate) use super::comments::Comments;
 use super::comments::without_comments;
-use super::names::{Given, Known};
+use super::names::{Given, Known, filled};
 use crate::expression;
 use crate::formats::{FileError, Place};
 
@@ -17,7 +17,7 @@ pub(crate) struct Code<'a> {
     text: &'a str,
     plain: String,
     /// Where each bracket opens and closes, in order.
-    brackets: Vec<(usize, usize)>,
+    pub(super) brackets: Vec<(usize, usize)>,
     pub(super) known: Known,
 }
 
@@ -120,9 +120,13 @@ impl<'a> Code<'a> {
             return Err(self.fault(field, piece, "its brackets are too many"));
         };
         if let Some(inside) = self.list_in(piece) {
+            let before = into.len();
             for part in split(inside) {
                 self.collect(field, part, deeper, into)?;
             }
+            let count = filled(piece, inside, into.len() - before);
+            let part = into.get(before).copied().unwrap_or_default();
+            into.resize(before + count, part);
             return Ok(());
         }
         let parts = split(piece);
@@ -342,7 +346,7 @@ pub(crate) fn number(text: &str) -> Option<f64> {
     }
     let text = CASTS.iter().fold(text.to_owned(), |text, cast| text.replace(cast, ""));
     let text = text.trim();
-    for name in ["radians", "deg2rad"] {
+    for name in ["radians", "deg2rad", "degToRad"] {
         if let Some((before, rest)) = text.split_once(name)
             && before.chars().all(|c| c.is_alphanumeric() || ".:_".contains(c))
             && let Some(inside) = rest.trim().strip_prefix('(').and_then(|r| r.strip_suffix(')'))

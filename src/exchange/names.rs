@@ -60,7 +60,29 @@ impl Code<'_> {
                 _ => return Given::Changed,
             };
         }
-        given
+        match (given, name.strip_prefix("this.")) {
+            (Given::Never, Some(field)) => self.field_of_class(field),
+            _ => given,
+        }
+    }
+
+    /// What `private width = 1280;` in a class gives `this.width`.
+    fn field_of_class(&self, name: &str) -> Given<'_> {
+        let whole = self.whole();
+        let found = self.assignments(name);
+        let mut own = found.iter().filter(|found| found.owner.is_empty());
+        let (Some(Assignment { at, value: Some(value), .. }), None) = (own.next(), own.next())
+        else {
+            return Given::Never;
+        };
+        let around = self.brackets.iter().take_while(|(open, _)| open < at);
+        let Some((open, _)) = around.filter(|(_, close)| close > at).last() else {
+            return Given::Never;
+        };
+        let before = &whole.text[..*open];
+        let head = before.rsplit([';', '{', '}', '\n']).next().unwrap_or_default();
+        let is_class = !words(Piece { text: head, at: 0 }, "class").is_empty();
+        if is_class { Given::Once(*value) } else { Given::Never }
     }
 
     /// The numbers of a piece with names in it: those of the one name that it is, or what it comes to
@@ -150,6 +172,12 @@ fn assignment<'t>(
         let value = trimmed(Piece { text: &rest.text[..end], ..rest });
         return Some(Assignment { owner: "", at, value: Some(value) });
     }
+    if is_after_others(path) {
+        let sign = after_spaces(rest);
+        let is_given = sign.text.starts_with('=') && !sign.text[1..].starts_with(['=', '>']);
+        let value = is_given.then(|| own_value(statement(after_spaces(sign.from(1)))))?;
+        return owner.is_none().then_some(Assignment { owner: "", at, value: Some(value) });
+    }
     let owner = owner.unwrap_or_default();
     let is_head = |c: char| is_of_path(c) || " \t:<>*&,#".contains(c);
     if !head.chars().all(is_head) || head.trim() == "return" {
@@ -158,6 +186,88 @@ fn assignment<'t>(
     let place = head.chars().filter(|c| *c == ',').count();
     let value = value_given(code, after_spaces(rest), place, !head.trim().is_empty())?;
     Some(Assignment { owner, at, value })
+}
+
+/// Whether a name follows others that are given a value in the same statement: `double x = 1, y = 2;`,
+/// also over lines, or `x = y = 3`.
+fn is_after_others(path: &str) -> bool {
+    let is_head = |c: char| is_of_path(c) || " \t:<>*&#=".contains(c);
+    let end = path.trim_end();
+    let first = end.char_indices().rev().take(LONGEST_HEAD).last().map_or(0, |(at, _)| at);
+    let (end, is_cut) = (&end[first..], first > 0);
+    if end.ends_with('=') {
+        let start = end.rfind(['\n', ';', '{', '}']);
+        if start.is_none() && is_cut {
+            return false;
+        }
+        let head = &end[start.map_or(0, |at| at + 1)..];
+        let is_chain = |part: &str| part.trim().chars().next_back().is_some_and(is_of_path);
+        let mut parts = head.strip_suffix('=').unwrap_or(head).split('=');
+        return head.chars().all(is_head) && parts.all(is_chain);
+    }
+    if !end.ends_with(',') {
+        return false;
+    }
+    // The statement begins where a line does not follow a comma.
+    let mut depth = 0_i32;
+    let mut start = None;
+    for (at, c) in end.char_indices().rev() {
+        match c {
+            ')' | ']' => depth += 1,
+            '(' | '[' => depth -= 1,
+            ';' | '{' | '}' => start = Some(at + 1),
+            '\n' if depth == 0 && !end[..at].trim_end().ends_with([',', '=']) => {
+                start = Some(at + 1);
+            }
+            _ => (),
+        }
+        if depth < 0 {
+            return false;
+        }
+        if start.is_some() {
+            break;
+        }
+    }
+    if start.is_none() && is_cut {
+        return false;
+    }
+    let head = end[start.unwrap_or(0)..].split('=').next().unwrap_or_default();
+    // A declaration has a kind before the name.
+    let has_kind = head.split_whitespace().count() > 1;
+    has_kind && end[start.unwrap_or(0)..].contains('=') && head.chars().all(is_head)
+}
+
+/// The value itself where others follow: `1` of `1, y = 2`, and `3` of `y = 3`.
+fn own_value(mut value: Piece) -> Piece {
+    let name_of = |text: &str| {
+        let sign = text.find('=')?;
+        let is_sign = !text[sign + 1..].starts_with(['=', '>']);
+        let name = text[..sign].trim_end();
+        let begins = name.starts_with(|c: char| c.is_alphabetic() || "_$".contains(c));
+        (is_sign && begins && name.chars().all(is_of_path)).then_some(sign)
+    };
+    while let Some(sign) = name_of(value.text) {
+        value = after_spaces(value.from(sign + 1));
+    }
+    match split(value)[..] {
+        [first] if value.text.ends_with(',') => first,
+        [first, second, ..] if name_of(second.text).is_some() => first,
+        _ => value,
+    }
+}
+
+/// How many numbers a list stands for that has so many in its brackets: GLM's `vec3(1)` has three,
+/// and so has `new THREE.Vector3()`.
+pub(super) fn filled(list: Piece, inside: Piece, count: usize) -> usize {
+    let head = list.text[..inside.at.saturating_sub(list.at + 1)].trim();
+    let kind = head.rsplit(['.', ':', ' ']).next().unwrap_or_default();
+    match (kind, count) {
+        ("vec2" | "dvec2", 1) => 2,
+        ("vec3" | "dvec3", 1) => 3,
+        ("vec4" | "dvec4", 1) => 4,
+        ("Vector3", 0) if head.starts_with("new ") => 3,
+        _ => count,
+    }
 }
 
 /// What follows a name at which a statement begins: the value that it is given, `Some(None)` where a
@@ -175,7 +285,7 @@ fn value_given<'t>(
     }
     // The others of a, b = 1, 2; what kind of thing it is; a part of it.
     let mut left = rest;
-    let mut is_part = false;
+    let (mut is_part, mut is_word_next) = (false, false);
     loop {
         let next = left.text.chars().next()?;
         if left.at - rest.at > LONGEST_HEAD {
@@ -190,15 +300,20 @@ fn value_given<'t>(
                 left.from(inside.text.len() + 2)
             }
             '.' => {
-                is_part = true;
+                (is_part, is_word_next) = (true, true);
                 left.from(1)
             }
             '+' | '-' | '*' | '/' if left.text[1..].starts_with('=') => {
                 is_part = true;
                 left.from(1)
             }
-            ',' | ':' | '_' | ' ' | '\t' => left.from(1),
-            c if c.is_alphanumeric() => left.from(c.len_utf8()),
+            ',' | ':' => {
+                is_word_next = true;
+                left.from(1)
+            }
+            ' ' | '\t' => left.from(1),
+            // Two words in a row are a kind and the name of what is of it: float in float x = 1.
+            c if is_word_next && (c == '_' || c.is_alphanumeric()) => left.from(c.len_utf8()),
             _ => return None,
         };
     }
@@ -208,7 +323,7 @@ fn value_given<'t>(
     let others = rest.text[..left.at - rest.at].chars().filter(|c| *c == ',').count();
     let value = statement(after_spaces(left.from(1)));
     if place + others == 0 {
-        return Some(Some(value));
+        return Some(Some(own_value(value)));
     }
     // As many values as names, or one that is taken apart: what each gets is not known.
     let values = split(value);

@@ -37,6 +37,53 @@ fn a_name_that_has_one_value_is_that_value() {
 }
 
 #[test]
+fn several_names_of_one_statement_have_their_values() {
+    let glu = "double eyeX = 4.0, eyeY = 3.0, eyeZ = 2.0;\nconst int W = 800, H = 600;\n\
+               gluPerspective(45.0, (double)W / H, 0.1, 100.0);\n\
+               gluLookAt(eyeX, eyeY, eyeZ, 0, 0, 0, 0, 1, 0);\n";
+    let camera = read("opengl", glu).unwrap().camera;
+    assert_eq!(camera.eye, DVec3::new(4.0, 3.0, 2.0));
+    assert!((camera.viewport.width / camera.viewport.height - 4.0 / 3.0).abs() < 1e-15);
+    for made in [
+        "const fov = 40, aspect = 2, near = 0.1, far = 100;\nconst WIDTH = 800, HEIGHT = 400;\n",
+        "const fov = 40,\n      aspect = 2,\n      near = 0.1;\nlet WIDTH = 800,\n  HEIGHT = 400;\n",
+    ] {
+        let text = format!(
+            "{made}const camera = new THREE.PerspectiveCamera(fov, aspect);\n\
+             renderer.setSize(WIDTH, HEIGHT);\n"
+        );
+        let camera = read("three", &text).unwrap().camera;
+        assert!((camera.viewport.vertical_fov().to_degrees() - 40.0).abs() < 1e-12, "{made}");
+        assert_eq!((camera.image.width(), camera.image.height()), (800, 400), "{made}");
+    }
+    let chain = "fx = fy = 2.5\nPerspectiveCamera((0, 0, 0), (0, 0, -1), (0, 1, 0), fy, 4, 4)";
+    for name in ["fx", "fy"] {
+        let camera = read("course", &chain.replace("fy, 4", &format!("{name}, 4"))).unwrap().camera;
+        assert_eq!(camera.viewport.distance, 2.5);
+    }
+    let class = "class Stage {\n  private fov = 40;\n  private width = 1280;\n  height = 640;\n\
+                 \x20 start() {\n    this.camera = new THREE.PerspectiveCamera(this.fov, 2);\n\
+                 \x20   this.renderer.setSize(this.width, this.height);\n  }\n}\n";
+    let camera = read("three", class).unwrap().camera;
+    assert_eq!((camera.image.width(), camera.image.height()), (1280, 640));
+    assert!((camera.viewport.vertical_fov().to_degrees() - 40.0).abs() < 1e-12);
+    let local = "function f() {\n  const fov = 40;\n}\nnew THREE.PerspectiveCamera(this.fov, 2);\n";
+    assert_refused("three", local, "in:4:29: fov is this.fov: it must be a finite number");
+}
+
+#[test]
+fn one_number_fills_a_vector_of_glm() {
+    let text = "glm::mat4 p = glm::perspective(glm::radians(45.0f), 4.0f/3.0f, 0.1f, 100.0f);\n\
+                glm::mat4 v = glm::lookAt(glm::vec3(4,3,3), glm::vec3(1.0f), glm::vec3(0,1,0));\n";
+    let camera = read("opengl", text).unwrap().camera;
+    assert!(matches!(camera.orientation, Orientation::At { at, .. } if at == DVec3::ONE));
+    let three = "const camera = new THREE.PerspectiveCamera(40, 2);\ncamera.position.set(0, 1, 2);\n\
+                 camera.lookAt(new THREE.Vector3());\n";
+    let camera = read("three", three).unwrap().camera;
+    assert!(matches!(camera.orientation, Orientation::At { at, .. } if at == DVec3::ZERO));
+}
+
+#[test]
 fn a_name_that_has_not_one_value_is_refused() {
     let course = |before: &str| {
         format!("{before}PerspectiveCamera((0, 0, 0), (0, 0, -1), (0, 1, 0), focal, 4, 4)")
@@ -61,6 +108,8 @@ fn a_name_that_has_not_one_value_is_refused() {
         "other.focal = 3\n",
         "for focal in 1:3 end\n",
         "focal = f(3)\n",
+        "f(a = 1, focal = 3)\n",
+        "f(a = focal = 3)\n",
     ] {
         let line = before.lines().count() + 1;
         let message = format!("in:{line}:53: focal is focal: it must be a finite number");

@@ -65,7 +65,7 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
 fn parts_of_objects_declarations_and_conditions_are_no_objects() {
     let (spheres, notes) = povray(
         "#declare R = 1\nsphere { <1, 1, 1>, 1 }\n#declare Ball = sphere { <0, 0, 0>, 1 }\n\
-         #if (1 < 2)\nsphere { <2, 2, 2>, 1 }\n#else #if (a > b) #end sphere { 0, 1 }\n#end\n\
+         #if (clock < 2)\nsphere { <2, 2, 2>, 1 }\n#else #if (a > b) #end sphere { 0, 1 }\n#end\n\
          difference { sphere { <0, 0, 0>, 1 } box { <0, 0, 0>, <1, 1, 1> } }\n\
          union { sphere { <0, 0, 0>, 1 } plane { y, 0 } }\nblob { sphere { <0, 0, 0>, 1, 1 } }\n\
          light_source { <0, 9, 0> looks_like { sphere { <0, 0, 0>, 1 } } }\nsphere { <3, 3, 3>, 1 }",

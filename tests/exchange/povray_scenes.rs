@@ -55,15 +55,14 @@ fn the_camera_of_the_branch_that_is_taken_is_taken() {
     ] {
         assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
     }
-    let told = |count: u32, which: &str, line: u32| {
+    let told = |which: &str, line: u32| {
         vec![format!(
-            "{count} of camera under a condition that is not worked out: {which} is taken, line {line}"
+            "1 of camera under a condition that is not worked out: {which} is taken, line {line}"
         )]
     };
-    let open = format!("#if (clock > 1)\n{a}#else\n{b}#end");
-    assert_eq!(degrees_of(&open), (80.0, told(2, "the last", 5)));
+    assert_eq!(degrees_of(&format!("#if (clock > 1)\n{a}#end")), (20.0, told("it", 3)));
     let after = format!("{b}#ifdef (Wide)\n{a}#end");
-    assert_eq!(degrees_of(&after), (80.0, told(1, "the last that stands under none", 2)));
+    assert_eq!(degrees_of(&after), (80.0, told("the last that stands under none", 2)));
     assert_eq!(degrees_of(&format!("#ifdef (Wide)\n{a}#end\n{b}")), (80.0, Vec::new()));
     for (text, said) in [
         (
@@ -81,6 +80,68 @@ fn the_camera_of_the_branch_that_is_taken_is_taken() {
     ] {
         assert_eq!(read("povray", &text).unwrap_err().problem, said);
     }
+}
+
+#[test]
+fn conditions_of_plain_numbers_and_names_are_worked_out() {
+    let (a, b) = (camera(20), camera(80));
+    for (condition, holds) in [
+        ("Cam = 1", true),
+        ("Cam = 2", false),
+        ("Cam != 1", false),
+        ("Cam < 2", true),
+        ("Cam > 1", false),
+        ("Cam <= 1", true),
+        ("2*Cam >= 3", false),
+        ("Top", false),
+    ] {
+        let text =
+            format!("#declare Cam = 1;\n#declare Top = no;\n#if ({condition}) {a} #else {b} #end");
+        let degrees = if holds { 20.0 } else { 80.0 };
+        assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
+    }
+    for (switch, degrees) in [
+        (format!("#case (1) {a} #break #case (2) {b} #break"), 20.0),
+        (format!("#case (0) {a} #break #case (1) {b} #break #default {a}"), 80.0),
+        (format!("#case (0) {a} #break #range (2, 3) {a} #break #default {b}"), 80.0),
+        (format!("#range (0, 1) {a} #break #else {b}"), 20.0),
+        (format!("#case (1) {a} #case (2) {b} #break"), 80.0),
+    ] {
+        let text = format!("#declare Cam = 1;\n#switch (Cam) {switch} #end");
+        assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
+    }
+}
+
+#[test]
+fn cameras_under_conditions_that_are_not_worked_out_are_refused() {
+    let (a, b) = (camera(20), camera(80));
+    for (text, place) in [
+        (format!("#if (clock > 1)\n{a}#else\n{b}#end"), "in:1:6: the condition is clock > 1"),
+        (
+            format!("{a}#switch (clock)\n#case (1) {a} #case (2) {b} #end"),
+            "in:2:10: the condition is clock",
+        ),
+        (
+            format!("#declare A = 1;#if (A = 2)\n{a}#elseif (B)\n{b}#else\n{a}#end"),
+            "in:3:10: the condition is B",
+        ),
+        (
+            format!("#switch (1) #case (1) #if (clock) {a} #break #end {b} #end"),
+            "in:1:28: the condition is clock",
+        ),
+    ] {
+        let error = read("povray", &text).unwrap_err().to_string();
+        let right =
+            "it is not worked out, and 2 of camera stand under such conditions: leave in one";
+        assert_eq!(error, format!("{place}: {right}"), "{text}");
+    }
+    let declared =
+        format!("#if (clock)\n#declare A = {a}#else\n#declare A = {b}#end camera {{ A }}");
+    let error = read("povray", &declared).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "in:1:6: the condition is clock: it is not worked out, and camera A depends on it"
+    );
 }
 
 #[test]

@@ -61,6 +61,15 @@ fn the_controls_own_target_counts() {
 }
 
 #[test]
+fn a_look_at_after_controls_that_are_not_updated_is_refused() {
+    let looked = format!("{MADE}{ORBIT}camera.lookAt(1, 1, 1);\n");
+    assert_refused(&looked, "in:4:15: lookAt is 1, 1, 1: OrbitControls turn the camera before it");
+    for update in ["controls.update();\n", "function animate() { controls.update(); }\n"] {
+        assert_eq!(at(&three(&format!("{looked}{update}")).0), Some(DVec3::ZERO), "{update}");
+    }
+}
+
+#[test]
 fn what_moves_the_camera_is_read_or_refused() {
     for (more, eye) in [
         ("camera.position.y += 5;\n", [3.0, 7.0, 6.0]),
@@ -92,8 +101,54 @@ fn what_moves_the_camera_is_read_or_refused() {
             "position.applyAxisAngle is v, 1: this is not read",
         ),
         ("camera.translateZ(3);\n", "translateZ is 3"),
+        ("camera.rotation.order = 'YXZ';\n", "rotation.order is 'YXZ': the camera must be turned"),
+        (
+            "camera.setFocalLength(35);\n",
+            "is 35: this is not read: the field of view must be given by fov",
+        ),
+        ("camera.scale.set(1, 1, 2);\n", "a camera that is scaled is not read"),
+        ("camera.setViewOffset(8, 8, 0, 0, 4, 4);\n", "a view that is off the middle is not read"),
     ] {
         assert_refused(&format!("{MADE}{more}"), message);
+    }
+}
+
+#[test]
+fn what_the_camera_is_handed_to_must_leave_it_alone() {
+    for (more, message) in [
+        (
+            "function place(cam) { cam.position.set(3, 4, 5); }\nplace(camera);\n",
+            "in:4:7: what place is handed is camera: what it does to the camera is not read",
+        ),
+        (
+            "const pos = camera.position;\npos.y = 9;\n",
+            "in:4:9: pos.y is 9: it is a part of the camera",
+        ),
+        ("const { position } = camera;\nposition.y = 9;\n", "position: it is a part of the camera"),
+        (
+            "Object.assign(camera.position, { x: 1 });\n",
+            "in:3:15: what Object.assign is handed is camera.position:",
+        ),
+        (
+            "gsap.to(camera.position, { x: 4 });\n",
+            "in:3:9: what gsap.to is handed is camera.position:",
+        ),
+        ("frame({ camera, mesh });\n", "what frame is handed is camera:"),
+    ] {
+        assert_refused(&format!("{MADE}{more}"), message);
+    }
+    for more in [
+        "renderer.render(scene, camera);\ncomposer.addPass(new RenderPass(scene, camera));\n",
+        "scene.add(camera, new THREE.CameraHelper(camera));\nconsole.log(camera.position);\n",
+        "raycaster.setFromCamera(pointer, camera);\ngui.add(camera.position, 'x', 0, 9);\n",
+        "const p = v.project(camera);\nsprite.lookAt(camera.position);\nv.copy(camera.position);\n",
+        "function show(world, cam) { renderer.render(world, cam); cam.updateMatrixWorld(); }\nshow(s, camera);\n",
+        "function go() { gsap.to(camera.position, { x: 4 }); }\naddEventListener('click', go);\n",
+        "const pos = camera.position;\nconsole.log(pos.x);\n",
+        "const start = camera.position.clone();\nstart.y = 9;\n",
+        "f(camera.position.x);\nif (camera) { g(); }\nconst all = { camera, scene };\n",
+    ] {
+        assert_eq!(three(&format!("{MADE}{more}")).0.eye, DVec3::new(3.0, 2.0, 6.0), "{more}");
     }
 }
 
@@ -117,6 +172,11 @@ fn what_is_done_later_is_left_out_and_told() {
         );
         assert_eq!(notes[0], told, "{more}");
     }
+    let turned = "function animate() {\n  camera.lookAt(scene.position);\n}\n";
+    let alone = "lookAt is among it, and stands nowhere else";
+    assert_eq!(three(&format!("{MADE}{turned}")).1[1], alone);
+    let both = format!("{MADE}camera.lookAt(0, 0, 0);\n{turned}");
+    assert!(!three(&both).1.contains(&alone.to_owned()));
     let harmless = "function animate() { renderer.render(scene, camera); }\n";
     assert!(!three(&format!("{MADE}{harmless}")).1.contains(&told.to_owned()));
 }
@@ -178,6 +238,11 @@ fn three_js_moves_the_camera_there_too() {
         "camera.position.set(0, 7, 0);\ncamera.lookAt(0, 0, 0);\n",
         "camera.up.set(0, 0, 1);\ncamera.position.set(0, 0, 7);\ncamera.lookAt(0, 0, 0);\n",
         "camera.position.set(0, 0, 0);\ncamera.lookAt(0, 0, 0);\ncamera.position.set(1, 2, 3);\n",
+        "camera.rotation.x = -0.3;\n",
+        "camera.rotation.set(-0.5, 0.7, 0.2);\ncamera.rotation.y += 0.1;\ncamera.position.x = 1;\n",
+        "camera.rotation.y = Math.PI / 4;\ncamera.rotation.z = THREE.MathUtils.degToRad(20);\n",
+        "camera.rotation.x = 1;\ncamera.lookAt(0, 1, 0);\n",
+        "camera.lookAt(new THREE.Vector3());\n",
         "camera.position.set(1, 1, 1).multiplyScalar(3);\ncamera.lookAt(0, 1, 0);\n",
         "const controls = new OrbitControls(camera);\ncontrols.target.y = 1.5;\ncontrols.update();\n",
         "const controls = new MapControls(camera);\ncontrols.target.set(0, 0, -3);\ncontrols.update();\n",

@@ -1,6 +1,7 @@
 //! A POV-Ray scene's blocks: its camera, and the objects that stand by themselves.
 
-use super::values::{OPENING, Values, is_letter, word_of};
+use super::branches::{Branch, Branches};
+use super::values::{Values, is_letter, word_of};
 use crate::exchange::code::{Code, Piece, after_spaces, trimmed};
 use crate::exchange::left_out::LeftOut;
 use crate::formats::FileError;
@@ -73,24 +74,8 @@ struct Shot<'t> {
     inside: Piece<'t>,
     /// The name that it is declared by.
     name: Option<&'t str>,
-    is_conditional: bool,
-}
-
-/// What `#if` and the like make of what stands behind them.
-#[derive(Clone, Copy, PartialEq)]
-enum Branch {
-    Taken,
-    Skipped,
-    /// By what is not worked out here.
-    Open,
-}
-
-/// The directives that are not ended: what comes of each branch, and whether one before it is taken.
-#[derive(Default)]
-struct Branches {
-    begun: Vec<(Branch, bool)>,
-    skipped: usize,
-    open: usize,
+    /// What is not worked out and decides whether it counts.
+    under: Option<Piece<'t>>,
 }
 
 /// What stands in a scene under no other block, each block as what is in its braces.
@@ -102,69 +87,6 @@ pub(super) struct Blocks<'t> {
     others: LeftOut,
     is_declared: bool,
     is_conditional: bool,
-}
-
-impl Branches {
-    /// Which count a branch is in.
-    fn count(&mut self, branch: Branch) -> Option<&mut usize> {
-        match branch {
-            Branch::Taken => None,
-            Branch::Skipped => Some(&mut self.skipped),
-            Branch::Open => Some(&mut self.open),
-        }
-    }
-
-    fn begin(&mut self, branch: Branch, was_taken: bool) {
-        self.begun.push((branch, was_taken || branch == Branch::Taken));
-        if let Some(count) = self.count(branch) {
-            *count += 1;
-        }
-    }
-
-    fn end(&mut self) -> Option<(Branch, bool)> {
-        let ended = self.begun.pop()?;
-        if let Some(count) = self.count(ended.0) {
-            *count -= 1;
-        }
-        Some(ended)
-    }
-
-    /// `#else` and `#elseif`, of which the second has a condition of its own.
-    fn turn(&mut self, condition: Branch) {
-        if let Some((branch, was_taken)) = self.end() {
-            let next = match branch {
-                Branch::Open => Branch::Open,
-                _ if was_taken => Branch::Skipped,
-                _ => condition,
-            };
-            self.begin(next, was_taken);
-        }
-    }
-
-    fn now(&self) -> Branch {
-        match (self.skipped, self.open) {
-            (0, 0) => Branch::Taken,
-            (0, _) => Branch::Open,
-            _ => Branch::Skipped,
-        }
-    }
-
-    /// Takes a directive's word; `behind` is what follows it.
-    fn take(&mut self, code: &Code, values: &Values, word: &str, behind: Piece) {
-        let decided = || match code.bracketed(behind).and_then(|inside| values.number(inside)) {
-            Some(0.0) => Branch::Skipped,
-            Some(_) => Branch::Taken,
-            None => Branch::Open,
-        };
-        match word {
-            "if" => self.begin(decided(), false),
-            "elseif" => self.turn(decided()),
-            "else" => self.turn(Branch::Taken),
-            "end" => drop(self.end()),
-            _ if OPENING.contains(&word) => self.begin(Branch::Open, false),
-            _ => (),
-        }
-    }
 }
 
 impl<'t> Blocks<'t> {
@@ -181,7 +103,7 @@ impl<'t> Blocks<'t> {
                 '#' => {
                     let word = word_of(after_spaces(after));
                     let end = code.whole().from(word.at + word.text.len());
-                    branches.take(code, values, word.text, after_spaces(end));
+                    branches.take(code, values, word, after_spaces(end));
                     if word.text == "include" && branches.now() != Branch::Skipped {
                         blocks.include(after_spaces(end));
                     }
@@ -198,7 +120,7 @@ impl<'t> Blocks<'t> {
                         open
                     } else {
                         let Some(inside) = code.bracketed(open) else { break };
-                        blocks.take(code, word, inside, branches.now());
+                        blocks.take(code, word, inside, &branches);
                         open.from(inside.text.len() + 2)
                     }
                 }
@@ -216,18 +138,19 @@ impl<'t> Blocks<'t> {
         }
     }
 
-    fn take(&mut self, code: &'t Code, word: Piece<'t>, inside: Piece<'t>, branch: Branch) {
-        if branch == Branch::Skipped {
+    fn take(&mut self, code: &'t Code, word: Piece<'t>, inside: Piece<'t>, under: &Branches<'t>) {
+        if under.now() == Branch::Skipped {
             return;
         }
-        let is_conditional = branch == Branch::Open;
+        let under = under.undecided();
+        let is_conditional = under.is_some();
         let before = code.whole().text[..word.at].trim_end();
         let declared = before.strip_suffix('=').map(|before| {
             let before = before.trim_end();
             &before[before.trim_end_matches(is_letter).len()..]
         });
         match (word.text, declared) {
-            ("camera", name) => self.cameras.push(Shot { inside, name, is_conditional }),
+            ("camera", name) => self.cameras.push(Shot { inside, name, under }),
             (other, Some(_)) => self.is_declared |= is_object(other),
             (other, _) if is_conditional => self.is_conditional |= is_object(other),
             ("sphere", _) => self.spheres.push(inside),
@@ -250,10 +173,18 @@ impl<'t> Blocks<'t> {
         notes: &mut Vec<String>,
     ) -> Result<Piece<'t>, FileError> {
         let placed = |shot: &&Shot| shot.name.is_none();
-        let certain = self.cameras.iter().rposition(|shot| placed(&shot) && !shot.is_conditional);
+        let certain = self.cameras.iter().rposition(|shot| placed(&shot) && shot.under.is_none());
         // Of those before it none counts.
         let candidates = &self.cameras[certain.unwrap_or(0)..];
-        let open = candidates.iter().filter(|shot| placed(shot) && shot.is_conditional).count();
+        let open: Vec<Piece> =
+            candidates.iter().filter(placed).filter_map(|shot| shot.under).collect();
+        if let [first, _, ..] = open[..] {
+            let right = format!(
+                "it is not worked out, and {} of camera stand under such conditions: leave in one",
+                open.len()
+            );
+            return Err(code.fault("the condition", first, &right));
+        }
         let shot = match certain {
             Some(certain) => self.cameras.get(certain),
             None => self.cameras.iter().rfind(placed),
@@ -263,28 +194,23 @@ impl<'t> Blocks<'t> {
             let shot =
                 shot.ok_or_else(|| code.missing("camera", "as camera { location <0, 0, 0> }"))?;
             notes.push("no camera is placed: the last that is declared is taken".to_owned());
-            return self.resolved(code, shot, notes);
+            return self.resolved(code, shot);
         };
-        if open > 0 {
+        if !open.is_empty() {
             let line = code.error(shot.inside.at, "").place.map_or(0, |place| place.line);
             let which = match certain {
                 Some(_) => "the last that stands under none",
-                None => "the last",
+                None => "it",
             };
             notes.push(format!(
-                "{open} of camera under a condition that is not worked out: {which} is taken, line {line}"
+                "1 of camera under a condition that is not worked out: {which} is taken, line {line}"
             ));
         }
-        self.resolved(code, shot, notes)
+        self.resolved(code, shot)
     }
 
     /// `camera { Name }` is the one that is declared by this name.
-    fn resolved(
-        &self,
-        code: &Code,
-        shot: &Shot<'t>,
-        notes: &mut Vec<String>,
-    ) -> Result<Piece<'t>, FileError> {
+    fn resolved(&self, code: &Code, shot: &Shot<'t>) -> Result<Piece<'t>, FileError> {
         const MOST: usize = 8;
         let mut inside = shot.inside;
         for _ in 0..MOST {
@@ -300,9 +226,9 @@ impl<'t> Blocks<'t> {
                 let right = "what is added to it must stand in its declaration";
                 return Err(code.fault("camera", name, right));
             }
-            if found.is_conditional {
-                let note = "of it is declared under a condition that is not worked out";
-                notes.push(format!("camera {}: the last {note}", name.text));
+            if let Some(under) = found.under {
+                let right = format!("it is not worked out, and camera {} depends on it", name.text);
+                return Err(code.fault("the condition", under, &right));
             }
             inside = found.inside;
         }

@@ -5,6 +5,7 @@
 //! world is left-handed by habit alone: right says which way the picture runs.
 
 mod blocks;
+mod branches;
 mod comments;
 mod objects;
 mod read;

@@ -116,6 +116,28 @@ impl<'t> Values<'t> {
         vector(&self.whole(piece)?)
     }
 
+    /// Whether a condition holds: a number that is not 0, or two that are compared. Angle brackets
+    /// stand in it as square ones.
+    pub(super) fn condition(&self, piece: Piece) -> Option<bool> {
+        let (left, rest) = self.prefix(piece)?;
+        let left = one(left)?;
+        let rest = after_spaces(rest);
+        if rest.text.is_empty() {
+            return Some(left != 0.0);
+        }
+        let signs = ["!=", "[=", "]=", "=", "[", "]"];
+        let sign = signs.into_iter().find(|sign| rest.text.starts_with(sign))?;
+        let right = self.number(rest.from(sign.len()))?;
+        Some(match sign {
+            "!=" => left != right,
+            "[=" => left <= right,
+            "]=" => left >= right,
+            "=" => left == right,
+            "[" => left < right,
+            _ => left > right,
+        })
+    }
+
     /// What the expression with which a piece begins comes to, and what follows it.
     pub(super) fn prefix<'p>(&self, piece: Piece<'p>) -> Option<(Value, Piece<'p>)> {
         let mut reader = Reader { values: self, rest: piece.text, depth: DEEPEST };

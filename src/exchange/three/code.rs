@@ -3,6 +3,7 @@
 
 use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
+use super::handed::handed;
 use super::react;
 use super::stand::{Stand, changed, moves, number_after};
 use super::steps::{Step, Verb, camera, later, made, names, steps};
@@ -100,6 +101,7 @@ fn follow(
         }
     }
     carried(code, &names, DEEPEST)?;
+    handed(code, &names, &later(code))?;
     controls(code, &names, stand, notes)
 }
 
@@ -114,6 +116,10 @@ fn now<'t>(code: &Code, all: Vec<Step<'t>>, notes: &mut Vec<String>) -> Vec<Step
         if !notes.iter().any(|said| said == note) {
             notes.push(note.to_owned());
         }
+    }
+    let turns = |steps: &[Step]| steps.iter().any(|step| step.path == ".lookAt");
+    if turns(&left) && !turns(&now) {
+        notes.push("lookAt is among it, and stands nowhere else".to_owned());
     }
     now
 }
@@ -184,8 +190,9 @@ fn controls(
             split(*call).first().is_some_and(|camera| names.contains(&camera.text))
         };
         // Of several the last one turns the camera last.
-        if let Some((name, _)) = made(code, kind).into_iter().rfind(is_own) {
+        if let Some((name, made_with)) = made(code, kind).into_iter().rfind(is_own) {
             let steps = name.map(|name| steps(code, name)).unwrap_or_default();
+            looked_after(code, names, made_with.at, &steps, kind)?;
             let mut target = DVec3::ZERO;
             for step in now(code, steps, notes) {
                 if let Some(rest) = step.path.strip_prefix(".target").filter(|r| *r != "0") {
@@ -208,6 +215,31 @@ fn controls(
             let right = "the camera must be moved by its own name";
             let piece = Piece { text: "getObject", at };
             return Err(code.fault("the controls' object", piece, right));
+        }
+    }
+    Ok(())
+}
+
+/// Controls turn the camera when they are made, and where they are updated: a `lookAt` between the two
+/// is undone, one after them holds.
+fn looked_after(
+    code: &Code,
+    names: &[&str],
+    made: usize,
+    of_controls: &[Step],
+    kind: &str,
+) -> Result<(), FileError> {
+    let later = later(code);
+    let updated = of_controls.iter().rfind(|step| step.path == ".update").map(|step| step.at);
+    if updated.is_some_and(|at| later.contains(at)) {
+        return Ok(());
+    }
+    let after = updated.map_or(made, |at| at.max(made));
+    for step in names.iter().flat_map(|name| steps(code, name)) {
+        if step.path == ".lookAt" && step.at > after && !later.contains(step.at) {
+            let right =
+                format!("{kind} turn the camera before it: one of the two must be left out");
+            return Err(code.fault("lookAt", step.values, &right));
         }
     }
     Ok(())

@@ -3,6 +3,7 @@
 //! Cameras look along their own -z with y up; matrices are column after column.
 
 mod code;
+mod handed;
 mod react;
 mod stand;
 mod steps;

@@ -11,22 +11,29 @@ use crate::formats::FileError;
 pub(super) struct Stand {
     pub(super) position: DVec3,
     up: DVec3,
+    /// Euler's angles, in the order XYZ.
+    rotation: DVec3,
     pub(super) zoom: f64,
     turned: Option<Turned>,
 }
 
-/// The last turn: from where, to where, along what, and with which up.
+/// The last turn: from where to where, where it is to a point; along what, and with which up.
 #[derive(Clone, Copy)]
 struct Turned {
-    from: DVec3,
-    at: DVec3,
+    points: Option<[DVec3; 2]>,
     view: DVec3,
     up: DVec3,
 }
 
 impl Default for Stand {
     fn default() -> Stand {
-        Stand { position: DVec3::ZERO, up: DVec3::Y, zoom: 1.0, turned: None }
+        Stand {
+            position: DVec3::ZERO,
+            up: DVec3::Y,
+            rotation: DVec3::ZERO,
+            zoom: 1.0,
+            turned: None,
+        }
     }
 }
 
@@ -71,14 +78,34 @@ impl Stand {
                 };
                 self.look_at(at, notes);
             }
+            (".rotation.x" | ".rotation.y" | ".rotation.z" | ".rotation.set", _)
+                if self.turned.is_none_or(|turned| turned.points.is_none()) =>
+            {
+                changed(code, "rotation", &path[".rotation".len()..], step, &mut self.rotation)?;
+                self.rotate();
+            }
             (other, _) if turns(other) => {
-                let right =
-                    "the camera must be turned by lookAt, or be given as toJSON() writes it";
+                let right = instead_of(other);
                 return Err(code.fault(other.trim_start_matches('.'), values, right));
             }
             _ => (),
         }
         Ok(())
+    }
+
+    /// By Euler's angles: about the camera's x, then its y, then its z.
+    fn rotate(&mut self) {
+        let (x, y, z) = (self.rotation.x, self.rotation.y, self.rotation.z);
+        let turned = |v: DVec3| {
+            let (s, c) = z.sin_cos();
+            let v = DVec3::new(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+            let (s, c) = y.sin_cos();
+            let v = DVec3::new(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
+            let (s, c) = x.sin_cos();
+            DVec3::new(v.x, c * v.y - s * v.z, s * v.y + c * v.z)
+        };
+        let (view, up) = (turned(DVec3::NEG_Z), turned(DVec3::Y));
+        self.turned = Some(Turned { points: None, view, up });
     }
 
     /// As three.js does it, also where it stands at the point, or looks along up.
@@ -106,7 +133,7 @@ impl Stand {
             }
             Some(_) => at - from,
         };
-        self.turned = Some(Turned { from, at, view, up });
+        self.turned = Some(Turned { points: Some([from, at]), view, up });
     }
 
     /// Orbit controls turn the camera to their target, wherever it looked before; they keep it a little
@@ -126,9 +153,10 @@ impl Stand {
 
     /// A camera that is moved after it was turned looks the same way from elsewhere.
     pub(super) fn orientation(&self, notes: &mut Vec<String>) -> Orientation {
-        let Some(Turned { from, at, view, up }) = self.turned else {
+        let Some(Turned { points, view, up }) = self.turned else {
             return Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y };
         };
+        let Some([from, at]) = points else { return Orientation::View { view, up } };
         if from == self.position && view == at - from {
             return Orientation::At { at, up };
         }
@@ -216,6 +244,20 @@ pub(super) fn number_after(
             ));
         }
     })
+}
+
+/// What must be written in the place of a statement that is not taken over.
+fn instead_of(path: &str) -> &'static str {
+    let is_of = |words: &[&str]| words.iter().any(|word| path.starts_with(word));
+    if is_of(&[".setFocalLength", ".projectionMatrix"]) {
+        "this is not read: the field of view must be given by fov"
+    } else if is_of(&[".setViewOffset", ".filmOffset"]) {
+        "a view that is off the middle is not read: the camera must be given without it"
+    } else if is_of(&[".scale"]) {
+        "a camera that is scaled is not read: it must be given without it"
+    } else {
+        "the camera must be turned by lookAt, or be given as toJSON() writes it"
+    }
 }
 
 /// What else changes the camera's axes, its place or its lens.

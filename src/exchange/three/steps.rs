@@ -61,7 +61,7 @@ pub(super) fn steps<'t>(code: &'t Code, name: &str) -> Vec<Step<'t>> {
 }
 
 /// Adds `.position.set` to the path, and gives what follows it; lines may end before a point.
-fn path_of<'t>(mut rest: Piece<'t>, path: &mut String) -> Piece<'t> {
+pub(super) fn path_of<'t>(mut rest: Piece<'t>, path: &mut String) -> Piece<'t> {
     loop {
         let next = after_spaces(rest);
         let next = next.from(next.text.len() - next.text.trim_start_matches(['?', '!']).len());
@@ -128,7 +128,7 @@ pub(super) fn made<'t>(code: &'t Code, kind: &str) -> Vec<(Option<&'t str>, Piec
 }
 
 /// The name in `const camera: THREE.PerspectiveCamera =`.
-fn name_before<'t>(before: &'t str, kind: &str) -> Option<&'t str> {
+pub(super) fn name_before<'t>(before: &'t str, kind: &str) -> Option<&'t str> {
     let before = before.strip_suffix('=')?.trim_end();
     // In TypeScript its kind may follow the name.
     let before = before.trim_end_matches(kind).trim_end_matches("THREE.").trim_end();
@@ -281,7 +281,7 @@ impl Later {
 }
 
 /// The body of a function, where its name stands.
-fn body(code: &Code, at: usize, length: usize) -> Option<Range<usize>> {
+pub(super) fn body(code: &Code, at: usize, length: usize) -> Option<Range<usize>> {
     // No arguments are longer.
     const LONGEST: usize = 300;
     let whole = code.whole();
