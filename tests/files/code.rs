@@ -193,11 +193,14 @@ fn must_run(language: &str) -> bool {
     required && language != "julia"
 }
 
+/// `PINHOLE_TEST_PYTHON` is the Python that has NumPy.
+fn command(program: &str) -> Command {
+    let python = std::env::var_os("PINHOLE_TEST_PYTHON").filter(|_| program == "python3");
+    Command::new(python.unwrap_or_else(|| program.into()))
+}
+
 fn is_there(program: &[&str]) -> bool {
-    Command::new(program[0])
-        .args(&program[1..])
-        .output()
-        .is_ok_and(|output| output.status.success())
+    command(program[0]).args(&program[1..]).output().is_ok_and(|output| output.status.success())
 }
 
 /// What the first command that prints the rays says.
@@ -208,9 +211,11 @@ fn numbers(runner: &Runner, code: &str, pixels: &[Pixel]) -> Vec<f64> {
     }
     let mut numbers = Vec::new();
     for line in runner.run {
-        let program = if line[0] == "./run" { folder.path().join("run") } else { line[0].into() };
-        let output =
-            Command::new(program).args(&line[1..]).current_dir(folder.path()).output().unwrap();
+        let mut run = match line[0] {
+            "./run" => Command::new(folder.path().join("run")),
+            program => command(program),
+        };
+        let output = run.args(&line[1..]).current_dir(folder.path()).output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success() && said.is_empty(), "{line:?}: {said}");
         if numbers.is_empty() {
