@@ -6,7 +6,6 @@ use std::sync::Arc;
 use pinhole_core::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
 
-use crate::formats::answers;
 use crate::number::{grouped, significant};
 
 /// A file of answers, as it was read.
@@ -16,6 +15,8 @@ pub struct AnswersFile {
     pub path: PathBuf,
     /// What it holds.
     pub bytes: Vec<u8>,
+    /// What kind of answers that is, by its first bytes.
+    pub kind: Option<Kind>,
 }
 
 /// The answers that the window shows the grade of.
@@ -37,8 +38,7 @@ impl AnswersAtHand {
     /// Whether its rows and columns are numbers that begin somewhere: not those of a basis or a
     /// picture.
     pub fn are_numbered(&self) -> bool {
-        let kind = answers::kind_of(&self.file.bytes);
-        !matches!(kind, Some(Kind::Basis | Kind::Picture))
+        !matches!(self.file.kind, Some(Kind::Basis | Kind::Picture))
     }
 }
 

@@ -52,7 +52,8 @@ impl App {
             Ok(bytes) => {
                 let known = self.session.answers.as_ref().filter(|known| known.file.path == path);
                 let count_from = known.map_or(0, |known| known.count_from);
-                let file = Arc::new(AnswersFile { path: path.to_owned(), bytes });
+                let kind = answers::kind_of(&bytes);
+                let file = Arc::new(AnswersFile { path: path.to_owned(), bytes, kind });
                 self.session.answers = Some(AnswersAtHand { file, count_from });
                 self.session.settings.layout = ViewLayout::Answers;
             }

@@ -255,14 +255,18 @@ fn assigned(rest: Piece) -> Option<Piece> {
     (!value.text.starts_with('=')).then(|| statement(value))
 }
 
+/// Whether a word goes on with it: letters, digits and `_`.
+pub(crate) fn is_of_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
 /// Where a word stands that is no part of a longer one.
 pub(crate) fn words(within: Piece, word: &str) -> Vec<usize> {
-    let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let text = within.text;
     let alone = |at: &usize| {
         let before = text[..*at].chars().next_back();
         let after = text[at + word.len()..].chars().next();
-        !before.is_some_and(is_part) && !after.is_some_and(is_part)
+        !before.is_some_and(is_of_word) && !after.is_some_and(is_of_word)
     };
     text.match_indices(word).map(|(at, _)| at).filter(alone).collect()
 }

@@ -99,11 +99,13 @@ impl<'a> Grader<'a> {
             [mistake] if mistake != KnownMistake::SinglePrecision => return grade,
             _ => 3,
         };
-        if let Some(digits) = self.right_digits().filter(|digits| *digits >= least) {
-            return Grade { right_digits: Some(digits), diagnosis: Diagnosis::default(), ..grade };
-        }
-        match self.mistake_in_few_digits(&grade.is_right) {
-            Some((diagnosis, digits)) => Grade { right_digits: Some(digits), diagnosis, ..grade },
+        let Some((answers, digits)) = self.few_digits() else { return grade };
+        let diagnosis = match digits >= least && self.are_right_as_written(&answers) {
+            true => Some(Diagnosis::default()),
+            false => self.mistake_in_few_digits(&answers, digits, &grade.is_right),
+        };
+        match diagnosis {
+            Some(diagnosis) => Grade { right_digits: Some(digits), diagnosis, ..grade },
             None => grade,
         }
     }
@@ -116,34 +118,39 @@ impl<'a> Grader<'a> {
         too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
-    /// To how many digits the answers are right, if they all are as far as they are written, and these
-    /// are too few.
-    fn right_digits(&self) -> Option<u32> {
-        let (answers, digits) = self.few_digits()?;
-        let judged = match &answers {
+    /// Whether the answers, with what their digits leave open, are all right.
+    fn are_right_as_written(&self, answers: &Answers) -> bool {
+        let judged = match answers {
             Answers::Basis(answers) => self.as_written(answers).judged(&self.given),
             Answers::Rays(rays) => self.of_rays(rays, Digits::as_written()).judged(&self.given),
             Answers::Hits(hits) => {
                 self.of_hits(hits, Digits::as_written()).judged(&self.given, &self.first_of(hits))
             }
-            Answers::Picture(_) => return None,
+            Answers::Picture(_) => return false,
         };
-        judged.iter().all(|judged| judged.is_right).then_some(digits)
+        judged.iter().all(|judged| judged.is_right)
     }
 
     /// The one mistake that explains the answers as far as they are written, where that is to too few
     /// digits: what they lack is not put down to `f32`.
-    fn mistake_in_few_digits(&self, is_right: &[bool]) -> Option<(Diagnosis, u32)> {
+    fn mistake_in_few_digits(
+        &self,
+        answers: &Answers,
+        digits: u32,
+        is_right: &[bool],
+    ) -> Option<Diagnosis> {
         const LEAST: u32 = 3;
-        let (answers, digits) = self.few_digits().filter(|(_, digits)| *digits >= LEAST)?;
+        if digits < LEAST {
+            return None;
+        }
         let explained = |fits: &dyn Fits| diagnose(&self.given, fits, is_right, false);
-        let diagnosis = match &answers {
+        let diagnosis = match answers {
             Answers::Basis(answers) => explained(&self.as_written(answers)),
             Answers::Rays(rays) => explained(&self.of_rays(rays, Digits::as_written())),
             Answers::Hits(hits) => explained(&self.of_hits(hits, Digits::as_written())),
             Answers::Picture(_) => return None,
         };
-        (diagnosis.mistakes.len() == 1).then_some((diagnosis, digits))
+        (diagnosis.mistakes.len() == 1).then_some(diagnosis)
     }
 
     fn as_written<'b>(&self, answers: &'b [Measured; 3]) -> Vectors<'b> {

@@ -1,6 +1,6 @@
 //! Calls that are handed a thing: a function may move what it is given, unseen.
 
-use crate::exchange::code::{Code, Piece, after_spaces, split, trimmed, words};
+use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, split, trimmed, words};
 
 /// A thing among the arguments of a call.
 pub(super) struct Passed<'t> {
@@ -155,7 +155,7 @@ fn is_read_at(text: &str, at: usize) -> bool {
     let before = text[..at].trim_end_matches([' ', '\t']);
     let begins = before.is_empty() || before.ends_with(['\n', ';', ':']);
     let harmless_call = before.strip_suffix('(').is_some_and(|head| {
-        let last = head.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next();
+        let last = head.rsplit(|c: char| !is_of_word(c)).next();
         last.is_some_and(|last| HARMLESS.contains(&last)) && after.starts_with(')')
     });
     let is_plain = PLAIN.iter().any(|plain| rest[..end].ends_with(plain));
@@ -177,6 +177,5 @@ fn is_of_path(c: char) -> bool {
 }
 
 fn is_name(text: &str) -> bool {
-    text.starts_with(|c: char| c.is_alphabetic() || c == '_')
-        && text.chars().all(|c| c.is_alphanumeric() || c == '_')
+    text.starts_with(|c: char| c.is_alphabetic() || c == '_') && text.chars().all(is_of_word)
 }

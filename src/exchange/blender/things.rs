@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use super::parts::{LONGEST_PATH, is_active, is_path, owner, plain};
 use super::passed::{Passed, passed};
-use crate::exchange::code::{Code, Piece, split};
+use crate::exchange::code::{Code, Piece, is_of_word, split};
 use crate::exchange::python::{Block, Statement, Verb, statements};
 use crate::formats::FileError;
 
@@ -157,8 +157,7 @@ impl<'t> Things<'t> {
     fn of_scene(path: String) -> String {
         let camera = path.match_indices(".camera").map(|(at, word)| (at, at + word.len()));
         let mut camera = camera.filter(|(at, end)| {
-            !path[*end..].starts_with(|c: char| c.is_alphanumeric() || c == '_')
-                && Self::is_scene(&path[..*at])
+            !path[*end..].starts_with(is_of_word) && Self::is_scene(&path[..*at])
         });
         match camera.next() {
             Some((_, end)) => format!("{SCENE_CAMERA}{}", &path[end..]),

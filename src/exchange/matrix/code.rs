@@ -4,7 +4,7 @@
 use super::functions::{MODULES, STACKS, is_type, made, number_at};
 use super::names::Names;
 use super::{Index, MOST, Matrix};
-use crate::exchange::code::{Piece, after_spaces, split, trimmed};
+use crate::exchange::code::{Piece, after_spaces, is_of_word, split, trimmed};
 
 /// So many brackets and names in each other are followed.
 pub(super) const DEEPEST: usize = 40;
@@ -239,7 +239,7 @@ impl<'t> Reader<'_, 't> {
     /// Letters and digits from here.
     fn path(&mut self) -> &'t str {
         let text = self.rest.text;
-        let end = text.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(text.len());
+        let end = text.find(|c: char| !is_of_word(c)).unwrap_or(text.len());
         self.rest = self.rest.from(end);
         &text[..end]
     }

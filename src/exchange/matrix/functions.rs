@@ -1,6 +1,7 @@
 //! Functions of NumPy and of OpenCV that make matrices.
 
 use super::{MOST, Matrix, whole};
+use crate::exchange::code::is_of_word;
 
 /// What puts matrices together.
 pub(super) const STACKS: [&str; 5] =
@@ -83,6 +84,6 @@ pub(super) fn number_at(text: &str) -> Option<(f64, usize)> {
     }
     let number = text.get(..end)?.parse::<f64>().ok()?;
     let end = end + usize::from(text[end..].starts_with(['f', 'F']));
-    let is_ended = |c: char| !(c.is_alphanumeric() || c == '_');
+    let is_ended = |c: char| !is_of_word(c);
     text[end..].chars().next().is_none_or(is_ended).then_some((number, end))
 }

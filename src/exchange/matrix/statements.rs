@@ -1,7 +1,7 @@
 //! What the statements of code do to a name, one after the other.
 
 use super::names::Names;
-use crate::exchange::code::{Piece, after_spaces, split, words};
+use crate::exchange::code::{Piece, after_spaces, is_of_word, split, words};
 
 /// What is done to a name at a place.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +58,7 @@ impl<'t> Names<'t> {
         let other = |at: usize| {
             let before = near_end(&whole.text[..at]);
             let target = before.trim_end().strip_suffix('=')?.trim_end();
-            let is_part = |c: char| c.is_alphanumeric() || c == '_';
-            let start = target.trim_end_matches(is_part);
+            let start = target.trim_end_matches(is_of_word);
             let other = &target[start.len()..];
             let rest = near(&whole.text[at + name.len()..]);
             let rest = rest.split(['\n', ';']).next().unwrap_or_default().trim_end();

@@ -1,8 +1,8 @@
 //! A POV-Ray scene's blocks: its camera, and the objects that stand by themselves.
 
 use super::branches::{Branch, Branches};
-use super::values::{Values, is_letter, word_of};
-use crate::exchange::code::{Code, Piece, after_spaces, trimmed};
+use super::values::{Values, word_of};
+use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, trimmed};
 use crate::exchange::left_out::LeftOut;
 use crate::formats::FileError;
 
@@ -113,7 +113,7 @@ impl<'t> Blocks<'t> {
                     Some(inside) => after.from(inside.text.len() + 1),
                     None => break,
                 },
-                c if is_letter(c) => {
+                c if is_of_word(c) => {
                     let word = word_of(rest);
                     let open = after_spaces(rest.from(word.text.len()));
                     if !open.text.starts_with('{') {
@@ -147,7 +147,7 @@ impl<'t> Blocks<'t> {
         let before = code.whole().text[..word.at].trim_end();
         let declared = before.strip_suffix('=').map(|before| {
             let before = before.trim_end();
-            &before[before.trim_end_matches(is_letter).len()..]
+            &before[before.trim_end_matches(is_of_word).len()..]
         });
         match (word.text, declared) {
             ("camera", name) => self.cameras.push(Shot { inside, name, under }),

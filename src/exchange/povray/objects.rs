@@ -3,11 +3,11 @@
 use pinhole_core::{DVec3, Plane, Sphere};
 
 use super::blocks::Blocks;
-use super::values::{Value, Values, is_letter, vector, word_of};
+use super::values::{Value, Values, vector, word_of};
 use crate::document::Item;
 use crate::exchange::affine::Affine;
 use crate::exchange::back::{readable, settled};
-use crate::exchange::code::{Code, Piece, after_spaces, trimmed, words};
+use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, trimmed, words};
 use crate::exchange::sheet::byte_of_light;
 use crate::formats::FileError;
 
@@ -139,7 +139,7 @@ impl<'c, 't> Objects<'c, 't> {
         let mut placed = Affine::IDENTITY;
         let mut rest = modifiers;
         while let Some(c) = rest.text.chars().next() {
-            if !is_letter(c) {
+            if !is_of_word(c) {
                 if c == '#' {
                     return Err(code.fault(
                         "object",

@@ -6,7 +6,7 @@ use super::blocks::Blocks;
 use super::comments::without_comments;
 use super::objects::Objects;
 use super::values::{Values, has, word_of};
-use crate::exchange::back::{Mirrored, Stance, image_of, image_of_aspect, settled};
+use crate::exchange::back::{Mirrored, Stance, image_of, image_of_aspect, settled, size_taken};
 use crate::exchange::code::{Code, Comments, Piece, trimmed, words};
 use crate::exchange::{Taken, Text};
 use crate::formats::FileError;
@@ -115,8 +115,8 @@ fn by_ratio<'t>(
             return Ok((other, image, values));
         }
     }
-    let (w, h) = (at_hand.width(), at_hand.height());
-    notes.push(format!("the scene does not say how many pixels there are: {w} × {h} taken"));
+    let unsaid = "the scene does not say how many pixels there are";
+    notes.push(size_taken(unsaid, at_hand, " taken"));
     let values = Values::of(code, at_hand);
     Ok((view, at_hand, values))
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use pinhole_core::{DVec3, ImageSize};
 
-use crate::exchange::code::{Code, Piece, after_spaces, words};
+use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, words};
 
 /// The names of `colors.inc` that are read, as light.
 const COLORS: [(&str, [f64; 3]); 9] = [
@@ -79,7 +79,7 @@ impl<'t> Values<'t> {
                     if ["for", "macro"].contains(&word)
                         && let Some(inside) = code.bracketed(list)
                     {
-                        let variables = inside.text.split(|c| !is_letter(c));
+                        let variables = inside.text.split(|c| !is_of_word(c));
                         names.extend(variables.map(|variable| (variable, Declared::Changed)));
                     }
                 }
@@ -172,13 +172,9 @@ pub(super) fn vector(value: &[f64]) -> Option<DVec3> {
     }
 }
 
-pub(super) fn is_letter(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
-}
-
 /// The word with which a piece begins.
 pub(super) fn word_of(piece: Piece) -> Piece {
-    let end = piece.text.find(|c| !is_letter(c)).unwrap_or(piece.text.len());
+    let end = piece.text.find(|c| !is_of_word(c)).unwrap_or(piece.text.len());
     Piece { text: &piece.text[..end], ..piece }
 }
 
@@ -332,7 +328,7 @@ impl Reader<'_, '_, '_> {
 }
 
 fn word_at(text: &str) -> &str {
-    &text[..text.find(|c| !is_letter(c)).unwrap_or(text.len())]
+    &text[..text.find(|c| !is_of_word(c)).unwrap_or(text.len())]
 }
 
 fn one(value: Value) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::exchange::code::{Code, Piece, after_spaces, split, statement, words};
+use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, split, statement, words};
 use crate::formats::FileError;
 
 /// Something is done to a thing: `camera.position.set(1, 2, 3)`, `camera.position.y += 5`.
@@ -66,7 +66,7 @@ pub(super) fn path_of<'t>(mut rest: Piece<'t>, path: &mut String) -> Piece<'t> {
         let next = after_spaces(rest);
         let next = next.from(next.text.len() - next.text.trim_start_matches(['?', '!']).len());
         let Some(word) = next.text.strip_prefix('.') else { return after_spaces(rest) };
-        let end = word.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(word.len());
+        let end = word.find(|c: char| !is_of_word(c)).unwrap_or(word.len());
         path.push('.');
         path.push_str(&word[..end]);
         rest = next.from(1 + end);

@@ -5,7 +5,7 @@ mod read;
 
 use pinhole_core::Sphere;
 
-use crate::exchange::code::{Piece, split};
+use crate::exchange::code::{Piece, is_of_word, split};
 use crate::exchange::sheet::{Sheet, commas, light, n, real};
 use crate::exchange::terms::{Pixels, Terms};
 use crate::exchange::{Format, Subject, Unsayable, Written};
@@ -51,7 +51,7 @@ fn is_constructed(text: &str) -> bool {
         let before = text[..at - 1].chars().next_back();
         let rest = text[at + "amera".len()..].trim_start_matches(' ');
         let rest = rest.strip_prefix("::new").unwrap_or(rest);
-        let rest = rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_');
+        let rest = rest.trim_start_matches(is_of_word);
         let mut depth = 0_usize;
         let end = rest.char_indices().take(LONGEST).find(|(_, c)| {
             match c {
@@ -63,7 +63,7 @@ fn is_constructed(text: &str) -> bool {
         });
         let inside = end.and_then(|(end, _)| rest.get(1..end));
         let parts = split(Piece { text: inside.unwrap_or_default(), at: 0 });
-        !before.is_some_and(|c| c.is_alphanumeric() || c == '_')
+        !before.is_some_and(is_of_word)
             && parts.len() >= 5
             && parts.iter().take(3).all(|part| VECTORS.iter().any(|v| part.text.starts_with(v)))
     })

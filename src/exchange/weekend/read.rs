@@ -6,7 +6,7 @@ use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
 
 use crate::document::Item;
 use crate::exchange::back::{extent, image_of, in_ratio, readable};
-use crate::exchange::code::{Code, Comments, Piece, number, split, trimmed};
+use crate::exchange::code::{Code, Comments, Piece, is_of_word, number, split, trimmed};
 use crate::exchange::{Taken, Text};
 use crate::formats::FileError;
 
@@ -126,8 +126,7 @@ fn constructor<'t>(code: &'t Code) -> Result<Option<Piece<'t>>, FileError> {
         for at in crate::exchange::code::words(whole, word) {
             let rest = whole.text[at + word.len()..].trim_start();
             let rest = rest.strip_prefix("::new").unwrap_or(rest);
-            let rest =
-                rest.trim_start_matches(|c: char| c.is_alphanumeric() || c == '_').trim_start();
+            let rest = rest.trim_start_matches(is_of_word).trim_start();
             let Some(inside) = code.bracketed(whole.from(whole.text.len() - rest.len())) else {
                 continue;
             };
