@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pinhole_core::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
 
-use crate::number::{grouped, significant};
+use crate::model::number::{grouped, significant};
 
 /// A file of answers, as it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]

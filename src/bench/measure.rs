@@ -6,7 +6,7 @@ use pinhole_yardstick::Setting;
 use pinhole_yardstick::contest::{self, Limits, Method};
 
 use super::model::{Bench, Row, Times};
-use crate::machine;
+use crate::report::machine;
 
 /// The most spheres of the built-in series.
 pub const MOST: usize = 1_000_000;

@@ -5,7 +5,7 @@ use crate::chart::axis::{Decades, Tick};
 use crate::chart::figure::{Align, Figure, Place, Shape};
 use crate::chart::frame::{FRAME, Frame, GRID, MARGIN, SMALL, TEXT, WEAK, across, paragraph};
 use crate::chart::marker::{Marker, Outline, marker};
-use crate::number::short;
+use crate::model::number::short;
 
 const WIDTH: f64 = 1280.0;
 const PANEL: f64 = 560.0;

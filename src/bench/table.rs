@@ -1,8 +1,8 @@
 //! The bench as text, in aligned columns, for a terminal of 80 columns.
 
 use super::model::{Bench, Row};
-use crate::columns::{aligned, widths, wrapped};
-use crate::number::short;
+use crate::model::number::short;
+use crate::report::columns::{aligned, widths, wrapped};
 
 /// As wide as text may be.
 const WIDTH: usize = 80;

@@ -4,7 +4,8 @@ use egui::{Align2, Color32, FontFamily, FontId, Pos2, pos2};
 use tiny_skia::{FillRule, Paint, Path, PathBuilder, PixmapMut, Stroke, StrokeDash, Transform};
 
 use super::figure::{Align, DASH, Figure, Ink, Place, Shape};
-use crate::present::{fonts, headless};
+use crate::view::headless;
+use crate::view::typesetting::fonts;
 
 /// A figure's pixels, opaque sRGB, row by row from the top.
 pub struct Raster {

@@ -1,7 +1,8 @@
 //! C++ with GLM.
 
+use super::Language;
+use super::Precision;
 use super::numbers::Numbers;
-use super::{Language, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "glm",

@@ -1,7 +1,8 @@
 //! GLSL: a fragment shader that shows each pixel's direction as a colour.
 
+use super::Language;
+use super::Precision;
 use super::numbers::Numbers;
-use super::{Language, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "glsl",

@@ -1,7 +1,8 @@
 //! JavaScript, without packages: in a page or in Node.
 
+use super::Language;
+use super::Precision;
 use super::numbers::Numbers;
-use super::{Language, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "javascript",

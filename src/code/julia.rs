@@ -1,7 +1,8 @@
 //! Julia, without packages.
 
+use super::Language;
+use super::Precision;
 use super::numbers::Numbers;
-use super::{Language, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "julia",

@@ -1,7 +1,8 @@
 //! Rust with glam.
 
+use super::Language;
+use super::Precision;
 use super::numbers::Numbers;
-use super::{Language, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "glam",

@@ -7,9 +7,12 @@ use pinhole_core::{
     Sphere, Viewport, extent_of_fov, fov_of_extent,
 };
 
+use super::Format;
+use super::Taken;
+use super::Text;
+use super::Written;
 use super::affine::Affine;
 use super::sheet::n;
-use super::{Format, Taken, Text, Written};
 use crate::document::Item;
 use crate::formats::FileError;
 

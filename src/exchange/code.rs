@@ -8,8 +8,8 @@ use super::Text;
 pub(crate) use super::comments::Comments;
 use super::comments::without_comments;
 use super::names::{Given, Known, filled};
-use crate::expression;
 use crate::formats::{FileError, Place};
+use crate::model::expression;
 
 /// A text whose comments are blanked, so that places stay.
 pub(crate) struct Code<'a> {

@@ -3,11 +3,16 @@
 
 use pinhole_core::{Camera, DVec3, Orientation, Viewport};
 
+use super::Format;
+use super::Subject;
+use super::Taken;
+use super::Text;
+use super::Unsayable;
+use super::Written;
 use super::back::image_of;
 use super::code::{Code, Comments, split};
 use super::sheet::{Sheet, commas, n, real};
 use super::terms::{Pixels, Terms};
-use super::{Format, Subject, Taken, Text, Unsayable, Written};
 use crate::formats::FileError;
 
 pub(super) const FORMAT: Format = Format {

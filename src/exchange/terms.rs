@@ -2,9 +2,10 @@
 
 use pinhole_core::{DVec3, Pixel};
 
+use super::Format;
+use super::Subject;
 use super::sheet::n;
-use super::{Format, Subject};
-use crate::letters::{bold, italic};
+use crate::model::letters::{bold, italic};
 
 /// What an axis of a format's camera points along.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -240,7 +241,8 @@ fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.of_basis());
         // 0 has no sign to read.
-        let [x, y, z] = (v + DVec3::ZERO).to_array().map(|x| crate::number::written(x, digits));
+        let [x, y, z] =
+            (v + DVec3::ZERO).to_array().map(|x| crate::model::number::written(x, digits));
         format!("{} {} = ({x}, {y}, {z})", axis.meaning(), axis.letter())
     };
     let names = ["x of the camera", "y of the camera", "z of the camera"];

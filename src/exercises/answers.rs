@@ -4,7 +4,7 @@ use pinhole_core::lecture::exercises::{Answer, Part};
 use pinhole_core::lecture::{NumberForm, VectorForm};
 use pinhole_core::{DVec3, shortest};
 
-use crate::number::written;
+use crate::model::number::written;
 
 /// The right answer, exactly if it can be recognised, and in decimals where that is another text.
 pub fn solution(part: &Part, digits: usize) -> String {

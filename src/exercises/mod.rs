@@ -12,7 +12,7 @@ pub use texts::{asked, question, title};
 pub(crate) use verdicts::{is_good, said};
 
 use crate::document::{Document, Item};
-use crate::expression::evaluate;
+use crate::model::expression::evaluate;
 
 /// The largest seed of a question. The field calculates in `f64`: it would show another number for
 /// some above 2^53.

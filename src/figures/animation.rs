@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use super::{Figure, Format, Order};
+use super::Figure;
+use super::Format;
+use super::Order;
 use crate::document::Document;
 use crate::formats::atomic::Draft;
 use crate::formats::png::Animated;
-use crate::play::{Kind, Start};
-use crate::session::Session;
+use crate::model::play::{Kind, Start};
+use crate::model::session::Session;
 
 /// What the frames become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

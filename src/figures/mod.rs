@@ -28,8 +28,8 @@ use egui::{Color32, ColorImage};
 
 use self::part::{Part, Picture};
 use crate::formats::png;
-use crate::overlay::{Drawing, Style};
-use crate::present::headless::Sheet;
+use crate::view::headless::Sheet;
+use crate::view::overlay::{Drawing, Style};
 
 pub use self::animation::{Animation, Frames, Recorder, Reel, check_name};
 pub use self::order::{Content, Order, Subject, ledger_of};

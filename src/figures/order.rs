@@ -5,12 +5,17 @@ use std::path::Path;
 
 use pinhole_core::ImageSize;
 
-use super::{Figure, Format, Look, View, of_view, sheets};
-use crate::derive::{Deriver, ViewSizes};
+use super::Figure;
+use super::Format;
+use super::Look;
+use super::View;
+use super::of_view;
+use super::sheets;
 use crate::document::Document;
-use crate::ledger::{Ledger, Markup, Section};
-use crate::overlay::Style;
-use crate::session::{Session, ViewLayout};
+use crate::model::session::{Session, ViewLayout};
+use crate::view::derivation::{Ledger, Markup, Section};
+use crate::view::derive::{Deriver, ViewSizes};
+use crate::view::overlay::Style;
 
 /// What a figure shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

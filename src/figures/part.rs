@@ -3,7 +3,7 @@
 use egui::{Color32, ColorImage};
 
 use super::typeface::Face;
-use crate::overlay::Path;
+use crate::view::overlay::Path;
 
 /// One thing that is drawn.
 #[derive(Clone, Debug)]

@@ -17,7 +17,7 @@ use krilla::text::{Font, GlyphId, KrillaGlyph};
 use super::Figure;
 use super::part::{Part, Picture, Run, Text};
 use super::typeface::Face;
-use crate::overlay::{Ink, Outline, Path};
+use crate::view::overlay::{Ink, Outline, Path};
 
 /// PDF's points, of which an inch has 72, in a dot, of which it has 96 in style sheets.
 const POINTS: f32 = 0.75;

@@ -8,7 +8,7 @@ use egui::{Color32, Galley, Pos2, Rect, Shape, Stroke, StrokeKind};
 
 use super::part::{Part, Text};
 use super::text;
-use crate::overlay::{Ink, Outline, Path};
+use crate::view::overlay::{Ink, Outline, Path};
 
 /// Shapes in points as parts in dots, `scale` to a point.
 pub(super) fn parts(shapes: &[ClippedShape], scale: f32) -> Vec<Part<'static>> {
@@ -151,12 +151,12 @@ mod tests {
 
     use super::super::part::Part;
     use super::*;
-    use crate::present::headless::Sheet;
-    use crate::present::{fonts, look};
+    use crate::view::headless::Sheet;
+    use crate::view::typesetting::{fonts, theme};
 
     fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Part<'static>> {
         let ctx = Context::default();
-        look::install(&ctx);
+        theme::install_base(&ctx);
         let sheet = Sheet::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
         parts(sheet.shapes(), scale)
     }
@@ -179,7 +179,7 @@ mod tests {
         assert!(text.runs.len() > 1 && text.halo.is_none());
         assert_eq!(text.runs[0].at[0], 20.0);
         let ctx = Context::default();
-        look::install(&ctx);
+        theme::install_base(&ctx);
         let mut width = 0.0;
         Sheet::draw(&ctx, [400, 300], 2.0, |ui| {
             let galley =

@@ -2,13 +2,15 @@
 
 use egui::{Context, Pos2, Rect, Theme, Ui, Vec2, vec2};
 
-use super::{Figure, Look};
-use crate::ledger::{Ledger, Section};
-use crate::lines::LinesLab;
-use crate::overlay::{Drawing, Style};
-use crate::panels;
-use crate::present::headless::Sheet;
-use crate::present::look;
+use super::Figure;
+use super::Look;
+use crate::model::lines::LinesLab;
+use crate::view::derivation::{Ledger, Section};
+use crate::view::headless::Sheet;
+use crate::view::lines as lines_lab;
+use crate::view::overlay::{Drawing, Style};
+use crate::view::typesetting::derivation;
+use crate::view::typesetting::theme;
 
 /// Left and right of the ledger, and above and below it, in points.
 pub const MARGIN: f32 = 12.0;
@@ -26,15 +28,15 @@ pub(super) fn ledger(
     let column = vec2((width - 2.0 * MARGIN).max(60.0), HIGHEST);
     let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
     let mut height = 0.0;
-    let mut draw = |ui: &mut Ui| height = panels::ledger::draw(ui, ledger, column, &is_folded);
+    let mut draw = |ui: &mut Ui| height = derivation::draw(ui, ledger, column, &is_folded);
     // How high it is shows when it is drawn.
     Sheet::draw(&context(look.style), [1, 1], look.scale, &mut draw);
     let page = vec2(width, height + 2.0 * MARGIN);
     let (ctx, size) = (context(look.style), dots(page, look.scale));
     let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
-        panels::ledger::draw(ui, ledger, column, &is_folded);
+        derivation::draw(ui, ledger, column, &is_folded);
     });
-    let ground = ctx.style_of(theme(look.style)).visuals.panel_fill;
+    let ground = ctx.style_of(egui_theme(look.style)).visuals.panel_fill;
     figure("Ledger", size, look, ground, sheet)
 }
 
@@ -44,20 +46,20 @@ pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -
     let page = Rect::from_min_size(Pos2::ZERO, size.into());
     let size = dots(page.size(), look.scale);
     let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
-        panels::lines::draw(ui, page, lab, digits);
+        lines_lab::draw(ui, page, lab, digits);
     });
     figure("Lines", size, look, look.style.colors().background, sheet)
 }
 
 fn context(style: Style) -> Context {
     let ctx = Context::default();
-    look::install(&ctx);
-    panels::look::install(&ctx, panels::look::Look::in_scheme(style.scheme()));
-    ctx.set_theme(theme(style));
+    theme::install_base(&ctx);
+    theme::install(&ctx, theme::Look::in_scheme(style.scheme()));
+    ctx.set_theme(egui_theme(style));
     ctx
 }
 
-fn theme(style: Style) -> Theme {
+fn egui_theme(style: Style) -> Theme {
     if style.is_dark() { Theme::Dark } else { Theme::Light }
 }
 

@@ -13,7 +13,7 @@ use super::subset::subset;
 use super::typeface::Face;
 use crate::formats::png;
 use crate::formats::svg::{SANS, chain, escaped, hex};
-use crate::overlay::{Ink, Outline, Path};
+use crate::view::overlay::{Ink, Outline, Path};
 
 /// The whole file.
 pub(super) fn write(figure: &Figure) -> Result<String, String> {

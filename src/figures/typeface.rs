@@ -8,7 +8,7 @@ use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, GlyphId, MetadataProvider as _};
 
 use crate::formats::svg::SANS;
-use crate::present::fonts;
+use crate::view::typesetting::fonts;
 
 /// One of the fonts: a number that stands for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -5,15 +5,17 @@ use std::sync::Arc;
 use egui::{Color32, Context, Pos2};
 use pinhole_core::ImageSize;
 
-use super::{Figure, Look};
-use crate::coarseness::Coarseness;
-use crate::derive::{Deriver, Fault, Purpose, ViewSizes};
+use super::Figure;
+use super::Look;
 use crate::document::Document;
-use crate::label_text;
-use crate::overlay::Drawing;
-use crate::present::headless::Sheet;
-use crate::present::look;
-use crate::session::Session;
+use crate::model::fault::Fault;
+use crate::model::session::Session;
+use crate::view::adaptive_resolution::Coarseness;
+use crate::view::derive::{Deriver, Purpose, ViewSizes};
+use crate::view::headless::Sheet;
+use crate::view::overlay::Drawing;
+use crate::view::typesetting::label_text;
+use crate::view::typesetting::theme;
 
 /// Which of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +66,7 @@ pub fn of_view(
         labels: shown.labels.to_vec(),
     });
     let ctx = Context::default();
-    look::install(&ctx);
+    theme::install_base(&ctx);
     let size = dots.map(|n| n as usize);
     let sheet = Sheet::draw(&ctx, size, scale, |ui| {
         for label in &drawing.labels {

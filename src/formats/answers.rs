@@ -18,8 +18,10 @@ use pinhole_core::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAns
 use pinhole_core::{DVec3, ImageSize};
 
 use self::pixels::Pixels;
+use super::FileError;
+use super::Place;
 use super::csv_table::{CsvTable, Row};
-use super::{FileError, Place, png};
+use super::png;
 
 const BASIS: &[&str] = &["ux", "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"];
 const RAYS: &[&str] = &["row", "column", "ox", "oy", "oz", "dx", "dy", "dz"];

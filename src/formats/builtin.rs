@@ -2,7 +2,10 @@
 
 use std::path::Path;
 
-use super::{FileError, molecule, scene_file, suggest};
+use super::FileError;
+use super::molecule;
+use super::scene_file;
+use super::suggest;
 use crate::document::Document;
 
 /// A scene that comes with the program.

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use pinhole_core::{DVec3, Sphere};
 
+use super::FileError;
+use super::color;
 use super::csv_table::CsvTable;
-use super::{FileError, color};
 use crate::document::Item;
 
 const COLUMNS: &[&str] = &["x", "y", "z", "r", "color", "name"];

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use super::{FileError, Place, suggest};
+use super::FileError;
+use super::Place;
+use super::suggest;
 
 /// A CSV file in memory, with its header understood.
 pub(crate) struct CsvTable<'a> {

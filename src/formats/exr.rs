@@ -6,7 +6,8 @@ use std::path::Path;
 use exr::prelude::*;
 use pinhole_core::{DVec3, Frame};
 
-use super::{FileError, atomic};
+use super::FileError;
+use super::atomic;
 
 /// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v` and the uint channel `object` of a
 /// frame that was traced with normals, as a whole or not at all.

@@ -6,7 +6,9 @@ use std::path::Path;
 use pinhole_core::DVec3;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
-use super::{FileError, Place, suggest};
+use super::FileError;
+use super::Place;
+use super::suggest;
 
 /// The text that is read, and what messages call it.
 pub(crate) struct Source<'a> {

@@ -9,7 +9,8 @@ use png::{
     Writer,
 };
 
-use super::{FileError, atomic};
+use super::FileError;
+use super::atomic;
 
 /// Writes a picture of `width` x `height` opaque sRGB pixels, row by row from the top, as a whole
 /// or not at all.

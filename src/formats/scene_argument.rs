@@ -2,8 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use super::FileError;
 use super::builtin::{self, Builtin};
-use super::{FileError, molecule, scene_file};
+use super::molecule;
+use super::scene_file;
 use crate::document::Document;
 
 /// Where a scene comes from.

@@ -19,7 +19,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use self::case::CaseRun;
 use super::model::Report;
-use crate::machine;
+use crate::report::machine;
 
 /// How long one slice may go on before the next piece of work is left to the one after it.
 const SLICE: Duration = Duration::from_millis(8);

@@ -2,8 +2,10 @@
 //!
 //! [`model`] is what was measured; everything else turns it into something to read.
 
+pub mod columns;
 pub mod csv;
 pub mod json;
+pub mod machine;
 pub mod measure;
 pub mod model;
 pub mod plot;

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::model::{Case, MethodRow, Report};
-use crate::columns::{aligned, widths, wrapped};
-use crate::number::short;
+use crate::model::number::short;
+use crate::report::columns::{aligned, widths, wrapped};
 
 /// As wide as text may be.
 const WIDTH: usize = 118;

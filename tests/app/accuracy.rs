@@ -3,10 +3,10 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::derive::MOST_QUESTIONS;
-use pinhole::session::{MethodName, Selection, Settings, ViewLayout};
-use pinhole::store::Remembered;
+use pinhole::model::session::{MethodName, Selection, Settings, ViewLayout};
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
+use pinhole::view::derive::MOST_QUESTIONS;
 use pinhole_core::Pixel;
 use pinhole_core::methods::Method;
 

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::session::{Selection, ViewLayout};
+use pinhole::model::session::{Selection, ViewLayout};
+use pinhole::ui::app::App;
 
 use super::harness::{assert_says, click_at, export_to, says, texts_with, type_into, window};
 use super::scene_files::drop_file;

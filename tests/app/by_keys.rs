@@ -5,8 +5,8 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::session::EyeKeeps;
+use pinhole::model::session::EyeKeeps;
+use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
 
 use crate::harness::{assert_says, says, window};

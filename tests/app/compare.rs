@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
+use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, trace};
 use pinhole_core::{NO_OBJECT, Outputs, Raster};
 

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
+use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, OrientationKind, Pixel};
 
 use super::harness::{assert_says, says, type_into, window};
@@ -91,7 +91,7 @@ fn fields_take_arithmetic_and_refuse_what_is_no_number() {
 #[test]
 fn switching_how_the_camera_is_given_changes_no_ray() {
     let mut window = window("look-at");
-    let direction = |app: &pinhole::app::App| {
+    let direction = |app: &pinhole::ui::app::App| {
         app.document().camera.posed().unwrap().ray_of_pixel(Pixel { row: 10, column: 20 }).direction
     };
     let before = direction(window.state());

@@ -3,9 +3,9 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
 use pinhole::exercises::{LARGEST_SEED, title};
-use pinhole::session::{Selection, ViewLayout};
+use pinhole::model::session::{Selection, ViewLayout};
+use pinhole::ui::app::App;
 use pinhole_core::lecture::exercises::{Exercise, Given, Question};
 use pinhole_core::{DVec2, Orientation};
 

@@ -6,9 +6,9 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
 use pinhole::figures::{Format, Look, View, of_view};
-use pinhole::overlay::Style;
+use pinhole::ui::app::App;
+use pinhole::view::overlay::Style;
 use pinhole_core::ImageSize;
 
 use super::harness::{assert_says, export_to, says, texts_with, type_into, window};

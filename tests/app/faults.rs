@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui_kittest::kittest::Queryable as _;
-use pinhole::derive::Fault;
+use pinhole::model::fault::Fault;
 
 use super::harness::{assert_says, texts_with, type_into, window};
 

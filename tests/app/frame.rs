@@ -3,9 +3,9 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::session::{Settings, ViewLayout};
-use pinhole::store::Remembered;
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
 use pinhole_core::{Counts, Steps};
 
 use super::harness::{assert_says, texts_with, type_into, window, window_with};

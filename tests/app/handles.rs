@@ -7,11 +7,11 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
 use pinhole::document::Document;
-use pinhole::handles::Handle;
-use pinhole::session::{Selection, Settings};
-use pinhole::store::Remembered;
+use pinhole::model::hand::Handle;
+use pinhole::model::session::{Selection, Settings};
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
 
 use crate::harness::{assert_says, says, window, window_with};
@@ -430,7 +430,7 @@ fn every_handle_is_moved_by_keys() {
 #[test]
 fn handles_that_are_switched_off_are_not_there() {
     let mut settings = Settings::default();
-    settings.items.set(pinhole::overlay::Item::Handles, false);
+    settings.items.set(pinhole::model::overlay_items::Item::Handles, false);
     let remembered = Remembered { settings, ..Remembered::default() };
     let at = node_at(&window("canonical"), "eye handle");
     let mut harness = window_with("canonical", remembered, None);

@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
+use pinhole::ui::app::App;
 use pinhole_core::DVec3;
 
 use crate::harness::{assert_says, drag_from, type_into, window};

@@ -3,8 +3,8 @@
 use egui::{Key, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
-use pinhole::lessons::{Place, Which};
+use pinhole::model::lessons::{Place, Which};
+use pinhole::ui::app::App;
 
 use crate::harness::window;
 
@@ -25,7 +25,7 @@ fn labels(harness: &Harness<'_, App>) -> Vec<(String, Rect)> {
     let rect = harness.get_by_role_and_label(egui::accesskit::Role::Image, "World view").rect();
     let scale = harness.ctx.pixels_per_point();
     let shown = harness.state().derived().world_view.clone().unwrap();
-    let area = |label: &pinhole::overlay::Label| {
+    let area = |label: &pinhole::view::overlay::Label| {
         let center = rect.min + Vec2::from(label.position) / scale;
         let size = 2.0 * Vec2::from(label.half_extent(scale)) / scale;
         (label.text.clone(), Rect::from_center_size(center, size))

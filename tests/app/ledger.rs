@@ -5,11 +5,11 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
-use pinhole::overlay::{Shape, Target};
-use pinhole::session::{Settings, ViewLayout};
-use pinhole::store::Remembered;
-use pinhole::thing::{Pointed, Pointing, Thing};
+use pinhole::model::concept::{Pointed, Pointing, Thing};
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
+use pinhole::view::overlay::{Shape, Target};
 
 use super::harness::{assert_says, says, texts_with, type_into, window_with};
 

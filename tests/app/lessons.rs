@@ -12,8 +12,8 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::lessons::{Place, Which};
+use pinhole::model::lessons::{Place, Which};
+use pinhole::ui::app::App;
 
 use super::harness::window;
 

@@ -3,8 +3,8 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::lines::LinesLab;
+use pinhole::model::lines::LinesLab;
+use pinhole::ui::app::App;
 use pinhole_core::DVec2;
 
 use super::harness::{assert_reads, assert_says, drag_from, says, type_into, window};

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
+use pinhole::ui::app::App;
 use pinhole_core::lecture::mistakes::{Mistake, NoWrongCamera};
 
 use super::harness::{assert_says, click_at, texts_with, type_into, window};
@@ -121,7 +121,8 @@ fn a_click_in_the_wrong_picture_selects_the_same_pixel_in_both() {
     let rect = window.get_by_role_and_label(Role::Image, "Wrong camera").rect();
     let at = rect.min + egui::vec2(0.25, 0.75) * rect.size() + egui::vec2(0.3, 0.3);
     click_at(&mut window, at);
-    let pinhole::session::Selection::Pixel(pixel) = window.state().session().selection else {
+    let pinhole::model::session::Selection::Pixel(pixel) = window.state().session().selection
+    else {
         panic!("no pixel is selected")
     };
     assert!(pixel.row.abs_diff(300) <= 1 && pixel.column.abs_diff(100) <= 1, "{pixel:?}");

@@ -6,9 +6,9 @@ use egui::accesskit::{Action, Role};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
-use pinhole::session::{Settings, ViewLayout};
-use pinhole::store::Remembered;
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
 
 use crate::harness::{window, window_with};
 

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole::coarseness::Coarseness;
-use pinhole::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::document::{CsvSpheres, Document, Item};
-use pinhole::observer::Observer;
-use pinhole::overlay::Style;
-use pinhole::session::{Session, Settings, ShadeName};
+use pinhole::model::observer::Observer;
+use pinhole::model::session::{Session, Settings, ShadeName};
+use pinhole::view::adaptive_resolution::Coarseness;
+use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
+use pinhole::view::overlay::Style;
 use pinhole_core::{Camera, DVec3, Plane, Scene, Sphere};
 
 const SIZES: ViewSizes = ViewSizes {

@@ -8,8 +8,8 @@ use egui::accesskit::Role;
 use egui::{ColorImage, Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::coarseness::Coarseness;
+use pinhole::ui::app::App;
+use pinhole::view::adaptive_resolution::Coarseness;
 use pinhole_core::{DVec3, Orientation};
 
 use crate::harness::{says, window};

@@ -4,10 +4,11 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
-use pinhole::overlay::{Item, Scheme};
-use pinhole::session::{ShadeName, ViewLayout};
-use pinhole::verbs;
+use pinhole::model::color_scheme::Scheme;
+use pinhole::model::overlay_items::Item;
+use pinhole::model::session::{ShadeName, ViewLayout};
+use pinhole::ui::app::App;
+use pinhole::ui::commands_table;
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
@@ -39,7 +40,8 @@ fn command(harness: &mut Harness<'_, App>, text: &str) {
 
 /// The titles of the commands that are listed, and the chosen one's.
 fn listed(harness: &Harness<'_, App>) -> (Vec<String>, Vec<String>) {
-    let titles: Vec<String> = verbs::all().iter().map(verbs::Verb::title).collect();
+    let titles: Vec<String> =
+        commands_table::all().iter().map(commands_table::Verb::title).collect();
     let nodes = harness.root().children_recursive().filter_map(|node| {
         let node = node.accesskit_node();
         let title = node.label().filter(|label| titles.contains(label))?;
@@ -88,7 +90,10 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
     let before = harness.state().session().clone();
     look_for(&mut harness, "layout");
     let (titles, chosen) = listed(&harness);
-    assert!(titles.iter().all(|title| verbs::score("layout", title).is_some()), "{titles:?}");
+    assert!(
+        titles.iter().all(|title| commands_table::score("layout", title).is_some()),
+        "{titles:?}"
+    );
     assert_eq!(chosen, titles[..1]);
     press(&mut harness, Modifiers::NONE, Key::ArrowDown);
     press(&mut harness, Modifiers::NONE, Key::ArrowDown);
@@ -136,7 +141,7 @@ fn a_slash_opens_it_too_but_not_while_a_number_is_typed() {
 fn the_sheet_has_every_key_and_escape_closes_it() {
     let mut harness = window("canonical");
     press(&mut harness, Modifiers::SHIFT, Key::Questionmark);
-    for (_, rows) in verbs::sheet() {
+    for (_, rows) in commands_table::sheet() {
         for (keys, name) in rows {
             assert!(harness.query_all_by_label(&keys).next().is_some(), "{keys}");
             assert!(harness.query_all_by_label(&name).next().is_some(), "{name}");
@@ -170,7 +175,7 @@ fn keys_do_what_the_table_says() {
 #[test]
 fn the_readme_has_the_table_of_keys() {
     let readme = include_str!("../../README.md");
-    let table = verbs::markdown();
+    let table = commands_table::markdown();
     assert!(readme.contains(&table), "the README's table of keys should be:\n{table}");
 }
 

@@ -5,9 +5,9 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::play::Kind;
-use pinhole::session::Selection;
+use pinhole::model::play::Kind;
+use pinhole::model::session::Selection;
+use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel};
 
 use crate::harness::{assert_says, says, type_into, window};

@@ -7,10 +7,10 @@ use egui::Color32;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
 use pinhole::figures::{Figure, Format, Look, View, of_view};
-use pinhole::overlay::Style;
-use pinhole::play::Kind;
+use pinhole::model::play::Kind;
+use pinhole::ui::app::App;
+use pinhole::view::overlay::Style;
 use pinhole_core::ImageSize;
 
 use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::overlay::{Item, world_position_of};
-use pinhole::thing::Thing;
+use pinhole::model::concept::Thing;
+use pinhole::model::overlay_items::Item;
+use pinhole::ui::app::App;
+use pinhole::view::overlay::world_position_of;
 
 use super::harness::{assert_reads, assert_says, type_into, window};
 

@@ -4,10 +4,10 @@ use egui::epaint::Shape;
 use egui::{Key, Modifiers, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::presenter::{WRITTEN, zoom};
-use pinhole::session::{Settings, ViewLayout};
-use pinhole::store::{Remembered, Store};
+use pinhole::model::presenting::{WRITTEN, zoom};
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::{Remembered, Store};
+use pinhole::ui::app::App;
 
 use crate::harness::{assert_says, says, window, window_with};
 

@@ -6,16 +6,19 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::document::Document;
 use pinhole::formats::scene_file;
-use pinhole::store::{Remembered, Store};
+use pinhole::model::store::{Remembered, Store};
 
 use super::harness::{assert_says, type_into, window, window_with};
 
-fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, key: egui::Key) {
+fn ctrl(window: &mut egui_kittest::Harness<'_, pinhole::ui::app::App>, key: egui::Key) {
     window.key_press_modifiers(egui::Modifiers::COMMAND, key);
     window.run();
 }
 
-fn type_path(window: &mut egui_kittest::Harness<'_, pinhole::app::App>, path: &std::path::Path) {
+fn type_path(
+    window: &mut egui_kittest::Harness<'_, pinhole::ui::app::App>,
+    path: &std::path::Path,
+) {
     window.get_by_role_and_label(Role::TextInput, "path").focus();
     window.run();
     window.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
@@ -106,7 +109,7 @@ fn a_dropped_molecule_is_saved_as_a_scene_beside_it() {
 }
 
 pub(crate) fn drop_file(
-    window: &mut egui_kittest::Harness<'_, pinhole::app::App>,
+    window: &mut egui_kittest::Harness<'_, pinhole::ui::app::App>,
     path: &std::path::Path,
 ) {
     window.input_mut().dropped_files = vec![std::sync::Arc::new(Dropped(path.to_owned()))];
@@ -205,9 +208,9 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
     let path = folder.path().join("state.json");
     let mut right = Remembered { last: Some("look-at".into()), ..Remembered::default() };
     right.settings.digits = 9;
-    right.settings.scheme = pinhole::overlay::Scheme::Grey;
-    right.settings.items.set(pinhole::overlay::Item::Labels, false);
-    right.selection = Some(pinhole::store::RememberedRay::Pixel(3, 4));
+    right.settings.scheme = pinhole::model::color_scheme::Scheme::Grey;
+    right.settings.items.set(pinhole::model::overlay_items::Item::Labels, false);
+    right.selection = Some(pinhole::model::store::RememberedRay::Pixel(3, 4));
     Store::at(&path).save(&right).unwrap();
     let text = fs::read_to_string(&path).unwrap();
     let wrong = [
@@ -222,7 +225,7 @@ fn one_wrong_value_in_the_store_takes_no_other_with_it() {
         let mut expected = right.clone();
         expected.settings.digits = digits;
         if value == "\"Grey\"" {
-            expected.settings.scheme = pinhole::overlay::Scheme::Standard;
+            expected.settings.scheme = pinhole::model::color_scheme::Scheme::Standard;
         }
         assert_eq!(read, expected, "{by}");
     }

@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::session::Selection;
+use pinhole::model::session::Selection;
 use pinhole_core::Pixel;
 
 use super::harness::{assert_says, click_at, type_into, window};
@@ -80,7 +80,7 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     let (posed, frame) = (derived.posed.unwrap(), derived.world_frame.clone().unwrap());
     let wanted = Pixel { row: 300, column: 120 };
     let point = posed.viewport_point(posed.uv_of_pixel(wanted));
-    let [x, y] = pinhole::overlay::world_position_of(&frame, point).unwrap();
+    let [x, y] = pinhole::view::overlay::world_position_of(&frame, point).unwrap();
     let at = rect.min + egui::vec2(x, y);
     window.drag_at(at);
     window.run();

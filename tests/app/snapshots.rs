@@ -4,8 +4,8 @@
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::session::{Settings, ThemeName};
-use pinhole::store::Remembered;
+use pinhole::model::session::{Settings, ThemeName};
+use pinhole::model::store::Remembered;
 
 use super::harness::{type_into, window, window_with};
 

@@ -6,7 +6,7 @@ use pinhole_core::{DVec3, Orientation};
 
 use super::harness::{assert_says, says, type_into, window};
 
-type Window = egui_kittest::Harness<'static, pinhole::app::App>;
+type Window = egui_kittest::Harness<'static, pinhole::ui::app::App>;
 
 /// A window with the part unfolded.
 fn teaching(scene: &str) -> Window {

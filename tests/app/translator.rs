@@ -5,10 +5,10 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
 use pinhole::code::LANGUAGES;
 use pinhole::document::Document;
 use pinhole::exchange::{FORMATS, Format, Subject, With};
+use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
 
 use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};

@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use egui::Color32;
-use pinhole::overlay::Style;
+use pinhole::view::overlay::Style;
 
-use super::{Run, entries, run_in};
+use super::Run;
+use super::entries;
+use super::run_in;
 
 const VIEWS: [&str; 4] = ["world", "camera", "ledger", "lines"];
 

@@ -8,10 +8,11 @@ use clap::CommandFactory as _;
 use clap_complete::Shell;
 use clap_mangen::roff::{Roff, roman};
 use expect_test::expect_file;
-use pinhole::arguments::Arguments;
+use pinhole::cli::arguments::Arguments;
 use pinhole::formats::builtin;
 
-use super::{entries, run};
+use super::entries;
+use super::run;
 
 fn assets() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("assets")

@@ -1,6 +1,7 @@
 //! `--lesson`: what is refused before a window opens.
 
-use super::{run, run_in};
+use super::run;
+use super::run_in;
 
 #[test]
 fn a_lesson_that_is_not_there_is_refused() {

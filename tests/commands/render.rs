@@ -5,13 +5,15 @@ use std::io::BufReader;
 use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
-use pinhole::arguments::View;
-use pinhole::commands::render_view::{RenderOptions, render_view};
+use pinhole::cli::arguments::View;
+use pinhole::cli::render_view::{RenderOptions, render_view};
 use pinhole::document::Document;
 use pinhole::formats::builtin;
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 
-use super::{Run, entries, run_in};
+use super::Run;
+use super::entries;
+use super::run_in;
 
 fn render(folder: &Path, line: &str) -> Run {
     run_in(folder, &format!("render {line}").split(' ').collect::<Vec<_>>())
@@ -125,7 +127,7 @@ fn the_overlay_marks_the_top_edge_and_leaves_the_rest_of_the_picture() {
     let (_, _, plain) = decode(&folder.path().join("plain.png"));
     let (w, h, overlay) = decode(&folder.path().join("overlay.png"));
     assert_eq!((w, h), (400, 400));
-    let mark = pinhole::overlay::Style::Light.colors().mark;
+    let mark = pinhole::view::overlay::Style::Light.colors().mark;
     assert_eq!(count(&plain, mark), 0);
     assert!(count(&overlay, mark) > 300, "the bar along the top edge, and the label's words");
     let lower_half = 200 * 400..;
@@ -141,7 +143,7 @@ fn the_world_view_shows_the_camera_only_with_its_overlay() {
     let (_, _, plain) = decode(&folder.path().join("plain.png"));
     let (w, h, world) = decode(&folder.path().join("world.png"));
     assert_eq!((w, h), (600, 400));
-    let colors = pinhole::overlay::Style::Light.colors();
+    let colors = pinhole::view::overlay::Style::Light.colors();
     for vector in colors.basis {
         // A shaded sphere may have a dot of the arrow's very colour.
         assert!(count(&world, vector) > count(&plain, vector) + 20, "the arrow and its label");

@@ -3,7 +3,8 @@
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
-use super::{command_in, run};
+use super::command_in;
+use super::run;
 
 #[test]
 fn a_line_for_each_scene() {

@@ -4,7 +4,9 @@
 use pinhole::exchange::With;
 use pinhole_core::{Camera, DVec3};
 
-use super::{format, read, scene_of};
+use super::format;
+use super::read;
+use super::scene_of;
 
 /// A right-handed camera, so that no z is turned.
 const CAMERA: &str = "camera { location <0, 0, 9> right <1, 0, 0> up <0, 1, 0> direction <0, 0, -1> } \

@@ -16,7 +16,8 @@ use pinhole::document::Document;
 use pinhole::exchange::With;
 use pinhole_core::{DVec2, DVec3, Pixel, PosedCamera, Scene};
 
-use super::{proofs, written};
+use super::proofs;
+use super::written;
 
 /// Whether a program is there; where it must be and is not, that is an error.
 pub(super) fn there(name: &str, probe: &mut Command) -> bool {

@@ -7,7 +7,10 @@ use pinhole_core::{
 };
 use proptest::prelude::*;
 
-use super::{marker, read, scene_of, text_of};
+use super::marker;
+use super::read;
+use super::scene_of;
+use super::text_of;
 
 /// Directions as unit vectors, eye in units of its size: within 1e-12.
 #[track_caller]

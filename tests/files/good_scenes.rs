@@ -5,7 +5,7 @@ use std::path::Path;
 use pinhole::document::Document;
 use pinhole::formats::scene_argument::SceneSource;
 use pinhole::formats::{builtin, scene_file};
-use pinhole::inspection::Inspection;
+use pinhole::model::inspection::Inspection;
 use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Viewport};
 
 fn read(text: &str) -> Document {

@@ -4,10 +4,10 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
-use pinhole::overlay::{Item, OverlayItems};
-use pinhole::session::{Selection, ViewLayout};
-use pinhole::thing::Thing;
+use pinhole::model::concept::Thing;
+use pinhole::model::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
+use pinhole::model::overlay_items::{Item, OverlayItems};
+use pinhole::model::session::{Selection, ViewLayout};
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
 

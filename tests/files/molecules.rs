@@ -5,10 +5,10 @@ use std::path::Path;
 
 use expect_test::expect;
 use pinhole::document::Document;
-use pinhole::files::OpenDocument;
 use pinhole::formats::molecule::elements::{of_number, of_symbol};
 use pinhole::formats::scene_argument::SceneSource;
 use pinhole::formats::{builtin, color, molecule, scene_file};
+use pinhole::model::files::OpenDocument;
 use pinhole_core::{DVec3, Outputs, Raster, Sphere, trace};
 
 const WATER: &str = "3\nWater\nO 0 0 0.1192\nH 0 0.7632 -0.477\nH 0 -0.7632 -0.477\n";

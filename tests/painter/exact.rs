@@ -1,7 +1,7 @@
 //! Pixels that are known beforehand.
 
 use super::*;
-use pinhole::present::painter::Canvas;
+use pinhole::view::painter::Canvas;
 
 /// A picture of characters: what each colour is called.
 fn text(pixels: &[Color32], width: usize, names: &[(Color32, char)]) -> Vec<String> {

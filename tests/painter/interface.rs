@@ -2,8 +2,9 @@
 
 use super::support;
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
-use pinhole::present::painter::Painter;
-use pinhole::present::{fonts, headless};
+use pinhole::view::headless;
+use pinhole::view::painter::Painter;
+use pinhole::view::typesetting::fonts;
 
 /// A bit of everything that a panel of the program has.
 fn panel(ui: &mut egui::Ui) {

@@ -9,7 +9,7 @@ mod support;
 
 use egui::epaint::{ClippedPrimitive, ImageDelta, Primitive, Vertex, textures::TexturesDelta};
 use egui::{Color32, ColorImage, Mesh, Pos2, Rect, TextureId, TextureOptions, pos2};
-use pinhole::present::painter::Painter;
+use pinhole::view::painter::Painter;
 
 const WHITE_TEXTURE: TextureId = TextureId::Managed(0);
 const PICTURE: TextureId = TextureId::Managed(1);

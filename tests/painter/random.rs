@@ -4,7 +4,7 @@ use super::support::naive;
 use super::*;
 use egui::epaint::WHITE_UV;
 use egui::vec2;
-use pinhole::present::painter::Canvas;
+use pinhole::view::painter::Canvas;
 use proptest::prelude::*;
 
 const SIDE: usize = 24;

@@ -9,7 +9,7 @@ use std::time::Duration;
 use egui::accesskit::Role;
 use egui::vec2;
 use pinhole::formats::{builtin, scene_file};
-use pinhole::store::{RememberedRay, Store};
+use pinhole::model::store::{RememberedRay, Store};
 use pinhole_core::{Pixel, shortest};
 
 use crate::screen::{Screen, wait_for};

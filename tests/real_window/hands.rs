@@ -12,7 +12,7 @@ use egui::{Vec2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use pinhole::document::Document;
 use pinhole::formats::{builtin, scene_file};
-use pinhole::store::Store;
+use pinhole::model::store::Store;
 use pinhole_core::Orientation;
 
 use crate::screen::{Screen, wait_for};

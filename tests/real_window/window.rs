@@ -9,10 +9,10 @@ use egui::accesskit::Role;
 use egui::{Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::app::App;
-use pinhole::files::OpenDocument;
 use pinhole::formats::scene_argument::SceneSource;
-use pinhole::store::Remembered;
+use pinhole::model::files::OpenDocument;
+use pinhole::model::store::Remembered;
+use pinhole::ui::app::App;
 use pinhole_core::{ImageSize, Pixel};
 
 use crate::screen::{Running, Screen, wait_for};

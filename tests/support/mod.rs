@@ -9,7 +9,7 @@ use egui::epaint::textures::TexturesDelta;
 use egui::{Color32, Vec2};
 use egui_kittest::{HarnessBuilder, SnapshotOptions, TestRenderer};
 use image::RgbaImage;
-use pinhole::present::painter::Painter;
+use pinhole::view::painter::Painter;
 
 /// Draws egui_kittest's pictures with the program's own painter: no driver, no display, and the
 /// same bytes on every machine.

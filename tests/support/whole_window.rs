@@ -1,7 +1,7 @@
 //! The program laid out in memory as it is in a window.
 
 use egui::{Ui, UiBuilder};
-use pinhole::app::App;
+use pinhole::ui::app::App;
 
 /// Shows the program on all of the window. A test harness leaves a margin around what it shows; a
 /// real window has none.

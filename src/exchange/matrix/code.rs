@@ -1,9 +1,11 @@
 //! What an expression of NumPy or of OpenCV comes to, worked out without running the code: to its very
 //! end, or not at all.
 
+use super::Index;
+use super::MOST;
+use super::Matrix;
 use super::functions::{MODULES, STACKS, is_type, made, number_at};
 use super::names::Names;
-use super::{Index, MOST, Matrix};
 use crate::exchange::code::{Piece, after_spaces, is_of_word, split, trimmed};
 
 /// So many brackets and names in each other are followed.

@@ -1,6 +1,8 @@
 //! Functions of NumPy and of OpenCV that make matrices.
 
-use super::{MOST, Matrix, whole};
+use super::MOST;
+use super::Matrix;
+use super::whole;
 use crate::exchange::code::is_of_word;
 
 /// What puts matrices together.

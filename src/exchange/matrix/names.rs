@@ -5,9 +5,10 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
+use super::Index;
+use super::Matrix;
 use super::code::evaluate;
 use super::statements::{Given, What, near};
-use super::{Index, Matrix};
 use crate::exchange::code::{Code, Comments, Piece, split, statement, trimmed};
 
 /// So many names are looked up: each one takes a pass over the text.

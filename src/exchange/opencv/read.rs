@@ -5,7 +5,9 @@ use std::path::Path;
 
 use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics};
 
-use super::{off_centre, stance, viewport_of};
+use super::off_centre;
+use super::stance;
+use super::viewport_of;
 use crate::exchange::affine::Affine;
 use crate::exchange::back::{image_of, size_taken};
 use crate::exchange::code::{Code, Comments};

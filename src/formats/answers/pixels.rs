@@ -2,7 +2,9 @@
 
 use pinhole_core::{ImageSize, Pixel};
 
-use super::{COLUMN, ROW, whole};
+use super::COLUMN;
+use super::ROW;
+use super::whole;
 use crate::formats::FileError;
 use crate::formats::csv_table::Row;
 

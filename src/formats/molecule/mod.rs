@@ -16,7 +16,8 @@ use std::sync::Arc;
 
 use pinhole_core::Sphere;
 
-use super::{FileError, Place};
+use super::FileError;
+use super::Place;
 use crate::document::{CsvSpheres, Document, Item};
 use atoms::Molecule;
 

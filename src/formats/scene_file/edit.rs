@@ -5,7 +5,9 @@ use std::path::Path;
 use pinhole_core::{Basis, Camera, DVec3, Orientation, Viewport};
 use toml_edit::{ArrayOfTables, DocumentMut, Item as TomlItem, Table, TableLike, Value};
 
-use super::{note, read, write};
+use super::note;
+use super::read;
+use super::write;
 use crate::document::{Document, Item};
 use crate::formats::color;
 

@@ -52,7 +52,10 @@ mod write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{FileError, Place, atomic, molecule};
+use super::FileError;
+use super::Place;
+use super::atomic;
+use super::molecule;
 use crate::document::Document;
 
 pub use fault::camera_fault;

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sphere, Viewport};
 use toml_edit::Document as Toml;
 
-use super::{VERSION, note};
+use super::VERSION;
+use super::note;
 use crate::document::{CsvSpheres, Document, Item};
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::{FileError, color, csv_spheres, molecule};

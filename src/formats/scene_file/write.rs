@@ -4,7 +4,10 @@ use std::path::Path;
 
 use pinhole_core::{Basis, Camera, DVec3, Orientation, Plane, Sphere};
 
-use super::{VERSION, edit, note, read};
+use super::VERSION;
+use super::edit;
+use super::note;
+use super::read;
 use crate::document::{Document, Item};
 use crate::formats::color;
 

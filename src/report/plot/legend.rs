@@ -5,7 +5,7 @@ use super::marker::{self, WRONG};
 use super::summary::{Summary, Worst};
 use crate::chart::figure::{Align, Figure, Place};
 use crate::chart::frame::{TEXT, WEAK};
-use crate::number::grouped;
+use crate::model::number::grouped;
 
 /// From one line to the next, in points.
 const LINE: f64 = 29.0;

@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::lessons::{LessonArgument, Which};
+use pinhole::model::lessons::{LessonArgument, Which};
 use pinhole_core::DVec3;
 
 use super::press;

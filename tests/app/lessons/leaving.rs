@@ -6,11 +6,15 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::formats::scene_file;
-use pinhole::lessons::{Place, Which};
-use pinhole::session::{Settings, ViewLayout};
-use pinhole::store::{Remembered, Store};
+use pinhole::model::lessons::{Place, Which};
+use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::store::{Remembered, Store};
 
-use super::{Window, at_step, key, place, press};
+use super::Window;
+use super::at_step;
+use super::key;
+use super::place;
+use super::press;
 use crate::harness::{assert_says, type_into, window, window_with};
 
 #[test]

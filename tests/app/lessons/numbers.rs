@@ -6,9 +6,11 @@
 use std::collections::BTreeSet;
 
 use egui_kittest::kittest::NodeT as _;
-use pinhole::lessons::builtin;
+use pinhole::model::lessons::builtin;
 
-use super::{Window, at_step, go_to};
+use super::Window;
+use super::at_step;
+use super::go_to;
 
 /// What is there, and how it reads.
 type Reads = (&'static str, &'static str);
@@ -337,7 +339,7 @@ fn every_step_reads_what_it_is_about() {
 
 #[test]
 fn no_step_is_without_a_number() {
-    let steps = |(index, lesson): (usize, &std::sync::Arc<pinhole::lessons::Lesson>)| {
+    let steps = |(index, lesson): (usize, &std::sync::Arc<pinhole::model::lessons::Lesson>)| {
         (1..=lesson.steps.len()).map(move |step| (index + 1, step)).collect::<Vec<_>>()
     };
     let all: BTreeSet<_> = builtin::all().iter().enumerate().flat_map(steps).collect();

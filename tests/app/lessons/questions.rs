@@ -6,9 +6,14 @@ use std::collections::BTreeSet;
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::lessons::builtin;
+use pinhole::model::lessons::builtin;
 
-use super::{Window, at_step, go_to, key, place, press};
+use super::Window;
+use super::at_step;
+use super::go_to;
+use super::key;
+use super::place;
+use super::press;
 use crate::exercises::answers;
 use crate::harness::{assert_says, says};
 

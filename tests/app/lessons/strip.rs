@@ -3,11 +3,13 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::lessons::builtin;
-use pinhole::session::Selection;
+use pinhole::model::lessons::builtin;
+use pinhole::model::session::Selection;
 use pinhole_core::Pixel;
 
-use super::{at_step, key, place};
+use super::at_step;
+use super::key;
+use super::place;
 use crate::harness::{says, type_into, window};
 
 #[test]

@@ -3,12 +3,16 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::app::App;
 use pinhole::exercises::Exercises;
-use pinhole::lessons::{Looks, Step, builtin};
-use pinhole::overlay::{Item, OverlayItems};
+use pinhole::model::lessons::{Looks, Step, builtin};
+use pinhole::model::overlay_items::{Item, OverlayItems};
+use pinhole::ui::app::App;
 
-use super::{Window, at_step, key, place, press};
+use super::Window;
+use super::at_step;
+use super::key;
+use super::place;
+use super::press;
 use crate::harness::{assert_says, drag_from, texts_with, type_into};
 
 /// Whether there are handles is the user's to say, whatever a step shows.

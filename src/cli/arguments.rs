@@ -1,0 +1,416 @@
+//! What may stand on the command line.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand};
+use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+
+use crate::exchange::{FORMATS, Format};
+use crate::figures::Subject;
+pub use crate::figures::View;
+use crate::model::lessons::LessonArgument;
+use crate::model::play::Kind;
+use crate::model::translator::Target;
+use crate::view::overlay::Style;
+
+/// See what a pinhole camera sees, and why.
+///
+/// Without a command, opens the window.
+#[derive(Clone, Debug, Parser)]
+#[command(
+    version,
+    long_version = env!("PINHOLE_VERSION"),
+    args_conflicts_with_subcommands = true,
+    after_help = "SCENE is the path of a scene file or of a molecule (.xyz, .pdb), or the name of a built-in \
+                  scene."
+)]
+pub struct Arguments {
+    /// What to do instead of opening the window.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// How to open the window.
+    #[command(flatten)]
+    pub window: WindowArguments,
+}
+
+/// How to open the window.
+#[derive(Args, Clone, Debug)]
+pub struct WindowArguments {
+    /// The scene to open
+    #[arg(conflicts_with = "lesson")]
+    pub scene: Option<PathBuf>,
+    /// The lesson to open: 7, or 7.3 for its third step, or a lesson file of your own
+    #[arg(long, value_name = "N|FILE.toml", value_parser = LessonArgument::of)]
+    pub lesson: Option<LessonArgument>,
+    /// How the window is drawn; without this, whichever works best here
+    #[arg(long, value_name = "wgpu|cpu")]
+    pub renderer: Option<Renderer>,
+}
+
+/// A headless command.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Command {
+    /// List the built-in scenes, a line each
+    Scenes,
+    /// Show one ray: its camera, its numbers, and everything it meets
+    Inspect(InspectArguments),
+    /// Write the picture as PNG
+    Render(RenderArguments),
+    /// Send rays from a CSV file into a scene
+    Trace(TraceArguments),
+    /// Grade a student's basis, rays, hits or picture, and name the mistake
+    #[command(
+        after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
+                      cannot be read."
+    )]
+    Check(CheckArguments),
+    /// Measure the error of every method against its run time
+    Report(ReportArguments),
+    /// Measure this machine's speed, with rivals and the limit beside it
+    Bench(BenchArguments),
+    /// Write a view, the ledger or the lab of lines as a figure for slides
+    Figure(FigureArguments),
+    /// Write the camera and the scene as another program has them
+    Export(ExportArguments),
+    /// Read another program's camera and scene, and write a scene file
+    Import(ImportArguments),
+}
+
+/// `pinhole inspect`
+#[derive(Args, Clone, Debug)]
+pub struct InspectArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// Which ray.
+    #[command(flatten)]
+    pub ray: RayArguments,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Which view ray: exactly one of these.
+#[derive(Args, Clone, Copy, Debug)]
+#[group(required = true, multiple = false)]
+pub struct RayArguments {
+    /// The ray through a pixel's centre; rows and columns count from 0, row 0 on top
+    #[arg(long, value_name = "ROW,COL", allow_hyphen_values = true, value_parser = pixel)]
+    pub pixel: Option<Pixel>,
+    /// The ray through a point of the viewport, in world units from its centre
+    #[arg(long, value_name = "U,V", allow_hyphen_values = true, value_parser = uv)]
+    pub uv: Option<DVec2>,
+}
+
+/// `pinhole render`
+#[derive(Args, Clone, Debug)]
+pub struct RenderArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The PNG file to write
+    #[arg(short, long, value_name = "OUT.png")]
+    pub output: PathBuf,
+    /// Columns; given alone, the rows follow in the ratio of the scene's image
+    #[arg(long, value_name = "W", value_parser = image_measure())]
+    pub width: Option<u32>,
+    /// Rows; given alone, the columns follow in the ratio of the scene's image
+    #[arg(long, value_name = "H", value_parser = image_measure())]
+    pub height: Option<u32>,
+    /// What the camera sees, or the scene with the camera in it
+    #[arg(long, value_name = "camera|world", default_value = "camera", value_parser = view())]
+    pub view: View,
+    /// Draw the camera over the world view, and the image's marks over the camera's
+    #[arg(long)]
+    pub overlay: bool,
+    /// How a hit becomes a colour
+    #[arg(
+        long,
+        value_name = "normal|lambert|t|object",
+        default_value = "lambert",
+        value_parser = shade()
+    )]
+    pub shade: Shade,
+    /// Also write t, normal, u, v and object of every pixel as OpenEXR
+    ///
+    /// Float channels t, N.X, N.Y, N.Z, u, v and a uint channel object. Where nothing is hit, t is
+    /// infinite, N is 0 and object is 4294967295.
+    #[arg(long, value_name = "OUT.exr")]
+    pub aov: Option<PathBuf>,
+}
+
+/// `pinhole figure`
+#[derive(Args, Clone, Debug)]
+pub struct FigureArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
+    /// number, or the lab of lines, which is the same for every scene
+    #[arg(long, value_name = "world|camera|ledger|lines")]
+    #[arg(value_parser = subject())]
+    pub view: Subject,
+    /// The file to write; the ending chooses the format
+    ///
+    /// SVG and PDF keep strokes and text as such, and have the fonts in them; PNG has the pixels of
+    /// the window. The ledger can be written as text, too: .tex for LaTeX (with amsmath), .md for
+    /// Markdown with $formulas$.
+    #[arg(short, long, value_name = "OUT.svg|pdf|png")]
+    pub output: PathBuf,
+    /// Columns, in dots; given alone, the rows follow in proportion
+    ///
+    /// Strokes and letters grow with the figure. In PDF, 96 dots are an inch.
+    #[arg(long, value_name = "W", value_parser = image_measure())]
+    pub width: Option<u32>,
+    /// Rows, in dots; given alone, the columns follow in proportion
+    #[arg(long, value_name = "H", value_parser = image_measure())]
+    pub height: Option<u32>,
+    /// Leave the background out: in the views, whatever lies behind all objects
+    #[arg(long)]
+    pub transparent: bool,
+    /// Dark on light, light on dark, or one of the window's colour schemes on either
+    #[arg(
+        long = "theme",
+        value_name = "THEME",
+        default_value = "light",
+        value_parser = style()
+    )]
+    pub style: Style,
+    /// Write an animation of the world or the camera view: an animated PNG, like the window's Play
+    #[arg(long, value_name = "KIND", value_parser = kind())]
+    pub play: Option<Kind>,
+    /// How many frames it has; else as many as it has time for
+    #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u32).range(1..=9999))]
+    pub frames: Option<u32>,
+    /// Frames per second
+    #[arg(long, value_name = "N", requires = "play", value_parser = clap::value_parser!(u16).range(1..=120))]
+    pub per_second: Option<u16>,
+    /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG
+    #[arg(long, requires = "play")]
+    pub numbered: bool,
+    /// Which ray is shown.
+    #[command(flatten)]
+    pub ray: MaybeRayArguments,
+}
+
+/// A view ray, or none: at most one of these.
+#[derive(Args, Clone, Copy, Debug)]
+#[group(required = false, multiple = false)]
+pub struct MaybeRayArguments {
+    /// Show the ray through a pixel's centre; rows and columns count from 0, row 0 on top
+    #[arg(long, value_name = "ROW,COL", allow_hyphen_values = true, value_parser = pixel)]
+    pub pixel: Option<Pixel>,
+    /// Show the ray through a point of the viewport, in world units from its centre
+    #[arg(long, value_name = "U,V", allow_hyphen_values = true, value_parser = uv)]
+    pub uv: Option<DVec2>,
+}
+
+/// `pinhole trace`
+#[derive(Args, Clone, Debug)]
+pub struct TraceArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The rays: header ox,oy,oz,dx,dy,dz, a row a ray; - reads them from standard input
+    #[arg(long, value_name = "IN.csv")]
+    pub rays: PathBuf,
+    /// Where to write object,t,px,py,pz,nx,ny,nz, a row a ray; else to standard output
+    #[arg(short, long, value_name = "OUT.csv")]
+    pub output: Option<PathBuf>,
+}
+
+/// `pinhole export`
+#[derive(Args, Clone, Debug)]
+pub struct ExportArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The other program, form or language
+    #[arg(long, value_name = "NAME", value_parser = target())]
+    pub to: Target,
+    /// Where to write it; else to standard output. Of COLMAP, the folder of its files
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
+    /// Leave the objects out
+    #[arg(long, conflicts_with = "meshes")]
+    pub camera_only: bool,
+    /// Write objects as meshes where the format has nothing else: glTF
+    #[arg(long)]
+    pub meshes: bool,
+}
+
+/// `pinhole import`
+#[derive(Args, Clone, Debug)]
+pub struct ImportArguments {
+    /// Another program's file, recognised by what is in it and by its name; - reads standard input
+    ///
+    /// Of COLMAP, the folder of cameras.txt and images.txt, or one of them.
+    pub file: PathBuf,
+    /// The scene file to write; else to standard output
+    #[arg(short, long, value_name = "SCENE.toml")]
+    pub output: Option<PathBuf>,
+    /// Read it as this, whatever it looks like
+    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
+    pub from: Option<&'static Format>,
+}
+
+/// `pinhole check`
+#[derive(Args, Clone, Debug)]
+pub struct CheckArguments {
+    /// A scene file, or the name of a built-in scene
+    pub scene: PathBuf,
+    /// The answers, told apart by their header; - reads them from standard input
+    ///
+    /// A basis: ux,uy,uz,vx,vy,vz,wx,wy,wz. Rays: row,column,ox,oy,oz,dx,dy,dz. Hits: row,column and
+    /// t, or x,y,z, or object, or several of them, all empty for a miss. Or the whole picture as PNG,
+    /// shaded in one of the ways of render.
+    #[arg(long, value_name = "IN.csv|IN.png")]
+    pub answers: PathBuf,
+    /// What was asked for: answers of another kind are none
+    #[arg(long, value_parser = ["basis", "rays", "hits", "picture"])]
+    pub kind: Option<String>,
+    /// Columns that must be there, as t,object: answers without them are none
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub columns: Vec<String>,
+    /// Ask for every pixel: one without an answer counts as a wrong one
+    #[arg(long)]
+    pub complete: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// How far an answer may be off: a share of its size, 0.00001 without this; for a picture so many
+    /// levels of 255 in a channel, 2 without this
+    #[arg(long, value_name = "X", allow_hyphen_values = true, value_parser = tolerance)]
+    pub tolerance: Option<f64>,
+    /// Where the answers' rows and columns begin
+    #[arg(long, value_name = "0|1", default_value_t = 0)]
+    #[arg(value_parser = clap::value_parser!(u32).range(0..=1))]
+    pub count_from: u32,
+    /// Write where in the image answers are wrong: right ones light, wrong ones orange, the rest grey
+    #[arg(long, value_name = "OUT.png")]
+    pub map: Option<PathBuf>,
+}
+
+/// `pinhole report`
+#[derive(Args, Clone, Debug)]
+pub struct ReportArguments {
+    /// Scene files, or names of built-in scenes; without any, the stress families
+    #[arg(value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// Write one JSON object; without a path to standard output, in place of the table
+    #[arg(long, value_name = "OUT.json", num_args = 0..=1, default_missing_value = "-")]
+    pub json: Option<PathBuf>,
+    /// Write a row a case and method
+    #[arg(long, value_name = "OUT.csv")]
+    pub csv: Option<PathBuf>,
+    /// Draw error against run time; the ending chooses the format
+    #[arg(long, value_name = "OUT.svg|OUT.png")]
+    pub plot: Option<PathBuf>,
+    /// Which random rays the stress families hold
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+}
+
+/// `pinhole bench`
+#[derive(Args, Clone, Debug)]
+pub struct BenchArguments {
+    /// A scene file, or the name of a built-in scene; without one, 1 to 10^6 spheres
+    pub scene: Option<PathBuf>,
+    /// Write one JSON object; without a path to standard output, in place of the table
+    #[arg(long, value_name = "OUT.json", num_args = 0..=1, default_missing_value = "-")]
+    pub json: Option<PathBuf>,
+    /// Draw time against the number of objects; the ending chooses the format
+    #[arg(long, value_name = "OUT.svg|OUT.png")]
+    pub plot: Option<PathBuf>,
+}
+
+fn target() -> impl TypedValueParser<Value = Target> {
+    let value = |target: Target| PossibleValue::new(target.name()).help(target.label());
+    PossibleValuesParser::new(Target::all().map(value))
+        .map(|name| Target::named(&name).unwrap_or(Target::Format(&FORMATS[0])))
+}
+
+fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
+    PossibleValuesParser::new(
+        FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.label)),
+    )
+    .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
+}
+
+fn view() -> impl TypedValueParser<Value = View> {
+    PossibleValuesParser::new(["camera", "world"])
+        .map(|name| if name == "world" { View::World } else { View::Camera })
+}
+
+fn subject() -> impl TypedValueParser<Value = Subject> {
+    PossibleValuesParser::new(Subject::ALL.map(Subject::name)).map(|name| {
+        let named = Subject::ALL.into_iter().find(|subject| subject.name() == name);
+        named.unwrap_or(Subject::World)
+    })
+}
+
+fn style() -> impl TypedValueParser<Value = Style> {
+    PossibleValuesParser::new(Style::ALL.map(Style::name))
+        .map(|name| Style::ALL.into_iter().find(|style| style.name() == name).unwrap_or_default())
+}
+
+fn kind() -> impl TypedValueParser<Value = Kind> {
+    PossibleValuesParser::new(Kind::ALL.map(Kind::name))
+        .map(|name| Kind::from_name(&name).unwrap_or(Kind::SwingUp))
+}
+
+fn shade() -> impl TypedValueParser<Value = Shade> {
+    PossibleValuesParser::new(Shade::ALL.map(Shade::name))
+        .map(|name| Shade::ALL.into_iter().find(|shade| shade.name() == name).unwrap_or_default())
+}
+
+fn image_measure() -> impl TypedValueParser<Value = u32> {
+    clap::value_parser!(u32).range(1..=i64::from(ImageSize::MAX))
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(number) if number >= 0.0 && number.is_finite() => Ok(number),
+        _ => Err(format!("{:?} is no tolerance: a number such as 1e-5, not below 0", text.trim())),
+    }
+}
+
+fn pixel(text: &str) -> Result<Pixel, String> {
+    let part = |text: &str| {
+        text.trim().parse::<u32>().map_err(|_| {
+            format!("{:?} is no row or column: whole numbers from 0, such as 99,199", text.trim())
+        })
+    };
+    let (row, column) = pair(text, "99,199")?;
+    Ok(Pixel { row: part(row)?, column: part(column)? })
+}
+
+fn uv(text: &str) -> Result<DVec2, String> {
+    let part = |text: &str| match text.trim().parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => Err(format!("{:?} is no finite number: write it such as 0.2,-0.1", text.trim())),
+    };
+    let (u, v) = pair(text, "0.2,-0.1")?;
+    Ok(DVec2::new(part(u)?, part(v)?))
+}
+
+fn pair<'a>(text: &'a str, such_as: &str) -> Result<(&'a str, &'a str), String> {
+    match text.split(',').collect::<Vec<_>>()[..] {
+        [first, second] => Ok((first, second)),
+        _ => Err(format!("there must be two numbers with a comma between, such as {such_as}")),
+    }
+}
+
+/// What draws the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Renderer {
+    /// A graphics adapter, through wgpu.
+    Wgpu,
+    /// Our own painter.
+    Cpu,
+}
+
+impl std::fmt::Display for Renderer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Wgpu => "wgpu",
+            Self::Cpu => "cpu",
+        })
+    }
+}

@@ -1,0 +1,129 @@
+//! `pinhole check`: a student's answers against a scene, and the mistake that explains them.
+
+mod json;
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io::{self, Read};
+use std::path::Path;
+
+use pinhole_core::ImageSize;
+use pinhole_core::grading::{Grade, Kind, Truth, grade};
+
+use super::CommandError;
+use super::load;
+use super::named;
+use super::of_scene;
+use super::pose;
+use super::to_stdout;
+use crate::cli::arguments::CheckArguments;
+use crate::formats::{FileError, answers, atomic, png};
+use crate::grades::Graded;
+
+/// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
+pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
+    let graded = graded(arguments).map_err(unreadable)?;
+    let text = if arguments.json { json::of(&graded).map_err(unreadable)? } else { text(&graded) };
+    match to_stdout(|out| out.write_all(text.as_bytes())) {
+        // What was found is the status, whether it is read or not.
+        Ok(()) | Err(CommandError::ReaderGone) if graded.grade.all_agree() => Ok(()),
+        Ok(()) | Err(CommandError::ReaderGone) => Err(CommandError::Disagrees),
+        Err(error) => Err(unreadable(error)),
+    }
+}
+
+fn unreadable(error: CommandError) -> CommandError {
+    match error {
+        CommandError::Input(message) => CommandError::Unreadable(message),
+        other => other,
+    }
+}
+
+fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
+    if let Some(map) = &arguments.map {
+        named(map, "png", "--map writes PNG")?;
+        atomic::check(map)?;
+    }
+    let document = load(&arguments.scene)?;
+    let posed = pose(&arguments.scene, &document)?;
+    let scene = document.scene().map_err(|error| of_scene(&arguments.scene, error))?;
+    let image = posed.image();
+    let (path, bytes) = read(&arguments.answers)?;
+    if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
+        && asked != kind.name()
+    {
+        let problem = format!("these are answers of the kind {}, not {asked}", kind.name());
+        return Err(FileError::of_file(path, problem).into());
+    }
+    if let [missing, ..] = answers::missing(&bytes, &arguments.columns)[..] {
+        let problem = format!("column {missing} is missing: it is asked for");
+        return Err(FileError::of_file(path, problem).into());
+    }
+    let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
+    if arguments.map.is_some() && answers.kind() == Kind::Basis {
+        let problem =
+            "--map shows where in the image answers are wrong: a basis has no place there";
+        return Err(CommandError::Arguments(problem.to_owned()));
+    }
+    let color_of = |object| document.color_of(object);
+    let truth = Truth { camera: &document.camera, scene: &scene, color_of: &color_of };
+    let grade: Grade = grade(&truth, &answers, arguments.tolerance)
+        .map_err(|error| of_scene(&arguments.scene, error))?;
+    let graded = Graded { answers, grade, image, count_from: arguments.count_from };
+    let graded = if arguments.complete { graded.complete() } else { graded };
+    if let Some(map) = &arguments.map {
+        save_map(map, &graded, image)?;
+    }
+    Ok(graded)
+}
+
+/// The answers' bytes, and what messages call the file.
+fn read(path: &Path) -> Result<(&Path, Vec<u8>), FileError> {
+    let (path, bytes) = if path == Path::new("-") {
+        let mut bytes = Vec::new();
+        let read = io::stdin().lock().read_to_end(&mut bytes);
+        (Path::new("standard input"), read.map(|_| bytes))
+    } else {
+        (path, fs::read(path))
+    };
+    Ok((path, bytes.map_err(|error| FileError::unreadable(path, &error))?))
+}
+
+fn save_map(path: &Path, graded: &Graded, image: ImageSize) -> Result<(), FileError> {
+    let cells = graded.map().unwrap_or_default();
+    let opaque = |[r, g, b]: [u8; 3]| [r, g, b, 255];
+    let pixels: Vec<[u8; 4]> = cells.iter().map(|cell| opaque(cell.color())).collect();
+    png::save(path, image.width(), image.height(), &pixels)
+}
+
+fn text(graded: &Graded) -> String {
+    let grade = &graded.grade;
+    let mut text = format!("{}: {}\n", grade.kind.name(), graded.agreement());
+    if let Some(unanswered) = graded.unanswered() {
+        let _ = writeln!(text, "missing: {unanswered}");
+    }
+    if let Some(worst) = graded.worst().filter(|_| grade.agree() < grade.is_right.len()) {
+        let _ = writeln!(text, "worst: {worst}");
+        let sketch = graded.sketch().filter(|_| graded.shows_where()).unwrap_or_default();
+        for (index, line) in sketch.iter().enumerate() {
+            let head = if index == 0 { "where: " } else { "       " };
+            let _ = writeln!(text, "{head}{}", line.trim_end());
+        }
+    }
+    if grade.agree() == grade.is_right.len() {
+        return text;
+    }
+    if grade.diagnosis.mistakes.is_empty() {
+        let _ = writeln!(text, "mistake: {}", grade.advice());
+        return text;
+    }
+    let _ = writeln!(text, "mistake: {}", graded.mistakes());
+    let sentences = grade.diagnosis.mistakes.iter().map(|mistake| mistake.advice().to_owned());
+    for sentence in sentences.chain(graded.remarks()) {
+        let _ = writeln!(text, "  {sentence}");
+    }
+    if let Some(others) = graded.alternatives() {
+        let _ = writeln!(text, "these would give the same answers here: {others}");
+    }
+    text
+}

@@ -1,0 +1,30 @@
+//! `pinhole export`: the camera and the scene in another program's words.
+
+use super::CommandError;
+use super::load;
+use super::of_scene;
+use super::pose;
+use super::to_stdout;
+use super::warn;
+use crate::cli::arguments::ExportArguments;
+use crate::exchange::{Subject, With};
+use crate::model::files::save_written;
+
+pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
+    let document = load(&arguments.scene)?;
+    // What is wrong with the camera is told at its place in the file.
+    pose(&arguments.scene, &document)?;
+    let with = match (arguments.camera_only, arguments.meshes) {
+        (true, _) => With::CameraAlone,
+        (false, true) => With::Meshes,
+        (false, false) => With::Objects,
+    };
+    let written = Subject::new(&document, with).and_then(|subject| arguments.to.write(&subject));
+    let written = written.map_err(|error| of_scene(&arguments.scene, error))?;
+    match &arguments.output {
+        None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,
+        Some(path) => save_written(&written, path)?,
+    }
+    written.notes.iter().for_each(|note| warn(note));
+    Ok(())
+}

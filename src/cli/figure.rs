@@ -1,0 +1,193 @@
+//! `pinhole figure`: a view, the ledger or the lab of lines as SVG, PDF or PNG; the ledger as LaTeX and
+//! Markdown, too.
+
+use std::io::Write as _;
+
+use pinhole_core::{DVec2, ImageSize};
+
+use super::CommandError;
+use super::animation;
+use super::load;
+use super::of_scene;
+use super::outputs::unmade;
+use super::pose;
+use super::progress::Progress;
+use super::selection_of;
+use crate::cli::arguments::FigureArguments;
+use crate::document::Document;
+use crate::figures::{self, Content, Order, Subject};
+use crate::formats::atomic;
+use crate::model::observer::Observer;
+use crate::model::overlay_items::Item;
+use crate::model::session::{Selection, Session};
+
+/// The sizes of the world view and of the lab of lines, in dots, and the ledger's width,
+/// unless others are asked for.
+const WORLD: [u32; 2] = [1920, 1080];
+const LINES: [u32; 2] = [1280, 960];
+const LEDGER: u32 = 1600;
+/// The ledger's width, and the lab's smaller side, in points.
+const LEDGER_POINTS: f32 = 800.0;
+const LINES_POINTS: f32 = 640.0;
+
+pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
+    if let Some(kind) = arguments.play {
+        return animation::run(arguments, kind);
+    }
+    let content = Content::of(arguments.view, &arguments.output)
+        .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
+    check_idle(arguments, content)?;
+    atomic::check(&arguments.output)?;
+    let document = load(&arguments.scene)?;
+    let order = order_of(arguments, document.camera.image)?;
+    let session = session_of(arguments, &document, order.size)?;
+    let progress = Progress::of("drawing");
+    let bytes = match content {
+        Content::Text(markup) => {
+            figures::ledger_of(&document, &session).written_in(markup).into_bytes()
+        }
+        Content::Figure(format) => {
+            let figure = order
+                .figure(&document, &session, |_| false)
+                .map_err(|problem| of_scene(&arguments.scene, problem))?;
+            figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
+        }
+    };
+    progress.go_on("writing");
+    atomic::write(&arguments.output, |file| file.write_all(&bytes))?;
+    Ok(())
+}
+
+/// Refuses what would change nothing.
+fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), CommandError> {
+    let FigureArguments { view, output, width, height, transparent, .. } = arguments;
+    let refused = |problem: String| Err(CommandError::Arguments(problem));
+    if !matches!(content, Content::Figure(_)) {
+        let given = [
+            ("--width", width.is_some()),
+            ("--height", height.is_some()),
+            ("--transparent", *transparent),
+        ];
+        if let Some((name, _)) = given.iter().find(|(_, given)| *given) {
+            return refused(format!(
+                "{name} is for pictures: leave it out, {} is text",
+                output.display()
+            ));
+        }
+    }
+    if *view == Subject::Ledger && height.is_some() {
+        return refused(
+            "the ledger is as high as its lines: leave out --height, give --width".to_owned(),
+        );
+    }
+    Ok(())
+}
+
+pub(super) fn order_of(
+    arguments: &FigureArguments,
+    image: ImageSize,
+) -> Result<Order, CommandError> {
+    let FigureArguments { view: subject, style, transparent, .. } = *arguments;
+    let size = match subject {
+        Subject::World => free(arguments, WORLD)?,
+        Subject::Camera => in_proportion(arguments, image)?,
+        Subject::Lines => free(arguments, LINES)?,
+        Subject::Ledger => {
+            let width = arguments.width.unwrap_or(LEDGER);
+            [width, width]
+        }
+    };
+    let least = size[0].min(size[1]) as f32;
+    let scale = match subject {
+        Subject::World | Subject::Camera => figures::scale_of(size),
+        Subject::Ledger => least / LEDGER_POINTS,
+        Subject::Lines => least / LINES_POINTS,
+    };
+    Ok(Order { subject, size, points: size.map(|n| n as f32 / scale), style, transparent })
+}
+
+/// How the document is looked at: as in a window that has just been opened, but that no ray is drawn
+/// unless it is asked for.
+pub(super) fn session_of(
+    arguments: &FigureArguments,
+    document: &Document,
+    [width, height]: [u32; 2],
+) -> Result<Session, CommandError> {
+    let FigureArguments { scene, view, ray, .. } = arguments;
+    let mut session = Session::default();
+    // Nobody can take hold of a picture in a file.
+    session.settings.items.set(Item::Handles, false);
+    let asked = ray.pixel.is_some() || ray.uv.is_some();
+    let sees = matches!(view, Subject::World | Subject::Camera);
+    // The ledger of a camera without a basis says where its derivation fails.
+    if asked || sees {
+        let camera = pose(scene, document)?;
+        if asked {
+            session.selection = selection_of(&camera, ray.pixel, ray.uv)
+                .map_err(|problem| of_scene(scene, problem))?;
+        }
+    }
+    if sees {
+        let objects = document.scene().map_err(|error| of_scene(scene, error))?;
+        let aspect = f64::from(width) / f64::from(height);
+        session.observer = Some(Observer::frame_all(&document.camera, &objects, aspect));
+    }
+    // What goes along a ray is nothing without one.
+    let sends_rays = arguments.play.is_some_and(|kind| !kind.moves_camera());
+    if !asked && sends_rays {
+        session.selection = Selection::Uv(DVec2::ZERO);
+    } else if !asked {
+        for item in [Item::Ray, Item::Hit] {
+            session.settings.items.set(item, false);
+        }
+    }
+    Ok(session)
+}
+
+/// The size that is asked for; a width or height alone takes the other along.
+fn free(arguments: &FigureArguments, otherwise: [u32; 2]) -> Result<[u32; 2], CommandError> {
+    let [width, height] = otherwise;
+    let ratio = f64::from(width) / f64::from(height);
+    checked(match (arguments.width, arguments.height) {
+        (None, None) => otherwise,
+        (Some(width), Some(height)) => [width, height],
+        (Some(width), None) => [width, follow(width, 1.0 / ratio)],
+        (None, Some(height)) => [follow(height, ratio), height],
+    })
+}
+
+/// The size that is asked for, in the proportions of an image; else whole dots for each pixel.
+fn in_proportion(arguments: &FigureArguments, image: ImageSize) -> Result<[u32; 2], CommandError> {
+    let ratio = image.aspect();
+    checked(match (arguments.width, arguments.height) {
+        (None, None) => {
+            let times = (WORLD[1] / image.width().min(image.height())).max(1);
+            let most = ImageSize::MAX / image.width().max(image.height());
+            [image.width(), image.height()].map(|n| n * times.min(most))
+        }
+        (Some(width), None) => [width, follow(width, 1.0 / ratio)],
+        (None, Some(height)) => [follow(height, ratio), height],
+        (Some(width), Some(height)) => {
+            let fits = follow(width, 1.0 / ratio).abs_diff(height) <= 1
+                || follow(height, ratio).abs_diff(width) <= 1;
+            if !fits {
+                let (columns, rows) = (image.width(), image.height());
+                return Err(CommandError::Arguments(format!(
+                    "{width} x {height} is not in the proportions of the camera's image, {columns} \
+                     x {rows} pixels: leave out --width or --height"
+                )));
+            }
+            [width, height]
+        }
+    })
+}
+
+fn follow(dots: u32, ratio: f64) -> u32 {
+    (f64::from(dots) * ratio).round().max(1.0) as u32
+}
+
+fn checked([width, height]: [u32; 2]) -> Result<[u32; 2], CommandError> {
+    ImageSize::new(width, height).map(|_| [width, height]).map_err(|error| {
+        CommandError::Arguments(format!("{error}; give both --width and --height"))
+    })
+}

@@ -1,0 +1,107 @@
+//! `pinhole import`: a scene from another program's file.
+
+use std::fs;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use pinhole_core::Camera;
+
+use super::CommandError;
+use super::to_stdout;
+use super::warn;
+use crate::cli::arguments::ImportArguments;
+use crate::document::Document;
+use crate::exchange::{Text, recognised_file};
+use crate::formats::{FileError, atomic, scene_file};
+
+pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
+    let path = &arguments.file;
+    let source = read(path)?;
+    let text = Text { path, text: &source.text };
+    let format = match arguments.from {
+        Some(format) => format,
+        None => recognised_file(&text)?,
+    };
+    let taken =
+        format.read(&text, &Camera::CANONICAL).map_err(|error| source.in_its_file(error))?;
+    let document = Document {
+        note: format!("From {}.", format.label),
+        camera: taken.camera,
+        spheres: taken.spheres.into(),
+        csv_spheres: None,
+        planes: taken.planes.into(),
+    };
+    document.scene().map_err(|error| FileError::of_file(path, error.to_string()))?;
+    let scene = scene_file::to_text(&document, None);
+    match &arguments.output {
+        None => to_stdout(|out| out.write_all(scene.as_bytes()))?,
+        Some(output) => atomic::write(output, |file| io::Write::write_all(file, scene.as_bytes()))?,
+    }
+    taken.notes.iter().for_each(|note| warn(note));
+    Ok(())
+}
+
+/// What is said of a model of COLMAP as it writes it by itself.
+const BINARY_MODEL: &str =
+    "binary: `colmap model_converter --output_type TXT` writes the model as text";
+
+/// A text, and where it is one of COLMAP's two files after the other: their folder, and how many lines
+/// the first one has.
+struct Source {
+    text: String,
+    pair: Option<(PathBuf, usize)>,
+}
+
+/// COLMAP's files that make a camera.
+const PAIR: [&str; 2] = ["cameras.txt", "images.txt"];
+
+impl Source {
+    /// An error at a line of both files, as one at a line of the file that the line is in.
+    fn in_its_file(&self, mut error: FileError) -> FileError {
+        if let (Some((folder, lines)), Some(place)) = (&self.pair, &mut error.place) {
+            let is_second = place.line > *lines;
+            place.line -= if is_second { *lines } else { 0 };
+            error.file = folder.join(PAIR[usize::from(is_second)]).display().to_string();
+        }
+        error
+    }
+}
+
+/// The file's text; of COLMAP, which has its camera and its pose in two files of a folder, both.
+fn read(path: &Path) -> Result<Source, FileError> {
+    let alone = |text: String| Source { text, pair: None };
+    if path == Path::new("-") {
+        let mut text = String::new();
+        let read = io::stdin().lock().read_to_string(&mut text);
+        return read
+            .map(|_| alone(text))
+            .map_err(|error| FileError::unreadable(Path::new("standard input"), &error));
+    }
+    let folder = match path.file_name().and_then(|name| name.to_str()) {
+        _ if path.is_dir() => Some(path),
+        Some(name) if PAIR.contains(&name) => path.parent(),
+        _ => None,
+    };
+    let Some(folder) = folder else { return read_text(path).map(alone) };
+    let binary = folder.join("cameras.bin");
+    if binary.exists() && !folder.join(PAIR[0]).exists() {
+        return Err(FileError::of_file(&binary, BINARY_MODEL));
+    }
+    let texts = PAIR.map(|name| read_text(&folder.join(name)));
+    let [cameras, images] = texts;
+    let cameras = cameras? + "\n";
+    let lines = cameras.matches('\n').count();
+    Ok(Source { text: cameras + &images?, pair: Some((folder.to_owned(), lines)) })
+}
+
+fn read_text(path: &Path) -> Result<String, FileError> {
+    let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
+    if bytes.starts_with(b"glTF") {
+        return Err(FileError::of_file(path, "binary glTF: save it as .gltf, which is text"));
+    }
+    if ["cameras.bin", "images.bin"].iter().any(|name| path.ends_with(name)) {
+        return Err(FileError::of_file(path, BINARY_MODEL));
+    }
+    String::from_utf8(bytes)
+        .map_err(|_| FileError::of_file(path, "not UTF-8 text: a camera is read from text"))
+}

@@ -1,0 +1,38 @@
+//! `pinhole inspect`: one ray, its camera, and everything it meets.
+
+mod json;
+mod text;
+
+use pinhole_core::{PosedCamera, UpAngle};
+
+use super::CommandError;
+use super::load;
+use super::of_scene;
+use super::pose;
+use super::selection_of;
+use super::to_stdout;
+use crate::cli::arguments::{InspectArguments, RayArguments};
+use crate::document::Document;
+use crate::model::inspection::Inspection;
+
+/// A ray that is looked at, with all that is said of it.
+struct Readout<'a> {
+    document: &'a Document,
+    camera: PosedCamera,
+    up_angle: UpAngle,
+    inspection: Inspection,
+}
+
+pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
+    let document = load(&arguments.scene)?;
+    let at_fault = |error: &dyn std::fmt::Display| of_scene(&arguments.scene, error);
+    let camera = pose(&arguments.scene, &document)?;
+    let up_angle = document.camera.up_angle().map_err(|e| at_fault(&e))?;
+    let scene = document.scene().map_err(|e| at_fault(&e))?;
+    let RayArguments { pixel, uv } = arguments.ray;
+    let uv = selection_of(&camera, pixel, uv).map_err(|e| at_fault(&e))?.uv(&camera);
+    let inspection = Inspection::of_uv(&camera, &scene, uv);
+    let readout = Readout { document: &document, camera, up_angle, inspection };
+    let text = if arguments.json { readout.to_json()? } else { readout.to_text() };
+    to_stdout(|out| out.write_all(text.as_bytes()))
+}

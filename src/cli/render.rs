@@ -1,0 +1,75 @@
+//! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
+
+use pinhole_core::ImageSize;
+
+use super::CommandError;
+use super::load;
+use super::named;
+use super::of_scene;
+use super::pose;
+use super::progress::Progress;
+use super::render_view::{RenderOptions, render_view};
+use crate::cli::arguments::{RenderArguments, View};
+use crate::formats::{atomic, exr, png};
+
+pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
+    if let Some(aov) = &arguments.aov {
+        if arguments.view == View::World {
+            let problem = "--aov writes what the camera's rays meet: leave out --view world";
+            return Err(CommandError::Arguments(problem.to_owned()));
+        }
+        if *aov == arguments.output {
+            let problem = format!("--aov and -o both write {}", aov.display());
+            return Err(CommandError::Arguments(problem));
+        }
+    }
+    named(&arguments.output, "png", "-o writes PNG")?;
+    if let Some(aov) = &arguments.aov {
+        named(aov, "exr", "--aov writes OpenEXR")?;
+    }
+    for output in [Some(&arguments.output), arguments.aov.as_ref()].into_iter().flatten() {
+        atomic::check(output)?;
+    }
+    let document = load(&arguments.scene)?;
+    pose(&arguments.scene, &document)?;
+    let image = size(document.camera.image, arguments.width, arguments.height)?;
+    let options = RenderOptions {
+        size: image,
+        view: arguments.view,
+        overlay: arguments.overlay,
+        shade: arguments.shade,
+        normals: arguments.aov.is_some(),
+    };
+    let progress = if arguments.overlay || arguments.view == View::World {
+        Progress::of("drawing")
+    } else {
+        Progress::of_rows(image.height())
+    };
+    let rendering = render_view(&document, options, |rows| progress.add(rows))
+        .map_err(|error| of_scene(&arguments.scene, error))?;
+    progress.go_on("writing");
+    png::save(&arguments.output, image.width(), image.height(), &rendering.pixels)?;
+    if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
+        exr::save(aov, frame)?;
+    }
+    Ok(())
+}
+
+/// The size that is asked for. A width or height alone takes the other along, in the ratio of the
+/// scene's image.
+fn size(
+    scene: ImageSize,
+    width: Option<u32>,
+    height: Option<u32>,
+) -> Result<ImageSize, CommandError> {
+    let follow = |pixels: u32, ratio: f64| (f64::from(pixels) * ratio).round().max(1.0) as u32;
+    let (width, height) = match (width, height) {
+        (None, None) => return Ok(scene),
+        (Some(width), Some(height)) => (width, height),
+        (Some(width), None) => (width, follow(width, 1.0 / scene.aspect())),
+        (None, Some(height)) => (follow(height, scene.aspect()), height),
+    };
+    ImageSize::new(width, height).map_err(|error| {
+        CommandError::Arguments(format!("{error}; give both --width and --height"))
+    })
+}

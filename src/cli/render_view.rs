@@ -1,0 +1,105 @@
+//! The picture of either view, for `pinhole render`.
+
+use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
+
+use super::CommandError;
+use crate::cli::arguments::View;
+use crate::document::Document;
+use crate::figures::{self, Look};
+use crate::model::fault::Fault;
+use crate::model::observer::Observer;
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::{Session, Settings};
+use crate::view::overlay::Style;
+
+/// What to draw, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RenderOptions {
+    /// How large the picture is.
+    pub size: ImageSize,
+    /// Which of the two views.
+    pub view: View,
+    /// Whether the basis, the viewport and the rays are drawn over it.
+    pub overlay: bool,
+    /// How a hit becomes a colour.
+    pub shade: Shade,
+    /// Whether normals are computed even if the shading does not need them.
+    pub normals: bool,
+}
+
+/// A finished picture.
+#[derive(Clone, Debug)]
+pub struct Rendering {
+    /// Opaque sRGB pixels with alpha 255, row by row from the top.
+    pub pixels: Vec<[u8; 4]>,
+    /// What the camera's rays meet, pixel by pixel, where it was asked for or needed anyway.
+    pub frame: Option<Frame<f32>>,
+}
+
+/// Draws a view of the document, `options.size` large. `done` hears of finished rows.
+///
+/// A camera view of another size than the document's image is that of a camera with as many
+/// pixels; the world view keeps the camera's pixels and draws them on its viewport.
+///
+/// # Errors
+/// A camera that sees nothing, or an object that is none.
+pub fn render_view(
+    document: &Document,
+    options: RenderOptions,
+    done: impl Fn(usize) + Sync,
+) -> Result<Rendering, CommandError> {
+    let input = |error: &dyn std::fmt::Display| CommandError::Input(error.to_string());
+    let mut document = document.clone();
+    if options.view == View::Camera {
+        document.camera.image = options.size;
+    }
+    let camera = document.camera.posed().map_err(|error| input(&error))?;
+    let scene = document.scene().map_err(|error| input(&error))?;
+    if options.view == View::Camera && !options.overlay {
+        let outputs = Outputs { normal: options.normals, ..Outputs::default() };
+        let raster = Raster::full(camera.image());
+        let frame = trace_reporting(&scene, &camera, &raster, outputs, done);
+        let color_of = |object| document.color_of(object);
+        let pixels = shade(&frame, &scene, options.shade, color_of, |[r, g, b]| [r, g, b, 255]);
+        return Ok(Rendering { pixels, frame: Some(frame) });
+    }
+    let pixels = with_overlay(&document, &scene, options).map_err(|fault| input(&fault))?;
+    if !options.normals {
+        done(options.size.height() as usize);
+        return Ok(Rendering { pixels, frame: None });
+    }
+    let (raster, outputs) =
+        (Raster::full(camera.image()), Outputs { normal: true, ..Outputs::default() });
+    let frame = Some(trace_reporting(&scene, &camera, &raster, outputs, done));
+    Ok(Rendering { pixels, frame })
+}
+
+/// The view as the window shows it, labels included. No ray is selected, so none is drawn.
+fn with_overlay(
+    document: &Document,
+    scene: &Scene,
+    options: RenderOptions,
+) -> Result<Vec<[u8; 4]>, Fault> {
+    let RenderOptions { view, size, .. } = options;
+    let items = if options.overlay {
+        let items = OverlayItems::default().with(Item::Ray, false).with(Item::Hit, false);
+        // Nobody can take hold of a picture in a file.
+        items.with(Item::Handles, false)
+    } else {
+        // A plane has no end: the world view draws a patch of it.
+        OverlayItems::NONE.with(Item::Planes, true)
+    };
+    let session = Session {
+        observer: Some(Observer::frame_all(&document.camera, scene, size.aspect())),
+        settings: Settings { shade: options.shade.into(), items, ..Settings::default() },
+        ..Session::default()
+    };
+    // Strokes and text stay in proportion on large pictures.
+    let look = Look {
+        scale: figures::scale_of([size.width(), size.height()]),
+        style: Style::Light,
+        transparent: false,
+    };
+    let figure = figures::of_view(document, &session, view, size, look)?;
+    Ok(figure.to_pixels().into_iter().map(|pixel| pixel.to_array()).collect())
+}

@@ -1,0 +1,16 @@
+//! `pinhole scenes`: the built-in scenes, a line each.
+
+use super::CommandError;
+use super::to_stdout;
+use crate::formats::builtin;
+
+pub(super) fn run() -> Result<(), CommandError> {
+    let scenes = builtin::all();
+    let width = scenes.iter().map(|scene| scene.name.len()).max().unwrap_or(0);
+    to_stdout(|out| {
+        for scene in scenes {
+            writeln!(out, "{:width$}  {}", scene.name, scene.summary())?;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,64 @@
+//! `pinhole trace`: any rays against a scene, from one CSV file to another.
+
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+use pinhole_core::{Ray, Root, Scene};
+use rayon::prelude::*;
+
+use super::CommandError;
+use super::load;
+use super::of_scene;
+use super::to_stdout;
+use crate::cli::arguments::TraceArguments;
+use crate::formats::{FileError, atomic, rays};
+
+/// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
+const CHUNK: usize = 1 << 16;
+
+pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
+    let document = load(&arguments.scene)?;
+    let scene = document.scene().map_err(|error| of_scene(&arguments.scene, error))?;
+    let rays = read(&arguments.rays)?;
+    match &arguments.output {
+        Some(path) => Ok(atomic::write(path, |file| {
+            let mut out = io::BufWriter::new(file);
+            write_hits(&scene, &rays, &mut out)?;
+            out.flush()
+        })?),
+        None => to_stdout(|out| write_hits(&scene, &rays, out)),
+    }
+}
+
+/// All rays are read before the first is traced, so that a bad row leaves no half an answer.
+fn read(path: &Path) -> Result<Vec<Ray>, FileError> {
+    if path != Path::new("-") {
+        return rays::load(path);
+    }
+    let (path, mut bytes) = (Path::new("standard input"), Vec::new());
+    io::stdin()
+        .lock()
+        .read_to_end(&mut bytes)
+        .map_err(|error| FileError::unreadable(path, &error))?;
+    rays::parse(path, &bytes)
+}
+
+fn write_hits(scene: &Scene, rays: &[Ray], out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "object,t,px,py,pz,nx,ny,nz")?;
+    for chunk in rays.chunks(CHUNK) {
+        let hits: Vec<Option<Root>> = chunk.par_iter().map(|ray| scene.first_hit(ray)).collect();
+        for hit in hits {
+            write_hit(out, hit)?;
+        }
+    }
+    Ok(())
+}
+
+/// Numbers in the shortest form that reads back to the same `f64`; nothing in any cell for a miss.
+fn write_hit(out: &mut dyn Write, hit: Option<Root>) -> io::Result<()> {
+    let Some(Root { object, t, point: p, normal: n }) = hit else {
+        return writeln!(out, ",,,,,,,");
+    };
+    let [px, py, pz, nx, ny, nz] = [p.x, p.y, p.z, n.x, n.y, n.z];
+    writeln!(out, "{object},{t:?},{px:?},{py:?},{pz:?},{nx:?},{ny:?},{nz:?}")
+}

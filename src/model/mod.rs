@@ -1,0 +1,28 @@
+//! What is edited and remembered: the session around a document, its history, lessons and play.
+//!
+//! A document ([`crate::document::Document`]) is what a scene file holds; the
+//! [`session::Session`] is how it is looked at. Nothing here draws.
+
+pub mod color_scheme;
+pub mod concept;
+pub mod derivation_sections;
+pub mod expression;
+pub mod fault;
+pub mod files;
+pub mod ghost;
+pub mod hand;
+pub mod history;
+pub mod inspection;
+pub mod lessons;
+pub mod letters;
+pub mod lines;
+pub mod number;
+pub mod observer;
+pub mod overlay_items;
+pub mod play;
+pub mod presenting;
+pub mod session;
+pub mod store;
+pub mod symbols;
+pub mod translator;
+pub mod window_geometry;

@@ -1,0 +1,293 @@
+//! Where an observer must stand to have all that matters in sight.
+
+use pinhole_core::{
+    Camera, DVec2, DVec3, ExactRay, Object, Orientation, PosedCamera, Ray, Root, Scene,
+    extent_of_fov,
+};
+
+use super::FOV;
+use super::Observer;
+
+/// Spheres this many times larger than all smaller ones and the camera together do not count for
+/// what must be in sight.
+const OUT_OF_SCALE: f64 = 50.0;
+
+/// Spheres with a radius below this share of their distance from the camera are specks.
+const SPECK: f64 = 2e-3;
+
+/// The share of the picture's half that is left free around what must be in sight.
+const MARGIN: f64 = 0.1;
+
+/// Of very many objects, so many are asked where they are.
+const ASKED_SPHERES: usize = 2048;
+const ASKED_PLANES: usize = 64;
+
+/// How far, in degrees, the observer may stand to one side of the line behind the camera, and above
+/// it.
+const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
+const ABOVE: [f64; 4] = [26.0, 19.0, 14.0, 9.0];
+
+/// How far the frustum should be in sight: to this share of the way to the farthest sphere, and to
+/// so many times the viewport's distance.
+const FRUSTUM_PART: f64 = 0.6;
+const LONGEST_FRUSTUM: f64 = 3.2;
+
+/// From this size on, as a share of the picture's height, the camera is large enough.
+const LARGE_ENOUGH: f64 = 0.22;
+
+/// The observer turns around a point at most so many near sizes from the eye: around something far
+/// away it would lose the camera.
+const FARTHEST_MIDDLE: f64 = 15.0;
+
+/// How far the arrows are taken to reach from the eye, as a share of the near size.
+const ARROWS: f64 = 1.15;
+
+/// Seen from afar the arrows keep their size on the screen, and so reach farther in the world: to
+/// this share of the way to the farthest sphere, and to so many near sizes at most.
+const ARROWS_FROM_AFAR: f64 = 0.12;
+const LONGEST_ARROWS: f64 = 3.5;
+
+/// Something that must be in sight.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    center: DVec3,
+    radius: f64,
+}
+
+/// What must be in sight, and the camera in it.
+struct Subject {
+    balls: Vec<Ball>,
+    eye: DVec3,
+    /// From the scene to the camera: w, or what is known of it.
+    back: DVec3,
+    /// The camera's right.
+    right: DVec3,
+    /// The extent of the frustum from the eye to the viewport.
+    near_size: f64,
+    /// Where the camera looks at planes.
+    walls: Vec<Root>,
+    /// What the observer turns around: the middle of camera and scene.
+    middle: DVec3,
+}
+
+impl Observer {
+    /// An observer that has in sight the eye, the viewport, the basis arrows, at, and the spheres,
+    /// but for those that are out of all scale; from behind the camera's shoulder, so far to the
+    /// side as the camera does not get too small. `aspect` is the picture's width by height.
+    ///
+    /// Perspective does the work: close behind a small camera, even what it looks at from afar is in
+    /// sight, small, in the distance, as it is on a whiteboard.
+    pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
+        let aspect = tame_aspect(aspect);
+        let subject = Subject::of(camera, scene);
+        let behind = match (subject.back.x, subject.back.z) {
+            (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
+            // Looking straight up or down: behind is where right x up points.
+            _ => (-subject.right.z).atan2(subject.right.x),
+        };
+        let mut best: Option<(f64, Observer)> = None;
+        // Of equals the right side, from where the camera looks to the right in the picture.
+        for side in [1.0, -1.0] {
+            for (beside, above) in TO_THE_SIDE.iter().flat_map(|b| ABOVE.map(|a| (b, a))) {
+                let azimuth = behind + side * beside.to_radians();
+                let from = Observer::new(DVec3::ZERO, azimuth, above.to_radians(), 1.0);
+                let observer = subject.fit(&from, aspect);
+                let score = subject.score(&observer) + 0.1 * side;
+                if best.is_none_or(|(most, _)| score > most) {
+                    best = Some((score, observer));
+                }
+            }
+        }
+        best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
+    }
+
+    /// An observer in the same direction from which eye, arrows and viewport fill the picture.
+    pub fn framing_camera(&self, camera: &Camera, aspect: f64) -> Observer {
+        let orientation = match camera.orientation {
+            // What the camera looks at is not to be framed.
+            Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
+            given => given,
+        };
+        let alone = Camera { orientation, ..*camera };
+        Subject::of(&alone, &Scene::default()).fit(&self.in_range(), tame_aspect(aspect))
+    }
+
+    /// The observer so far back, in the same direction, that these cameras' eyes and viewports are in
+    /// sight; where it is if they are, or if those of `camera` are not.
+    pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
+        let own = self.in_range();
+        let needed = own.distance_for(camera, tame_aspect(aspect));
+        let all = others.iter().map(|other| own.distance_for(other, tame_aspect(aspect)));
+        let farthest = all.fold(own.distance, f64::max);
+        if needed <= own.distance { Observer { distance: farthest, ..own }.in_range() } else { own }
+    }
+
+    /// From how far off a camera's eye and viewport are in sight, with a little left around them: with
+    /// the target in the middle, (x, y, z) is in sight from `z + |x| / k`, and likewise for y.
+    fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
+        let back = self.back();
+        let (right, up) = self.right_and_up();
+        let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - 0.5 * MARGIN);
+        let corners = camera.posed().map_or(Vec::new(), |posed| frustum_part(&posed, 1.0).into());
+        let points = corners.iter().map(|ball: &Ball| ball.center).chain([camera.eye]);
+        let distances = points.map(|point| {
+            let q = point - self.target();
+            q.dot(back) + (q.dot(right).abs() / (slope * aspect)).max(q.dot(up).abs() / slope)
+        });
+        distances.filter(|distance| distance.is_finite()).fold(0.0, f64::max)
+    }
+}
+
+fn tame_aspect(aspect: f64) -> f64 {
+    if aspect.is_finite() { aspect.clamp(0.1, 10.0) } else { 1.0 }
+}
+
+impl Subject {
+    fn of(camera: &Camera, scene: &Scene) -> Subject {
+        let tame = |p: DVec3| p.is_finite() && p.abs().max_element() < 1e12;
+        let eye = if tame(camera.eye) { camera.eye } else { DVec3::ZERO };
+        let mut balls = Vec::new();
+        let mut walls = Vec::new();
+        let (mut near_size, mut back, mut right) = (1.0, DVec3::Z, DVec3::X);
+        if let Ok(posed) = camera.posed() {
+            (back, right) = (posed.basis().w, posed.basis().u);
+            let viewport = posed.viewport();
+            let size = viewport.width.max(viewport.height).max(viewport.distance);
+            near_size = size.clamp(1e-9, 1e12);
+            balls.extend(frustum_part(&posed, 1.0));
+        }
+        let given = match camera.orientation {
+            Orientation::At { at, .. } => Some(at),
+            Orientation::View { .. } | Orientation::Basis(_) => None,
+        };
+        balls.extend(given.map(|at| Ball { center: at, radius: 0.0 }));
+        let spheres = spheres_in_scale(scene, eye, near_size);
+        let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
+        if let Ok(posed) = camera.posed() {
+            let t = (FRUSTUM_PART * farthest / posed.viewport().distance).min(LONGEST_FRUSTUM);
+            balls.extend(frustum_part(&posed, t));
+            walls = walls_seen(&posed, scene, 2.0 * farthest.max(10.0 * near_size));
+            balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
+        }
+        let arrows = ARROWS.max((ARROWS_FROM_AFAR * farthest / near_size).min(LONGEST_ARROWS));
+        balls.push(Ball { center: eye, radius: arrows * near_size });
+        balls.retain(|ball| tame(ball.center));
+        let camera_balls = balls.len();
+        balls.extend(spheres);
+        let seen = &balls[if balls.len() > camera_balls { camera_balls } else { 0 }..];
+        let sum: DVec3 = seen.iter().map(|ball| ball.center).sum();
+        let toward_middle = 0.5 * (sum / seen.len() as f64 - eye);
+        let middle = eye + toward_middle.clamp_length_max(FARTHEST_MIDDLE * near_size);
+        Subject { balls, eye, back, right, near_size, walls, middle }
+    }
+
+    /// The nearest observer in this direction from which every ball is in sight.
+    ///
+    /// In the observer's own coordinates, a ball (x, z, r) is right of the left border if
+    /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and so on: with `A = max(x + k z + r')` and
+    /// `B = max(-x + k z + r')`, the nearest eye is `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
+    fn fit(&self, direction: &Observer, aspect: f64) -> Observer {
+        let back = direction.back();
+        let (right, up) = direction.right_and_up();
+        let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - MARGIN);
+        let reach = |axis: DVec3, k: f64| {
+            let widen = (1.0 + k * k).sqrt();
+            let most = |sign: f64| {
+                self.balls
+                    .iter()
+                    .map(|ball| {
+                        let q = ball.center - self.eye;
+                        sign * q.dot(axis) + k * q.dot(back) + ball.radius * widen
+                    })
+                    .fold(f64::NEG_INFINITY, f64::max)
+            };
+            let (a, b) = (most(1.0), most(-1.0));
+            (0.5 * (a - b), 0.5 * (a + b) / k)
+        };
+        let (x, z_across) = reach(right, slope * aspect);
+        let (y, z_upwards) = reach(up, slope);
+        let stand = self.eye + x * right + y * up + z_across.max(z_upwards) * back;
+        let distance = (stand - self.middle).dot(back).max(0.5 * self.near_size);
+        let target = stand - distance * back;
+        Observer { target: target.to_array(), distance, ..*direction }.in_range()
+    }
+
+    /// Better is: the camera large enough, its view seen from the side, its picture and the walls
+    /// seen from the front, nothing before it.
+    fn score(&self, observer: &Observer) -> f64 {
+        let back = observer.back();
+        let stand = observer.target() + observer.distance() * back;
+        let to_eye = stand - self.eye;
+        let depth = to_eye.dot(back).max(1e-12);
+        let size = self.near_size / extent_of_fov(FOV, depth);
+        let along = back.dot(self.back);
+        let sideways = (1.0 - along * along).max(0.0).sqrt();
+        // Foreshortened to less than half its width, the picture on the viewport is hard to read.
+        let from_front = along.clamp(-0.5, 0.62);
+        let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
+        let facing: f64 = self.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
+        let facing = facing / self.walls.len().max(1) as f64;
+        (size / LARGE_ENOUGH).min(1.0) + 0.95 * sideways + from_front + 0.2 * facing
+            - if hidden { 0.6 } else { 0.0 }
+    }
+}
+
+/// The points of the frustum's edges at this t.
+fn frustum_part(posed: &PosedCamera, t: f64) -> [Ball; 4] {
+    rays_around(posed, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
+}
+
+/// Where the rays half way to the corners meet planes, if not too far away.
+fn walls_seen(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
+    let first_wall = |ray: &Ray| {
+        let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
+        let hits = planes.filter_map(|(index, plane)| {
+            Object::Plane(*plane).first_hit(index, &ExactRay::of(ray).ok()?)
+        });
+        hits.min_by(|a, b| a.t.total_cmp(&b.t)).filter(|hit| ray.distance_along(hit.t) < farthest)
+    };
+    rays_around(posed, 0.5).iter().filter_map(first_wall).collect()
+}
+
+/// The rays through the viewport, a share of the way from its middle to its corners.
+fn rays_around(posed: &PosedCamera, share: f64) -> [Ray; 4] {
+    let half = 0.5 * share * DVec2::new(posed.viewport().width, posed.viewport().height);
+    [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
+        .map(|(x, y)| posed.ray(half * DVec2::new(x, y)))
+}
+
+/// The spheres from the smallest on, until one is out of scale with those before it.
+fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
+    let mut balls: Vec<Ball> = scene
+        .spheres()
+        .iter()
+        .take(ASKED_SPHERES)
+        .map(|sphere| Ball { center: sphere.center, radius: sphere.radius })
+        .filter(|ball| ball.center.abs().max_element() < 1e12)
+        .collect();
+    balls.sort_by(|a, b| a.radius.total_cmp(&b.radius));
+    let mut extent = near_size;
+    let in_scale = balls.iter().take_while(|ball| {
+        let fits = ball.radius <= OUT_OF_SCALE * extent;
+        if fits {
+            extent = extent.max((ball.center - eye).length() + ball.radius);
+        }
+        fits
+    });
+    let count = in_scale.count();
+    balls.truncate(count);
+    // What lies around the camera cannot be seen as a whole from near it.
+    balls.retain(|ball| (ball.center - eye).length() > ball.radius);
+    // A speck far out is no reason to stand so that everything else is a speck, too.
+    let can_be_seen = |ball: &Ball| ball.radius >= SPECK * (ball.center - eye).length();
+    if balls.iter().any(can_be_seen) {
+        balls.retain(can_be_seen);
+    }
+    balls
+}
+
+fn lies_between(ball: &Ball, a: DVec3, b: DVec3) -> bool {
+    let along = b - a;
+    let share = ((ball.center - a).dot(along) / along.length_squared().max(1e-300)).clamp(0.0, 1.0);
+    ball.radius > 0.0 && (a + share * along).distance(ball.center) < ball.radius
+}

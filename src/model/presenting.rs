@@ -1,0 +1,119 @@
+//! Presenter mode: how large everything is, and what goes back to how it was. Pure.
+
+use crate::model::session::ViewLayout;
+
+/// What fills the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Full {
+    /// The ledger.
+    Ledger,
+    /// The world view.
+    World,
+    /// The camera view.
+    Camera,
+    /// World view and camera view.
+    Both,
+}
+
+impl Full {
+    /// The layout that shows it.
+    pub fn layout(self) -> ViewLayout {
+        match self {
+            Full::Ledger => ViewLayout::LedgerAlone,
+            Full::World => ViewLayout::World,
+            Full::Camera => ViewLayout::Camera,
+            Full::Both => ViewLayout::Both,
+        }
+    }
+}
+
+/// Presenter mode while it is on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Presenting {
+    /// The layout that fills the window since a key was pressed, and the one in whose place it is.
+    replaced: Option<(ViewLayout, ViewLayout)>,
+    /// Whether the spotlight was on before.
+    spotlight: bool,
+}
+
+impl Presenting {
+    /// Begins; the spotlight is on or off.
+    pub fn begin(spotlight: bool) -> Presenting {
+        Presenting { replaced: None, spotlight }
+    }
+
+    /// Fills the window with something.
+    pub fn fill(&mut self, full: Full, layout: &mut ViewLayout) {
+        let before = self.before(*layout);
+        *layout = full.layout();
+        self.replaced = Some((*layout, before));
+    }
+
+    /// The layout to go back to. One that a lesson's step has set in the meantime stays.
+    pub fn before(&self, now: ViewLayout) -> ViewLayout {
+        self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
+    }
+
+    /// Whether the spotlight is to be on afterwards.
+    pub fn spotlight_before(&self) -> bool {
+        self.spotlight
+    }
+}
+
+/// What the setting of the smallest text can be, in points.
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// Not below this.
+    pub least: f32,
+    /// Unless it is set.
+    pub usual: f32,
+    /// Not above this.
+    pub most: f32,
+    /// From one to the next.
+    pub step: f32,
+}
+
+/// See [`crate::model::session::Settings::smallest_text`].
+pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 18.0, most: 36.0, step: 2.0 };
+
+/// The smallest text that anything is written in while presenting, in points before zoom: an index
+/// in a formula's fraction.
+pub const WRITTEN: f32 = 12.0;
+
+/// The projector that [`crate::model::session::Settings::smallest_text`] is given for, in points.
+const PROJECTOR: [f32; 2] = [1024.0, 768.0];
+
+/// The window's zoom while presenting: no text gets smaller than the setting, and in a window larger
+/// than the projector all is as large a part of it as there. `window`: its size in points without
+/// zoom.
+pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
+    let larger = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]).max(1.0);
+    larger * smallest_text / WRITTEN
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_layout_from_before_comes_back_unless_another_one_was_set() {
+        let mut presenting = Presenting::begin(false);
+        let mut layout = ViewLayout::Plot;
+        presenting.fill(Full::Camera, &mut layout);
+        presenting.fill(Full::Ledger, &mut layout);
+        assert_eq!(layout, ViewLayout::LedgerAlone);
+        assert_eq!(presenting.before(layout), ViewLayout::Plot);
+        assert_eq!(presenting.before(ViewLayout::Mistakes), ViewLayout::Mistakes);
+        layout = ViewLayout::Mistakes;
+        presenting.fill(Full::World, &mut layout);
+        assert_eq!(presenting.before(layout), ViewLayout::Mistakes);
+    }
+
+    #[test]
+    fn text_grows_with_the_window_and_never_below_the_setting() {
+        assert_eq!(zoom([1024.0, 768.0], WRITTEN), 1.0);
+        assert_eq!(zoom([640.0, 480.0], 2.0 * WRITTEN), 2.0);
+        assert_eq!(zoom([2048.0, 1536.0], WRITTEN), 2.0);
+        assert_eq!(zoom([4096.0, 1536.0], WRITTEN), 2.0);
+    }
+}

@@ -1,0 +1,338 @@
+//! How the document is looked at: what a scene file does not hold.
+
+mod names;
+
+use pinhole_core::methods::{Formula, Method, Precision};
+use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Viewport};
+use serde::{Deserialize, Serialize};
+
+pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
+
+use crate::exercises::Exercises;
+use crate::grades::AnswersAtHand;
+use crate::mistakes::Gallery;
+use crate::model::color_scheme::Scheme;
+use crate::model::concept::{Pointed, Thing};
+use crate::model::derivation_sections::LedgerSections;
+use crate::model::ghost::Ghost;
+use crate::model::hand::Hand;
+use crate::model::lines::LinesLab;
+use crate::model::observer::Observer;
+use crate::model::overlay_items::OverlayItems;
+use crate::model::presenting::{Presenting, SMALLEST_TEXT};
+use crate::model::translator::Translator;
+
+/// Everything about the window that is not the document. Changing it never marks the document as
+/// edited.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Session {
+    /// The ray that is looked at closely.
+    pub selection: Selection,
+    /// Who looks at the world view; `None` until it is framed for the first time.
+    pub observer: Option<Observer>,
+    /// The t of the point p + t d that walks along the selected ray; `None` where none does.
+    pub walked: Option<f64>,
+    /// How many pixels the camera's picture shows so far, row by row; all of them without a number.
+    pub scanned: Option<u64>,
+    /// The camera to compare with.
+    pub ghost: Option<Ghost>,
+    /// The lab of lines in two dimensions.
+    pub lines: LinesLab,
+    /// What the mouse or the keyboard points at just now.
+    pub pointed: Option<Pointed>,
+    /// What is lit while nothing is pointed at.
+    pub lit: Option<Thing>,
+    /// Which sections of the ledger are shown.
+    pub sections: LedgerSections,
+    /// The wrong camera beside the right one.
+    pub gallery: Gallery,
+    /// The exercise at hand, and what was answered.
+    pub exercises: Exercises,
+    /// A student's answers, to be graded.
+    pub answers: Option<AnswersAtHand>,
+    /// Presenter mode, while it is on.
+    pub presenting: Option<Presenting>,
+    /// All but what is round the pointer is dimmed.
+    pub spotlight: bool,
+    /// What is taken in the hand, or could be.
+    pub hand: Hand,
+    /// What is chosen in the translator.
+    pub translator: Translator,
+    /// What is remembered across runs as it is.
+    pub settings: Settings,
+}
+
+/// The selected ray: by pixel, or by (u, v) where it is no pixel's centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Selection {
+    /// Through a pixel's centre.
+    Pixel(Pixel),
+    /// Through a position in the viewport.
+    Uv(DVec2),
+}
+
+/// How many significant digits the readouts can have.
+pub(crate) const DIGITS: (usize, usize) = (2, 17);
+
+/// Preferences, kept across runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Settings {
+    /// Which views are shown.
+    pub layout: ViewLayout,
+    /// How the pictures are coloured.
+    pub shade: ShadeName,
+    /// What is drawn over the pictures.
+    pub items: OverlayItems,
+    /// Significant digits of the readouts.
+    pub digits: usize,
+    /// Rows and columns are shown counted from 1, as the course does.
+    pub count_from_one: bool,
+    /// Changing the viewport or image keeps the pixels' shape.
+    pub keep_pixel_shape: bool,
+    /// Changing distance, width or height takes the other two along: the picture stays.
+    pub keep_picture: bool,
+    /// What stays when the eye is moved in the world view.
+    pub eye_keeps: EyeKeeps,
+    /// The camera panel's part for teaching is unfolded.
+    pub teaching: bool,
+    /// The world view's share of the width.
+    pub views_split: f32,
+    /// The readouts' height, in points.
+    pub readouts_height: f32,
+    /// The height of plot and table in the accuracy view, in points.
+    pub accuracy_height: f32,
+    /// The height of times and counts in the frame view, in points.
+    pub frame_height: f32,
+    /// The height of the plot of f(p + t d), in points.
+    pub plot_height: f32,
+    /// In that plot, values beyond 1 unit are compressed.
+    pub plot_compressed: bool,
+    /// The height of what is said of a wrong camera, in points.
+    pub mistakes_height: f32,
+    /// The height of what is said of a student's answers, in points.
+    pub answers_height: f32,
+    /// The height of both cameras in numbers, in points.
+    pub compare_height: f32,
+    /// The ledger's share of the width.
+    pub ledger_split: f32,
+    /// The world view's share of the width, where the ghost's picture is beside the camera's.
+    pub compare_split: f32,
+    /// The world view's share of the height, where the camera view is below it.
+    pub stack_split: f32,
+    /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
+    pub method: MethodName,
+    /// The method of the error map.
+    pub compared: MethodName,
+    /// Dark, light, or what the system says.
+    pub theme: ThemeName,
+    /// The colours that things are told apart by.
+    pub scheme: Scheme,
+    /// Nothing moves by itself: no transitions, and what plays goes in steps.
+    pub reduced_motion: bool,
+    /// No text is smaller than this while presenting, in points of a window of 1024 × 768; in a
+    /// larger one it is larger in proportion.
+    pub smallest_text: f32,
+    /// Zoom of the whole window.
+    pub zoom: f32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            layout: ViewLayout::Both,
+            shade: ShadeName::Lambert,
+            items: OverlayItems::default(),
+            digits: 5,
+            count_from_one: false,
+            keep_pixel_shape: true,
+            keep_picture: false,
+            eye_keeps: EyeKeeps::At,
+            teaching: false,
+            views_split: 0.54,
+            readouts_height: 200.0,
+            accuracy_height: 370.0,
+            frame_height: 350.0,
+            plot_height: 300.0,
+            plot_compressed: false,
+            mistakes_height: 330.0,
+            answers_height: 230.0,
+            compare_height: 230.0,
+            ledger_split: 0.5,
+            stack_split: 0.55,
+            compare_split: 0.42,
+            method: MethodName(Method::Ladder),
+            compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
+            theme: ThemeName::System,
+            scheme: Scheme::Standard,
+            reduced_motion: false,
+            smallest_text: SMALLEST_TEXT.usual,
+            zoom: 1.0,
+        }
+    }
+}
+
+impl Settings {
+    /// How the plot of f(p + t d) shows values.
+    pub fn plot_heights(&self) -> Heights {
+        if self.plot_compressed { Heights::Compressed } else { Heights::Even }
+    }
+
+    /// The same with every value in the range that the window works with; what is remembered comes
+    /// from a file that anyone may have edited.
+    #[must_use]
+    pub fn in_range(mut self) -> Settings {
+        let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
+        let default = Settings::default();
+        self.digits = self.digits.clamp(DIGITS.0, DIGITS.1);
+        self.views_split = finite(self.views_split, default.views_split).clamp(0.0, 1.0);
+        self.readouts_height =
+            finite(self.readouts_height, default.readouts_height).clamp(0.0, 10_000.0);
+        self.accuracy_height =
+            finite(self.accuracy_height, default.accuracy_height).clamp(0.0, 10_000.0);
+        self.frame_height = finite(self.frame_height, default.frame_height).clamp(0.0, 10_000.0);
+        self.plot_height = finite(self.plot_height, default.plot_height).clamp(0.0, 10_000.0);
+        self.mistakes_height =
+            finite(self.mistakes_height, default.mistakes_height).clamp(0.0, 10_000.0);
+        self.answers_height =
+            finite(self.answers_height, default.answers_height).clamp(0.0, 10_000.0);
+        self.compare_height =
+            finite(self.compare_height, default.compare_height).clamp(0.0, 10_000.0);
+        self.ledger_split = finite(self.ledger_split, default.ledger_split).clamp(0.0, 1.0);
+        self.stack_split = finite(self.stack_split, default.stack_split).clamp(0.0, 1.0);
+        self.smallest_text = finite(self.smallest_text, default.smallest_text)
+            .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
+        self.compare_split = finite(self.compare_split, default.compare_split).clamp(0.0, 1.0);
+        self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
+        self
+    }
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Session {
+            selection: Selection::Uv(DVec2::new(0.2, -0.1)),
+            observer: None,
+            walked: None,
+            scanned: None,
+            ghost: None,
+            lines: LinesLab::default(),
+            pointed: None,
+            lit: None,
+            sections: LedgerSections::default(),
+            gallery: Gallery::default(),
+            exercises: Exercises::default(),
+            answers: None,
+            presenting: None,
+            spotlight: false,
+            hand: Hand::default(),
+            translator: Translator::default(),
+            settings: Settings::default(),
+        }
+    }
+}
+
+impl Session {
+    /// What both views and the ledger show lit.
+    pub fn lit(&self) -> Option<Thing> {
+        self.pointed.map(|pointed| pointed.thing).or(self.lit)
+    }
+}
+
+impl Selection {
+    /// Where the selected ray passes through the viewport.
+    pub fn uv(self, camera: &PosedCamera) -> DVec2 {
+        match self {
+            Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
+            Selection::Uv(uv) => uv,
+        }
+    }
+
+    /// The selected view ray, with nothing of it rounded. A pixel must lie
+    /// [inside](Selection::inside) the image.
+    ///
+    /// # Errors
+    /// As [`PosedCamera::exact_ray_at`].
+    pub fn exact_ray(self, camera: &PosedCamera) -> Result<ExactRay<'_>, RayError> {
+        match self {
+            Selection::Pixel(pixel) => Ok(camera.exact_ray(pixel)),
+            Selection::Uv(uv) => camera.exact_ray_at(uv),
+        }
+    }
+
+    /// The selection with a pixel moved back into an image that may have shrunk.
+    pub fn inside(self, image: ImageSize) -> Selection {
+        match self {
+            Selection::Pixel(Pixel { row, column }) => Selection::Pixel(Pixel {
+                row: row.min(image.height() - 1),
+                column: column.min(image.width() - 1),
+            }),
+            uv => uv,
+        }
+    }
+
+    /// The selection after the image has got another size: the pixel at the same place.
+    pub fn in_another_image(self, before: ImageSize, now: ImageSize) -> Selection {
+        let place = |k: u32, before: u32, now: u32| {
+            let share = (f64::from(k) + 0.5) / f64::from(before);
+            ((share * f64::from(now)) as u32).min(now - 1)
+        };
+        match self {
+            Selection::Pixel(Pixel { row, column }) if before != now => Selection::Pixel(Pixel {
+                row: place(row, before.height(), now.height()),
+                column: place(column, before.width(), now.width()),
+            }),
+            same => same,
+        }
+    }
+
+    /// The selection after the viewport was scaled: the same share of its width and height.
+    pub fn in_another_viewport(self, before: Viewport, now: Viewport) -> Selection {
+        match self {
+            Selection::Uv(uv) if before != now => {
+                let scaled = uv * DVec2::new(now.width, now.height)
+                    / DVec2::new(before.width, before.height);
+                Selection::Uv(if scaled.is_finite() { scaled } else { uv })
+            }
+            same => same,
+        }
+    }
+
+    /// The neighbouring pixel that many rows down and columns right, as the arrow keys go; from a
+    /// (u, v), the pixel it falls into first.
+    pub fn stepped(self, camera: &PosedCamera, rows: i64, columns: i64) -> Selection {
+        let Pixel { row, column } = match self {
+            Selection::Pixel(pixel) => pixel,
+            Selection::Uv(uv) => match camera.pixel_of_uv(uv) {
+                Some(place) => return Selection::Pixel(place.pixel),
+                None => return self,
+            },
+        };
+        let step = |from: u32, by: i64, count: u32| {
+            (i64::from(from) + by).clamp(0, i64::from(count) - 1) as u32
+        };
+        Selection::Pixel(Pixel {
+            row: step(row, rows, camera.image().height()),
+            column: step(column, columns, camera.image().width()),
+        })
+    }
+}
+
+/// How a value of f, in its curve's unit, becomes a height.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heights {
+    /// As it is: a plane's line is straight, a sphere's parabola is one.
+    Even,
+    /// As it is up to 1, compressed beyond: 1 more is 2.7 times as much. What is far is in sight, too.
+    Compressed,
+}
+
+impl Heights {
+    /// The height of a value; it has the value's sign.
+    pub(crate) fn of(self, y: f64) -> f64 {
+        match self {
+            Heights::Compressed if y.abs() > 1.0 => (1.0 + y.abs().ln()).copysign(y),
+            _ => y,
+        }
+    }
+}

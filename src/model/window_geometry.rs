@@ -1,0 +1,44 @@
+//! Place and size of the window, as they are remembered.
+
+/// Place and size of the window.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default)]
+pub struct WindowGeometry {
+    /// Size of its content.
+    pub inner_size: [f32; 2],
+    /// Left top corner of its frame; `None` lets the desktop choose.
+    pub position: Option<[f32; 2]>,
+    /// Whether it fills the screen.
+    pub maximized: bool,
+}
+
+impl Default for WindowGeometry {
+    fn default() -> Self {
+        Self { inner_size: [1280.0, 800.0], position: None, maximized: false }
+    }
+}
+
+impl WindowGeometry {
+    /// Takes over where the window is now. Called each frame, it has the geometry to save on exit:
+    /// size and place of a maximised, minimised or full-screen window are not taken over, so that
+    /// the ones to go back to are kept.
+    pub fn update(&mut self, ctx: &egui::Context) {
+        let zoom = ctx.zoom_factor();
+        ctx.input(|input| {
+            let viewport = input.viewport();
+            if viewport.minimized == Some(true) || viewport.fullscreen == Some(true) {
+                return;
+            }
+            self.maximized = viewport.maximized == Some(true);
+            if self.maximized {
+                return;
+            }
+            // Wayland tells no position, and then neither rectangle.
+            let size = viewport.inner_rect.map_or(input.viewport_rect().size(), |r| r.size());
+            if size.x >= 1.0 && size.y >= 1.0 {
+                self.inner_size = [size.x * zoom, size.y * zoom];
+            }
+            self.position = viewport.outer_rect.map(|r| [r.min.x * zoom, r.min.y * zoom]);
+        });
+    }
+}

@@ -1,0 +1,179 @@
+//! The window drawn by our own painter: pixels in memory, handed to the display as they are.
+
+use super::RendererInfo;
+use super::window::{Frame, PaintTimes, Surface, timed};
+use crate::cli::arguments::Renderer;
+use crate::view::painter::{Canvas, Painter, PixelRect};
+use egui::{Color32, ColorImage};
+use rayon::prelude::*;
+use std::num::NonZeroU32;
+use std::sync::Arc;
+use std::time::Duration;
+use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
+use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
+use winit::window::Window;
+
+type Context = softbuffer::Context<OwnedDisplayHandle>;
+type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
+
+/// So many frames in a row may fail to reach the display.
+const PATIENCE: u32 = 5;
+
+/// egui's glyphs and pictures are not made larger than this.
+const MAX_TEXTURE_SIDE: usize = 16_384;
+
+/// A window's surface in memory.
+pub(super) struct Cpu {
+    context: Context,
+    buffers: Option<Buffers>,
+    /// Size that the buffers have.
+    size: [u32; 2],
+    painter: Painter,
+    canvas: Canvas,
+    /// The buffers may not have what the canvas had: the next frame is copied as a whole.
+    stale: bool,
+    /// Whether the display keeps what it was handed. X11 does not, and the loss of a part can come
+    /// in one event with a redraw that was asked for, so there every frame goes over whole.
+    keeps_picture: bool,
+    failures: u32,
+    info: RendererInfo,
+}
+
+impl Cpu {
+    /// A surface for the window; `reason` says why it is the CPU that draws.
+    pub(super) fn new(
+        event_loop: &ActiveEventLoop,
+        window: &Arc<Window>,
+        reason: String,
+    ) -> Result<Self, String> {
+        let context =
+            Context::new(event_loop.owned_display_handle()).map_err(|error| error.to_string())?;
+        let buffers = Buffers::new(&context, Arc::clone(window)).map_err(|e| e.to_string())?;
+        Ok(Self {
+            context,
+            buffers: Some(buffers),
+            size: [0, 0],
+            painter: Painter::new(),
+            canvas: Canvas::new(),
+            stale: true,
+            keeps_picture: window
+                .window_handle()
+                .is_ok_and(|handle| matches!(handle.as_raw(), RawWindowHandle::Wayland(_))),
+            failures: 0,
+            info: RendererInfo { renderer: Renderer::Cpu, detail: reason },
+        })
+    }
+
+    /// Hands the canvas to the display. Only `rects` of it changed since the last time; the
+    /// display needs all of it if it was `exposed`.
+    fn present(
+        &mut self,
+        window: &Arc<Window>,
+        size: [u32; 2],
+        rects: &[PixelRect],
+        exposed: bool,
+    ) -> Result<(), softbuffer::SoftBufferError> {
+        let [Some(width), Some(height)] = size.map(NonZeroU32::new) else { return Ok(()) };
+        let buffers = match &mut self.buffers {
+            Some(buffers) => buffers,
+            empty => empty.insert(Buffers::new(&self.context, Arc::clone(window))?),
+        };
+        if self.size != size {
+            buffers.resize(width, height)?;
+            self.size = size;
+            self.stale = true;
+        }
+        let whole = [PixelRect::whole(self.canvas.size())];
+        let shown = if self.stale || exposed { &whole } else { rects };
+        if shown.is_empty() {
+            return Ok(());
+        }
+        let mut buffer = buffers.buffer_mut()?;
+        // Displays that take turns with two buffers give the one from before the last frame.
+        let copied = if buffer.age() == 1 && !self.stale { rects } else { &whole };
+        for &rect in copied {
+            copy(self.canvas.pixels(), self.canvas.size()[0], &mut buffer, rect);
+        }
+        let damage: Vec<_> = shown.iter().filter_map(|&rect| damage(rect)).collect();
+        self.stale = true;
+        window.pre_present_notify();
+        buffer.present_with_damage(&damage)?;
+        self.stale = false;
+        Ok(())
+    }
+}
+
+impl Surface for Cpu {
+    fn info(&self) -> &RendererInfo {
+        &self.info
+    }
+
+    fn max_texture_side(&self) -> Option<usize> {
+        Some(MAX_TEXTURE_SIDE)
+    }
+
+    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+        let mut changed = Default::default();
+        let upload = timed(frame.is_timed, || changed = self.painter.set_textures(frame.delta));
+        let size = frame.size.map(|n| n as usize);
+        let rects = self.canvas.show(
+            &self.painter,
+            &changed,
+            size,
+            frame.pixels_per_point,
+            frame.ground,
+            frame.primitives,
+        );
+        self.painter.free_textures(frame.delta);
+        if !frame.screenshots.is_empty() {
+            let image = Arc::new(ColorImage::new(size, self.canvas.pixels().to_vec()));
+            for screenshot in frame.screenshots {
+                screenshot.complete(Arc::clone(&image));
+            }
+        }
+        let exposed = frame.exposed || !self.keeps_picture;
+        match self.present(frame.window, frame.size, &rects, exposed) {
+            Ok(()) => self.failures = 0,
+            Err(error) => {
+                // A connection that hiccups is given new buffers; one that is gone ends the window.
+                self.buffers = None;
+                self.size = [0, 0];
+                self.failures += 1;
+                if self.failures >= PATIENCE {
+                    return Err(error.to_string());
+                }
+                frame.window.request_redraw();
+            }
+        }
+        Ok(PaintTimes { upload, wait: Duration::ZERO })
+    }
+}
+
+/// Copies a rectangle into a buffer of the display's format, of the canvas's size.
+fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
+    // A window that changed its size meanwhile has another buffer. The next frame will fit.
+    let rows = |height: usize| rect.top.min(height) * width..rect.bottom.min(height) * width;
+    if width == 0 || rect.right > width || rect.left > rect.right {
+        return;
+    }
+    let height = buffer.len().min(pixels.len()) / width;
+    let (to, from) = (&mut buffer[rows(height)], &pixels[rows(height)]);
+    let rows = to.par_chunks_exact_mut(width).zip(from.par_chunks_exact(width));
+    rows.with_min_len(32).for_each(|(to, from)| {
+        let run = rect.left..rect.right;
+        for (to, from) in to[run.clone()].iter_mut().zip(&from[run]) {
+            // From red, green, blue in the order of memory to blue, green, red.
+            let rgb = u32::from_le_bytes(from.to_array());
+            *to = (rgb & 0xff) << 16 | rgb & 0xff00 | rgb >> 16 & 0xff;
+        }
+    });
+}
+
+fn damage(rect: PixelRect) -> Option<softbuffer::Rect> {
+    Some(softbuffer::Rect {
+        x: rect.left as u32,
+        y: rect.top as u32,
+        width: NonZeroU32::new(rect.right.saturating_sub(rect.left) as u32)?,
+        height: NonZeroU32::new(rect.bottom.saturating_sub(rect.top) as u32)?,
+    })
+}

@@ -1,0 +1,241 @@
+//! The window drawn by a graphics adapter. The only file that knows wgpu.
+
+use super::RendererInfo;
+use super::display::without_panic;
+use super::window::{Frame, PaintTimes, Surface, timed};
+use crate::cli::arguments::Renderer;
+use egui::ViewportId;
+use egui::epaint::textures::TexturesDelta;
+use egui_wgpu::{
+    RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuError, WgpuSetup, WgpuSetupCreateNew,
+    winit::Painter,
+};
+use std::num::NonZeroU32;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+use wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
+use winit::event_loop::ActiveEventLoop;
+use winit::window::Window;
+
+/// Names of adapters that are programs. Some of them say that they are hardware.
+const SOFTWARE: [&str; 7] = [
+    "llvmpipe",
+    "lavapipe",
+    "softpipe",
+    "swrast",
+    "software rasterizer",
+    "swiftshader",
+    "microsoft basic render",
+];
+
+/// A window's surface on a graphics adapter.
+pub(super) struct Gpu {
+    painter: Painter,
+    size: [u32; 2],
+    info: RendererInfo,
+    failure: Failure,
+}
+
+/// What the driver reported, from whatever thread.
+type Failure = Arc<Mutex<Option<String>>>;
+
+impl Gpu {
+    /// Starts the best adapter that can draw to the window; `software` allows those that are
+    /// programs themselves.
+    pub(super) fn new(
+        ctx: &egui::Context,
+        event_loop: &ActiveEventLoop,
+        window: &Arc<Window>,
+        software: bool,
+    ) -> Result<Self, String> {
+        // Drivers are found broken in many ways, and wgpu answers to some of them with a panic.
+        without_panic(|| Self::start(ctx, event_loop, window, software)).flatten()
+    }
+
+    fn start(
+        ctx: &egui::Context,
+        event_loop: &ActiveEventLoop,
+        window: &Arc<Window>,
+        software: bool,
+    ) -> Result<Self, String> {
+        let mut setup = WgpuSetupCreateNew::from_display_handle(event_loop.owned_display_handle());
+        setup.native_adapter_selector =
+            Some(Arc::new(move |adapters, surface| best(adapters, surface, software)));
+        let config = WgpuConfiguration {
+            surface: SurfaceConfig::LOW_LATENCY,
+            wgpu_setup: WgpuSetup::CreateNew(setup),
+            ..WgpuConfiguration::default()
+        };
+        // Without dithering, a picture's pixels come to the screen as they are.
+        let options = RendererOptions { dithering: false, ..RendererOptions::default() };
+        let mut painter = pollster::block_on(Painter::new(ctx.clone(), config, false, options));
+        pollster::block_on(painter.set_window(ViewportId::ROOT, Some(Arc::clone(window))))
+            .map_err(|error| reason(&error))?;
+        let state = painter.render_state().ok_or("the adapter did not start")?;
+        let failure = watch(&state.device);
+        let info =
+            RendererInfo { renderer: Renderer::Wgpu, detail: describe(&state.adapter.get_info()) };
+        let size = window.inner_size();
+        Ok(Self { painter, size: [size.width, size.height], info, failure })
+    }
+}
+
+impl Gpu {
+    /// Takes over changes of textures, before painting would.
+    fn set_textures(&self, delta: &mut TexturesDelta) {
+        let Some(state) = self.painter.render_state() else { return };
+        let mut renderer = state.renderer.write();
+        for (id, changes) in delta.set.drain() {
+            for change in changes {
+                renderer.update_texture(&state.device, &state.queue, id, &change);
+            }
+        }
+    }
+}
+
+impl Surface for Gpu {
+    fn info(&self) -> &RendererInfo {
+        &self.info
+    }
+
+    fn max_texture_side(&self) -> Option<usize> {
+        self.painter.max_texture_side()
+    }
+
+    fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String> {
+        if self.size != frame.size {
+            let [width, height] = frame.size.map(NonZeroU32::new);
+            if let (Some(width), Some(height)) = (width, height) {
+                self.painter.on_window_resized(ViewportId::ROOT, width, height);
+                self.size = frame.size;
+            }
+        }
+        let upload = timed(frame.is_timed, || self.set_textures(frame.delta));
+        let waited = self.painter.paint_and_update_textures(
+            ViewportId::ROOT,
+            frame.pixels_per_point,
+            frame.ground.to_normalized_gamma_f32(),
+            &frame.primitives,
+            frame.delta,
+            frame.screenshots,
+            frame.window,
+        );
+        match self.failure.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            Some(failure) => Err(failure),
+            None => {
+                let wait = Duration::try_from_secs_f32(waited).unwrap_or_default();
+                Ok(PaintTimes { upload, wait })
+            }
+        }
+    }
+}
+
+/// Why there is no adapter, in words for the user.
+fn reason(error: &WgpuError) -> String {
+    match error {
+        WgpuError::CustomNativeAdapterSelectionError(reason) => reason.clone(),
+        // What wgpu says when it found no driver at all is a list of nothing.
+        WgpuError::CreateSurfaceError(_) => "no graphics driver found".to_owned(),
+        error => error.to_string(),
+    }
+}
+
+/// Keeps the driver's errors, of which the default is to panic.
+fn watch(device: &wgpu::Device) -> Failure {
+    let failure = Failure::default();
+    let keep = |failure: &Failure| {
+        let failure = Arc::clone(failure);
+        move |text: String| {
+            failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(text);
+        }
+    };
+    let (on_error, on_loss) = (keep(&failure), keep(&failure));
+    device.on_uncaptured_error(Arc::new(move |error| on_error(error.to_string())));
+    device.set_device_lost_callback(move |reason, text| {
+        // Also called at the end, when the device goes away as it should.
+        if reason != wgpu::DeviceLostReason::Destroyed {
+            on_loss(text);
+        }
+    });
+    failure
+}
+
+/// The best adapter for a window's surface: hardware before software, then the faster kind, then
+/// the interface that is native to the system.
+fn best(
+    adapters: &[Adapter],
+    surface: Option<&wgpu::Surface<'_>>,
+    software: bool,
+) -> Result<Adapter, String> {
+    let fits = |adapter: &&Adapter| surface.is_none_or(|s| adapter.is_surface_supported(s));
+    let all: Vec<_> = adapters.iter().filter(fits).collect();
+    let allowed = all.iter().filter(|a| software || !is_software(&a.get_info()));
+    if let Some(adapter) = allowed.min_by_key(|adapter| rank(&adapter.get_info())) {
+        return Ok((*adapter).clone());
+    }
+    Err(match all.first() {
+        Some(adapter) => format!("only a software adapter: {}", describe(&adapter.get_info())),
+        None => "no graphics adapter found".to_owned(),
+    })
+}
+
+fn is_software(info: &AdapterInfo) -> bool {
+    let name = format!("{} {} {}", info.name, info.driver, info.driver_info).to_lowercase();
+    info.device_type == DeviceType::Cpu || SOFTWARE.iter().any(|word| name.contains(word))
+}
+
+/// Smaller is better.
+fn rank(info: &AdapterInfo) -> (bool, u8, bool) {
+    let kind = match info.device_type {
+        DeviceType::DiscreteGpu => 0,
+        DeviceType::IntegratedGpu => 1,
+        DeviceType::VirtualGpu => 2,
+        // What GL calls hardware that it knows nothing more about.
+        DeviceType::Other => 3,
+        DeviceType::Cpu => 4,
+    };
+    (is_software(info), kind, info.backend == Backend::Gl)
+}
+
+fn describe(info: &AdapterInfo) -> String {
+    let driver = [info.driver.as_str(), info.driver_info.as_str()].join(" ");
+    let driver = driver.trim();
+    if driver.is_empty() || info.name.contains(driver) {
+        format!("{}, {}", info.name, info.backend)
+    } else {
+        format!("{}, {}, {}", info.name, info.backend, driver)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn info(name: &str, kind: DeviceType, backend: Backend) -> AdapterInfo {
+        AdapterInfo { name: name.to_owned(), ..AdapterInfo::new(kind, backend) }
+    }
+
+    #[test]
+    fn software_is_known_by_kind_and_by_name() {
+        let (cpu, other) = (DeviceType::Cpu, DeviceType::Other);
+        assert!(is_software(&info("anything", cpu, Backend::Vulkan)));
+        let zink = "zink Vulkan 1.3(llvmpipe (LLVM 15.0.6, 256 bits))";
+        assert!(is_software(&info(zink, other, Backend::Gl)));
+        assert!(!is_software(&info("AMD Radeon 780M", DeviceType::IntegratedGpu, Backend::Vulkan)));
+        assert!(!is_software(&info("virgl", other, Backend::Gl)));
+    }
+
+    #[test]
+    fn hardware_is_ranked_before_software_and_discrete_before_integrated() {
+        let ranks = [
+            info("a card", DeviceType::DiscreteGpu, Backend::Vulkan),
+            info("a card", DeviceType::DiscreteGpu, Backend::Gl),
+            info("a chip", DeviceType::IntegratedGpu, Backend::Vulkan),
+            info("a chip", DeviceType::Other, Backend::Gl),
+            info("llvmpipe", DeviceType::Cpu, Backend::Vulkan),
+            info("llvmpipe", DeviceType::Cpu, Backend::Gl),
+        ]
+        .map(|info| rank(&info));
+        assert!(ranks.is_sorted(), "{ranks:?}");
+    }
+}

@@ -1,0 +1,120 @@
+//! From egui to a window: with the graphics driver, or with our own painter where there is none.
+//!
+//! [`run`] opens the window and shows a [`Program`] in it. What draws it:
+//!
+//! - a graphics adapter, by way of wgpu, where there is one made of hardware;
+//! - else [`painter`], on the CPU: with no adapter at all, with one that fails to start, and with
+//!   one that is itself software, because the drivers made for that take many times as long for
+//!   the same picture.
+//!
+//! Both are driven by the same event loop (`window.rs`, `open.rs`), so everything else about the
+//! window is the same. `gpu.rs` is the only file that knows wgpu.
+
+mod cpu;
+mod display;
+pub mod frame_log;
+mod gpu;
+mod open;
+pub mod program;
+mod start;
+mod window;
+
+use std::fmt;
+
+use crate::cli::arguments::Renderer;
+use crate::model::window_geometry::WindowGeometry;
+use crate::ui::program::Program;
+
+/// What draws the window, in the words of whoever wrote its driver.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RendererInfo {
+    /// Which one.
+    pub renderer: Renderer,
+    /// The adapter and its driver, or why the CPU draws.
+    pub detail: String,
+}
+
+impl fmt::Display for RendererInfo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} ({})", self.renderer, self.detail)
+    }
+}
+
+/// The window as it is opened. Lengths are in points of the system, without egui's zoom.
+#[derive(Clone, Debug, Default)]
+pub struct WindowOptions {
+    /// Text in the title bar.
+    pub title: String,
+    /// The name that the desktop knows the program by.
+    pub app_id: String,
+    /// Place and size.
+    pub geometry: WindowGeometry,
+    /// The picture in the title bar and the list of windows.
+    pub icon: Option<egui::IconData>,
+}
+
+/// Why there is no window, or no longer one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PresentError {
+    /// No display to open a window on.
+    NoDisplay(String),
+    /// The display refused the window.
+    NoWindow(String),
+    /// `--renderer wgpu` was asked for and no adapter works.
+    NoAdapter(String),
+    /// Drawing began to fail while the window was open.
+    Lost(String),
+}
+
+impl fmt::Display for PresentError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoDisplay(cause) => write!(
+                f,
+                "there is no display to open a window on: {cause}\n\
+                 These commands need none: pinhole render, pinhole inspect, pinhole trace, \
+                 pinhole scenes"
+            ),
+            Self::NoWindow(cause) => write!(f, "the display refused to open a window: {cause}"),
+            Self::NoAdapter(cause) => {
+                write!(f, "no graphics adapter works: {cause}\nWithout one: pinhole --renderer cpu")
+            }
+            Self::Lost(cause) => write!(
+                f,
+                "the window can no longer be drawn: {cause}\nIf this comes again: pinhole \
+                 --renderer cpu"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for PresentError {}
+
+/// Opens the window and returns when it is closed.
+///
+/// `choice` is the renderer asked for by hand; without, the best that works is taken.
+/// `make_program` is called when the window exists and its scale is known, before the first frame.
+pub fn run(
+    choice: Option<Renderer>,
+    options: WindowOptions,
+    make_program: impl FnOnce(&egui::Context, &RendererInfo) -> Box<dyn Program>,
+) -> Result<(), PresentError> {
+    let event_loop = display::event_loop()?;
+    window::run(event_loop, choice, options, make_program)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn messages_say_what_to_do_instead() {
+        let message = PresentError::NoDisplay("none is set".into()).to_string();
+        for command in ["render", "inspect", "trace", "scenes"] {
+            assert!(message.contains(&format!("pinhole {command}")), "{message}");
+        }
+        for error in [PresentError::NoAdapter(String::new()), PresentError::Lost(String::new())] {
+            assert!(error.to_string().contains("--renderer cpu"), "{error}");
+        }
+    }
+}

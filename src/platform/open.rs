@@ -1,0 +1,339 @@
+//! The window while it is open: its events, its frames, what the program asks of it.
+
+use super::PresentError;
+use super::RendererInfo;
+use super::start;
+use super::window::{Frame, PaintTimes, Surface, UserEvent};
+use crate::ui::program::FrameTimes;
+use crate::ui::program::Program;
+use egui::epaint::textures::TexturesDelta;
+use egui::{
+    FullOutput, ScreenshotCallback, ViewportCommand, ViewportEvent, ViewportId, ViewportInfo,
+};
+use egui_winit::{ActionRequested, accesskit_winit};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use winit::event::WindowEvent;
+use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
+use winit::window::Window;
+
+/// The window while it is open.
+///
+/// The order of the fields is the order of their end: the window goes last.
+pub(super) struct Open {
+    surface: Box<dyn Surface>,
+    program: Box<dyn Program>,
+    state: egui_winit::State,
+    ctx: egui::Context,
+    info: ViewportInfo,
+    /// Changes of textures that no frame has taken yet.
+    delta: TexturesDelta,
+    actions: Vec<ActionRequested>,
+    repaint_at: Option<Instant>,
+    /// The next `RedrawRequested` is one that was asked for here.
+    asked: bool,
+    /// When the first of the input events came that no frame has answered yet.
+    input_since: Option<Instant>,
+    /// Asked to be maximised when opened, and not seen to be yet.
+    maximizing: bool,
+    shown: Option<Instant>,
+    /// When the last frame was begun, and how long after it one that is only animation may follow.
+    began: Instant,
+    pace: Duration,
+    window: Arc<Window>,
+}
+
+impl Open {
+    /// Makes the program for a window that is not shown yet.
+    pub(super) fn new(
+        event_loop: &ActiveEventLoop,
+        ctx: egui::Context,
+        window: Arc<Window>,
+        surface: Box<dyn Surface>,
+        proxy: EventLoopProxy<UserEvent>,
+        make_program: impl FnOnce(&egui::Context, &RendererInfo) -> Box<dyn Program>,
+        maximized: bool,
+    ) -> Self {
+        let mut state = egui_winit::State::new(
+            ctx.clone(),
+            ViewportId::ROOT,
+            event_loop,
+            Some(window.scale_factor() as f32),
+            event_loop.system_theme(),
+            surface.max_texture_side(),
+        );
+        state.init_accesskit(event_loop, &window, proxy);
+        let mut info = ViewportInfo::default();
+        egui_winit::update_viewport_info(&mut info, &ctx, &window, true);
+        // Asked for before the input is locked, since it takes the same lock.
+        let pixels_per_point = egui_winit::pixels_per_point(&ctx, &window);
+        ctx.input_mut(|input| {
+            input.raw.viewports.insert(ViewportId::ROOT, info.clone());
+            input.pixels_per_point = pixels_per_point;
+        });
+        Self {
+            program: make_program(&ctx, surface.info()),
+            state,
+            ctx,
+            info,
+            delta: TexturesDelta::default(),
+            actions: Vec::new(),
+            repaint_at: None,
+            asked: false,
+            input_since: None,
+            maximizing: maximized,
+            shown: None,
+            began: Instant::now(),
+            pace: start::pace(surface.info().renderer, &window),
+            surface,
+            window,
+        }
+    }
+
+    /// The end: the program's last chance to save.
+    pub(super) fn end(mut self) {
+        self.ctx.on_exit();
+        self.program.on_exit();
+        self.delta.clear();
+    }
+
+    /// egui wants to be run again, as it said in a pass that may be past.
+    pub(super) fn wake(&mut self, when: Instant, pass: u64) {
+        let now = self.ctx.cumulative_pass_nr();
+        if now == pass || now == pass + 1 {
+            self.repaint_by(when.max(self.began + self.pace));
+        }
+    }
+
+    /// The mouse was moved, whether or not the pointer could follow.
+    pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) {
+        if self.state.on_mouse_motion(delta) {
+            self.repaint_by(Instant::now());
+        }
+    }
+
+    fn repaint_by(&mut self, when: Instant) {
+        self.repaint_at = Some(self.repaint_at.map_or(when, |at| at.min(when)));
+    }
+
+    /// Asks for a redraw that is due, and sets the alarm for one that is not.
+    pub(super) fn schedule(&mut self, event_loop: &ActiveEventLoop) {
+        if self.repaint_at.is_some_and(|at| at <= Instant::now()) {
+            self.repaint_at = None;
+            self.asked = true;
+            self.window.request_redraw();
+        }
+        event_loop.set_control_flow(match self.repaint_at {
+            Some(at) => ControlFlow::WaitUntil(at),
+            None => ControlFlow::Wait,
+        });
+    }
+
+    pub(super) fn window_event(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        event: &WindowEvent,
+    ) -> Result<bool, PresentError> {
+        match event {
+            WindowEvent::RedrawRequested => {
+                // One that nobody asked for comes from the display, which has lost the picture.
+                let exposed = !std::mem::take(&mut self.asked);
+                return self.frame(event_loop, exposed);
+            }
+            WindowEvent::CloseRequested => {
+                self.info.events.push(ViewportEvent::Close);
+                // At once: a hidden window is not redrawn, but has to be closable.
+                return self.frame(event_loop, false);
+            }
+            WindowEvent::Occluded(occluded) => self.info.occluded = Some(*occluded),
+            _ => {}
+        }
+        let response = self.state.on_window_event(&self.window, event);
+        if response.repaint {
+            self.input_since.get_or_insert_with(Instant::now);
+            self.repaint_by(Instant::now());
+        }
+        Ok(false)
+    }
+
+    pub(super) fn accessibility(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        event: accesskit_winit::WindowEvent,
+    ) -> Result<bool, PresentError> {
+        match event {
+            accesskit_winit::WindowEvent::InitialTreeRequested => {
+                self.ctx.enable_accesskit();
+                return self.frame(event_loop, false);
+            }
+            accesskit_winit::WindowEvent::ActionRequested(request) => {
+                self.state.on_accesskit_action_request(request);
+                self.repaint_by(Instant::now());
+            }
+            accesskit_winit::WindowEvent::AccessibilityDeactivated => self.ctx.disable_accesskit(),
+        }
+        Ok(false)
+    }
+
+    /// Runs the program once and paints. `true`: the window is to be closed.
+    pub(super) fn frame(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        exposed: bool,
+    ) -> Result<bool, PresentError> {
+        let began = Instant::now();
+        self.look_at_window(began);
+        let closing = self.info.close_requested();
+        let visible = self.info.visible().unwrap_or(true)
+            || self.actions.iter().any(ActionRequested::wants_paint);
+        if !visible && !closing {
+            // Its input waits until it is seen again.
+            return Ok(false);
+        }
+        self.began = began;
+        self.repaint_at = self.repaint_at.filter(|&at| at > began);
+        let mut input = self.state.take_egui_input(&self.window);
+        input.viewports.insert(ViewportId::ROOT, self.info.clone());
+        let zoom = self.ctx.zoom_factor();
+        let mut output = self.ctx.run_ui(input, |ui| self.program.ui(ui));
+        self.keep_pointer(zoom);
+        self.info.events.clear();
+        let ui_done = began.elapsed();
+        let commands = output
+            .viewport_output
+            .remove(&ViewportId::ROOT)
+            .map(|viewport| viewport.commands)
+            .unwrap_or_default();
+        if closing && !commands.contains(&ViewportCommand::CancelClose) {
+            output.drop_without_applying_deltas();
+            return Ok(true);
+        }
+        if closing && self.info.minimized == Some(true) {
+            // The program wants to ask something first.
+            self.window.set_minimized(false);
+        }
+        self.paint(event_loop, output, began, ui_done, exposed)?;
+        self.apply(commands);
+        Ok(false)
+    }
+
+    /// After another zoom than before, the pointer is where it was on the screen: egui keeps its place
+    /// in points, until the mouse is moved.
+    fn keep_pointer(&mut self, before: f32) {
+        let ratio = before / self.ctx.zoom_factor();
+        if let (true, Some(place)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
+            let there = egui::Event::PointerMoved((ratio * place.to_vec2()).to_pos2());
+            self.state.egui_input_mut().events.push(there);
+            self.repaint_by(Instant::now());
+        }
+    }
+
+    /// Takes over the window's state.
+    fn look_at_window(&mut self, now: Instant) {
+        const PATIENCE: Duration = Duration::from_secs(2);
+        egui_winit::update_viewport_info(&mut self.info, &self.ctx, &self.window, false);
+        // Between the window's being shown and its being maximised it has a size and place for a
+        // moment that are not to be remembered as the ones to go back to.
+        let late = self.shown.is_some_and(|shown| now > shown + PATIENCE);
+        self.maximizing &= self.info.maximized != Some(true) && !late;
+        if self.maximizing {
+            self.info.maximized = Some(true);
+        }
+    }
+
+    fn paint(
+        &mut self,
+        event_loop: &ActiveEventLoop,
+        output: FullOutput,
+        began: Instant,
+        ui: Duration,
+        exposed: bool,
+    ) -> Result<(), PresentError> {
+        let FullOutput { platform_output, textures_delta, shapes, pixels_per_point, .. } = output;
+        self.delta.append(textures_delta);
+        self.state.handle_platform_output_with_event_loop(
+            &self.window,
+            event_loop,
+            platform_output,
+        );
+        let size = self.window.inner_size();
+        if size.width == 0 || size.height == 0 {
+            return Ok(());
+        }
+        let primitives = self.ctx.tessellate(shapes, pixels_per_point);
+        let frame = Frame {
+            window: &self.window,
+            size: [size.width, size.height],
+            pixels_per_point,
+            ground: self.ctx.global_style().visuals.panel_fill.to_opaque(),
+            primitives,
+            delta: &mut self.delta,
+            screenshots: take_screenshots(&mut self.actions),
+            exposed,
+            is_timed: self.program.wants_upload_time(),
+        };
+        let PaintTimes { upload, wait } = self.surface.paint(frame).map_err(PresentError::Lost)?;
+        if self.shown.is_none() {
+            self.shown = Some(Instant::now());
+            self.window.set_visible(true);
+            if self.maximizing {
+                // X11's window managers ignore this for a window that is not shown.
+                self.window.set_maximized(true);
+            }
+        }
+        let now = Instant::now();
+        let frame = now - began;
+        self.program.presented(&FrameTimes {
+            since_input: self.input_since.take().map(|since| now - since),
+            frame,
+            ui,
+            upload,
+            paint: frame.saturating_sub(ui).saturating_sub(upload + wait),
+            wait,
+        });
+        Ok(())
+    }
+
+    /// Does what the program asked of the window.
+    fn apply(&mut self, commands: Vec<ViewportCommand>) {
+        let (ctx, window) = (&self.ctx, &self.window);
+        egui_winit::process_viewport_commands(
+            ctx,
+            &mut self.info,
+            commands,
+            window,
+            &mut self.actions,
+        );
+        let (later, now) = std::mem::take(&mut self.actions)
+            .into_iter()
+            .partition::<Vec<_>, _>(ActionRequested::wants_paint);
+        for action in now {
+            match action {
+                ActionRequested::Cut => self.state.egui_input_mut().events.push(egui::Event::Cut),
+                ActionRequested::Copy => self.state.egui_input_mut().events.push(egui::Event::Copy),
+                ActionRequested::Paste => {
+                    if let Some(text) = self.state.clipboard_text().filter(|text| !text.is_empty())
+                    {
+                        let event = egui::Event::Paste(text.replace("\r\n", "\n"));
+                        self.state.egui_input_mut().events.push(event);
+                    }
+                }
+                ActionRequested::Screenshot(_) | ActionRequested::PaintWhileHidden => {}
+            }
+            self.repaint_by(Instant::now());
+        }
+        if !later.is_empty() || self.info.close_requested() {
+            self.repaint_by(Instant::now());
+        }
+        self.actions = later;
+    }
+}
+
+/// The requests for a picture of the next frame; a request just to paint is thereby met.
+fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallback> {
+    let screenshots = actions.drain(..).filter_map(|action| match action {
+        ActionRequested::Screenshot(callback) => Some(callback),
+        _ => None,
+    });
+    screenshots.collect()
+}

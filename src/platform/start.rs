@@ -1,0 +1,107 @@
+//! Opening the window, and finding what can draw it.
+
+use super::PresentError;
+use super::WindowOptions;
+use super::cpu::Cpu;
+use super::display::cause;
+use super::gpu::Gpu;
+use super::window::Surface;
+use crate::cli::arguments::Renderer;
+use egui::ViewportBuilder;
+use std::sync::Arc;
+use std::time::Duration;
+use winit::event_loop::ActiveEventLoop;
+use winit::window::Window;
+
+/// egui's context, as the window wants it.
+pub(super) fn context() -> egui::Context {
+    let ctx = egui::Context::default();
+    // There is one window, and what egui would open as another one is shown in it.
+    ctx.set_embed_viewports(true);
+    ctx.options_mut(|options| {
+        options.max_passes = options.max_passes.max(std::num::NonZeroUsize::MIN.saturating_add(1));
+    });
+    ctx
+}
+
+/// The window to be opened: not larger than the screens, and not outside of them.
+pub(super) fn builder(options: &WindowOptions, event_loop: &ActiveEventLoop) -> ViewportBuilder {
+    let geometry = options.geometry;
+    let screens: Vec<egui::Rect> = event_loop
+        .available_monitors()
+        .map(|monitor| {
+            let scale = monitor.scale_factor();
+            let (place, size) = (monitor.position(), monitor.size());
+            let point = |x: i32, y: i32| egui::pos2(x as f32, y as f32) / scale as f32;
+            egui::Rect::from_min_max(
+                point(place.x, place.y),
+                point(place.x + size.width as i32, place.y + size.height as i32),
+            )
+        })
+        .collect();
+    let mut size = egui::Vec2::from(geometry.inner_size).max(egui::Vec2::splat(64.0));
+    if let Some(largest) = screens.iter().map(|screen| screen.size()).reduce(egui::Vec2::max) {
+        size = size.min(largest.max(egui::Vec2::splat(64.0)));
+    }
+    let mut builder = ViewportBuilder::default()
+        .with_title(&options.title)
+        .with_app_id(&options.app_id)
+        .with_inner_size(size)
+        .with_min_inner_size([320.0, 240.0])
+        .with_maximized(geometry.maximized)
+        .with_visible(false);
+    if let Some(position) = geometry.position.map(egui::Pos2::from)
+        && screens.iter().any(|screen| screen.contains(position))
+    {
+        builder = builder.with_position(position);
+    }
+    if let Some(icon) = &options.icon {
+        builder = builder.with_icon(icon.clone());
+    }
+    builder
+}
+
+/// A window and what draws it: what was chosen by hand, else the best that works.
+pub(super) fn surface(
+    choice: Option<Renderer>,
+    ctx: &egui::Context,
+    event_loop: &ActiveEventLoop,
+    builder: &ViewportBuilder,
+) -> Result<(Arc<Window>, Box<dyn Surface>), PresentError> {
+    let open = || {
+        let window = egui_winit::create_window(ctx, event_loop, builder);
+        window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
+    };
+    let reason = if choice == Some(Renderer::Cpu) {
+        "chosen by hand".to_owned()
+    } else {
+        let window = open()?;
+        let by_hand = choice == Some(Renderer::Wgpu);
+        match Gpu::new(ctx, event_loop, &window, by_hand) {
+            Ok(gpu) => return Ok((window, Box::new(gpu))),
+            Err(error) if by_hand => return Err(PresentError::NoAdapter(error)),
+            // A new window: this one may carry traces of the driver that failed.
+            Err(error) => error,
+        }
+    };
+    let window = open()?;
+    let cpu = Cpu::new(event_loop, &window, reason).map_err(PresentError::NoWindow)?;
+    Ok((window, Box::new(cpu)))
+}
+
+/// The least time between two frames of an animation.
+///
+/// An adapter waits for the display by itself. Our painter would draw as fast as it can, and keep
+/// a processor busy with frames that nobody sees.
+pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
+    const USUAL_MILLIHERTZ: u32 = 60_000;
+    match renderer {
+        Renderer::Wgpu => Duration::ZERO,
+        Renderer::Cpu => {
+            let monitor = window.current_monitor();
+            let rate = monitor.and_then(|monitor| monitor.refresh_rate_millihertz());
+            let rate = rate.filter(|&rate| rate > 0).unwrap_or(USUAL_MILLIHERTZ);
+            Duration::from_secs_f64(1000.0 / f64::from(rate))
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Keeping up with the hand: what frames take, and how coarse pictures are while it moves them.
+
+use std::time::Duration;
+
+use egui::{Context, Key, Vec2};
+
+use super::App;
+use crate::model::session::ViewLayout;
+use crate::ui::frame_times::WorkTimes;
+use crate::view::adaptive_resolution::{Coarseness, Governor, REST};
+
+/// Keys that move the camera, the observer or a handle as long as they are held.
+const STEERING: [Key; 7] = [
+    Key::ArrowLeft,
+    Key::ArrowRight,
+    Key::ArrowUp,
+    Key::ArrowDown,
+    Key::Plus,
+    Key::Equals,
+    Key::Minus,
+];
+
+impl App {
+    /// Has all frames timed from now on, for those who keep a log.
+    pub(crate) fn time_frames(&mut self) {
+        self.logs_frame_times = true;
+    }
+
+    /// Whether somebody looks at what frames take.
+    pub fn times_frames(&self) -> bool {
+        self.logs_frame_times || self.session.settings.layout == ViewLayout::Frame
+    }
+
+    /// What went into the frame presented last, if it showed a new picture and is timed.
+    pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
+        self.frames.work_presented()
+    }
+
+    /// How long tracing may take while a hand moves what is traced; pictures are coarser where it
+    /// would take longer. For those who want to see it happen on any scene.
+    pub fn follow_within(&mut self, budget: Duration) {
+        self.governor = Governor::within(budget);
+    }
+
+    /// How coarse new pictures are in this pass.
+    pub(super) fn coarseness(&mut self, ctx: &Context) -> Coarseness {
+        let plays = self.player.as_ref().is_some_and(|p| p.running && p.kind.moves_camera());
+        let (moves, time) = ctx.input(|i| {
+            let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
+            let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
+            let steps = STEERING.into_iter().any(|key| i.key_down(key));
+            (drags || scrolls || steps, i.time)
+        });
+        self.governor.now(moves || plays, time)
+    }
+
+    /// Whether a hand moves what is seen, or did just now.
+    pub(super) fn is_under_hand(&self, ctx: &Context) -> bool {
+        self.governor.is_followed(ctx.input(|i| i.time))
+    }
+
+    /// Tracing took so long, if anything was traced. What is coarse is made finer as soon as the hand
+    /// rests.
+    pub(super) fn keep_pace(&mut self, ctx: &Context, was: Coarseness, traced: Option<Duration>) {
+        if let Some(traced) = traced {
+            self.governor.took(was, traced);
+        }
+        // A grade may have been put off, too.
+        let waits = self.is_under_hand(ctx) && self.session.answers.is_some();
+        let is_coarse = |shown: Coarseness| shown != Coarseness::NONE;
+        if waits || self.derived.coarseness.into_iter().any(is_coarse) {
+            ctx.request_repaint_after(Duration::from_secs_f64(REST));
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! Every command of the program, once: its name, what it does, its keys and its [`Action`].
+//!
+//! Menus take their keys' names from this table, [`pressed`] looks keys up in it, and the command
+//! palette and the key sheet list it, so that a key stands in one place. A command that is added
+//! to `table` is found by all of them; one that is carried out elsewhere, because it needs to
+//! know what is under the pointer, is a [`Gesture`].
+
+mod keys;
+mod search;
+mod table;
+
+use std::borrow::Cow;
+use std::sync::LazyLock;
+
+pub use keys::{Keys, When, pressed};
+pub use search::{found, score};
+pub use table::{GESTURES, Gesture, of_lesson};
+
+use egui::Key;
+
+use crate::ui::action::{Action, ObjectMove, Observe, Steer};
+
+/// What a command belongs to: a heading of the key sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Group {
+    /// Opening, saving, quitting.
+    File,
+    /// Undo, redo.
+    Edit,
+    /// The way through a lesson.
+    Lesson,
+    /// In front of an audience.
+    Presenting,
+    /// The selected pixel and the observer.
+    Views,
+    /// The camera in the hand: handles, and dragging in the camera view.
+    Hand,
+    /// The scene's spheres and planes.
+    Objects,
+    /// Animations, and the camera to compare with.
+    Play,
+    /// The program itself.
+    Program,
+    /// Which views are shown.
+    Layout,
+    /// What is drawn over the views.
+    Overlay,
+    /// How pictures and window are coloured.
+    Colours,
+    /// How numbers are written.
+    Numbers,
+    /// The built-in scenes.
+    Scene,
+    /// The lessons' steps.
+    Step,
+    /// The exercises.
+    Exercise,
+    /// The wrong cameras.
+    Mistake,
+    /// What draws the camera's picture.
+    Method,
+}
+
+impl Group {
+    /// Its heading, which the palette writes before a command's name.
+    pub fn label(self) -> &'static str {
+        match self {
+            Group::File => "File",
+            Group::Edit => "Edit",
+            Group::Lesson => "Lesson",
+            Group::Presenting => "Presenting",
+            Group::Views => "Views",
+            Group::Hand => "In the hand",
+            Group::Objects => "Objects",
+            Group::Play => "Play and compare",
+            Group::Program => "Program",
+            Group::Layout => "Layout",
+            Group::Overlay => "Overlay",
+            Group::Colours => "Colours",
+            Group::Numbers => "Numbers",
+            Group::Scene => "Scene",
+            Group::Step => "Step",
+            Group::Exercise => "Exercise",
+            Group::Mistake => "Mistake",
+            Group::Method => "Picture drawn by",
+        }
+    }
+}
+
+/// A command.
+#[derive(Clone, Debug)]
+pub struct Verb {
+    /// What it belongs to.
+    pub group: Group,
+    /// What it is called within its group.
+    pub name: Cow<'static, str>,
+    /// What it does, in one sentence.
+    pub about: Cow<'static, str>,
+    /// The keys that do it; the first one is the one that menus tell.
+    pub keys: &'static [Keys],
+    /// What is done.
+    pub action: Action,
+}
+
+impl Verb {
+    /// What the palette calls it.
+    pub fn title(&self) -> String {
+        format!("{}: {}", self.group.label(), self.name)
+    }
+
+    /// Its keys in words, such as `Ctrl+Shift+Z, Ctrl+Y`.
+    pub fn keys_text(&self) -> String {
+        let texts: Vec<String> = self.keys.iter().map(Keys::text).collect();
+        texts.join(", ")
+    }
+}
+
+static ALL: LazyLock<Vec<Verb>> = LazyLock::new(table::table);
+
+/// Every command that does not depend on what is open, by groups.
+pub fn all() -> &'static [Verb] {
+    &ALL
+}
+
+/// The first key of this action, such as `Ctrl+O`; nothing where it has none.
+pub fn shortcut(action: &Action) -> String {
+    let verb = all().iter().find(|verb| verb.action == *action);
+    verb.and_then(|verb| verb.keys.first()).map(Keys::text).unwrap_or_default()
+}
+
+/// All keys of this action, such as `Page Down, Right`; nothing where it has none.
+pub fn keys_text(action: &Action) -> String {
+    let verb = all().iter().find(|verb| verb.action == *action);
+    verb.map(Verb::keys_text).unwrap_or_default()
+}
+
+/// What commands that are one but for their direction are called together.
+fn family(action: &Action) -> Option<&'static str> {
+    match action {
+        Action::Step { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
+        Action::Step { .. } => Some("Ten pixels on"),
+        Action::Steer(Steer::Look(..)) => Some("Look round, in the camera view"),
+        Action::Steer(Steer::Orbit(..)) => Some("Orbit round at, there"),
+        Action::Steer(Steer::Zoom(_)) => Some("Field of view, there"),
+        Action::Steer(Steer::Dolly(_)) => Some("Dolly, there"),
+        Action::Observe(Observe::Orbit(..)) => Some("Orbit the observer, in the world view"),
+        Action::Observe(Observe::Pan(..)) => Some("Pan the observer, there"),
+        Action::Observe(Observe::Zoom(_)) => Some("Zoom, there"),
+        Action::Object(ObjectMove::Next(_)) => Some("Previous and next object"),
+        _ => None,
+    }
+}
+
+/// The keys of commands that belong together: `Alt+arrows`, or all of them.
+fn keys_of(family: &[&Verb]) -> String {
+    let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
+    let keys: Vec<&Keys> = family.iter().flat_map(|verb| verb.keys).collect();
+    let are_arrows = keys.len() == 4 && arrows.iter().all(|a| keys.iter().any(|k| k.key == *a));
+    if let (true, Some(first)) = (are_arrows, keys.first())
+        && keys.iter().all(|key| key.modifiers == first.modifiers)
+    {
+        let held = first.held();
+        return if held.is_empty() { "Arrows".to_owned() } else { format!("{held}arrows") };
+    }
+    keys.iter().map(|key| key.text()).collect::<Vec<_>>().join(", ")
+}
+
+/// The commands that have keys, and the gestures, by groups; commands that differ in direction alone
+/// are one entry.
+pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
+    let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
+    let with_keys: Vec<&Verb> = all().iter().filter(|verb| !verb.keys.is_empty()).collect();
+    let same = |a: &&Verb, b: &&Verb| {
+        let of = |verb: &Verb| family(&verb.action);
+        of(a).is_some() && of(a) == of(b)
+    };
+    let verbs = with_keys.chunk_by(same).map(|verbs| {
+        let name = family(&verbs[0].action).map_or(verbs[0].name.to_string(), str::to_owned);
+        (verbs[0].group, keys_of(verbs), name)
+    });
+    let gestures = GESTURES.iter().map(|g| (g.group, g.how.to_owned(), g.does.to_owned()));
+    for (group, keys, name) in verbs.chain(gestures) {
+        match groups.iter_mut().find(|(known, _)| *known == group) {
+            Some((_, rows)) => rows.push((keys, name)),
+            None => groups.push((group, vec![(keys, name)])),
+        }
+    }
+    groups
+}
+
+/// The key sheet as a table in Markdown.
+pub fn markdown() -> String {
+    let mut text = String::from("| keys | what they do |\n| --- | --- |\n");
+    for (group, rows) in sheet() {
+        for (keys, name) in rows {
+            text += &format!("| {keys} | {}: {name} |\n", group.label());
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_commands_have_the_same_title_or_the_same_action() {
+        for (k, verb) in all().iter().enumerate() {
+            for other in &all()[..k] {
+                assert_ne!(verb.title(), other.title());
+                assert_ne!(verb.action, other.action, "{}, {}", verb.title(), other.title());
+            }
+        }
+    }
+
+    #[test]
+    fn no_key_does_two_things_at_once() {
+        let keys = || all().iter().flat_map(|verb| verb.keys.iter().map(move |key| (key, verb)));
+        for (k, (key, verb)) in keys().enumerate() {
+            for (other, of) in keys().take(k) {
+                assert_ne!(key, other, "{} and {}", verb.title(), of.title());
+            }
+        }
+    }
+
+    #[test]
+    fn every_key_stands_in_one_entry_of_the_sheet() {
+        let entries: usize = sheet().iter().map(|(_, rows)| rows.len()).sum();
+        let mut names: Vec<String> =
+            sheet().into_iter().flat_map(|(_, rows)| rows.into_iter().map(|row| row.1)).collect();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), entries, "a name stands twice: {names:?}");
+        let text = markdown();
+        for keys in ["Arrows", "Shift+arrows", "Alt+arrows", "Ctrl+arrows"] {
+            assert!(text.contains(&format!("| {keys} |")), "{text}");
+        }
+    }
+
+    #[test]
+    fn every_command_is_said_in_a_sentence() {
+        for verb in all() {
+            assert!(verb.about.ends_with('.'), "{}: {}", verb.title(), verb.about);
+            assert!(!verb.name.is_empty());
+        }
+    }
+}

@@ -1,0 +1,256 @@
+//! The ledger: every number's derivation, line by line. A line that is pointed at is lit in the
+//! views, and what is pointed at there lights its line.
+
+use std::sync::Arc;
+
+use egui::accesskit::Role;
+use egui::{
+    Align, Context, CornerRadius, Id, Rect, Response, RichText, ScrollArea, Sense, Tooltip, Ui,
+    pos2, vec2,
+};
+
+use crate::model::concept::{Pointed, Pointing, Thing};
+use crate::model::derivation_sections::{LedgerSection, LedgerSections};
+use crate::view::derivation::{Ledger, Line, Markup, Section, left_out};
+use crate::view::typesetting::derivation::{
+    BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_line, paint,
+};
+use crate::view::typesetting::formula::{self, Inks};
+use crate::view::typesetting::theme;
+
+/// The ledger as it was laid out, and which sections are folded.
+#[derive(Default)]
+pub(crate) struct LedgerPanel {
+    laid: Option<Laid>,
+    folded: Vec<(LedgerSection, Option<u32>)>,
+    /// What was lit when the panel last scrolled to it.
+    scrolled_to: Option<Thing>,
+}
+
+/// Every line with its place.
+struct Laid {
+    of: Arc<Ledger>,
+    width: f32,
+    per_point: f32,
+    lines: Vec<Vec<LaidLine>>,
+}
+
+impl LedgerPanel {
+    /// What of the last frame's ledger the mouse or the focus is on now.
+    pub(crate) fn pointed(&self, ctx: &Context) -> Option<Pointed> {
+        let laid = self.laid.as_ref()?;
+        let focused = ctx.memory(|memory| memory.focused());
+        let (mut hovered, mut has_focus) = (None, None);
+        for (section, lines) in laid.of.sections.iter().zip(&laid.lines) {
+            for (line, place) in section.lines.iter().zip(lines) {
+                if focused == Some(place.id) {
+                    has_focus = line.thing;
+                }
+                if ctx.read_response(place.id).is_some_and(|response| response.hovered()) {
+                    hovered = line.thing;
+                }
+            }
+        }
+        let thing = hovered.or(has_focus)?;
+        Some(Pointed { thing, by: Pointing::Ledger })
+    }
+
+    /// How wide it was when it was last shown, in points.
+    pub(crate) fn width(&self) -> Option<f32> {
+        self.laid.as_ref().map(|laid| laid.width)
+    }
+
+    /// Whether only the title of a section is shown.
+    pub(crate) fn is_folded(&self, section: &Section) -> bool {
+        self.folded.contains(&(section.section, section.object))
+    }
+
+    /// Shows the ledger.
+    pub(crate) fn ui(
+        &mut self,
+        ui: &mut Ui,
+        ledger: &Arc<Ledger>,
+        sections: &mut LedgerSections,
+        pointed: Option<Pointed>,
+        lit: Option<Thing>,
+    ) {
+        if !theme::installed(ui.ctx()).presenting {
+            self.head(ui, ledger, sections);
+        }
+        // Where a view points, the panel goes once.
+        let by_view = pointed.filter(|pointed| pointed.by == Pointing::View);
+        let goal = by_view.map(|pointed| pointed.thing);
+        let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
+        self.scrolled_to = by_view.map(|pointed| pointed.thing);
+        ScrollArea::vertical().id_salt("ledger scrolled").auto_shrink(false).show(ui, |ui| {
+            self.lay_out(ui, ledger);
+            ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
+            let inks = Inks::of(ui);
+            let mut goal = goal;
+            for (k, section) in ledger.sections.iter().enumerate() {
+                self.section(ui, k, section, inks, lit, &mut goal);
+            }
+            if ledger.left_out > 0 {
+                ui.add_space(BEFORE_SECTION);
+                ui.label(RichText::new(left_out(ledger.left_out)).size(NOTE));
+            }
+            ui.add_space(12.0);
+        });
+    }
+
+    /// The title, which sections there are, and a button that copies all of it.
+    fn head(&self, ui: &mut Ui, ledger: &Ledger, sections: &mut LedgerSections) {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new("Ledger").strong().size(SIZE));
+            let copy = ui.button("Copy");
+            ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label("Copy the ledger"));
+            if copy.clicked() {
+                ui.ctx().copy_text(ledger.to_string());
+            }
+            let menu = ui.menu_button("Copy as", |ui| {
+                for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
+                    if ui.button(name).clicked() {
+                        ui.ctx().copy_text(ledger.written_in(markup));
+                    }
+                }
+            });
+            let label = "Copy the ledger as";
+            ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label(label));
+            for section in LedgerSection::ALL {
+                let mut shown = sections.shows(section);
+                let response = ui.checkbox(&mut shown, section.label());
+                let name = format!("Ledger: {}", section.label());
+                ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+                if response.changed() {
+                    sections.set(section, shown);
+                }
+            }
+        });
+        ui.separator();
+    }
+
+    fn lay_out(&mut self, ui: &Ui, ledger: &Arc<Ledger>) {
+        let (width, per_point) = (ui.available_width(), ui.ctx().pixels_per_point());
+        let known = self.laid.as_ref().is_some_and(|laid| {
+            Arc::ptr_eq(&laid.of, ledger) && laid.width == width && laid.per_point == per_point
+        });
+        if known {
+            return;
+        }
+        let lines = ledger.sections.iter().map(|section| {
+            let line = |(k, line): (usize, &Line)| {
+                let id = Id::unique(("ledger line", section.section, section.object, k));
+                laid_line(ui, line, id, width)
+            };
+            section.lines.iter().enumerate().map(line).collect()
+        });
+        self.laid = Some(Laid { of: Arc::clone(ledger), width, per_point, lines: lines.collect() });
+    }
+
+    fn section(
+        &mut self,
+        ui: &mut Ui,
+        k: usize,
+        section: &Section,
+        inks: Inks,
+        lit: Option<Thing>,
+        goal: &mut Option<Thing>,
+    ) {
+        let key = (section.section, section.object);
+        let is_folded = self.is_folded(section);
+        let is_lit = |line: &Line| lit.is_some_and(|thing| line.is_about(thing));
+        ui.add_space(BEFORE_SECTION);
+        let head = ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            let (rect, _) = ui.allocate_exact_size(vec2(12.0, SIZE), Sense::hover());
+            triangle(ui, rect.center(), is_folded);
+            let title = RichText::new(&section.title).strong().size(SIZE);
+            ui.add(egui::Label::new(title).selectable(false).sense(Sense::click()))
+        });
+        let head = head.inner;
+        ui.ctx().accesskit_node_builder(head.id, |node| {
+            node.set_role(Role::Button);
+            node.set_label(format!(
+                "{}: {}",
+                if is_folded { "Unfold" } else { "Fold" },
+                section.title
+            ));
+        });
+        if head.clicked() {
+            self.folded.retain(|folded| *folded != key);
+            if !is_folded {
+                self.folded.push(key);
+            }
+        }
+        if is_folded {
+            if section.lines.iter().any(is_lit) {
+                band(ui, head.rect);
+            }
+            return;
+        }
+        let Some(lines) = self.laid.as_ref().and_then(|laid| laid.lines.get(k)) else { return };
+        for (line, place) in section.lines.iter().zip(lines) {
+            let response = show(ui, line, place, inks, is_lit(line));
+            if goal.is_some_and(|goal| line.is_about(goal)) {
+                if !ui.clip_rect().contains_rect(response.rect) {
+                    response.scroll_to_me(Some(Align::Center));
+                }
+                *goal = None;
+            }
+        }
+    }
+}
+
+/// Points down at what is unfolded, right where something is folded.
+fn triangle(ui: &Ui, center: egui::Pos2, is_folded: bool) {
+    let corners = [vec2(-5.0, -3.0), vec2(5.0, -3.0), vec2(0.0, 4.5)];
+    let turned = |corner: egui::Vec2| if is_folded { vec2(corner.y, corner.x) } else { corner };
+    let points = corners.map(|corner| center + turned(corner)).to_vec();
+    let color = ui.visuals().text_color();
+    ui.painter().add(egui::Shape::convex_polygon(points, color, egui::Stroke::NONE));
+}
+
+/// The light behind what is lit.
+fn band(ui: &Ui, rect: Rect) {
+    let color = ui.visuals().selection.bg_fill.gamma_multiply(0.55);
+    let edge = Rect::from_min_max(rect.min, pos2(rect.left() + 4.0, rect.bottom()));
+    ui.painter().rect_filled(rect, CornerRadius::same(3), color);
+    ui.painter().rect_filled(edge, CornerRadius::same(2), ui.visuals().selection.stroke.color);
+}
+
+fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) -> Response {
+    let size = vec2(ui.available_width(), place.height);
+    let (_, rect) = ui.allocate_space(size);
+    let response = ui.interact(rect, place.id, Sense::click());
+    if response.clicked() {
+        response.request_focus();
+    }
+    ui.ctx().accesskit_node_builder(place.id, |node| {
+        node.set_role(Role::Label);
+        // The text of what is only text is its value.
+        node.set_value(place.text.as_str());
+        if is_lit {
+            node.set_description("lit");
+        }
+    });
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
+    if !ui.is_rect_visible(rect) {
+        return response;
+    }
+    if is_lit {
+        band(ui, rect);
+    }
+    paint(ui, rect, line, place, inks);
+    let hovered = response.hover_pos().filter(|_| response.hovered());
+    let symbol = hovered
+        .and_then(|at| formula::words_at(ui.ctx(), &place.layout, at - baseline_of(rect, place)));
+    if let Some(words) = symbol {
+        Tooltip::for_enabled(&response).at_pointer().gap(14.0).show(|ui| {
+            let words = egui::Label::new(RichText::new(words).size(NOTE));
+            ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
+        });
+    }
+    response
+}

@@ -1,0 +1,328 @@
+//! Dialogs over the window: which file to open or save to, figures, unsaved changes, and messages.
+
+use std::path::{Path, PathBuf};
+
+use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
+
+use super::export::ExportForm;
+use crate::formats::scene_argument::SceneSource;
+use crate::ui::action::Action;
+use crate::view::typesetting::theme::error_color;
+
+/// The dialog that is open.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    /// Which file to open.
+    Open(PathField),
+    /// Which file of a student's answers to grade.
+    Answers(PathField),
+    /// Which file to save to.
+    SaveAs {
+        /// The path.
+        field: PathField,
+        /// What waits for the scene to be saved.
+        then: Option<Box<Action>>,
+    },
+    /// Where to write the camera in another program's terms.
+    Translate {
+        /// The path.
+        field: PathField,
+        /// How the file's name ends; a folder's does not.
+        ending: &'static str,
+    },
+    /// Which figure to write, and where to.
+    Export(ExportForm),
+    /// An animation is being written; closed, it is not.
+    Progress {
+        /// How many frames are done.
+        done: u32,
+        /// How many there are.
+        of: u32,
+    },
+    /// What to do with unsaved changes before the action.
+    Unsaved {
+        /// What the document is called.
+        title: String,
+        /// What waits for the answer.
+        then: Action,
+    },
+    /// Something to read and close.
+    Message {
+        /// One line.
+        title: String,
+        /// The whole story.
+        text: String,
+    },
+}
+
+/// A path being typed or chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PathField {
+    /// What is typed.
+    pub(crate) text: String,
+    /// The endings of the files that are listed, and what is said where nothing is typed.
+    endings: &'static [&'static str],
+    hint: &'static str,
+    /// The folder that is listed, and what it holds.
+    folder: PathBuf,
+    entries: Vec<Entry>,
+    /// Whether the existing file at this path may be overwritten.
+    overwrite: Option<PathBuf>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Entry {
+    name: String,
+    path: PathBuf,
+    is_folder: bool,
+}
+
+impl PathField {
+    /// Of a scene to open: starts in the folder of `path`.
+    pub(crate) fn to_open(path: Option<&Path>) -> PathField {
+        let hint = "path of a .toml scene, or of a .xyz or .pdb molecule";
+        PathField::of(path, "", &["toml", "xyz", "pdb", "ent"], hint)
+    }
+
+    /// Of a scene to save: starts in the folder of `path`, with a name filled in.
+    pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
+        PathField::of(path, name, &["toml"], "path of a .toml scene")
+    }
+
+    /// Of a camera in another program's terms.
+    pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
+        PathField::of(path, name, &[], "path of the file")
+    }
+
+    /// Of a student's answers: starts in the folder of `path`.
+    pub(crate) fn answers_near(path: Option<&Path>) -> PathField {
+        PathField::of(path, "", &["csv", "png"], "path of a .csv or .png file of answers")
+    }
+
+    /// Of files with these endings.
+    pub(crate) fn of(
+        path: Option<&Path>,
+        name: &str,
+        endings: &'static [&'static str],
+        hint: &'static str,
+    ) -> PathField {
+        let folder = path
+            .and_then(Path::parent)
+            .filter(|folder| !folder.as_os_str().is_empty())
+            .map(Path::to_owned)
+            .or_else(|| std::env::current_dir().ok())
+            .unwrap_or_default();
+        let text = match name {
+            "" => String::new(),
+            name => folder.join(name).display().to_string(),
+        };
+        let mut field = PathField {
+            text,
+            endings,
+            hint,
+            folder: PathBuf::new(),
+            entries: Vec::new(),
+            overwrite: None,
+        };
+        field.list(folder);
+        field
+    }
+
+    fn list(&mut self, folder: PathBuf) {
+        let mut entries: Vec<Entry> = (std::fs::read_dir(&folder).into_iter().flatten().flatten())
+            .filter_map(|entry| {
+                let path = entry.path();
+                let name = entry.file_name().to_string_lossy().into_owned();
+                let is_folder = path.is_dir();
+                let ending = path.extension().and_then(|ending| ending.to_str());
+                let is_one = ending.is_some_and(|ending| self.endings.contains(&ending));
+                (!name.starts_with('.') && (is_folder || is_one)).then_some(Entry {
+                    name,
+                    path,
+                    is_folder,
+                })
+            })
+            .collect();
+        entries.sort_by(|a, b| (!a.is_folder, &a.name).cmp(&(!b.is_folder, &b.name)));
+        self.entries = entries;
+        self.folder = folder;
+    }
+
+    /// Shows the field and the folder; a path once one is chosen.
+    fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
+        let mut chosen = None;
+        let field = TextEdit::singleline(&mut self.text).hint_text(self.hint);
+        let response = ui.add(field.desired_width(f32::INFINITY));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("path"));
+        if response.changed() {
+            self.overwrite = None;
+        }
+        let entered = response.lost_focus() && ui.input(|i| i.key_pressed(egui::Key::Enter));
+        if !entered && ui.memory(|memory| memory.focused().is_none()) {
+            response.request_focus();
+        }
+        ui.horizontal(|ui| {
+            if let Some(parent) = self.folder.parent().map(Path::to_owned)
+                && ui.button("Up").on_hover_text("The folder above").clicked()
+            {
+                self.list(parent);
+            }
+            ui.weak(self.folder.display().to_string());
+        });
+        let mut enter = None;
+        ScrollArea::vertical().max_height(240.0).auto_shrink([false, false]).show(ui, |ui| {
+            for entry in &self.entries {
+                let name =
+                    if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
+                let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
+                // A double click is a click, too.
+                if row.clicked() && entry.is_folder {
+                    enter = Some(entry.path.clone());
+                } else if row.double_clicked() {
+                    chosen = Some(entry.path.clone());
+                } else if row.clicked() {
+                    self.text = entry.path.display().to_string();
+                }
+            }
+        });
+        if let Some(folder) = enter {
+            self.list(folder);
+        }
+        let typed = self.text.trim();
+        let buttons = ui.horizontal(|ui| {
+            let ready = ui.add_enabled(!typed.is_empty(), egui::Button::new(verb)).clicked();
+            *cancel |= ui.button("Cancel").clicked();
+            ready
+        });
+        let ready = buttons.inner || entered;
+        if ready && !typed.is_empty() {
+            chosen = Some(std::path::absolute(typed).unwrap_or_else(|_| PathBuf::from(typed)));
+        }
+        chosen
+    }
+}
+
+/// Shows the dialog, if one is open; closes it when it is answered.
+pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<Action>) {
+    let Some(open) = dialog else { return };
+    let mut close = false;
+    let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+        ui.set_width(460.0);
+        match open {
+            Dialog::Open(field) => {
+                let open = |path| Action::Open(SceneSource::File(path));
+                open_ui(ui, ("Open a scene", "Open"), field, open, actions, &mut close);
+            }
+            Dialog::Answers(field) => {
+                let title = ("Check a student’s answers", "Check");
+                open_ui(ui, title, field, Action::CheckAnswers, actions, &mut close);
+            }
+            Dialog::SaveAs { field, then } => {
+                ui.heading("Save the scene as");
+                if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
+                    actions.push(Action::SaveAs { path, then: then.take() });
+                    close = true;
+                }
+            }
+            Dialog::Translate { field, ending } => {
+                ui.heading("Save the camera for another program");
+                if let Some(path) = save_ui(ui, field, "Save", ending, &mut close) {
+                    actions.push(Action::Translate(path));
+                    close = true;
+                }
+            }
+            Dialog::Export(form) => form.ui(ui, actions, &mut close),
+            Dialog::Unsaved { title, then } => unsaved_ui(ui, title, then, actions, &mut close),
+            Dialog::Progress { done, of } => {
+                ui.heading("Exporting the animation");
+                ui.add(ProgressBar::new(*done as f32 / (*of).max(1) as f32));
+                ui.label(format!("{done} of {of} frames"));
+                ui.add_space(8.0);
+                close |= ui.button("Cancel").clicked();
+            }
+            Dialog::Message { title, text } => {
+                ui.heading(title.as_str());
+                ui.label(text.as_str());
+                ui.add_space(8.0);
+                close |= ui.button("Close").clicked();
+            }
+        }
+    });
+    if close || response.should_close() {
+        *dialog = None;
+    }
+}
+
+fn open_ui(
+    ui: &mut Ui,
+    (title, verb): (&str, &str),
+    field: &mut PathField,
+    action: impl FnOnce(PathBuf) -> Action,
+    actions: &mut Vec<Action>,
+    close: &mut bool,
+) {
+    ui.heading(title);
+    if let Some(path) = field.ui(ui, verb, close) {
+        if path.is_dir() {
+            field.list(path);
+        } else {
+            actions.push(action(path));
+            *close = true;
+        }
+    }
+}
+
+/// The path once it is chosen and, where there is such a file, chosen once more.
+pub(crate) fn save_ui(
+    ui: &mut Ui,
+    field: &mut PathField,
+    verb: &str,
+    ending: &str,
+    cancel: &mut bool,
+) -> Option<PathBuf> {
+    let mut chosen = None;
+    if let Some(mut path) = field.ui(ui, verb, cancel) {
+        if path.is_dir() {
+            field.list(path);
+            return None;
+        }
+        if path.extension().is_none() {
+            path.set_extension(ending);
+        }
+        if path.exists() && field.overwrite.as_ref() != Some(&path) {
+            field.overwrite = Some(path);
+        } else {
+            chosen = Some(path);
+        }
+    }
+    if let Some(path) = &field.overwrite {
+        let text = format!("{} exists. {verb} once more to replace it.", path.display());
+        ui.label(RichText::new(text).color(error_color(ui)));
+    }
+    chosen
+}
+
+fn unsaved_ui(
+    ui: &mut Ui,
+    title: &str,
+    then: &Action,
+    actions: &mut Vec<Action>,
+    close: &mut bool,
+) {
+    ui.heading(format!("Save the changes to {title}?"));
+    ui.label("Without saving, they are lost.");
+    ui.add_space(8.0);
+    ui.horizontal(|ui| {
+        let then = || Box::new(then.clone());
+        for (text, action) in [
+            ("Save", Some(Action::SaveThen(then()))),
+            ("Discard", Some(Action::Discard(then()))),
+            ("Cancel", None),
+        ] {
+            if ui.button(text).clicked() {
+                actions.extend(action);
+                *close = true;
+            }
+        }
+    });
+}

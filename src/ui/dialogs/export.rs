@@ -1,0 +1,221 @@
+//! The dialog that exports a figure: what it shows, how large it is, and where to.
+
+use std::path::Path;
+
+use egui::{Checkbox, DragValue, Grid, RichText, Ui};
+
+use crate::figures::{Content, Frames, Order, Reel, Subject, check_name};
+use crate::model::color_scheme::Scheme;
+use crate::model::play::Kind;
+use crate::ui::action::Action;
+use crate::ui::dialogs::dialog::{PathField, save_ui};
+use crate::view::overlay::Style;
+use crate::view::typesetting::theme::error_color;
+
+/// No figure is larger, in dots.
+const LARGEST: u32 = 16_384;
+
+/// The most frames of an animation.
+const MOST_FRAMES: u32 = 9999;
+
+/// How something stands on the screen, or would.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct OnScreen {
+    pub(crate) subject: Subject,
+    /// Width and height in points.
+    pub(crate) points: [f32; 2],
+    /// Dots per point.
+    pub(crate) scale: f32,
+}
+
+impl OnScreen {
+    fn dots(self) -> [u32; 2] {
+        self.points.map(|n| ((n * self.scale).round() as u32).clamp(1, LARGEST))
+    }
+}
+
+/// The dialog's fields.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExportForm {
+    field: PathField,
+    subjects: Vec<OnScreen>,
+    chosen: usize,
+    size: [u32; 2],
+    style: Style,
+    transparent: bool,
+    /// What of an animation, in place of a single figure.
+    animation: Option<(Kind, Frames)>,
+    /// What is wrong with the path.
+    problem: Option<String>,
+}
+
+/// The endings of figures' files.
+const ENDINGS: [&str; 5] = ["svg", "pdf", "png", "tex", "md"];
+
+impl ExportForm {
+    /// Near the scene's file. The first of the subjects is chosen.
+    pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
+        let hint = "path of an .svg, .pdf or .png file";
+        let name = subjects.first().map_or("figure", |first| first.subject.name());
+        let field = PathField::of(scene, &format!("{name}.svg"), &ENDINGS, hint);
+        let size = subjects.first().map_or([1, 1], |first| first.dots());
+        let transparent = false;
+        ExportForm {
+            field,
+            subjects,
+            chosen: 0,
+            size,
+            style,
+            transparent,
+            animation: None,
+            problem: None,
+        }
+    }
+
+    /// The same for an animation: as many frames as it has time for.
+    pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
+        self.animation = Some((kind, Frames::of(kind)));
+        if let Some(folder) = self.field.text.strip_suffix("world.svg") {
+            self.field.text = format!("{folder}{}.png", kind.name());
+        }
+        self
+    }
+
+    pub(crate) fn ui(&mut self, ui: &mut Ui, actions: &mut Vec<Action>, close: &mut bool) {
+        let (heading, ending) = match &self.animation {
+            Some(_) => ("Export the animation", "png"),
+            None => ("Export a figure", "svg"),
+        };
+        ui.heading(heading);
+        let Some(shown) = self.subject(ui) else { return };
+        Grid::new("export").num_columns(2).show(ui, |ui| {
+            self.looks(ui, shown);
+            if let Some((_, frames)) = &mut self.animation {
+                frames_ui(ui, frames);
+            }
+        });
+        let typed = self.field.text.clone();
+        let path = save_ui(ui, &mut self.field, "Export", ending, close);
+        if self.field.text != typed {
+            self.problem = None;
+        }
+        if let Some(path) = path {
+            let content = match self.animation {
+                Some(_) => check_name(&path),
+                None => Content::of(shown.subject, &path).map(drop),
+            };
+            match content {
+                Ok(()) => {
+                    let OnScreen { subject, points, .. } = shown;
+                    let ExportForm { size, style, transparent, .. } = *self;
+                    let order = Order { subject, size, points, style, transparent };
+                    actions.push(match self.animation {
+                        Some((_, frames)) => Action::ExportAnimation { order, frames, path },
+                        None => Action::Export { order, path },
+                    });
+                    *close = true;
+                }
+                Err(problem) => self.problem = Some(format!("Export {problem}")),
+            }
+        }
+        if let Some(problem) = &self.problem {
+            ui.label(RichText::new(problem).color(error_color(ui)));
+        }
+    }
+
+    /// What the figure shows.
+    fn subject(&mut self, ui: &mut Ui) -> Option<OnScreen> {
+        ui.horizontal(|ui| {
+            for (k, shown) in self.subjects.iter().enumerate() {
+                let name = title(shown.subject);
+                if ui.radio(self.chosen == k, name).clicked() && self.chosen != k {
+                    // A name that was not typed follows.
+                    let before = self.subjects[self.chosen].subject.name();
+                    let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
+                    if let Some(folder) = renamed {
+                        self.field.text = format!("{folder}{}.svg", shown.subject.name());
+                    }
+                    (self.chosen, self.size) = (k, shown.dots());
+                }
+            }
+        });
+        self.subjects.get(self.chosen).copied()
+    }
+
+    fn looks(&mut self, ui: &mut Ui, shown: OnScreen) {
+        let number = |ui: &mut Ui, value: &mut u32, name: &str| {
+            ui.label(name);
+            let response = ui.add(DragValue::new(value).range(1..=LARGEST).suffix(" dots"));
+            let label = format!("figure {name}");
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+            ui.end_row();
+            response.changed()
+        };
+        let [across, down] = shown.points;
+        let follow =
+            |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
+        let [width, height] = &mut self.size;
+        let is_wider = number(ui, width, "width");
+        match shown.subject {
+            Subject::Ledger => {
+                ui.label("height");
+                ui.weak("as its lines need");
+                ui.end_row();
+            }
+            subject => {
+                let is_higher = number(ui, height, "height");
+                // Its pixels keep their shape.
+                if subject == Subject::Camera && is_wider {
+                    *height = follow(*width, down / across);
+                } else if subject == Subject::Camera && is_higher {
+                    *width = follow(*height, across / down);
+                }
+            }
+        }
+        ui.label("colours");
+        ui.horizontal(|ui| {
+            let scheme = self.style.scheme();
+            ui.radio_value(&mut self.style, Style::of(scheme, false), "light");
+            ui.radio_value(&mut self.style, Style::of(scheme, true), "dark");
+        });
+        ui.end_row();
+        ui.label("");
+        ui.horizontal_wrapped(|ui| {
+            let dark = self.style.is_dark();
+            for scheme in Scheme::ALL {
+                ui.radio_value(&mut self.style, Style::of(scheme, dark), scheme.label());
+            }
+        });
+        ui.end_row();
+        ui.label("background");
+        ui.add(Checkbox::new(&mut self.transparent, "transparent"));
+        ui.end_row();
+    }
+}
+
+/// How many frames, how fast, and what they become.
+fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
+    ui.label("frames");
+    let response = ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames"));
+    ui.end_row();
+    ui.label("per second");
+    let response = ui.add(DragValue::new(&mut frames.per_second).range(1..=120));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames per second"));
+    ui.end_row();
+    ui.label("as");
+    ui.horizontal(|ui| {
+        ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG");
+        ui.radio_value(&mut frames.reel, Reel::Numbered, "numbered PNGs");
+    });
+    ui.end_row();
+}
+
+fn title(subject: Subject) -> &'static str {
+    match subject {
+        Subject::World => "World view",
+        Subject::Camera => "Camera view",
+        Subject::Ledger => "Ledger",
+        Subject::Lines => "Lines",
+    }
+}

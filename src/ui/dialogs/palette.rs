@@ -1,0 +1,137 @@
+//! The command palette: every command, found by a few of its letters.
+
+use egui::{
+    Align, Button, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+};
+
+use crate::model::session::Session;
+use crate::ui::action::Action;
+use crate::ui::commands_table::{Verb, found};
+
+/// Of names, in points.
+const TEXT: f32 = 17.0;
+/// So many commands are seen at once.
+const ROWS: f32 = 10.0;
+
+/// What was typed, and which of the commands that fit it is chosen.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Palette {
+    typed: String,
+    chosen: usize,
+}
+
+/// Shows the palette of these commands; what was chosen goes into `actions`. Whether it stays open.
+pub(crate) fn ui(
+    ctx: &Context,
+    palette: &mut Palette,
+    commands: &[&Verb],
+    session: &Session,
+    actions: &mut Vec<Action>,
+) -> bool {
+    let mut is_open = true;
+    let steps = moves(ctx);
+    let response = Modal::new(Id::unique("palette")).show(ctx, |ui| {
+        let window = ui.ctx().content_rect();
+        ui.set_width((window.width() - 48.0).clamp(120.0, 760.0));
+        let before = palette.typed.clone();
+        field(ui, palette);
+        let fitting = found(&palette.typed, commands.iter().copied());
+        let last = fitting.len().saturating_sub(1);
+        let moved = steps != 0;
+        palette.chosen = if palette.typed == before {
+            palette.chosen.saturating_add_signed(steps).min(last)
+        } else {
+            0
+        };
+        let is_new = moved || palette.typed != before;
+        let chosen = list(ui, &fitting, palette.chosen, is_new, session);
+        let entered = ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
+        let chosen = chosen.or(entered.then_some(palette.chosen));
+        if let Some(verb) = chosen.and_then(|chosen| fitting.get(chosen)) {
+            actions.push(verb.action.clone());
+            is_open = false;
+        }
+    });
+    is_open && !response.should_close()
+}
+
+/// How many commands the keys go down; what is typed does not get these keys.
+fn moves(ctx: &Context) -> isize {
+    let page = ROWS as isize - 1;
+    let keys =
+        [(Key::ArrowDown, 1), (Key::ArrowUp, -1), (Key::PageDown, page), (Key::PageUp, -page)];
+    let pressed = |key| ctx.input_mut(|i| i.count_and_consume_key(Modifiers::NONE, key)) as isize;
+    keys.into_iter().map(|(key, by)| by * pressed(key)).sum()
+}
+
+fn field(ui: &mut Ui, palette: &mut Palette) {
+    let field = TextEdit::singleline(&mut palette.typed)
+        .hint_text("a few letters of a command, scene, lesson, exercise…")
+        .font(egui::FontId::proportional(TEXT + 2.0))
+        .desired_width(f32::INFINITY)
+        .show(ui);
+    let response = field.response.response;
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Command"));
+    if !response.has_focus() {
+        response.request_focus();
+    }
+}
+
+/// The commands that fit; the one that was clicked.
+fn list(
+    ui: &mut Ui,
+    fitting: &[&Verb],
+    chosen: usize,
+    follow: bool,
+    session: &Session,
+) -> Option<usize> {
+    let mut clicked = None;
+    let row = ui.ctx().fonts_mut(|fonts| fonts.row_height(&egui::FontId::proportional(TEXT)));
+    let row = row + 2.0 * ui.spacing().button_padding.y;
+    let most = ROWS * (row + ui.spacing().item_spacing.y);
+    let room = ui.ctx().content_rect().height() - 140.0;
+    ScrollArea::vertical().max_height(most.min(room).max(row)).auto_shrink([false, true]).show(
+        ui,
+        |ui| {
+            for (k, verb) in fitting.iter().enumerate() {
+                // As wide as the palette, with the keys at the right edge.
+                let layout = Layout::top_down_justified(Align::Min);
+                let entry = entry(verb, k == chosen, session, row);
+                let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
+                ui.ctx().accesskit_node_builder(response.id, |node| {
+                    node.set_label(verb.title());
+                    node.set_selected(k == chosen);
+                    node.set_description(verb.about.to_string());
+                });
+                if follow && k == chosen {
+                    response.scroll_to_me(Some(Align::Center));
+                }
+                if response.clicked() {
+                    clicked = Some(k);
+                }
+            }
+        },
+    );
+    if fitting.is_empty() {
+        ui.label(RichText::new("no command has these letters").size(TEXT));
+    }
+    if let Some(verb) = fitting.get(chosen) {
+        ui.separator();
+        ui.label(RichText::new(&*verb.about).size(TEXT - 2.0));
+    }
+    clicked
+}
+
+fn entry<'a>(verb: &Verb, is_chosen: bool, session: &Session, row: f32) -> Button<'a> {
+    let on = match verb.action {
+        Action::Toggle(switch) => Some(switch.is_on(session)),
+        _ => None,
+    };
+    let state = on.map_or("", |on| if on { "on" } else { "off" });
+    let keys = verb.keys_text();
+    let gap = if state.is_empty() || keys.is_empty() { "" } else { "   " };
+    Button::selectable(is_chosen, RichText::new(verb.title()).size(TEXT))
+        .shortcut_text(RichText::new(format!("{state}{gap}{keys}")).size(TEXT - 2.0))
+        .min_size(egui::vec2(0.0, row))
+        .truncate()
+}

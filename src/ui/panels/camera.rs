@@ -1,0 +1,214 @@
+//! The camera as numbers: where the eye is, where it looks, the viewport and the image.
+
+use egui::{Grid, RichText, Ui};
+use pinhole_core::{
+    BasisError, BasisVector, Camera, ImageSize, Orientation, OrientationKind, Viewport,
+};
+
+use super::teaching;
+use crate::model::letters::told;
+use crate::model::session::Settings;
+use crate::model::symbols::{Kind, words};
+use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
+use crate::view::typesetting::theme::error_color;
+
+/// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
+/// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
+/// distance : width : height.
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
+    ui.horizontal(|ui| {
+        ui.heading("Camera");
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let hint = "Eye at the origin, looking along -z, viewport 1 × 1 at distance 1";
+            if ui.button("Canonical camera").on_hover_text(hint).clicked() {
+                *camera = Camera::CANONICAL;
+            }
+        });
+    });
+    given_by(ui, camera);
+    Grid::new("camera vectors").num_columns(2).show(ui, |ui| orientation(ui, camera));
+    ui.add_space(6.0);
+    ui.heading("Viewport and image");
+    Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
+    if let Err(fault) = camera.viewport.check() {
+        // Below the grid, where it wraps: in a cell it would widen the panel.
+        ui.label(RichText::new(told(fault)).color(error_color(ui)));
+    }
+    let hint = "Editing width, height, W or H takes another of them along";
+    ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
+    pixel_shape(ui, camera);
+    teaching::ui(ui, camera, settings);
+}
+
+/// How the camera is given; switching converts.
+fn given_by(ui: &mut Ui, camera: &mut Camera) {
+    ui.horizontal(|ui| {
+        ui.label("Given by");
+        let kinds = [
+            (OrientationKind::At, "eye, at, up", "A point to look at"),
+            (OrientationKind::View, "eye, view, up", "A direction to look along"),
+            (OrientationKind::Basis, "u, v, w", "The basis set by hand"),
+        ];
+        let present = camera.orientation.kind();
+        for (kind, text, hint) in kinds {
+            let converted = camera.given_by(kind);
+            let button = ui.add_enabled_ui(converted.is_ok(), |ui| {
+                ui.selectable_label(kind == present, text).on_hover_text(hint)
+            });
+            if let Err(reason) = converted {
+                button.inner.on_disabled_hover_text(told(reason));
+            } else if button.inner.clicked()
+                && let Ok(converted) = converted
+            {
+                *camera = converted;
+            }
+        }
+    });
+}
+
+fn orientation(ui: &mut Ui, camera: &mut Camera) {
+    let fault = camera.basis().err();
+    let row = |ui: &mut Ui, field: &'static str, name: &str, value| {
+        let color = vector_color(ui, name);
+        let color = color.unwrap_or(ui.visuals().text_color());
+        let label = ui.label(RichText::new(name).strong().color(color));
+        if let Some(words) = words(Kind::Vector, name) {
+            label.on_hover_text(words);
+        }
+        ui.vertical(|ui| {
+            ui.horizontal(|ui| vector_row(ui, name, value));
+            if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
+                ui.label(RichText::new(told(fault)).color(error_color(ui)));
+            }
+        });
+        ui.end_row();
+    };
+    row(ui, "eye", "eye", &mut camera.eye);
+    match &mut camera.orientation {
+        Orientation::At { at, up } => {
+            row(ui, "at", "at", at);
+            row(ui, "up", "up", up);
+        }
+        Orientation::View { view, up } => {
+            row(ui, "view", "view", view);
+            row(ui, "up", "up", up);
+        }
+        Orientation::Basis(basis) => {
+            row(ui, "basis.u", "u", &mut basis.u);
+            row(ui, "basis.v", "v", &mut basis.v);
+            row(ui, "basis.w", "w", &mut basis.w);
+        }
+    }
+}
+
+/// Whether this is the field to write the reason under.
+fn is_at_fault(fault: &BasisError, field: &str) -> bool {
+    let of_vector = |vector: BasisVector| match vector {
+        BasisVector::U => "basis.u",
+        BasisVector::V => "basis.v",
+        BasisVector::W => "basis.w",
+    };
+    let at_fault = match fault {
+        BasisError::NotFinite { field, .. } => field,
+        BasisError::EyeIsAt { .. } => "at",
+        BasisError::ViewIsZero => "view",
+        BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "up",
+        BasisError::NotUnit { vector, .. } => of_vector(*vector),
+        BasisError::NotOrthogonal { second, .. } => of_vector(*second),
+        _ => "basis.w",
+    };
+    at_fault == field
+}
+
+fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
+    let before = *camera;
+    let (mut columns, mut rows) = (camera.image.width(), camera.image.height());
+    ui.label("width");
+    NumberField::new("width", &mut camera.viewport.width).show(ui);
+    pixels(ui, "W", &mut columns);
+    ui.label("height");
+    NumberField::new("height", &mut camera.viewport.height).show(ui);
+    pixels(ui, "H", &mut rows);
+    if let Ok(image) = ImageSize::new(columns, rows) {
+        camera.image = image;
+    }
+    ui.label("distance");
+    NumberField::new("distance", &mut camera.viewport.distance).show(ui);
+    ui.end_row();
+    if settings.keep_picture && camera.viewport != before.viewport {
+        teaching::keep_picture(ui, &before, camera);
+    } else if settings.keep_pixel_shape {
+        keep_pixels_shape(&before, camera);
+    }
+    // Another field of view is another picture.
+    field_of_view(ui, camera, !settings.keep_picture);
+}
+
+/// One measure of the image.
+fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
+    ui.label(name);
+    let field = egui::DragValue::new(value).range(1..=ImageSize::MAX).speed(1.0).suffix(" px");
+    // Typing 1920 does not go through 1, 19 and 192.
+    let field = field.update_while_editing(false);
+    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    ui.end_row();
+}
+
+/// Both fields of view in degrees; editing one changes width and height and keeps the distance.
+fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
+    if camera.viewport.check().is_err() {
+        return;
+    }
+    let viewport = camera.viewport;
+    let edited = |ui: &mut Ui, name: &str, radians: f64| {
+        let mut degrees = radians.to_degrees();
+        let field = NumberField::new(name, &mut degrees).suffix("°").within(FOV_DEGREES);
+        let response = ui.add_enabled_ui(enabled, |ui| field.show(ui)).inner;
+        response.changed().then(|| degrees.to_radians())
+    };
+    ui.label("fov ↔").on_hover_text("Horizontal field of view: 2 atan(width / (2 distance))");
+    if let Some(fov) = edited(ui, "horizontal field of view", viewport.horizontal_fov()) {
+        camera.viewport = viewport.with_horizontal_fov(fov);
+    }
+    ui.label("fov ↕").on_hover_text("Vertical field of view: 2 atan(height / (2 distance))");
+    if let Some(fov) = edited(ui, "vertical field of view", viewport.vertical_fov()) {
+        camera.viewport = viewport.with_vertical_fov(fov);
+    }
+    ui.end_row();
+}
+
+/// Fields of view that a flat viewport can have: short of 180 degrees, where it would be infinite.
+const FOV_DEGREES: std::ops::RangeInclusive<f64> = 1e-6..=179.999;
+
+/// How many times as wide as high a camera's pixels are.
+fn shape_of(camera: &Camera) -> f64 {
+    camera.viewport.width / camera.viewport.height / camera.image.aspect()
+}
+
+/// After an edit, another measure follows: the height, or the width where the height was edited.
+fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
+    let shape = shape_of(before);
+    let Viewport { width, height, .. } = camera.viewport;
+    let edited = |now: f64, then: f64| now != then && now.is_finite() && now > 0.0;
+    if !(shape.is_finite() && shape > 0.0) {
+        return;
+    }
+    if edited(height, before.viewport.height) {
+        camera.viewport.width = height * shape * camera.image.aspect();
+    } else if edited(width, before.viewport.width) || camera.image != before.image {
+        camera.viewport.height = width / (shape * camera.image.aspect());
+    }
+}
+
+/// What shape the pixels have where they are not square, and a way to make them so.
+fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
+    let shape = shape_of(camera);
+    if shape.is_finite() && shape > 0.0 && (shape - 1.0).abs() > 1e-9 {
+        let times = crate::ui::widgets::number::significant(shape, 4);
+        ui.label(format!("Pixels are {times} times as wide as high: spheres look stretched"));
+        if ui.button("Make pixels square").clicked() {
+            camera.viewport.height = camera.viewport.width / camera.image.aspect();
+        }
+    }
+}

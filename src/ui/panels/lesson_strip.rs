@@ -1,0 +1,150 @@
+//! The strip of the lesson that is open: what to look at, and the way through the lessons.
+
+use std::sync::Arc;
+
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
+
+use crate::model::lessons::{Lesson, OpenLesson, Place, Which, builtin, title_of};
+use crate::ui::action::Action;
+use crate::ui::commands_table::{keys_text, shortcut};
+use crate::ui::widgets::marked_text;
+
+/// Of the text, in points: legible from the back row.
+const TEXT: f32 = 18.0;
+/// Of the buttons' text.
+const BUTTON: f32 = 15.0;
+/// So many lines are always kept free, that the views stay where they are from step to step.
+const LINES: f32 = 2.0;
+
+/// Shows the strip; what was chosen in it goes into `actions`. `changed`: something is not as the
+/// step says.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    open: &OpenLesson,
+    file: Option<&Lesson>,
+    changed: bool,
+    actions: &mut Vec<Action>,
+) {
+    ui.add_space(2.0);
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            buttons(ui, open, file, changed, actions);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| titles(ui, open));
+        });
+    });
+    text(ui, open);
+}
+
+/// The strip while presenting: what is said, and nothing to press.
+pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson) {
+    ui.add_space(2.0);
+    ui.horizontal(|ui| titles(ui, open));
+    text(ui, open);
+}
+
+fn text(ui: &mut Ui, open: &OpenLesson) {
+    let size = vec2(ui.available_width(), LINES * marked_text::row_height(ui, TEXT));
+    ui.allocate_ui_with_layout(size, Layout::top_down(Align::Min), |ui| {
+        ui.set_min_size(size);
+        marked_text::label(ui, &open.step().text, TEXT);
+    });
+    ui.add_space(2.0);
+}
+
+fn titles(ui: &mut Ui, open: &OpenLesson) {
+    ui.spacing_mut().item_spacing.x = 10.0;
+    ui.label(RichText::new(open.title()).size(TEXT).strong());
+    let (step, of) = (open.place().step + 1, open.lesson().steps.len());
+    ui.label(RichText::new(format!("{step} of {of}")).size(TEXT).weak());
+    let title = RichText::new(&open.step().title).size(TEXT).strong();
+    ui.add(Label::new(title).truncate());
+}
+
+/// From right to left.
+fn buttons(
+    ui: &mut Ui,
+    open: &OpenLesson,
+    file: Option<&Lesson>,
+    changed: bool,
+    actions: &mut Vec<Action>,
+) {
+    let mut button = |ui: &mut Ui, text: &str, name: &str, hint: &str, action: Option<Action>| {
+        let button = Button::new(RichText::new(text).size(BUTTON));
+        let response = ui.add_enabled(action.is_some(), button);
+        let response = response.on_hover_text(hint).on_disabled_hover_text(hint);
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+        if let (true, Some(action)) = (response.clicked(), action) {
+            actions.push(action);
+        }
+    };
+    button(ui, "×", "Close the lesson", "Close the lesson", Some(Action::CloseLesson));
+    let back = changed.then_some(Action::BackToStep);
+    button(
+        ui,
+        &format!("Back to the step ({})", shortcut(&Action::BackToStep)),
+        "Back to the step",
+        "Everything as the step says",
+        back,
+    );
+    let next = open.next().map(Action::GoTo);
+    let hint = |text: &str, action: &Action| format!("{text}: {}", keys_text(action));
+    button(ui, "Next →", "Next", &hint("The next step", &Action::Next), next);
+    let previous = open.previous().map(Action::GoTo);
+    let hint = hint("The step before", &Action::Previous);
+    button(ui, "← Previous", "Previous", &hint, previous);
+    // Laid out like every menu, whatever the buttons' direction is.
+    let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
+    menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file, actions));
+}
+
+/// The contents' columns: all lessons fit into a window of 720 points.
+const COLUMNS: usize = 3;
+/// A column's width.
+const COLUMN: f32 = 330.0;
+
+/// All lessons with their steps, a teacher's own above the program's.
+fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
+    let width = COLUMNS as f32 * COLUMN;
+    // A menu's own limit is smaller than all lessons.
+    ui.set_max_size((ui.ctx().content_rect().size() - vec2(40.0, 120.0)).max(vec2(200.0, 120.0)));
+    ScrollArea::both().show(ui, |ui| {
+        ui.set_width(width);
+        if let Some(lesson) = file {
+            entries(ui, Which::File, lesson, open, actions);
+            ui.separator();
+        }
+        let rows = |lessons: &[Arc<Lesson>]| -> usize {
+            lessons.iter().map(|lesson| lesson.steps.len() + 1).sum()
+        };
+        let all = builtin::all();
+        ui.columns(COLUMNS, |columns| {
+            for (index, lesson) in all.iter().enumerate() {
+                // Where its middle would be in one long column.
+                let middle = rows(&all[..index]) + lesson.steps.len() / 2;
+                let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);
+                entries(&mut columns[column], Which::Builtin(index), lesson, open, actions);
+            }
+        });
+    });
+}
+
+/// One lesson and its steps.
+fn entries(
+    ui: &mut Ui,
+    which: Which,
+    lesson: &Lesson,
+    open: &OpenLesson,
+    actions: &mut Vec<Action>,
+) {
+    ui.spacing_mut().item_spacing.y = 1.0;
+    ui.add_space(4.0);
+    ui.label(RichText::new(title_of(which, lesson)).size(BUTTON).strong());
+    for (index, step) in lesson.steps.iter().enumerate() {
+        let place = Place { lesson: which, step: index };
+        let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
+        if ui.selectable_label(place == open.place(), text).clicked() {
+            actions.push(Action::GoTo(place));
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The scene's spheres and planes: a list to choose from, and the chosen one's fields.
+
+use egui::{Button, RichText, ScrollArea, Ui};
+use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
+
+use crate::document::{Document, Item, Shared};
+use crate::formats::molecule;
+use crate::model::letters::told;
+use crate::ui::widgets::number::{NumberField, vector_row};
+use crate::view::typesetting::theme;
+use crate::view::typesetting::theme::error_color;
+
+/// Rows of the list that are visible at once.
+const LIST_ROWS: f32 = 6.0;
+
+/// Edits the objects; `chosen` is the index of the one whose fields are shown.
+pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
+    ui.horizontal(|ui| {
+        ui.heading("Objects");
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
+                *chosen = add_plane(document);
+            }
+            if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
+                *chosen = add_sphere(document);
+            }
+        });
+    });
+    if document.object_count() == 0 {
+        ui.weak("Nothing to see yet: add a sphere or a plane.");
+        return;
+    }
+    *chosen = (*chosen).min(document.object_count() - 1);
+    list(ui, document, chosen);
+    ui.add_space(4.0);
+    editor(ui, document, *chosen);
+}
+
+/// Adds a sphere that the camera sees; which one it is.
+pub(crate) fn add_sphere(document: &mut Document) -> usize {
+    document.spheres.push(Item::plain(new_sphere(&document.camera)));
+    document.spheres.len() - 1
+}
+
+/// Adds a plane below the origin; which one it is.
+pub(crate) fn add_plane(document: &mut Document) -> usize {
+    let plane = Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y };
+    document.planes.push(Item::plain(plane));
+    document.sphere_count() + document.planes.len() - 1
+}
+
+/// Takes an object out of the scene.
+///
+/// # Errors
+/// Why it stays: it stands in a file of its own.
+pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String> {
+    let first_plane = document.sphere_count();
+    if index < document.spheres.len() {
+        document.spheres.remove(index);
+    } else if index >= first_plane {
+        document.planes.remove(index - first_plane);
+    } else {
+        return Err(row_of_file(document, index));
+    }
+    Ok(())
+}
+
+/// Where a sphere of the CSV file or an atom of a molecule is edited.
+fn row_of_file(document: &Document, index: usize) -> String {
+    let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
+    let kind = if molecule::is_molecule(file.as_ref()) { "atom" } else { "row" };
+    let row = index - document.spheres.len() + 1;
+    format!("Sphere {index} is {kind} {row} of {file}: edit it there.")
+}
+
+/// A sphere that the camera sees, in the upper right quarter of the picture.
+fn new_sphere(camera: &Camera) -> Sphere {
+    let Ok(posed) = camera.posed() else {
+        return Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
+    };
+    let viewport = posed.viewport();
+    let ray = posed.ray(DVec2::new(0.25 * viewport.width, 0.25 * viewport.height));
+    // Four viewport distances away, a tenth of the picture high.
+    Sphere { center: ray.at(4.0), radius: 4.0 * 0.1 * viewport.height }
+}
+
+fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
+    let row_height = ui.spacing().interact_size.y;
+    let with_gap = row_height + ui.spacing().item_spacing.y;
+    let shown = ui.scope_id().with("object that is in sight");
+    let mut area = ScrollArea::vertical().id_salt("objects");
+    let before = ui.data(|data| data.get_temp::<usize>(shown));
+    if before.is_some_and(|before| before != *chosen) {
+        // Chosen elsewhere: it comes to the middle.
+        let middle = *chosen as f32 - 0.5 * (LIST_ROWS - 1.0);
+        area = area.vertical_scroll_offset((with_gap * middle).max(0.0));
+    }
+    area.max_height(LIST_ROWS * with_gap).auto_shrink([false, true]).show_rows(
+        ui,
+        row_height,
+        document.object_count(),
+        |ui, rows| {
+            for index in rows {
+                ui.horizontal(|ui| {
+                    swatch(ui, theme::object_color(ui, document, index as u32));
+                    // A long name is cut off: it may not widen the panel.
+                    let title = document.title_of(index);
+                    let label = ui.add(Button::selectable(*chosen == index, title).truncate());
+                    if label.clicked() {
+                        *chosen = index;
+                    }
+                });
+            }
+        },
+    );
+    ui.data_mut(|data| data.insert_temp(shown, *chosen));
+}
+
+fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
+    let (rect, _) = ui.allocate_exact_size(egui::vec2(14.0, 14.0), egui::Sense::hover());
+    ui.painter().rect_filled(rect, 3.0, egui::Color32::from_rgb(r, g, b));
+}
+
+fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
+    let spheres = document.spheres.len();
+    let first_plane = document.sphere_count();
+    let color = document.color_of(index as u32);
+    if index < spheres {
+        let mut item = document.spheres[index].clone();
+        if heading(ui, &mut item, color) {
+            document.spheres.remove(index);
+            return;
+        }
+        sphere(ui, &mut item.shape);
+        put(&mut document.spheres, index, item);
+    } else if index < first_plane {
+        ui.label(row_of_file(document, index));
+    } else {
+        let index = index - first_plane;
+        let mut item = document.planes[index].clone();
+        if heading(ui, &mut item, color) {
+            document.planes.remove(index);
+            return;
+        }
+        plane(ui, &mut item.shape);
+        put(&mut document.planes, index, item);
+    }
+}
+
+/// Edits an object where it was edited: the list is shared with the steps of the history, and copied
+/// when it is written to.
+fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) {
+    if items[index] != item {
+        items[index] = item;
+    }
+}
+
+/// Name, colour (`shown` in the views) and the remove button; whether that was clicked.
+fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
+    ui.horizontal(|ui| {
+        let mut color = shown;
+        let response = ui.color_edit_button_srgb(&mut color);
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("color"));
+        if response.changed() {
+            item.color = Some(color);
+        }
+        let mut name = item.name.clone().unwrap_or_default();
+        let field = egui::TextEdit::singleline(&mut name).hint_text("name").desired_width(150.0);
+        let response = ui.add(field);
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("name"));
+        if response.changed() {
+            item.name = (!name.is_empty()).then_some(name);
+        }
+        ui.button("Remove").clicked()
+    })
+    .inner
+}
+
+fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
+    let fault = sphere.check().err();
+    ui.horizontal(|ui| {
+        ui.label("centre");
+        vector_row(ui, "centre", &mut sphere.center);
+    });
+    ui.horizontal(|ui| {
+        ui.label("radius");
+        NumberField::new("radius", &mut sphere.radius).show(ui);
+    });
+    reason(ui, fault);
+}
+
+fn plane(ui: &mut Ui, plane: &mut Plane) {
+    let fault = plane.check().err();
+    ui.horizontal(|ui| {
+        ui.label("point");
+        vector_row(ui, "point", &mut plane.point);
+    });
+    ui.horizontal(|ui| {
+        ui.label("normal");
+        vector_row(ui, "normal", &mut plane.normal);
+    });
+    reason(ui, fault);
+}
+
+fn reason(ui: &mut Ui, fault: Option<ObjectError>) {
+    if let Some(fault) = fault {
+        ui.label(RichText::new(told(fault)).color(error_color(ui)));
+    }
+}

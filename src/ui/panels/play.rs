@@ -1,0 +1,118 @@
+//! The strip of the animation that is open, and the menu that opens one.
+
+use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
+
+use crate::model::play::{Kind, Player};
+use crate::ui::action::{Action, PlayMove};
+use crate::view::typesetting::theme::error_color;
+
+/// Size of the text, in points.
+const TEXT: f32 = 15.5;
+
+/// In a narrower strip, in points, how it ends and where it is have a row of their own.
+const NARROW: f32 = 1180.0;
+
+/// The width that is kept for where the animation is, in points.
+const PLACE: f32 = 64.0;
+const SCAN_PLACE: f32 = 196.0;
+
+/// The menu: what can move.
+pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
+    for kind in Kind::ALL {
+        if ui.button(kind.label()).clicked() {
+            actions.push(Action::Play(PlayMove::Open(kind)));
+        }
+    }
+}
+
+/// The strip; what it cannot change in place goes into `actions`.
+pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    ui.add_space(3.0);
+    let is_narrow = ui.available_width() < NARROW;
+    let right_to_left = egui::Layout::right_to_left(egui::Align::Center);
+    ui.horizontal(|ui| {
+        let chosen = kinds(ui, player.kind);
+        let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
+        button(ui, [text, name, "Space"], PlayMove::Toggle, actions);
+        button(ui, ["← Step", "Step back", "A step back: comma"], PlayMove::Step(-1), actions);
+        button(ui, ["Step →", "Step on", "A step on: full stop"], PlayMove::Step(1), actions);
+        speed(ui, &mut player.speed);
+        ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
+        if !is_narrow {
+            ui.with_layout(right_to_left, |ui| ends(ui, player, actions));
+        }
+        if let Some(kind) = chosen {
+            actions.push(Action::Play(PlayMove::Open(kind)));
+        }
+    });
+    if is_narrow {
+        let row = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(row, right_to_left, |ui| ends(ui, player, actions));
+    }
+    if let Some(fault) = player.fault {
+        ui.label(RichText::new(fault.to_string()).strong().color(error_color(ui)));
+    }
+    ui.add_space(2.0);
+}
+
+/// A button: what it says, what it is called, and its hint.
+fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayMove, actions: &mut Vec<Action>) {
+    let response = ui.add(Button::new(text)).on_hover_text(hint);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    if response.clicked() {
+        actions.push(Action::Play(play));
+    }
+}
+
+/// How it can end, and where it is; from right to left.
+fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
+    let hint = "Close, with everything as it was at the start";
+    button(ui, ["Stop", "Stop and go back", hint], PlayMove::Close, actions);
+    let hint = "Close, with everything as it is now";
+    button(ui, ["Keep", "Keep this", hint], PlayMove::Keep, actions);
+    if ui.button("Export…").clicked() {
+        actions.push(Action::AskExportAnimation);
+    }
+    place(ui, player);
+}
+
+/// What moves; another one where that was chosen.
+fn kinds(ui: &mut Ui, now: Kind) -> Option<Kind> {
+    let mut chosen = now;
+    let menu = ComboBox::from_id_salt("what moves").width(206.0).selected_text(now.label());
+    let response = menu.show_ui(ui, |ui| {
+        for kind in Kind::ALL {
+            ui.selectable_value(&mut chosen, kind, kind.label());
+        }
+    });
+    ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_label("what moves"));
+    (chosen != now).then_some(chosen)
+}
+
+fn speed(ui: &mut Ui, speed: &mut f64) {
+    let text = |speed: f64| format!("{speed}×");
+    let menu = ComboBox::from_id_salt("speed").width(64.0).selected_text(text(*speed));
+    let response = menu.show_ui(ui, |ui| {
+        for choice in Player::SPEEDS {
+            ui.selectable_value(speed, choice, text(choice));
+        }
+    });
+    ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_label("speed"));
+}
+
+/// Where it is, in words and as a slider; who takes hold of that stops it. From right to left.
+fn place(ui: &mut Ui, player: &mut Player) {
+    let width = if player.kind == Kind::Scan { SCAN_PLACE } else { PLACE };
+    let height = ui.spacing().interact_size.y;
+    ui.allocate_ui(egui::vec2(width, height), |ui| {
+        ui.set_min_width(width);
+        ui.label(RichText::new(player.place()).strong());
+    });
+    ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
+    let response = ui.add(Slider::new(&mut player.phase, 0.0..=1.0).show_value(false));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("position"));
+    if response.changed() || response.dragged() {
+        (player.begun, player.running) = (true, false);
+    }
+}

@@ -1,0 +1,76 @@
+//! Which ray is looked at, typed: by row and column, or by (u, v).
+
+use egui::{Grid, Ui};
+use pinhole_core::{Pixel, PosedCamera};
+
+use crate::model::session::Selection;
+use crate::ui::widgets::number::NumberField;
+
+/// Edits the selection of a camera that has a basis.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    selection: &mut Selection,
+    posed: Option<&PosedCamera>,
+    count_from_one: bool,
+) {
+    ui.heading("Selected ray");
+    let Some(posed) = posed else {
+        ui.weak("The camera sees nothing, so there is no ray.");
+        return;
+    };
+    *selection = selection.inside(posed.image());
+    let uv = selection.uv(posed);
+    let inside = match *selection {
+        Selection::Pixel(pixel) => Some(pixel),
+        Selection::Uv(_) => posed.pixel_of_uv(uv).map(|place| place.pixel),
+    };
+    Grid::new("selected ray").num_columns(4).show(ui, |ui| {
+        let from = u32::from(count_from_one);
+        let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
+        let image = posed.image();
+        // A place on an edge or corner is that of no one pixel.
+        let known = match *selection {
+            Selection::Pixel(_) => true,
+            Selection::Uv(_) => posed
+                .pixel_of_uv(uv)
+                .is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
+        };
+        let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
+        let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);
+        ui.end_row();
+        if row || column {
+            *selection = Selection::Pixel(pixel);
+        }
+        let mut typed = uv;
+        ui.label("u");
+        let u = NumberField::new("uv u", &mut typed.x).show(ui).changed();
+        ui.label("v");
+        let v = NumberField::new("uv v", &mut typed.y).show(ui).changed();
+        ui.end_row();
+        if u || v {
+            *selection = Selection::Uv(typed);
+        }
+    });
+}
+
+/// A row or column; a dash where the ray passes beside the image, or between pixels.
+fn index_field(
+    ui: &mut Ui,
+    name: &str,
+    index: &mut u32,
+    count: u32,
+    from: u32,
+    known: bool,
+) -> bool {
+    ui.label(name);
+    let mut shown = *index + from;
+    let field = egui::DragValue::new(&mut shown)
+        .range(from..=count - 1 + from)
+        .speed(0.2)
+        .update_while_editing(false)
+        .custom_formatter(|index, _| if known { index.to_string() } else { "–".to_owned() });
+    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    *index = shown - from;
+    response.changed()
+}

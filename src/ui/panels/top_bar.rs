@@ -1,0 +1,253 @@
+//! The bar on top: scenes and files, views, how pictures are coloured, and how numbers are written.
+
+use egui::containers::menu::{MenuButton, MenuConfig};
+use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
+use pinhole_core::Shade;
+use pinhole_core::methods::Method;
+
+use crate::formats::builtin;
+use crate::formats::scene_argument::SceneSource;
+use crate::model::color_scheme::Scheme;
+use crate::model::files::{OpenDocument, title_of};
+use crate::model::lessons::{self, Place, Which};
+use crate::model::overlay_items::Item;
+use crate::model::presenting::{Range, SMALLEST_TEXT};
+use crate::model::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
+use crate::ui::action::{Action, Observe};
+use crate::ui::commands_table::shortcut;
+use crate::ui::panels::play;
+use crate::ui::scene::compare;
+use crate::view::derivation::Markup;
+
+/// What the history would undo and redo.
+pub(crate) struct Steps<'a> {
+    /// The name of the last step.
+    pub(crate) undo: Option<&'a str>,
+    /// The name of the step that was undone last.
+    pub(crate) redo: Option<&'a str>,
+}
+
+/// What there is only sometimes.
+#[derive(Clone, Copy)]
+pub(crate) struct Has {
+    /// A frozen camera to compare with.
+    pub(crate) ghost: bool,
+    /// A student's answers.
+    pub(crate) answers: bool,
+}
+
+/// Shows the bar; what was chosen in it goes into `actions` and `settings`.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    open: &OpenDocument,
+    recent: &[std::path::PathBuf],
+    steps: Steps,
+    has: Has,
+    settings: &mut Settings,
+    actions: &mut Vec<Action>,
+) {
+    MenuBar::new().ui(ui, |ui| {
+        ui.menu_button("File", |ui| file_menu(ui, recent, actions));
+        ui.menu_button("Edit", |ui| edit_menu(ui, steps, actions));
+        ui.menu_button("Scenes", |ui| {
+            for scene in builtin::all() {
+                if ui.button(scene.name).on_hover_text(scene.summary()).clicked() {
+                    actions.push(Action::Open(SceneSource::Builtin(scene)));
+                }
+            }
+        });
+        ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
+        // Several switches in one go: these stay open while one clicks in them.
+        let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let menu = |text| MenuButton::new(text).config(stays());
+        menu("Show").ui(ui, |ui| show_menu(ui, has.ghost, settings, actions));
+        menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
+        ui.menu_button("Play", |ui| play::menu(ui, actions));
+        ui.separator();
+        // As in the window's title.
+        let changed = if open.has_changes() { "*" } else { "" };
+        let title = format!("{}{changed}", title_of(open.origin()));
+        let shading = format!("Shade: {}", Shade::from(settings.shade).name());
+        let after = [width_of(ui, &shading), width_of(ui, &title).min(TITLE)];
+        layout(ui, has, settings, after.into_iter().sum::<f32>() + 2.0 * SEPARATOR);
+        ui.separator();
+        shade(ui, &shading, &mut settings.shade);
+        ui.separator();
+        ui.add(egui::Label::new(RichText::new(&title).strong()).truncate()).on_hover_text(title);
+    });
+}
+
+/// So much of the bar the scene's name has at least, and a separator has, in points.
+const TITLE: f32 = 64.0;
+const SEPARATOR: f32 = 14.0;
+
+/// How wide a button with this text is, with the room beside it.
+fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
+    text.size().x + 2.0 * ui.spacing().button_padding.x + ui.spacing().item_spacing.x
+}
+
+fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
+    for (index, lesson) in lessons::builtin::all().iter().enumerate() {
+        let which = Which::Builtin(index);
+        if ui.button(lessons::title_of(which, lesson)).clicked() {
+            actions.push(Action::GoTo(Place { lesson: which, step: 0 }));
+        }
+    }
+}
+
+fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {
+    entry(ui, "Open…", Action::AskOpen, actions);
+    entry(ui, "Save", Action::Save, actions);
+    entry(ui, "Save as…", Action::AskSaveAs, actions);
+    ui.separator();
+    entry(ui, "Check answers…", Action::AskAnswers, actions);
+    ui.separator();
+    entry(ui, "Export a figure…", Action::AskExport, actions);
+    entry(ui, "Copy the ledger as LaTeX", Action::CopyLedger(Markup::Latex), actions);
+    entry(ui, "Copy the ledger as Markdown", Action::CopyLedger(Markup::Markdown), actions);
+    ui.separator();
+    ui.menu_button("Recent", |ui| {
+        if recent.is_empty() {
+            ui.weak("no file yet");
+        }
+        for path in recent {
+            if ui.button(path.display().to_string()).clicked() {
+                actions.push(Action::Open(SceneSource::File(path.clone())));
+            }
+        }
+    });
+    ui.separator();
+    entry(ui, "Quit", Action::Quit, actions);
+}
+
+/// A command, with its key.
+fn entry(ui: &mut Ui, text: &str, action: Action, actions: &mut Vec<Action>) {
+    if ui.add(egui::Button::new(text).shortcut_text(shortcut(&action))).clicked() {
+        actions.push(action);
+    }
+}
+
+fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
+    let mut entry = |verb: &str, step: Option<&str>, action: Action| {
+        let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
+        let button = egui::Button::new(text).shortcut_text(shortcut(&action));
+        if ui.add_enabled(step.is_some(), button).clicked() {
+            actions.push(action);
+        }
+    };
+    entry("Undo", steps.undo, Action::Undo);
+    entry("Redo", steps.redo, Action::Redo);
+    let paste = egui::Button::new("Paste a camera").shortcut_text(shortcut(&Action::AskPaste));
+    if ui.add(paste).clicked() {
+        actions.push(Action::AskPaste);
+    }
+}
+
+fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {
+    entry(ui, "Presenter mode", Action::Present, actions);
+    entry(ui, "Frame all", Action::FrameAll, actions);
+    entry(ui, "Frame the camera", Action::Observe(Observe::FrameCamera), actions);
+    entry(ui, "Command palette", Action::Palette, actions);
+    entry(ui, "Keys", Action::KeySheet, actions);
+    ui.separator();
+    compare::menu(ui, has_ghost, actions);
+    ui.separator();
+    ui.label("Drawn over the views");
+    for item in Item::ALL {
+        let mut shown = settings.items.shows(item);
+        if ui.checkbox(&mut shown, item.label()).changed() {
+            settings.items.set(item, shown);
+        }
+    }
+    ui.separator();
+    ui.menu_button("Picture drawn by", |ui| {
+        for &method in Method::ALL {
+            let hint = format!("{}\n{}", method.about(), method.source());
+            ui.radio_value(&mut settings.method.0, method, method.name()).on_hover_text(hint);
+        }
+    });
+    ui.separator();
+    ui.menu_button("Colours", |ui| {
+        for theme in ThemeName::ALL {
+            ui.radio_value(&mut settings.theme, theme, theme.label());
+        }
+        ui.separator();
+        for scheme in Scheme::ALL {
+            let radio = ui.radio_value(&mut settings.scheme, scheme, scheme.label());
+            radio.on_hover_text(scheme.about());
+        }
+    });
+    ui.checkbox(&mut settings.reduced_motion, "Reduced motion");
+    ui.horizontal(|ui| {
+        ui.label("Smallest text while presenting");
+        let Range { least, most, .. } = SMALLEST_TEXT;
+        let field = egui::DragValue::new(&mut settings.smallest_text).range(least..=most);
+        let response = ui.add(field.speed(0.1).max_decimals(0)).on_hover_text(
+            "Points in a window of 1024 × 768; in a larger one it grows with the window",
+        );
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_label("smallest text while presenting");
+        });
+    });
+    ui.separator();
+    let zoom = |by| shortcut(&Action::ZoomBy(by));
+    ui.weak(format!("Zoom: {} and {}", zoom(1), zoom(-1)));
+}
+
+fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
+    ui.horizontal(|ui| {
+        ui.label("Significant digits");
+        let response = ui
+            .add(egui::DragValue::new(&mut settings.digits).range(DIGITS.0..=DIGITS.1).speed(0.05));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("significant digits"));
+    });
+    ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
+}
+
+/// The layouts side by side; those for which there is no room, so much being kept for what follows,
+/// in a menu.
+fn layout(ui: &mut Ui, has: Has, settings: &mut Settings, after: f32) {
+    let answers = has.answers.then_some(ViewLayout::Answers);
+    let layouts: Vec<ViewLayout> = ViewLayout::LISTED.into_iter().chain(answers).collect();
+    let widths: Vec<f32> = layouts.iter().map(|layout| width_of(ui, layout.label())).collect();
+    let room = ui.available_width() - after;
+    let fits = |room: f32| {
+        let ends = widths.iter().scan(0.0, |end, width| {
+            *end += width;
+            Some(*end)
+        });
+        ends.take_while(|end| *end <= room).count()
+    };
+    let chosen = settings.layout;
+    let more = |hidden: &[ViewLayout]| match hidden.contains(&chosen) {
+        true => format!("More: {}", chosen.label()),
+        false => "More".to_owned(),
+    };
+    let shown = match fits(room) {
+        all if all == layouts.len() => all,
+        // The longest name that the menu can have.
+        _ => fits(room - width_of(ui, &format!("More: {}", ViewLayout::Translator.label()))),
+    };
+    let (shown, hidden) = layouts.split_at(shown);
+    let mut choices = |ui: &mut Ui, layouts: &[ViewLayout]| {
+        for layout in layouts {
+            let value = ui.selectable_value(&mut settings.layout, *layout, layout.label());
+            value.on_hover_text(layout.about());
+        }
+    };
+    choices(ui, shown);
+    if !hidden.is_empty() {
+        ui.menu_button(more(hidden), |ui| choices(ui, hidden));
+    }
+}
+
+fn shade(ui: &mut Ui, text: &str, chosen: &mut ShadeName) {
+    ui.menu_button(text, |ui| {
+        for name in ShadeName::ALL {
+            let radio = ui.radio_value(chosen, name, Shade::from(name).name());
+            radio.on_hover_text(name.about());
+        }
+    });
+}

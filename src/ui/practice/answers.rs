@@ -1,0 +1,192 @@
+//! A student's answers: beside the camera's picture the map of where they are wrong; below, how many
+//! are right, the worst, and the mistake that explains them.
+
+use egui::{
+    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
+    pos2, vec2,
+};
+use pinhole_core::lecture::mistakes::Mistake;
+
+use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::model::letters::told;
+use crate::model::session::{Selection, Session};
+use crate::ui::action::Action;
+use crate::ui::scene::places::STRIP;
+use crate::ui::scene::views;
+use crate::ui::widgets::sign::sign;
+use crate::view::derive::Derived;
+use crate::view::typesetting::theme::error_color;
+
+/// Size of the text, in points.
+const TEXT: f32 = 15.0;
+
+/// Above a narrower map, in points, there is room for the file's name alone, and for two colours.
+const NARROW: f32 = 440.0;
+const NARROWEST: f32 = 330.0;
+
+/// What is said where there are none.
+const NONE: &str = "Drop a student’s answers on the window: CSV with the columns of a basis, of rays or of \
+                    hits, or a picture as PNG.";
+
+/// What is said where the scene has a fault.
+const FAULT: &str = "The scene has a fault: there is nothing to grade by.";
+
+/// What is said while a hand moves what takes long to grade.
+const WAITS: &str = "Graded as soon as the hand rests.";
+
+/// Why there is no grade of the answers that there are.
+fn why_not(derived: &Derived) -> &'static str {
+    if derived.fault.is_some() { FAULT } else { WAITS }
+}
+
+/// The title above the map: whose answers these are.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, has_map: bool) {
+    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+        ui.horizontal_centered(|ui| {
+            let title = match answers {
+                Some(answers) if area.width() < NARROW => answers.name(),
+                Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
+                None => views::ANSWERS.to_owned(),
+            };
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if has_map {
+                    legend(ui, area.width() >= NARROWEST);
+                }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
+                });
+            });
+        });
+    });
+}
+
+/// What the map's colours mean, from the right; where there is little room, that of answers alone.
+fn legend(ui: &mut Ui, whole: bool) {
+    let cells =
+        [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
+    for (cell, text) in cells.into_iter().skip(usize::from(!whole)) {
+        ui.label(text);
+        let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
+        let [r, g, b] = cell.color();
+        let outline = Stroke::new(1.0, ui.visuals().weak_text_color());
+        let fill = Color32::from_rgb(r, g, b);
+        ui.painter().rect(rect, 2.0, fill, outline, StrokeKind::Inside);
+    }
+}
+
+/// What a screen reader says of the map.
+pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
+    match (&derived.answers, &session.answers) {
+        (_, None) => NONE.to_owned(),
+        (None, Some(_)) => why_not(derived).to_owned(),
+        (Some(Err(error)), _) => error.to_string(),
+        (Some(Ok(graded)), _) => format!("{}. {}", graded.agreement(), graded.advice()),
+    }
+}
+
+/// Why there is no map, in its place.
+pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Session) {
+    ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
+    let text = match (&derived.answers, &session.answers) {
+        (_, None) => NONE,
+        (None, Some(_)) => why_not(derived),
+        (Some(Err(_)), _) => "These answers cannot be read.",
+        (Some(Ok(_)), _) => "A basis has no place in the image.",
+    };
+    let inside = rect.shrink(16.0);
+    let layout = Layout::top_down(Align::Center).with_main_align(Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
+        ui.set_clip_rect(rect);
+        ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
+        ui.label(RichText::new(text).size(17.0).strong());
+    });
+}
+
+/// What is found, and what can be done with the answers.
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    buttons(ui, session, actions);
+    ui.add_space(4.0);
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        if session.answers.is_none() {
+            return;
+        }
+        match &derived.answers {
+            None => {
+                ui.label(RichText::new(why_not(derived)).strong());
+            }
+            Some(Err(error)) => {
+                ui.label(RichText::new(&**error).strong().color(error_color(ui)));
+            }
+            Some(Ok(graded)) => found(ui, graded, &mut session.selection, actions),
+        }
+    });
+}
+
+fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        if ui.button("Check answers…").clicked() {
+            actions.push(Action::AskAnswers);
+        }
+        let Some(answers) = &mut session.answers else { return };
+        if ui.button("Read again").on_hover_text("Reads the file as it is now").clicked() {
+            actions.push(Action::CheckAnswers(answers.file.path.clone()));
+        }
+        if ui.button("Put away").clicked() {
+            actions.push(Action::PutAnswersAway);
+        }
+        if !answers.are_numbered() {
+            return;
+        }
+        let mut from_one = answers.count_from == 1;
+        let hint = "Whether the file’s rows and columns begin at 1, as the course has them";
+        if ui.checkbox(&mut from_one, "They count from 1").on_hover_text(hint).changed() {
+            answers.count_from = u32::from(from_one);
+        }
+    });
+}
+
+fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut Vec<Action>) {
+    let grade = &graded.grade;
+    ui.horizontal_top(|ui| {
+        sign(ui, grade.all_agree());
+        ui.add(egui::Label::new(RichText::new(graded.agreement()).size(18.0).strong()).wrap());
+    });
+    if grade.all_agree() {
+        return;
+    }
+    if let Some(worst) = graded.worst() {
+        ui.horizontal_top(|ui| {
+            if let Some(pixel) = graded.worst_pixel()
+                && ui.button("Select the worst").clicked()
+            {
+                *selection = Selection::Pixel(pixel);
+            }
+            ui.add(egui::Label::new(told(format!("Worst: {worst}"))).wrap());
+        });
+    }
+    ui.add_space(6.0);
+    if grade.diagnosis.mistakes.is_empty() {
+        ui.label(RichText::new(graded.advice()).size(17.0).strong());
+        return;
+    }
+    let text = RichText::new(format!("Mistake: {}", graded.mistakes())).size(17.0).strong();
+    ui.label(text.color(error_color(ui)));
+    for mistake in &grade.diagnosis.mistakes {
+        ui.label(told(mistake.advice()));
+        let shown = Mistake::from_id(mistake.id());
+        if let Some(shown) = shown
+            && ui.button(format!("See it: {}", shown.name())).clicked()
+        {
+            actions.push(Action::Mistake(shown));
+        }
+    }
+    for remark in graded.remarks() {
+        ui.label(remark);
+    }
+    if let Some(others) = graded.alternatives() {
+        ui.add_space(4.0);
+        ui.label(format!("These would give the same answers here: {others}."));
+    }
+}

@@ -1,0 +1,227 @@
+//! The exercises view: the list, the question, fields for the answer, and what is said of it.
+
+use egui::{
+    Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
+};
+use pinhole_core::lecture::exercises::{Exercise, Part};
+
+use crate::exercises::{self, Exercises, LARGEST_SEED, Said, Typed};
+use crate::ui::action::{Action, MadeUp};
+use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::widgets::marked_text;
+use crate::ui::widgets::number::vector_color;
+use crate::ui::widgets::sign::sign;
+use crate::view::typesetting::theme::error_color;
+
+/// Size of what is read, in points.
+const TEXT: f32 = 17.0;
+
+/// Width of the list, in points.
+const LIST: f32 = 290.0;
+
+/// Where the fields begin, and what is said below them, in points.
+const INDENT: f32 = 96.0;
+
+/// Width of one answer field, in points.
+const FIELD: f32 = 150.0;
+
+/// A vector's coordinates: for screen readers, and as they are written.
+const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
+
+/// Shows the exercise at hand; opening its camera goes into `actions`.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    exercises: &mut Exercises,
+    style: NumberStyle,
+    actions: &mut Vec<Action>,
+) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let whole = ui.available_rect_before_wrap().shrink(8.0);
+    let list = LIST.min(0.35 * whole.width());
+    let left = Rect::from_min_max(whole.min, pos2(whole.left() + list, whole.bottom()));
+    let right = Rect::from_min_max(pos2(left.right() + 20.0, whole.top()), whole.max);
+    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
+        ui.heading("Exercises");
+        ui.add_space(4.0);
+        ScrollArea::vertical().id_salt("exercises").show(ui, |ui| choose(ui, exercises));
+    });
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::vertical().id_salt("exercise").auto_shrink(false).show(ui, |ui| {
+            exercise(ui, exercises, style, actions);
+        });
+    });
+}
+
+fn choose(ui: &mut Ui, exercises: &mut Exercises) {
+    let chosen = exercises.question().exercise;
+    for &exercise in Exercise::ALL {
+        let text = RichText::new(exercises::title(exercise)).size(15.0);
+        let response = ui.add(egui::Button::selectable(exercise == chosen, text).wrap());
+        if response.clicked() && exercise != chosen {
+            *exercises = Exercises::open(exercise, None);
+        }
+    }
+}
+
+fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions: &mut Vec<Action>) {
+    let question = exercises.question().clone();
+    ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
+    source(ui, exercises);
+    ui.add_space(8.0);
+    for paragraph in exercises::question(&question.given) {
+        marked_text::label(ui, &paragraph, TEXT);
+    }
+    ui.add_space(10.0);
+    let mut wants_check = false;
+    for (part, typed) in question.parts.iter().zip(&mut exercises.answers) {
+        wants_check |= answer(ui, part, typed);
+        verdict(ui, part, typed);
+        if exercises.is_solved {
+            solution(ui, part, style);
+        }
+        ui.add_space(8.0);
+    }
+    ui.horizontal_wrapped(|ui| {
+        wants_check |= ui.button("Check").on_hover_text("Or Enter in a field").clicked();
+        let text = if exercises.is_solved { "Hide the solution" } else { "Show the solution" };
+        if ui.button(text).clicked() {
+            exercises.is_solved = !exercises.is_solved;
+        }
+        if let Some(document) = exercises.document() {
+            let hint = "Makes this question's camera, and what its ray meets, the open scene";
+            if ui.button("Open its camera").on_hover_text(hint).clicked() {
+                let title = exercises::title(question.exercise).to_owned();
+                let made_up = MadeUp { document, title, uv: question.uv() };
+                actions.push(Action::Show(Box::new(made_up)));
+                ui.ctx().request_repaint();
+            }
+        }
+    });
+    if wants_check {
+        exercises.check();
+        ui.ctx().request_discard("answers were checked after they were drawn");
+    }
+    if exercises.is_right() {
+        ui.add_space(6.0);
+        ui.horizontal(|ui| {
+            sign(ui, true);
+            ui.label(RichText::new("All of it is right.").strong());
+        });
+    }
+    ui.add_space(10.0);
+    ui.label(
+        RichText::new(
+            "Numbers may be typed exactly: 5*sqrt(2), -1/sqrt(2), 3/7. Nothing is kept or sent.",
+        )
+        .size(15.0)
+        .weak(),
+    );
+}
+
+/// The lecture's own question, or one of a seed.
+fn source(ui: &mut Ui, exercises: &mut Exercises) {
+    let exercise = exercises.question().exercise;
+    let seed = exercises.seed();
+    ui.horizontal_wrapped(|ui| {
+        if ui.selectable_label(seed.is_none(), "The lecture's").clicked() && seed.is_some() {
+            *exercises = Exercises::open(exercise, None);
+        }
+        let hint = "Other numbers, from the next seed";
+        if ui.button("Another one like it").on_hover_text(hint).clicked() {
+            let next = seed.map_or(1, |seed| if seed < LARGEST_SEED { seed + 1 } else { 0 });
+            *exercises = Exercises::open(exercise, Some(next));
+        }
+        if let Some(seed) = seed {
+            ui.label("seed");
+            let mut typed = seed;
+            let field = egui::DragValue::new(&mut typed)
+                .speed(0.1)
+                .range(0..=LARGEST_SEED)
+                .update_while_editing(false);
+            let hint = format!("A whole number, 0 to {LARGEST_SEED}");
+            let response = ui.add(field).on_hover_text(hint);
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("exercise seed"));
+            if typed != seed {
+                *exercises = Exercises::open(exercise, Some(typed));
+            }
+            ui.label(RichText::new("Who types the same seed gets the same question.").weak());
+        }
+    });
+}
+
+/// The fields of one part; whether Enter was pressed in one.
+fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
+    let mut entered = false;
+    let name = part.asked.id();
+    ui.horizontal_wrapped(|ui| {
+        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
+        let wide = egui::vec2(90.0, 30.0);
+        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
+        let text = if part.count() == 0 {
+            RichText::new(exercises::asked(part)).size(TEXT)
+        } else {
+            text.color(color)
+        };
+        ui.allocate_ui_with_layout(wide, Layout::right_to_left(Align::Center), |ui| {
+            ui.label(text);
+        });
+        if part.count() == 0 {
+            for (yes, text) in [(true, "yes"), (false, "no")] {
+                if ui.radio(typed.yes == Some(yes), text).clicked() {
+                    (typed.yes, typed.said) = (Some(yes), None);
+                }
+            }
+            return;
+        }
+        let width = FIELD.min((ui.available_width() - 24.0) / part.count() as f32 - 12.0).max(60.0);
+        let (mut changed, mut left) = (false, false);
+        for ((axis, hint), text) in AXES.into_iter().zip(&mut typed.fields) {
+            let label = if part.count() == 1 {
+                format!("answer {name}")
+            } else {
+                format!("answer {name} {axis}")
+            };
+            let hint = if part.count() == 1 { "" } else { hint };
+            let field = TextEdit::singleline(text).hint_text(hint).desired_width(width);
+            let response = ui.add(field.font(egui::FontId::proportional(TEXT)));
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+            changed |= response.changed();
+            left |= response.lost_focus();
+            entered |= response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        }
+        if changed {
+            typed.said = None;
+        }
+        // Not before: a vector may be typed with its brackets, too.
+        if left {
+            typed.spread();
+        }
+    });
+    entered
+}
+
+/// The right answer, below the fields.
+fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
+    let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
+    ui.horizontal_top(|ui| {
+        ui.add_space(INDENT);
+        ui.add(egui::Label::new(RichText::new(text).strong()).wrap());
+    });
+}
+
+/// What is said of a part, once it was checked.
+fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
+    let Some(said) = &typed.said else { return };
+    let text = RichText::new(exercises::said(said, part)).size(TEXT - 1.0).strong();
+    let is_wrong = !exercises::is_good(said) && !matches!(said, Said::NotAnswered | Said::Missing);
+    let text = if is_wrong { text.color(error_color(ui)) } else { text };
+    ui.horizontal_top(|ui| {
+        ui.add_space(INDENT);
+        if let Said::Judged(_) | Said::Follows(_) = said {
+            sign(ui, exercises::is_good(said));
+        }
+        let response = ui.add(egui::Label::new(text).wrap());
+        let spoken = format!("{}: {}", part.asked.id(), exercises::said(said, part));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    });
+}

@@ -1,0 +1,85 @@
+//! What each check says of the wrong camera: which ones find the mistake, and which do not.
+
+use egui::{RichText, Ui};
+use pinhole_core::lecture::mistakes::{Checked, Value, Wanted};
+
+use super::TEXT;
+use super::cell;
+use crate::mistakes::Wrong;
+use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::widgets::sign::sign;
+use crate::view::typesetting::theme::error_color;
+
+/// Widths of the verdict and of what is checked, in points.
+const VERDICT: f32 = 58.0;
+const FORMULA: f32 = 176.0;
+
+/// The checks as a table, those that find the mistake first.
+pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+    if wrong.checks.is_empty() {
+        ui.label("Without a wrong camera there is nothing to check.");
+        return;
+    }
+    ui.strong(summary(wrong));
+    ui.add_space(3.0);
+    let rows = || wrong.checks.iter().zip(&wrong.right_checks);
+    for passes in [false, true] {
+        for (here, right) in rows().filter(|(here, _)| here.passes == passes) {
+            ui.horizontal_top(|ui| row(ui, here, right, style));
+        }
+    }
+}
+
+/// `2 of 14 checks find it`
+pub(super) fn summary(wrong: &Wrong) -> String {
+    let (all, failing) = (wrong.checks.len(), failing(wrong).count());
+    match failing {
+        0 => format!("None of {all} checks finds it"),
+        1 => format!("1 of {all} checks finds it"),
+        _ => format!("{failing} of {all} checks find it"),
+    }
+}
+
+pub(super) fn failing(wrong: &Wrong) -> impl Iterator<Item = &Checked> {
+    wrong.checks.iter().filter(|checked| !checked.passes)
+}
+
+/// The verdict first, then what is checked, and its number, which wraps where it is long.
+fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
+    let said = if here.passes { "passes" } else { "finds it" };
+    let verdict = RichText::new(said).size(TEXT);
+    let verdict =
+        if here.passes { verdict.weak() } else { verdict.strong().color(error_color(ui)) };
+    sign(ui, here.passes);
+    let response = cell(ui, VERDICT, |ui| ui.label(verdict));
+    let spoken = format!("{}: {} {said}", here.check.formula(), text_of(here.value, style));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    cell(ui, FORMULA, |ui| ui.label(here.check.formula())).on_hover_text(here.check.meaning());
+    let value = RichText::new(text_of(here.value, style)).size(TEXT);
+    cell(ui, ui.available_width(), |ui| {
+        if here.passes {
+            ui.label(value);
+            return;
+        }
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.label(value.strong().color(error_color(ui)));
+        ui.label(format!("right: {}", wanted(here, right, style)));
+    });
+}
+
+fn wanted(here: &Checked, right: &Checked, style: NumberStyle) -> String {
+    let value = text_of(right.value, style);
+    match here.wanted {
+        Wanted::Equal(_) => value,
+        Wanted::Negative => format!("{value} < 0"),
+        Wanted::Positive => format!("{value} > 0"),
+        Wanted::LeftAndUp => value,
+    }
+}
+
+fn text_of(value: Value, style: NumberStyle) -> String {
+    match value {
+        Value::Number(x) => style.number(x),
+        Value::Uv(uv) => format!("({}, {})", style.number(uv.x), style.number(uv.y)),
+    }
+}

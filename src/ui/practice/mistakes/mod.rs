@@ -1,0 +1,225 @@
+//! The mistakes view: beside the right picture what a wrong camera sees; below, the gallery, what is
+//! wrong, and which checks find it.
+
+mod checks;
+mod guess;
+
+use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
+
+use crate::document::Document;
+use crate::mistakes::{Gallery, Wrong};
+use crate::model::number::grouped;
+use crate::model::session::Session;
+use crate::ui::scene::places::STRIP;
+use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::views;
+use crate::ui::widgets::number::vector_color;
+use crate::ui::widgets::sign::sign;
+use crate::view::derive::Derived;
+use crate::view::typesetting::theme::error_color;
+
+/// Size of what is taught, in points.
+const TEXT: f32 = 15.0;
+
+/// Width of the gallery, in points.
+const GALLERY: f32 = 200.0;
+
+/// Width of the checks' table, in points.
+const CHECKS: f32 = 420.0;
+
+/// Width of a vector's letter, in points.
+const LETTER: f32 = 16.0;
+
+/// The title above the wrong picture.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, gallery: &Gallery) {
+    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+        ui.horizontal_centered(|ui| {
+            ui.strong(RichText::new(title(gallery)).color(error_color(ui)));
+        });
+    });
+}
+
+fn title(gallery: &Gallery) -> String {
+    match gallery.is_told() {
+        true => format!("{}: {}", views::WRONG, gallery.shown().name()),
+        false => format!("{}: which mistake is it?", views::WRONG),
+    }
+}
+
+/// What a screen reader says of the wrong picture.
+pub(crate) fn spoken(wrong: &Wrong, gallery: &Gallery) -> String {
+    match (why_not(wrong, gallery), seen(wrong)) {
+        (Some(why), _) => why,
+        (None, Some(seen)) if gallery.is_told() => format!("{}: {seen}", wrong.mistake.name()),
+        (None, seen) => seen.unwrap_or_default(),
+    }
+}
+
+/// Why there is no wrong picture, without its name as long as that is to be guessed.
+fn why_not(wrong: &Wrong, gallery: &Gallery) -> Option<String> {
+    let why = wrong.why_not()?;
+    Some(match gallery.is_told() {
+        true => why,
+        false => "It does not show with this camera: change the camera, or ask again.".to_owned(),
+    })
+}
+
+/// `12,345 of 90,000 pixels shown see something else`
+fn seen(wrong: &Wrong) -> Option<String> {
+    let seen = wrong.seen?;
+    let (differing, pixels) = (grouped(seen.differing as u64), grouped(seen.pixels as u64));
+    Some(match seen.differing {
+        0 => format!("none of {pixels} pixels shown sees another object"),
+        1 => format!("1 of {pixels} pixels shown sees something else"),
+        _ => format!("{differing} of {pixels} pixels shown see something else"),
+    })
+}
+
+/// Why there is no wrong picture, in its place.
+pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &Wrong, gallery: &Gallery) {
+    let fill = ui.visuals().faint_bg_color;
+    ui.painter().rect_filled(rect, 4.0, fill);
+    let inside = rect.shrink(16.0);
+    let layout = Layout::top_down(Align::Center).with_main_align(Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
+        ui.set_clip_rect(rect);
+        ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
+        let why = why_not(wrong, gallery).unwrap_or_default();
+        ui.label(RichText::new(why).size(17.0).strong());
+    });
+}
+
+/// The gallery, what is wrong, and the checks, side by side.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    derived: &Derived,
+    document: &Document,
+    session: &mut Session,
+    style: NumberStyle,
+) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let whole = ui.available_rect_before_wrap();
+    let part = |from: f32, to: f32| {
+        Rect::from_min_max(pos2(from, whole.top()), pos2(to.max(from + 1.0), whole.bottom()))
+    };
+    let checks = CHECKS.min(0.46 * whole.width());
+    let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
+    column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
+        let (camera, posed) = (&document.camera, derived.posed.as_ref());
+        let scene = derived.scene.as_deref();
+        guess::buttons(ui, &mut session.gallery, camera, posed.zip(scene));
+        list(ui, &mut session.gallery);
+    });
+    let gallery = &mut session.gallery;
+    let Some(wrong) = derived.wrong.as_deref() else { return };
+    column(ui, part(left, right - 8.0), "mistake", |ui| {
+        if gallery.guess.is_some() {
+            guess::verdict(ui, gallery, wrong, &document.camera);
+        }
+        if gallery.is_told() {
+            explanation(ui, wrong, style);
+        }
+    });
+    if gallery.is_told() {
+        column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
+    }
+}
+
+fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
+    ui.scope_builder(UiBuilder::new().id_salt(name).max_rect(rect), |ui| {
+        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+        ScrollArea::vertical().id_salt(name).auto_shrink(false).show(ui, content);
+    });
+}
+
+/// One button a mistake: chooses it, or answers with it.
+fn list(ui: &mut Ui, gallery: &mut Gallery) {
+    let chosen = match gallery.guess {
+        Some(guess) => guess.answer,
+        None => Some(gallery.chosen),
+    };
+    ui.spacing_mut().item_spacing.y = 1.0;
+    for &mistake in Mistake::ALL {
+        let text = RichText::new(mistake.name()).size(TEXT);
+        let response = ui.selectable_label(chosen == Some(mistake), text);
+        if response.clicked() {
+            match &mut gallery.guess {
+                Some(guess) => guess.answer = Some(mistake),
+                None => gallery.chosen = mistake,
+            }
+        }
+    }
+}
+
+/// What is done wrong, how it shows, and the basis right against wrong.
+fn explanation(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+    let mistake = wrong.mistake;
+    if let Some(why) = wrong.why_not() {
+        ui.label(RichText::new(why).strong());
+        ui.add_space(4.0);
+    }
+    ui.label(RichText::new(mistake.formula()).size(16.0).strong());
+    ui.add_space(4.0);
+    ui.label(mistake.shows());
+    if let Some(seen) = seen(wrong) {
+        ui.add_space(4.0);
+        ui.label(sentence(&seen));
+    }
+    if let Ok(camera) = &wrong.camera {
+        ui.add_space(6.0);
+        basis(ui, camera, style);
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let mut chars = text.chars();
+    chars
+        .next()
+        .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
+}
+
+/// u, v, w of both cameras, one above the other: there is no room for both side by side.
+fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
+    let right = camera.right_camera().basis();
+    let rows = [
+        ("u", "𝐮", right.u, camera.u()),
+        ("v", "𝐯", right.v, camera.v()),
+        ("w", "𝐰", right.w, camera.w()),
+    ];
+    for ((name, letter, right, wrong), is_wrong) in rows.into_iter().zip(camera.wrong_vectors()) {
+        let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
+        let letter = RichText::new(letter).size(TEXT).color(color);
+        ui.horizontal_top(|ui| {
+            cell(ui, LETTER, |ui| ui.label(letter));
+            sign(ui, true);
+            ui.add(Label::new(style.vector(right)).wrap());
+        });
+        if !is_wrong {
+            continue;
+        }
+        ui.horizontal_top(|ui| {
+            cell(ui, LETTER, |_| ());
+            sign(ui, false);
+            let text = RichText::new(style.vector(wrong)).strong().color(error_color(ui));
+            let response = ui.add(Label::new(text).wrap());
+            let spoken = format!("wrong {name} = {}", style.vector(wrong));
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+        });
+    }
+    let (right, wrong) = (camera.right_camera().viewport().distance, camera.distance());
+    if right != wrong {
+        ui.label(format!("distance {}, taken as {}", style.number(right), style.number(wrong)));
+    }
+}
+
+/// A part of a row with a width of its own, in which text wraps.
+fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
+    let layout = Layout::top_down(Align::LEFT);
+    let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+        ui.set_width(width);
+        content(ui)
+    });
+    inner.inner
+}

@@ -1,0 +1,109 @@
+//! What is dragged in the drawing of both lines.
+
+use egui::{CursorIcon, EventFilter, Key, Rect, Response, Sense, Ui, Vec2};
+use pinhole_core::DVec2;
+
+use crate::model::lines::{Handle, LinesLab};
+use crate::view::lines::canvas::Sheet;
+use crate::view::lines::drawing::{Ink, paint};
+use crate::view::lines::handles::{GRASP, in_sight};
+use crate::view::lines::steps::number;
+use crate::view::typesetting::theme;
+
+/// Shows the drawing and takes what is dragged in it.
+pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
+    look_around(ui, rect, lab);
+    let (ink, background, halo) = Ink::of(theme::style(ui));
+    let sheet = |lab: &LinesLab| Sheet::new(ui.painter_at(rect), rect, lab.window, halo);
+    let grabbed = inputs(ui, &sheet(lab), lab);
+    let sheet = sheet(lab);
+    sheet.painter.rect_filled(rect, 0.0, background);
+    let held = |handle| grabbed.iter().any(|(held, by)| *held == handle && is_held(by));
+    if let Some(seen) = paint(&sheet, lab, &ink, held, digits) {
+        ui.ctx().accesskit_node_builder(ui.scope_id().with("plane"), |node| node.set_value(seen));
+    }
+    for (handle, response) in grabbed {
+        response.on_hover_text(handle.name());
+    }
+}
+
+/// Dragging beside all handles moves the window, the wheel zooms about the pointer.
+fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
+    let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(egui::accesskit::Role::Image);
+        node.set_label("Plane with both lines");
+    });
+    let per_point = 2.0 * lab.window.half_extent / f64::from(rect.size().min_elem());
+    let delta = response.drag_delta();
+    lab.window.center -= per_point * DVec2::new(delta.x.into(), (-delta.y).into());
+    if response.contains_pointer()
+        && let Some(pointer) = ui.input(|i| i.pointer.hover_pos())
+    {
+        let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
+        let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
+        let half = (lab.window.half_extent / factor).clamp(0.05, 1e4);
+        let away = pointer - rect.center();
+        let away = DVec2::new(away.x.into(), (-away.y).into());
+        let kept = lab.window.half_extent - half;
+        lab.window.center += 2.0 * kept / f64::from(rect.size().min_elem()) * away;
+        lab.window.half_extent = half;
+    }
+}
+
+/// A handle that is in sight, and what the pointer does with it.
+pub(super) type Grabbed = (Handle, Response);
+
+/// Takes what is dragged.
+pub(super) fn inputs(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab) -> Vec<Grabbed> {
+    Handle::ALL
+        .into_iter()
+        .filter_map(|handle| Some((handle, input(ui, sheet, lab, handle)?)))
+        .collect()
+}
+
+fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<Response> {
+    let at = in_sight(sheet, lab, handle)?;
+    let id = ui.scope_id().with(handle.name());
+    let around = Rect::from_center_size(at, Vec2::splat(2.0 * GRASP));
+    let response = ui.interact(around, id, Sense::click_and_drag());
+    let response = response.on_hover_cursor(CursorIcon::Grab);
+    let arrows =
+        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
+    // Whole hundredths, or whatever is finer than a dot.
+    let dots = sheet.scale * f64::from(ui.ctx().pixels_per_point());
+    let fineness = 10_f64.powf(dots.log10().ceil());
+    if response.drag_started() {
+        response.request_focus();
+        // Taken hold of beside its middle, it stays that far beside the pointer.
+        let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
+        ui.data_mut(|data| data.insert_temp(id, at - pressed));
+    }
+    if response.dragged()
+        && let Some(pointer) = response.interact_pointer_pos()
+    {
+        let beside: Vec2 = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+        lab.drag(handle, sheet.point(pointer + beside), fineness);
+    }
+    if response.has_focus() {
+        let presses = |key| ui.input(|i| i.num_presses(key) as f64);
+        let right = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
+        let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
+        if (right, up) != (0.0, 0.0) {
+            lab.nudge(handle, DVec2::new(right, up), fineness);
+        }
+    }
+    let place = lab.place_of(handle)?;
+    ui.ctx().accesskit_node_builder(id, |node| {
+        node.set_role(egui::accesskit::Role::Slider);
+        node.set_label(handle.name());
+        node.set_value(format!("({}, {})", number(place.x, 5), number(place.y, 5)));
+    });
+    Some(response)
+}
+
+/// Whether the pointer or the keyboard is at a handle.
+pub(super) fn is_held(response: &Response) -> bool {
+    response.hovered() || response.dragged() || response.has_focus()
+}

@@ -1,0 +1,145 @@
+//! The plot of f(p + t d) against t, and walking along the ray: below both views, with every object
+//! on one axis of t, and beside it what each curve says.
+
+mod captions;
+mod drawing;
+
+use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
+
+use super::lines::number;
+use crate::model::concept::{Pointed, Pointing, Thing};
+use crate::model::letters::told;
+use crate::model::session::Session;
+use crate::ui::widgets::number::NumberField;
+use crate::view::derive::Derived;
+use crate::view::plot::{Curve, Plot};
+use crate::view::typesetting::notation;
+use crate::view::typesetting::theme::error_color;
+
+/// Size of the text, in points: for the back row.
+const TEXT: f32 = 15.5;
+/// What is said is at most so wide, in points, and at most so much of the whole.
+const WORDS: (f32, f32) = (430.0, 0.44);
+
+/// Shows plot and words.
+pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: usize) {
+    let walked = &mut session.walked;
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    if let Some(fault) = derived.fault {
+        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
+    }
+    let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
+    let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
+    let area = ui.available_rect_before_wrap();
+    let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
+    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
+    let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
+    drawing::ui(ui, left, plot, first, walked);
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
+            walk(ui, walked, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
+            if let Some((t, values)) = &plot.walked {
+                let point = inspection.ray.at(*t);
+                let [x, y, z] = point.to_array().map(|x| number(x, digits));
+                text(ui, &format!("p + t d = ({x}, {y}, {z})"));
+                ui.label(RichText::new(inside(plot, values)).strong());
+            }
+            ui.separator();
+            for k in 0..plot.curves.len() {
+                said(ui, plot, k, first, digits);
+            }
+            let text = "Compress values beyond ±1 unit";
+            let hint = "The axis is then logarithmic there: lines and parabolas are bent";
+            ui.checkbox(&mut session.settings.plot_compressed, text).on_hover_text(hint);
+            if plot.left_out > 0 {
+                ui.label(left_out(plot.left_out));
+            }
+            if plot.curves.is_empty() && plot.left_out == 0 {
+                ui.label("There is no object.");
+            }
+        });
+    });
+}
+
+/// What is said of objects that have no curve.
+fn left_out(count: usize) -> String {
+    match count {
+        1 => "1 more object is left out".to_owned(),
+        n => format!("{n} more objects are left out"),
+    }
+}
+
+fn text(ui: &mut Ui, text: &str) {
+    notation::label(ui, text, TEXT, ui.visuals().text_color());
+}
+
+/// The t of the point that walks, as a number and as a slider.
+fn walk(
+    ui: &mut Ui,
+    walked: &mut Option<f64>,
+    range: std::ops::RangeInclusive<f64>,
+    first_hit: f64,
+) {
+    ui.horizontal(|ui| {
+        let mut walks = walked.is_some();
+        if ui.checkbox(&mut walks, "Walk along the ray").changed() {
+            *walked = walks.then_some(0.5 * first_hit);
+        }
+        let Some(t) = walked else { return };
+        text(ui, "t =");
+        NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
+        ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
+        let slider = Slider::new(t, range).show_value(false);
+        let response = ui.add(slider.clamping(egui::SliderClamping::Never));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("walk to t"));
+    });
+}
+
+/// Which of the objects the point that walks is inside of, by the values of f there.
+fn inside(plot: &Plot, values: &[f64]) -> String {
+    let inside = plot.curves.iter().zip(values).filter(|(curve, f)| curve.is_inside(**f));
+    let names: Vec<&str> = inside.map(|(curve, _)| curve.named.title.as_str()).collect();
+    if names.is_empty() {
+        "inside of none of these objects".to_owned()
+    } else {
+        format!("inside of {}", names.join(", "))
+    }
+}
+
+/// What the mouse is on in the words of the last frame's plot.
+pub(crate) fn pointed(ctx: &Context, derived: &Derived) -> Option<Pointed> {
+    let curves = &derived.plot.as_ref()?.curves;
+    let is_hovered =
+        |object: u32| ctx.read_response(said_id(object)).is_some_and(|said| said.hovered());
+    let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
+    Some(Pointed { thing: Thing::Object(object), by: Pointing::Ledger })
+}
+
+fn said_id(object: u32) -> Id {
+    Id::unique(("said of a curve", object))
+}
+
+/// One curve's line sample, title and words, and f where one walks.
+fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
+    let curve: &Curve = &plot.curves[k];
+    let object = curve.named.object;
+    let title = ui.horizontal_wrapped(|ui| {
+        let (sample, _) = ui.allocate_exact_size(vec2(34.0, 14.0), Sense::hover());
+        drawing::sample(ui, sample, curve);
+        ui.label(RichText::new(&curve.named.title).strong());
+        text(ui, &curve.unit_words(digits));
+        if first.is_some_and(|(hit, _)| hit == object) {
+            ui.label(RichText::new("the first hit").strong());
+        }
+    });
+    let words = ui.indent(("said", object), |ui| {
+        text(ui, &curve.words(digits));
+        if let Some((t, values)) = &plot.walked {
+            text(
+                ui,
+                &format!("at t = {}: {}", number(*t, digits), curve.reading(values[k], digits)),
+            );
+        }
+    });
+    ui.interact(title.response.rect | words.response.rect, said_id(object), Sense::hover());
+}

@@ -1,0 +1,311 @@
+//! The comparison with the ghost: its picture or where it differs beside the camera view, and both
+//! cameras in numbers below.
+
+use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
+use pinhole_core::{DVec3, Orientation, PosedCamera, Root};
+
+use super::places::STRIP;
+use super::readouts::NumberStyle;
+use super::views;
+use crate::document::Document;
+use crate::model::ghost::{Beside, Ghost};
+use crate::model::inspection::Inspection;
+use crate::model::number::grouped;
+use crate::ui::action::{Action, GhostMove};
+use crate::ui::widgets::number::vector_color;
+use crate::view::derive::Derived;
+use crate::view::ghost::AgainstGhost;
+
+/// Size of the text, in points.
+const TEXT: f32 = 15.5;
+
+/// Significant digits, at most.
+const DIGITS: usize = 4;
+
+/// What is said where there is no ghost.
+const NO_GHOST: &str = "Freeze the camera to compare with it: press G.";
+
+/// What can be done with the ghost, as a menu.
+pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
+    for (text, keys, ghost, needs_one) in [
+        ("Freeze the camera as ghost", "G", GhostMove::Freeze, false),
+        ("Swap camera and ghost", "", GhostMove::Swap, true),
+        ("Drop the ghost", "Shift+G", GhostMove::Drop, true),
+    ] {
+        let button = egui::Button::new(text);
+        let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
+        if ui.add_enabled(has_ghost || !needs_one, button).clicked() {
+            actions.push(Action::Ghost(ghost));
+        }
+    }
+}
+
+/// Above the picture beside the camera view: which of the two it is.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
+    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+        ui.horizontal_centered(|ui| match ghost {
+            None => {
+                ui.strong(views::GHOST);
+            }
+            Some(Ghost { beside, .. }) => {
+                ui.selectable_value(beside, Beside::Picture, views::GHOST);
+                ui.selectable_value(beside, Beside::Differences, "Differences");
+            }
+        });
+    });
+}
+
+/// What a screen reader says of it.
+pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
+    against.map_or_else(|| NO_GHOST.to_owned(), seen)
+}
+
+/// Why there is no picture, in its place.
+pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
+    ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
+    let text = match ghost.map(|ghost| ghost.camera.posed()) {
+        None => NO_GHOST.to_owned(),
+        Some(Err(error)) => format!("The ghost sees nothing: {error}"),
+        Some(Ok(_)) => "There are no two cameras to compare.".to_owned(),
+    };
+    ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(16.0)), |ui| {
+        ui.add_space((0.5 * rect.height() - 40.0).max(0.0));
+        ui.vertical_centered(|ui| ui.label(RichText::new(text).size(17.0).strong()));
+    });
+}
+
+/// `12,345 of 90,000 pixels see another object`
+fn seen(against: &AgainstGhost) -> String {
+    let [differing, pixels] =
+        [against.seen.differing, against.seen.pixels].map(|n| grouped(n as u64));
+    format!("{differing} of {pixels} pixels see another object")
+}
+
+/// What is done with the ghost, and both cameras in numbers.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    derived: &Derived,
+    document: &Document,
+    ghost: Option<&Ghost>,
+    style: NumberStyle,
+    actions: &mut Vec<Action>,
+) {
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
+    let against = derived.against_ghost.as_deref();
+    // More digits have no room beside each other.
+    let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
+    ui.horizontal(|ui| {
+        buttons(ui, ghost.is_some(), actions);
+        if let Some(against) = against {
+            ui.add_space(8.0);
+            ui.strong(seen(against));
+            ui.add_space(8.0);
+            turns(ui, against, style);
+        }
+    });
+    let (Some(against), Some(ghost), Some(now)) = (against, ghost, &derived.posed) else { return };
+    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            vectors(ui, "turned", &turned(now, against, style), style);
+            ui.separator();
+            vectors(ui, "moved", &moved(document, ghost, against, style), style);
+            ui.separator();
+            let here = derived.inspection.as_deref();
+            let mut lines = numbers(document, ghost, against, style);
+            lines.extend(hits(here, &against.inspection, document, style));
+            scalars(ui, &lines, style);
+        });
+    });
+}
+
+/// What the menu has, in a row.
+fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
+    for (text, name, ghost, needs_one) in [
+        ("Freeze (G)", "Freeze the camera", GhostMove::Freeze, false),
+        ("Swap", "Swap with the ghost", GhostMove::Swap, true),
+        ("Drop", "Drop it", GhostMove::Drop, true),
+    ] {
+        let response = ui.add_enabled(has_ghost || !needs_one, egui::Button::new(text));
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+        if response.clicked() {
+            actions.push(Action::Ghost(ghost));
+        }
+    }
+}
+
+/// A quantity of the ghost, of the camera at hand, and what lies between the two.
+#[derive(Clone)]
+struct Line {
+    name: &'static str,
+    ghost: String,
+    now: String,
+    between: String,
+}
+
+impl Line {
+    fn new(name: &'static str, ghost: String, now: String, between: String) -> Line {
+        Line { name, ghost, now, between }
+    }
+
+    /// Its name, in its own colour; a screen reader reads all of it.
+    fn name(&self, ui: &mut Ui) {
+        let Line { name, ghost, now, between } = self;
+        let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
+        let text = RichText::new(*name).strong();
+        let response = ui.label(match vector_color(ui, name) {
+            Some(color) => text.color(color),
+            None => text,
+        });
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+    }
+}
+
+/// As wide as so many characters of a number: nothing moves sideways while numbers change.
+fn wide(ui: &mut Ui, characters: f32, text: RichText) {
+    let response = ui.label(text);
+    let width = 8.2 * characters;
+    ui.add_space((width - response.rect.width()).max(0.0));
+}
+
+/// Vectors of both cameras, one above the other, with what lies between them.
+fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
+    let characters = 3.0 * (style.digits as f32 + 2.8);
+    Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
+        for head in ["", "now", "apart"] {
+            ui.weak(head);
+        }
+        ui.end_row();
+        for line in lines {
+            line.name(ui);
+            ui.horizontal(|ui| wide(ui, characters, RichText::new(&line.now)));
+            ui.horizontal(|ui| wide(ui, 7.5, RichText::new(&line.between).strong()));
+            ui.end_row();
+            ui.weak(format!("{}′", line.name));
+            ui.weak(&line.ghost);
+            ui.end_row();
+        }
+    });
+}
+
+/// Numbers of both cameras, side by side.
+fn scalars(ui: &mut Ui, lines: &[Line], style: NumberStyle) {
+    let characters = style.digits as f32 + 2.6;
+    Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
+        for head in ["", "ghost", "now", "difference"] {
+            ui.weak(head);
+        }
+        ui.end_row();
+        for line in lines {
+            line.name(ui);
+            for text in [&line.ghost, &line.now] {
+                ui.horizontal(|ui| wide(ui, characters, RichText::new(text)));
+            }
+            ui.label(RichText::new(&line.between).strong());
+            ui.end_row();
+        }
+    });
+}
+
+fn degrees(x: f64, style: NumberStyle) -> String {
+    // Rounding alone is no turn.
+    let x = if x.abs() < 1e-9 { 0.0 } else { x };
+    format!("{}°", style.number(x))
+}
+
+fn signed(x: f64, style: NumberStyle) -> String {
+    let sign = if x > 0.0 { "+" } else { "" };
+    format!("{sign}{}", style.number(x))
+}
+
+/// u, v, w.
+fn turned(now: &PosedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<Line> {
+    let (here, there, by) = (now.basis(), against.ghost.basis(), &against.difference);
+    let vectors = [("u", here.u, there.u), ("v", here.v, there.v), ("w", here.w, there.w)];
+    let line = |((name, here, there), angle)| {
+        Line::new(name, style.vector(there), style.vector(here), degrees(angle, style))
+    };
+    vectors.into_iter().zip(by.basis).map(line).collect()
+}
+
+/// eye, at, up.
+fn moved(
+    document: &Document,
+    ghost: &Ghost,
+    against: &AgainstGhost,
+    style: NumberStyle,
+) -> Vec<Line> {
+    let (now, then, by) = (&document.camera, &ghost.camera, &against.difference);
+    let vector = |v: DVec3| style.vector(v);
+    let way = |v: DVec3| style.number(v.length());
+    let at = |orientation: &Orientation| match orientation {
+        Orientation::At { at, .. } => vector(*at),
+        _ => "none".to_owned(),
+    };
+    let between = by.at.map(way).unwrap_or_default();
+    vec![
+        Line::new("eye", vector(then.eye), vector(now.eye), way(by.eye)),
+        Line::new("at", at(&then.orientation), at(&now.orientation), between),
+        Line::new("up", vector(then.up()), vector(now.up()), degrees(by.up, style)),
+    ]
+}
+
+/// How far the camera is turned and rolled.
+fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
+    let by = &against.difference;
+    let mut said = format!("turned by {}", degrees(by.turn, style));
+    if let Some(roll) = by.roll {
+        said += &format!(", rolled by {}", degrees(roll, style));
+    }
+    ui.strong(said);
+}
+
+/// The viewport.
+fn numbers(
+    document: &Document,
+    ghost: &Ghost,
+    against: &AgainstGhost,
+    style: NumberStyle,
+) -> Vec<Line> {
+    let by = &against.difference;
+    let (old, new) = (ghost.camera.viewport, document.camera.viewport);
+    let [width, height] = by.extent;
+    let lines = [
+        ("distance", old.distance, new.distance, by.distance),
+        ("width", old.width, new.width, width),
+        ("height", old.height, new.height, height),
+    ];
+    let line = |(name, old, new, by)| {
+        Line::new(name, style.number(old), style.number(new), signed(by, style))
+    };
+    lines.map(line).to_vec()
+}
+
+/// What the selected ray hits, of both cameras.
+fn hits(
+    now: Option<&Inspection>,
+    ghost: &Inspection,
+    document: &Document,
+    style: NumberStyle,
+) -> [Line; 2] {
+    let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
+    // Names would not fit; their numbers are in the list of objects.
+    let kind = |hit: &Root| {
+        let object = hit.object as usize;
+        let kind = if object < document.sphere_count() { "sphere" } else { "plane" };
+        format!("{kind} {object}")
+    };
+    let named = |hit: Option<&Root>| hit.map_or("nothing".to_owned(), kind);
+    let t = |hit: Option<&Root>| hit.map_or("none".to_owned(), |hit| style.number(hit.t));
+    let same = here.map(|hit| hit.object) == there.map(|hit| hit.object);
+    let between = match (here, there) {
+        (Some(here), Some(there)) => signed(here.t - there.t, style),
+        _ => String::new(),
+    };
+    let hit = if same { "the same" } else { "another" };
+    [
+        Line::new("hit", named(there), named(here), hit.to_owned()),
+        Line::new("t", t(there), t(here), between),
+    ]
+}

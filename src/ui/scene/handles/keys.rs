@@ -1,0 +1,138 @@
+//! A handle that has the focus, moved by keys.
+
+use egui::{Context, EventFilter, Key};
+use pinhole_core::{DVec2, DVec3, PosedCamera};
+
+use super::Edited;
+use super::HandInput;
+use super::View;
+use super::axis_held;
+use super::how;
+use super::id_of;
+use crate::model::hand::{Along, Axis, Handle, keeps_of};
+use crate::view::handles::{Grip, How, Part, Pull, Start, grips, step_of, turned_by};
+
+/// So far a key turns the camera, in degrees.
+const TURN: f64 = 5.0;
+
+/// What the arrow keys say: to the right, upwards, and away from the observer.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Steps {
+    right: f64,
+    up: f64,
+    away: f64,
+}
+
+impl HandInput {
+    /// Arrow keys move the handle that has the focus; K swaps what the eye keeps.
+    pub(super) fn keys(&mut self, ctx: &Context, view: &View, edited: &mut Edited) {
+        let Edited { document, session, .. } = edited;
+        let posed = document.camera.posed().ok();
+        let stage = view.stage(document, posed.as_ref(), session);
+        let all = grips(&stage, &session.hand);
+        let has_focus = |g: &&Grip| ctx.memory(|m| m.has_focus(id_of(view.id, g.handle)));
+        let focused = all.iter().find(has_focus);
+        let looked_at = focused.is_some() || session.hand.over.is_some();
+        let is_plain = ctx.input(|i| i.modifiers.is_none());
+        if looked_at && is_plain && !ctx.text_edit_focused() && pressed(ctx, Key::K) > 0 {
+            session.settings.eye_keeps = session.settings.eye_keeps.other();
+        }
+        let Some((grip, grasp)) = focused.and_then(|grip| Some((grip, stage.grasp(grip.handle)?)))
+        else {
+            return;
+        };
+        let steps = steps(ctx);
+        if steps == Steps::default() {
+            return;
+        }
+        let before = Part::of(grip.handle, document, session.selection);
+        let start = Start { before, posed, grasp, at: grip.at, begun_at: DVec2::ZERO };
+        if let Handle::Pixel = grip.handle {
+            let camera = posed.map(|posed| session.selection.inside(posed.image()));
+            if let (Some(selection), Some(posed)) = (camera, posed) {
+                session.selection = selection.stepped(&posed, -steps.up as i64, steps.right as i64);
+            }
+            return;
+        }
+        let (eye, corner, distance) = keeps_of(&session.settings, false);
+        let how = How { eye, corner, distance, ..how(ctx, session) };
+        let pull = Pull { start: &start, observer: view.observer, scale: view.scale, how };
+        let moved = target(&start, view, how.along, steps).map(|point| pull.put(point));
+        if let Some(Ok(pulled)) = moved {
+            pulled.part.put(document, &mut session.selection);
+        }
+    }
+}
+
+fn pressed(ctx: &Context, key: Key) -> usize {
+    ctx.input(|i| i.num_presses(key))
+}
+
+fn steps(ctx: &Context) -> Steps {
+    let count = |key| pressed(ctx, key) as f64;
+    let right = count(Key::ArrowRight) - count(Key::ArrowLeft);
+    let up = count(Key::ArrowUp) - count(Key::ArrowDown);
+    // With an axis's key, Shift chooses the plane of the other two.
+    match ctx.input(|i| i.modifiers.shift) && axis_held(ctx).is_none() {
+        true => Steps { right, up: 0.0, away: up },
+        false => Steps { right, up, away: 0.0 },
+    }
+}
+
+/// Where the keys take a handle.
+fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec3> {
+    let step = step_of(view.observer, start.at, view.scale)?;
+    let camera = start.posed.as_ref();
+    let forward = steps.right + steps.up + steps.away;
+    let way = match start.grasp.handle {
+        Handle::Roll => return turned_by(start, -TURN * forward),
+        Handle::Dolly | Handle::Distance => -forward * Axis::W.direction(camera)?,
+        Handle::Radius(_) => forward * start.grasp.toward,
+        Handle::Corner(_) => {
+            steps.right * Axis::U.direction(camera)? + steps.up * Axis::V.direction(camera)?
+        }
+        _ => match along {
+            Along::Axis(axis) => forward * axis.direction(camera)?,
+            Along::Without(axis) => {
+                let [a, b] = axis.others();
+                in_plane(view.observer, [a.direction(camera)?, b.direction(camera)?], steps)
+            }
+            Along::View => {
+                let [right, up, away] = axes_of(view.observer);
+                steps.right * right + steps.up * up + steps.away * away
+            }
+        },
+    };
+    Some(start.at + step * way)
+}
+
+/// The way in the plane of two axes: the one that points more to the right or left goes with the keys
+/// to the right and left, the other one with those up and down.
+fn in_plane(observer: &PosedCamera, [a, b]: [DVec3; 2], steps: Steps) -> DVec3 {
+    let basis = observer.basis();
+    let across = |axis: DVec3| axis.dot(basis.u).abs();
+    let (right, up) = if across(a) >= across(b) { (a, b) } else { (b, a) };
+    // Seen from its end, an axis points neither up nor down: away from the observer is up.
+    let upwards = up.dot(basis.v) - 1e-3 * up.dot(basis.w);
+    steps.right * right.dot(basis.u).signum() * right + steps.up * upwards.signum() * up
+}
+
+/// The world's axes that point most to the right, upwards and away from the observer.
+fn axes_of(observer: &PosedCamera) -> [DVec3; 3] {
+    let basis = observer.basis();
+    let most = |direction: DVec3, taken: DVec3| {
+        let free = DVec3::AXES.into_iter().filter(|axis| *axis != taken.abs());
+        let along = |axis: &DVec3| axis.dot(direction).abs();
+        let axis = free.max_by(|a, b| along(a).total_cmp(&along(b))).unwrap_or(DVec3::X);
+        axis * axis.dot(direction).signum()
+    };
+    let up = most(basis.v, DVec3::ZERO);
+    let right = most(basis.u, up);
+    let third = right.cross(up).abs();
+    [right, up, third * third.dot(-basis.w).signum()]
+}
+
+/// The arrow keys stay with a handle that has the focus.
+pub(super) fn filter() -> EventFilter {
+    EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() }
+}

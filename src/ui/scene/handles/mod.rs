@@ -1,0 +1,329 @@
+//! Handles under the mouse and the keyboard. They are taken before anything is drawn, so that all
+//! that is drawn shows where they are; what they do is `crate::view::handles`'.
+
+mod keys;
+mod tell;
+
+use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
+use pinhole_core::{DVec2, PosedCamera};
+
+use crate::document::Document;
+use crate::model::hand::{Along, Axis, Handle, keeps_of};
+use crate::model::session::Session;
+use crate::view::derive::Derived;
+use crate::view::handles::{Grip, How, Part, Pull, Pulled, Stage, Start, grips, hit};
+use crate::view::overlay;
+
+pub(crate) use self::tell::say;
+
+/// How near to a handle the mouse takes hold of it, in points.
+const REACH: f64 = 11.0;
+
+/// A press that moves by less than so many points is a click.
+const CLICK: f32 = 2.0;
+
+/// What is remembered of the hand from one pass to the next.
+#[derive(Debug, Default)]
+pub(crate) struct HandInput {
+    /// Where the world view was, and its name in egui.
+    place: Option<(Rect, Id)>,
+    start: Option<Taken>,
+    /// What was clicked last, so that the one below it has its turn.
+    clicked: Option<Handle>,
+    /// The button is still down, but what it held was given back.
+    given_back: bool,
+    /// Why the handle is not where the pointer is.
+    refused: Option<String>,
+    /// What the last move did.
+    last: Option<Pulled>,
+    /// Since when the pointer or the focus is on what it is on, in seconds.
+    over_since: f64,
+}
+
+#[derive(Debug)]
+struct Taken {
+    start: Start,
+    pressed_at: Pos2,
+    moved: bool,
+}
+
+/// What is edited, and how it is looked at.
+pub(crate) struct Edited<'a> {
+    pub(crate) document: &'a mut Document,
+    pub(crate) session: &'a mut Session,
+    pub(crate) chosen_object: &'a mut usize,
+}
+
+/// The world view on the screen.
+#[derive(Clone, Copy)]
+struct View<'a> {
+    rect: Rect,
+    id: Id,
+    observer: &'a PosedCamera,
+    scale: f32,
+}
+
+impl View<'_> {
+    fn dots(&self, at: Pos2) -> DVec2 {
+        let at = (at - self.rect.min) * self.scale;
+        DVec2::new(at.x.into(), at.y.into())
+    }
+
+    /// Where in the observer's viewport a place is.
+    fn uv(&self, at: Pos2) -> DVec2 {
+        let image = self.observer.image();
+        let size = [image.width() as usize, image.height() as usize];
+        let dots = self.dots(at);
+        overlay::camera_uv_at(self.observer, size, [dots.x as f32, dots.y as f32])
+    }
+
+    fn stage<'a>(
+        &'a self,
+        document: &'a Document,
+        posed: Option<&'a PosedCamera>,
+        session: &Session,
+    ) -> Stage<'a> {
+        Stage {
+            document,
+            posed,
+            selection: session.selection,
+            items: session.settings.items,
+            observer: self.observer,
+            scale: self.scale,
+        }
+    }
+}
+
+impl HandInput {
+    /// What mouse and keys do with the handles. `shown` is what they are done to: the last frame.
+    pub(crate) fn take(&mut self, ctx: &Context, edited: &mut Edited, shown: &Derived) {
+        let hand = &mut edited.session.hand;
+        hand.is_busy = self.start.is_some() || self.given_back;
+        let down = ctx.input(|i| i.pointer.primary_down());
+        self.given_back &= down;
+        let response = self.place.and_then(|(_, id)| ctx.read_response(id));
+        let (Some((rect, id)), Some(frame), Some(response)) =
+            (self.place, shown.world_frame.as_deref(), response)
+        else {
+            self.let_go(edited.session);
+            return;
+        };
+        let view = View { rect, id, observer: frame.camera(), scale: ctx.pixels_per_point() };
+        if self.start.is_none() {
+            self.look(ctx, &view, &response, edited, shown);
+            if ctx.input(|i| i.pointer.button_pressed(PointerButton::Primary)) {
+                self.press(ctx, &view, &response, edited, shown);
+            }
+            if self.start.is_none() && response.clicked() {
+                self.click(&view, &response, edited, shown);
+            }
+        }
+        if self.start.is_some() {
+            self.hold(ctx, &view, edited);
+        } else {
+            self.keys(ctx, &view, edited);
+        }
+    }
+
+    /// Another scene is shown, or a dialog: nothing is held any more.
+    pub(crate) fn let_go(&mut self, session: &mut Session) {
+        self.start = None;
+        self.refused = None;
+        self.last = None;
+        session.hand.held = None;
+        session.hand.over = None;
+        session.hand.along = Along::default();
+    }
+
+    /// What the pointer or the keyboard is on.
+    fn look(
+        &mut self,
+        ctx: &Context,
+        view: &View,
+        response: &Response,
+        edited: &mut Edited,
+        shown: &Derived,
+    ) {
+        let Edited { document, session, chosen_object } = edited;
+        let chosen = (**chosen_object < document.object_count()).then_some(**chosen_object);
+        session.hand.objects[0] = chosen;
+        let posed = document.camera.posed().ok();
+        let all = grips(&view.stage(document, posed.as_ref(), session), &session.hand);
+        let pointer = response.hover_pos().filter(|_| response.hovered());
+        let pointer = pointer.filter(|_| ctx.input(|i| !i.pointer.any_down()));
+        let found = pointer.and_then(|at| self.hit(&all, view, at, session, shown));
+        let focused = || all.iter().find(|g| ctx.memory(|m| m.has_focus(id_of(view.id, g.handle))));
+        if ctx.input(|i| i.pointer.any_down()) {
+            return;
+        }
+        let over = found.map(|hit| hit.handle).or_else(|| Some(focused()?.handle));
+        if over != session.hand.over {
+            self.over_since = ctx.input(|i| i.time);
+        }
+        session.hand.over = over;
+        session.hand.together = found.map_or(0, |hit| hit.together);
+        let over = over.and_then(Handle::object);
+        if over.is_none() {
+            let pointed = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
+            let pointed = pointed.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
+            session.hand.objects[1] = pointed;
+        } else if over == chosen {
+            session.hand.objects[1] = None;
+        }
+    }
+
+    fn hit(
+        &mut self,
+        all: &[Grip],
+        view: &View,
+        at: Pos2,
+        session: &Session,
+        shown: &Derived,
+    ) -> Option<crate::view::handles::Hit> {
+        let (dots, reach) = (view.dots(at), REACH * f64::from(view.scale));
+        let near = |handle: &Handle| {
+            all.iter().any(|g| g.handle == *handle && g.spot.distance(dots) <= reach)
+        };
+        self.clicked = self.clicked.filter(near);
+        let found = hit(all, dots, reach, self.clicked)?;
+        // The point that walks along the ray is taken too.
+        let walked =
+            session.walked.zip(shown.inspection.as_deref()).zip(shown.world_frame.as_deref());
+        let walked = walked.and_then(|((t, inspection), frame)| {
+            overlay::world_position_of(frame, inspection.ray.at(t))
+        });
+        let walked = walked.map(|[x, y]| DVec2::new(x.into(), y.into()).distance(dots));
+        let own = all.iter().find(|g| g.handle == found.handle)?.spot.distance(dots);
+        walked.is_none_or(|walked| walked > own).then_some(found)
+    }
+
+    fn press(
+        &mut self,
+        ctx: &Context,
+        view: &View,
+        response: &Response,
+        edited: &mut Edited,
+        shown: &Derived,
+    ) {
+        let origin = ctx.input(|i| i.pointer.press_origin());
+        let Some(at) = origin.filter(|_| response.is_pointer_button_down_on()) else { return };
+        let Edited { document, session, chosen_object } = edited;
+        let posed = document.camera.posed().ok();
+        let stage = view.stage(document, posed.as_ref(), session);
+        let all = grips(&stage, &session.hand);
+        let Some(found) = self.hit(&all, view, at, session, shown) else { return };
+        let taken = all.iter().find(|grip| grip.handle == found.handle);
+        let (Some(grip), Some(grasp)) = (taken, stage.grasp(found.handle)) else { return };
+        let before = Part::of(found.handle, document, session.selection);
+        let start = Start { before, posed, grasp, at: grip.at, begun_at: view.uv(at) };
+        self.start = Some(Taken { start, pressed_at: at, moved: false });
+        if let Some(object) = found.handle.object() {
+            **chosen_object = object;
+        }
+        let hand = &mut session.hand;
+        (hand.held, hand.over, hand.is_busy) = (Some(grasp), Some(found.handle), true);
+    }
+
+    /// A click so short that press and release are seen at once.
+    fn click(&mut self, view: &View, response: &Response, edited: &mut Edited, shown: &Derived) {
+        let Edited { document, session, chosen_object } = edited;
+        let Some(at) = response.interact_pointer_pos() else { return };
+        let posed = document.camera.posed().ok();
+        let all = grips(&view.stage(document, posed.as_ref(), session), &session.hand);
+        let Some(found) = self.hit(&all, view, at, session, shown) else { return };
+        if let Some(object) = found.handle.object() {
+            **chosen_object = object;
+        }
+        self.clicked = Some(found.handle);
+        session.hand.is_busy = true;
+    }
+
+    /// A handle is held: it goes with the pointer.
+    fn hold(&mut self, ctx: &Context, view: &View, edited: &mut Edited) {
+        let Some(taken) = &mut self.start else { return };
+        let Edited { document, session, .. } = edited;
+        let keys = taken_keys(ctx);
+        if keys.contains(&Key::K) {
+            session.settings.eye_keeps = session.settings.eye_keeps.other();
+        }
+        let down = ctx.input(|i| i.pointer.primary_down());
+        if keys.contains(&Key::Escape) {
+            taken.start.before.put(document, &mut session.selection);
+            self.given_back = down;
+            self.clicked = None;
+            self.let_go(session);
+            return;
+        }
+        let how = how(ctx, session);
+        session.hand.along = how.along;
+        let pointer = ctx.input(|i| i.pointer.latest_pos());
+        if let Some(at) = pointer {
+            taken.moved |= at.distance(taken.pressed_at) >= CLICK;
+            if taken.moved {
+                let pull =
+                    Pull { start: &taken.start, observer: view.observer, scale: view.scale, how };
+                match pull.to(view.uv(at)) {
+                    Ok(pulled) => {
+                        pulled.part.put(document, &mut session.selection);
+                        session.hand.held = Some(pulled.grasp);
+                        (self.last, self.refused) = (Some(pulled), None);
+                    }
+                    Err(reason) => self.refused = Some(reason),
+                }
+            }
+        }
+        if !down {
+            let handle = taken.start.grasp.handle;
+            self.clicked = (!taken.moved).then_some(handle);
+            self.let_go(session);
+            session.hand.over = Some(handle);
+        }
+    }
+}
+
+/// What stands for a handle in egui: it can be focused, and speaks.
+fn id_of(view: Id, handle: Handle) -> Id {
+    view.with(("handle", handle))
+}
+
+/// The keys that were pressed, which mean nothing else while something is held.
+pub(crate) fn taken_keys(ctx: &Context) -> Vec<Key> {
+    ctx.input_mut(|i| {
+        let pressed = i.events.iter().filter_map(|event| match event {
+            Event::Key { key, pressed: true, repeat: false, .. } => Some(*key),
+            _ => None,
+        });
+        let pressed = pressed.collect();
+        i.events.retain(|event| !matches!(event, Event::Key { .. } | Event::Text(_)));
+        pressed
+    })
+}
+
+/// The axis whose key is held.
+fn axis_held(ctx: &Context) -> Option<Axis> {
+    let keys = [Key::X, Key::Y, Key::Z, Key::U, Key::V, Key::W];
+    let held = |key: Key| ctx.input(|i| i.key_down(key));
+    Axis::ALL.into_iter().zip(keys).find(|(_, key)| held(*key)).map(|(axis, _)| axis)
+}
+
+/// How the drag is held, by keys and settings.
+fn how(ctx: &Context, session: &Session) -> How {
+    let modifiers = ctx.input(|i| i.modifiers);
+    let along = match (axis_held(ctx), modifiers.shift) {
+        (None, _) => Along::View,
+        (Some(axis), false) => Along::Axis(axis),
+        (Some(axis), true) => Along::Without(axis),
+    };
+    let (eye, corner, distance) = keeps_of(&session.settings, modifiers.alt);
+    How { along, snaps: modifiers.command, eye, corner, distance }
+}
+
+/// The sphere that the observer sees at a place.
+fn sphere_at(shown: &Derived, at: DVec2) -> Option<usize> {
+    let frame = shown.world_frame.as_deref()?;
+    let image = frame.camera().image();
+    let inside = at.x >= 0.0 && at.y >= 0.0 && at.x < f64::from(image.width());
+    let place = (at.y as usize) * image.width() as usize + at.x as usize;
+    let object = *frame.object.get(place).filter(|_| inside)?;
+    (object != pinhole_core::NO_OBJECT).then_some(object as usize)
+}

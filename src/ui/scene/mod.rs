@@ -1,0 +1,11 @@
+//! The scene workspace: the world view and the camera view, what is dragged in them, and the numbers
+//! below.
+
+pub mod compare;
+pub mod framing;
+pub mod handles;
+pub mod navigation;
+pub mod places;
+pub mod readouts;
+pub mod views;
+pub mod walking;

@@ -1,0 +1,359 @@
+//! The numbers: the basis, the selected ray, and everything that the ray meets. All of it can be
+//! selected and copied.
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
+use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
+
+use crate::document::Document;
+use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
+use crate::model::letters::told;
+use crate::model::number::{grouped, written};
+use crate::model::symbols::words_of_readout;
+use crate::ui::widgets::number::vector_color;
+use crate::view::derive::Derived;
+use crate::view::typesetting::fonts;
+use crate::view::typesetting::notation::{self, formula};
+use crate::view::typesetting::theme::error_color;
+
+/// How numbers are written.
+#[derive(Clone, Copy)]
+pub(crate) struct NumberStyle {
+    /// Significant digits.
+    pub digits: usize,
+    /// Rows and columns counted from 1, as the course does.
+    pub count_from_one: bool,
+    /// Every digit, and the minus sign that programs read: for the clipboard.
+    pub exact: bool,
+}
+
+impl NumberStyle {
+    fn for_programs(self) -> NumberStyle {
+        NumberStyle { exact: true, ..self }
+    }
+
+    pub(crate) fn number(self, x: f64) -> String {
+        if self.exact && x.is_finite() {
+            return shortest(x);
+        }
+        written(x, self.digits)
+    }
+
+    pub(crate) fn vector(self, v: DVec3) -> String {
+        format!("({}, {}, {})", self.number(v.x), self.number(v.y), self.number(v.z))
+    }
+
+    fn pixel(self, pixel: Pixel) -> String {
+        let from = u32::from(self.count_from_one);
+        format!("row {}, column {}", pixel.row + from, pixel.column + from)
+    }
+}
+
+/// Hits need so much room, in points.
+const HITS: f32 = 280.0;
+
+/// Shows the three blocks side by side.
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
+    if let Some(fault) = derived.fault {
+        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
+    }
+    ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
+        ui.horizontal_top(|ui| {
+            // As wide as the widest numbers: nothing moves sideways while they change.
+            let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
+            let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
+                ui.vertical(|ui| {
+                    ui.set_width(names + vector);
+                    content(ui);
+                });
+                ui.separator();
+            };
+            // Without room for three columns, the ray stands below the basis.
+            let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
+            let seen = derived.inspection.as_ref().zip(derived.posed.as_ref());
+            if let Some(posed) = &derived.posed {
+                block(ui, 110.0, &mut |ui| {
+                    basis(ui, posed, derived.up_angle, style);
+                    if let Some(steps) = derived.steps {
+                        ui.weak(self::steps(steps));
+                    }
+                    if let (true, Some((inspection, posed))) = (is_narrow, seen) {
+                        ui.add_space(6.0);
+                        ray(ui, inspection, posed, style);
+                    }
+                });
+            }
+            if let Some((inspection, posed)) = seen {
+                if !is_narrow {
+                    block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
+                }
+                ui.vertical(|ui| hits(ui, inspection, derived, document, style));
+            }
+        });
+    });
+}
+
+/// How far up the ladder the picture had to go.
+pub(crate) fn steps(steps: Steps) -> String {
+    let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact].map(grouped);
+    if steps.beyond_f64() == 0 {
+        return format!("Decisions in the picture: {f64}, all by f64");
+    }
+    format!(
+        "Decisions in the picture: {f64} by f64, {double_double} by double-double, {exact} exactly"
+    )
+}
+
+/// A block's title with a button that copies its lines.
+fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(text).strong());
+        let copy = ui.small_button("Copy");
+        ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label(format!("Copy {text}")));
+        if copy.clicked() {
+            ui.ctx().copy_text(lines());
+        }
+    });
+}
+
+/// Names of vectors: bold. The other ones are set as formulas.
+const VECTORS: [&str; 7] = ["u", "v", "w", "p", "d", "point", "normal"];
+
+/// A name, in the vector's own colour if it is one that the views show.
+fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
+    let size = egui::TextStyle::Body.resolve(ui.style()).size;
+    let visuals = ui.visuals();
+    let plain = if strong { visuals.strong_text_color() } else { visuals.text_color() };
+    if !VECTORS.contains(&name) {
+        return formula(name, size, plain);
+    }
+    let color = vector_color(ui, name).unwrap_or(plain);
+    LayoutJob::simple_singleline(name.to_owned(), FontId::new(size, fonts::bold()), color)
+}
+
+/// One line `name = value`.
+fn line(ui: &mut Ui, name: &str, value: String) {
+    let label = ui.label(name_of(ui, name, true));
+    if let Some(words) = words_of_readout(name) {
+        label.on_hover_text(words);
+    }
+    let response = ui.label(RichText::new(format!("= {value}")));
+    ui.ctx()
+        .accesskit_node_builder(response.id, |node| node.set_value(format!("{name} = {value}")));
+    ui.end_row();
+}
+
+fn basis_lines(
+    posed: &PosedCamera,
+    angle: Option<UpAngle>,
+    style: NumberStyle,
+) -> Vec<(&'static str, String)> {
+    let basis = posed.basis();
+    let mut lines = vec![
+        ("u", style.vector(basis.u)),
+        ("v", style.vector(basis.v)),
+        ("w", style.vector(basis.w)),
+    ];
+    if let Some(UpAngle { angle, conditioning }) = angle {
+        lines.push(("angle(up, view)", format!("{}°", style.number(angle.to_degrees()))));
+        lines.push(("conditioning", style.number(conditioning)));
+    }
+    lines
+}
+
+/// A remark with its formulas set.
+fn weak(ui: &mut Ui, text: &str) {
+    let size = egui::TextStyle::Body.resolve(ui.style()).size;
+    notation::label(ui, text, size, ui.visuals().weak_text_color());
+}
+
+fn joined(lines: &[(&str, String)]) -> String {
+    lines.iter().map(|(name, value)| format!("{name} = {value}\n")).collect()
+}
+
+fn basis(ui: &mut Ui, posed: &PosedCamera, angle: Option<UpAngle>, style: NumberStyle) {
+    let lines = basis_lines(posed, angle, style);
+    title(ui, "Basis", || joined(&basis_lines(posed, angle, style.for_programs())));
+    Grid::new("basis").num_columns(2).show(ui, |ui| {
+        for (name, value) in lines {
+            line(ui, name, value);
+        }
+    });
+    if let Some(UpAngle { conditioning, .. }) = angle {
+        let text = if conditioning < 1.5 {
+            "up is well away from view".to_owned()
+        } else {
+            let roll = style.number(conditioning);
+            format!("{roll}° of roll for each degree that up is tipped sideways, for small tips")
+        };
+        ui.weak(text);
+    }
+}
+
+fn ray_lines(
+    inspection: &Inspection,
+    posed: &PosedCamera,
+    style: NumberStyle,
+) -> Vec<(&'static str, String)> {
+    let place = match inspection.place {
+        None => "outside the image".to_owned(),
+        Some(place) => match inspection.pixel() {
+            Some(pixel) => style.pixel(pixel),
+            None => match place.touching(posed.image()).len() {
+                4 => "the corner of four pixels".to_owned(),
+                _ => "on the edge between pixels".to_owned(),
+            },
+        },
+    };
+    let (u, v) = (style.number(inspection.uv.x), style.number(inspection.uv.y));
+    let length = inspection.ray.distance_along(1.0);
+    vec![
+        ("pixel", place),
+        ("(u, v)", format!("({u}, {v})")),
+        ("p", style.vector(inspection.ray.origin)),
+        ("d", style.vector(inspection.ray.direction)),
+        ("|d|", style.number(length)),
+    ]
+}
+
+fn ray(ui: &mut Ui, inspection: &Inspection, posed: &PosedCamera, style: NumberStyle) {
+    let lines = ray_lines(inspection, posed, style);
+    title(ui, "Ray", || joined(&ray_lines(inspection, posed, style.for_programs())));
+    Grid::new("ray").num_columns(2).show(ui, |ui| {
+        for (name, value) in lines {
+            line(ui, name, value);
+        }
+    });
+    weak(ui, "p + t d, t = 1 on the viewport");
+}
+
+/// What is said of one root.
+struct RootLines {
+    object: String,
+    verdict: &'static str,
+    numbers: [(&'static str, String); 4],
+}
+
+impl RootLines {
+    fn new(
+        root: &Root,
+        inspection: &Inspection,
+        document: &Document,
+        style: NumberStyle,
+    ) -> RootLines {
+        RootLines {
+            object: document.title_of(root.object as usize),
+            verdict: inspection.verdict(root),
+            numbers: [
+                ("t", style.number(root.t)),
+                ("distance", style.number(inspection.ray.distance_along(root.t))),
+                ("point", style.vector(root.point)),
+                ("normal", style.vector(root.normal)),
+            ],
+        }
+    }
+
+    fn joined(&self) -> String {
+        let numbers = self.numbers.each_ref().map(|(name, value)| format!("{name} = {value}"));
+        format!("{}\t{}\t{}\n", self.object, numbers.join("\t"), self.verdict)
+    }
+
+    fn show(&self, ui: &mut Ui, first: bool) {
+        let text = |text: &str| if first { RichText::new(text).strong() } else { text.into() };
+        ui.horizontal_wrapped(|ui| {
+            ui.label(text(&self.object));
+            let visuals = ui.visuals();
+            let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+            let size = egui::TextStyle::Body.resolve(ui.style()).size;
+            notation::label(ui, self.verdict, size, color);
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.add_space(12.0);
+            for (name, value) in &self.numbers {
+                let mut job = name_of(ui, name, first);
+                let size = egui::TextStyle::Body.resolve(ui.style());
+                let visuals = ui.visuals();
+                let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+                let format = TextFormat { font_id: size, color, ..TextFormat::default() };
+                job.append(&format!(" = {value}"), 0.0, format);
+                let response = ui.add(Label::new(job).extend());
+                let read = format!("{name} = {value}");
+                ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(read));
+                if let Some(words) = words_of_readout(name) {
+                    response.on_hover_text(words);
+                }
+            }
+        });
+    }
+}
+
+fn hits(
+    ui: &mut Ui,
+    inspection: &Inspection,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) {
+    let roots: Vec<RootLines> = (inspection.roots.iter())
+        .map(|root| RootLines::new(root, inspection, document, style))
+        .collect();
+    title(ui, "Hits", || copied_hits(inspection, derived, document, style.for_programs()));
+    if roots.is_empty() {
+        ui.label("The ray meets nothing.");
+    }
+    for (index, root) in roots.iter().enumerate() {
+        root.show(ui, inspection.first == Some(index));
+    }
+    ui.add_space(4.0);
+    for (title, parts) in listed_parts(inspection, derived, document, style) {
+        ui.horizontal_wrapped(|ui| {
+            ui.weak(format!("{title}:"));
+            weak(ui, &parts);
+        });
+    }
+}
+
+/// The numbers that decide, of each object where they are few.
+fn listed_parts(
+    inspection: &Inspection,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) -> Vec<(String, String)> {
+    let scene = derived.scene.as_deref().filter(|scene| scene.len() <= LISTED_OBJECTS);
+    let listed = scene.into_iter().flat_map(|_| inspection.parts.iter().enumerate());
+    listed.map(|(index, of)| (document.title_of(index), parts(of, style))).collect()
+}
+
+fn copied_hits(
+    inspection: &Inspection,
+    derived: &Derived,
+    document: &Document,
+    style: NumberStyle,
+) -> String {
+    let roots = (inspection.roots.iter())
+        .map(|root| RootLines::new(root, inspection, document, style).joined());
+    let parts = listed_parts(inspection, derived, document, style);
+    roots.chain(parts.into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"))).collect()
+}
+
+/// The numbers that decide hit or miss for one object.
+fn parts(of: &Parts, style: NumberStyle) -> String {
+    let number = |x| style.number(x);
+    match of {
+        Parts::Sphere(q) => {
+            let (a, b, c, d) = (number(q.a), number(q.b), number(q.c), number(q.discriminant));
+            let meaning = match q.discriminant {
+                d if d < 0.0 => "< 0: missed",
+                0.0 => ": tangent",
+                _ => "> 0: two roots",
+            };
+            format!("a = {a},  b = {b},  c = {c},  D = b² − a c = {d} {meaning}")
+        }
+        Parts::Plane(terms) => {
+            let (rate, offset) = (number(terms.rate), number(terms.offset));
+            let meaning = if terms.rate == 0.0 { ": parallel, no hit" } else { "" };
+            format!("n·d = {rate},  n·(point − p) = {offset}{meaning}")
+        }
+    }
+}

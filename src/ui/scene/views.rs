@@ -1,0 +1,385 @@
+//! The two views: what the mouse and keys do in them, and putting the finished pictures there.
+
+use egui::{
+    Color32, EventFilter, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
+};
+use pinhole_core::{ImageSize, NO_OBJECT};
+
+use crate::document::Document;
+use crate::model::concept::{Pointed, Pointing, Thing};
+use crate::model::letters::told;
+use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
+use crate::ui::action::Action;
+use crate::ui::commands_table::{self, When};
+use crate::ui::scene::places::{Places, STRIP};
+use crate::ui::scene::walking;
+use crate::ui::view_texture::ViewTexture;
+use crate::view::derive::{Derived, Shown, ViewSizes};
+use crate::view::overlay;
+use crate::view::typesetting::label_text;
+use crate::view::typesetting::theme;
+
+/// The world view's name, on the screen and for screen readers.
+pub(crate) const WORLD: &str = "World view";
+/// The camera view's.
+pub(crate) const CAMERA: &str = "Camera view";
+/// The error map's.
+pub(crate) const MAP: &str = "Error map";
+/// The wrong camera's.
+pub(crate) const WRONG: &str = "Wrong camera";
+
+/// The map of a student's answers.
+pub(crate) const ANSWERS: &str = "Answers";
+
+/// The ghost's picture.
+pub(crate) const GHOST: &str = "Ghost";
+
+/// How large the views are, in physical pixels.
+pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
+    let per_point = ui.ctx().pixels_per_point();
+    let physical = |rect: Rect| {
+        let size = rect.size() * per_point;
+        let most = ui.input(|i| i.max_texture_side) as f32;
+        [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
+    };
+    let beside = |of: ViewLayout| places.beside.filter(|_| layout == of).map(physical);
+    ViewSizes {
+        world: places.world.map(physical),
+        camera: places.camera.map(physical),
+        map: beside(ViewLayout::Accuracy),
+        wrong: beside(ViewLayout::Mistakes),
+        ghost: beside(ViewLayout::Compare),
+        answers: beside(ViewLayout::Answers),
+        scale: per_point,
+        style: theme::style(ui),
+        ..ViewSizes::default()
+    }
+}
+
+/// What mouse and keys did in the views. `shown` is what they were done to: the last frame.
+pub(crate) fn inputs(
+    ui: &mut Ui,
+    places: &Places,
+    session: &mut Session,
+    shown: &Derived,
+    actions: &mut Vec<Action>,
+) {
+    let mut views = Vec::new();
+    if let Some(rect) = places.world {
+        let response = view(ui, rect, WORLD);
+        world_input(ui, &response, session, shown);
+        views.push(response);
+    }
+    if let Some(rect) = places.camera {
+        let response = view(ui, rect, CAMERA);
+        camera_input(ui, &response, session, shown);
+        views.push(response);
+    }
+    if let Some(rect) = places.beside {
+        let name = match session.settings.layout {
+            ViewLayout::Mistakes => WRONG,
+            ViewLayout::Compare => GHOST,
+            ViewLayout::Answers => ANSWERS,
+            _ => MAP,
+        };
+        let response = view(ui, rect, name);
+        camera_input(ui, &response, session, shown);
+        views.push(response);
+    }
+    let focused = ui.memory(|memory| memory.focused());
+    let is_here = focused.is_none_or(|id| views.iter().any(|view| view.id == id));
+    if is_here && !views.is_empty() {
+        let alone = focused.is_none() && views.len() == 1;
+        let is_meant = |name: &str| {
+            let id = ui.scope_id().with(name);
+            focused == Some(id) || (alone && views[0].id == id)
+        };
+        let (world, camera) = (is_meant(WORLD), is_meant(CAMERA));
+        let pressed = commands_table::pressed(ui.ctx(), |when| match when {
+            When::View => true,
+            When::WorldView => world,
+            When::CameraView => camera,
+            _ => false,
+        });
+        actions.extend(pressed.into_iter().map(|(_, action)| action));
+    }
+}
+
+/// A view's area: takes clicks, drags and the focus.
+fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
+    let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
+    if response.clicked() || response.drag_started() {
+        response.request_focus();
+    }
+    let arrows =
+        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(egui::accesskit::Role::Image);
+        node.set_label(name);
+    });
+    response
+}
+
+/// Tells a screen reader what is in a view.
+pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
+    let id = ui.scope_id().with(name);
+    ui.ctx().accesskit_node_builder(id, |node| node.set_value(text));
+}
+
+/// The selected ray in words.
+pub(crate) fn spoken(shown: &Derived) -> String {
+    if let Some(fault) = shown.fault {
+        return told(fault);
+    }
+    let Some(inspection) = &shown.inspection else { return String::new() };
+    let place = match inspection.pixel() {
+        Some(pixel) => format!("row {}, column {}", pixel.row, pixel.column),
+        None => format!("u {}, v {}", inspection.uv.x, inspection.uv.y),
+    };
+    match inspection.first_hit() {
+        Some(hit) => format!("{place}: hits object {} at t = {}", hit.object, hit.t),
+        None => format!("{place}: hits nothing"),
+    }
+}
+
+fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    if session.hand.is_busy {
+        return;
+    }
+    let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
+    let (Some(pointer), Some(posed), true) =
+        (response.interact_pointer_pos(), &shown.posed, pressed)
+    else {
+        return;
+    };
+    let per_point = ui.ctx().pixels_per_point();
+    let size = (response.rect.size() * per_point).round();
+    let at = (pointer - response.rect.min) * per_point;
+    let uv = overlay::camera_uv_at(posed, [size.x as usize, size.y as usize], [at.x, at.y]);
+    if let Some(place) = posed.pixel_of_uv(uv) {
+        session.selection = Selection::Pixel(place.pixel);
+    }
+}
+
+fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Derived) {
+    if session.hand.is_busy {
+        return;
+    }
+    let per_point = ui.ctx().pixels_per_point();
+    if let (true, Some(pointer), Some(frame), Some(posed)) =
+        (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.posed)
+    {
+        let at = (pointer - response.rect.min) * per_point;
+        let uv = overlay::pick(posed, frame, [at.x, at.y]);
+        if let Some(place) = uv.and_then(|uv| posed.pixel_of_uv(uv)) {
+            session.selection = Selection::Pixel(place.pixel);
+        }
+    }
+    if let Some(t) = walking::dragged(ui, response, session.walked, shown) {
+        session.walked = Some(t);
+        return;
+    }
+    let Some(observer) = &mut session.observer else { return };
+    let shift = ui.input(|i| i.modifiers.shift);
+    let delta = response.drag_delta();
+    let height = response.rect.height().max(1.0);
+    let (dx, dy) = (f64::from(delta.x / height), f64::from(delta.y / height));
+    if delta != Vec2::ZERO {
+        if response.dragged_by(egui::PointerButton::Primary) && !shift {
+            observer.orbit(dx, dy);
+        } else {
+            observer.pan(dx, dy);
+        }
+    }
+    if response.contains_pointer() {
+        let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta(), i.zoom_delta()));
+        let factor = f64::from(pinch) * f64::from(scroll.y * 0.004).exp();
+        if factor != 1.0 {
+            observer.zoom(factor);
+        }
+    }
+}
+
+/// How near to a mark the mouse points at it, in points.
+const REACH: f32 = 8.0;
+
+/// In scenes of more objects, what the mouse is on in the camera view is not looked for.
+const ASKED_OBJECTS: usize = 4096;
+
+/// What the mouse points at in a view: the nearest mark, or else the object under it.
+pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Pointed> {
+    // The pointer rests somewhere while one speaks: a floor or wall under it would dim all else.
+    let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
+    let presenting = theme::installed(ui.ctx()).presenting;
+    let is_ground = |thing: &Thing| {
+        presenting && matches!(thing, Thing::Object(index) if *index as usize >= planes_from)
+    };
+    let thing = ui.input(|i| !i.pointer.any_down()).then(|| {
+        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
+            .or_else(|| {
+                let rect = places.camera?;
+                let size = rect.size() * ui.ctx().pixels_per_point();
+                let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
+                in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
+            })
+    })??;
+    Some(Pointed { thing, by: Pointing::View })
+}
+
+fn in_view(
+    ui: &Ui,
+    rect: Option<Rect>,
+    name: &str,
+    shown: Option<&Shown>,
+    object_at: impl Fn(Vec2) -> Option<Thing>,
+) -> Option<Thing> {
+    let response = ui.ctx().read_response(ui.scope_id().with(name))?;
+    let pointer = response.hover_pos().filter(|_| response.hovered())?;
+    let per_point = ui.ctx().pixels_per_point();
+    let at = (pointer - rect?.min) * per_point;
+    overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
+}
+
+/// The sphere at a place of the world view.
+fn object_seen(shown: &Derived, at: Vec2) -> Option<Thing> {
+    let frame = shown.world_frame.as_ref()?;
+    let image = frame.camera().image();
+    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
+    let place = (at.y as usize) * image.width() as usize + at.x as usize;
+    let object = *frame.object.get(place).filter(|object| inside && **object != NO_OBJECT)?;
+    Some(Thing::Object(object))
+}
+
+/// The object at a place of the camera view.
+fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
+    let (posed, scene) = (shown.posed.as_ref()?, shown.scene.as_ref()?);
+    if scene.len() > ASKED_OBJECTS {
+        return None;
+    }
+    let size = [size.x.round() as usize, size.y.round() as usize];
+    let uv = overlay::camera_uv_at(posed, size, [at.x, at.y]);
+    let ray = posed.exact_ray_at(uv).ok()?;
+    Some(Thing::Object(scene.first_hit_of(&ray)?.object))
+}
+
+/// The name of what is pointed at in a view, beside the mouse.
+pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Document) {
+    let Some(Pointed { thing, by: Pointing::View }) = pointed else { return };
+    let words = thing.words(|object| document.title_of(object as usize));
+    let id = ui.scope_id().with("pointed");
+    egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
+        .show(|ui| {
+            let words = egui::Label::new(RichText::new(words).size(15.0));
+            ui.add(words.wrap_mode(egui::TextWrapMode::Extend))
+        });
+}
+
+/// Above a narrower view, in points, there is no room for the size of its image.
+const NARROW: f32 = 310.0;
+
+/// Titles above the views, with a button that gives one all the room.
+pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
+    let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
+        let above = Rect::from_min_max(pos2(rect.left(), rect.top() - STRIP), rect.right_top());
+        ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+            ui.horizontal_centered(|ui| {
+                ui.strong(text).on_hover_text(hint);
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    let alone = settings.layout == own;
+                    let (text, to) =
+                        if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
+                    if ui.small_button(text).clicked() {
+                        settings.layout = to;
+                    }
+                    if own == ViewLayout::World {
+                        eye_keeps(ui, &mut settings.eye_keeps);
+                    }
+                });
+            });
+        });
+    };
+    if let Some(rect) = places.world {
+        let hint = "Drag: orbit; Shift or the right button: pan; wheel: zoom; F: everything in sight. \
+                    Handles are dragged.";
+        strip(rect, WORLD.to_owned(), hint, ViewLayout::World);
+    }
+    if let Some(rect) = places.camera_area {
+        let text = match rect.width() < NARROW {
+            true => CAMERA.to_owned(),
+            false => format!("{CAMERA}, {} × {} pixels", image.width(), image.height()),
+        };
+        let hint = "Click: a pixel. Right drag: look round; with Shift, or middle drag: orbit round at; \
+                    wheel: field of view; Ctrl and wheel: dolly.";
+        strip(rect, text, hint, ViewLayout::Camera);
+    }
+}
+
+/// What stays when the eye is moved in the world view, and the other choice.
+fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
+    let text = match keeps {
+        EyeKeeps::At => "Eye orbits at",
+        EyeKeeps::View => "Eye travels",
+    };
+    let hint = "Whether a moved eye goes round what it looks at, or takes the view along (K, or Alt while \
+                dragging, for the other)";
+    if ui.small_button(text).on_hover_text(hint).clicked() {
+        *keeps = keeps.other();
+    }
+}
+
+/// One view's finished picture, with its labels.
+pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
+    let tint = if dimmed { Color32::from_gray(130) } else { Color32::WHITE };
+    let texture = texture.of(ui.ctx(), &shown.image);
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    ui.painter_at(rect).image(texture, rect, whole, tint);
+    if !dimmed {
+        let painter = ui.painter_at(rect);
+        let per_point = ui.ctx().pixels_per_point();
+        for label in shown.labels.iter() {
+            label_text::write(&painter, rect.min, per_point, label);
+        }
+    }
+}
+
+/// The size of the text on a picture that the ladder did not draw, in points.
+const MARK: f32 = 15.0;
+
+/// What drew a picture, written on it where that was not the ladder: at the bottom, where the picture
+/// has no marks of its own.
+pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
+    mark(ui, rect, text, |size| pos2(rect.left(), rect.bottom() - size.y));
+}
+
+/// That a picture is coarser than it could be, in its other corner there.
+pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
+    mark(ui, rect, text, |size| rect.max - size);
+}
+
+/// Black text on amber, on a picture, with its top left corner where `corner` says for its size.
+fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) {
+    let font = egui::FontId::proportional(MARK);
+    let most = (rect.width() - 16.0).max(20.0);
+    let galley = ui.painter().layout(text.to_owned(), font, Color32::BLACK, most);
+    let size = galley.size() + vec2(16.0, 8.0);
+    let band = Rect::from_min_size(corner(size), size);
+    ui.painter_at(rect).rect_filled(band, 0.0, Color32::from_rgb(0xff, 0xc8, 0x3d));
+    let inside = UiBuilder::new().max_rect(band.shrink2(vec2(8.0, 4.0)));
+    ui.scope_builder(inside, |ui| {
+        ui.label(RichText::new(text).size(MARK).color(Color32::BLACK));
+    });
+}
+
+/// The reason for a picture that is not new, written across it.
+pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
+    let band =
+        Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));
+    ui.painter().rect_filled(band, 0.0, Color32::from_rgb(0x7a, 0x14, 0x00));
+    let inside = band.shrink2(vec2(16.0, 6.0));
+    let layout = egui::Layout::top_down(egui::Align::Center).with_main_align(egui::Align::Center);
+    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
+        ui.add_space(0.5 * (inside.height() - 48.0).max(0.0));
+        ui.label(RichText::new(text).size(17.0).strong().color(Color32::WHITE));
+    });
+}

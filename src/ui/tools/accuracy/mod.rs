@@ -1,0 +1,209 @@
+//! The accuracy view: beside the camera's picture where another method errs in it, below error
+//! against run time as plot and table.
+
+mod plot;
+mod table;
+
+use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use pinhole_core::methods::{Method, trace_by};
+use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, trace};
+
+use crate::document::Document;
+use crate::model::number::short;
+use crate::model::session::{MethodName, Selection, Session, Settings};
+use crate::ui::scene::places::STRIP;
+use crate::ui::scene::readouts;
+use crate::ui::scene::views::MAP;
+use crate::ui::tools::measuring::Measuring;
+use crate::view::accuracy::{self, Comparison, PixelError};
+use crate::view::derive::{Compared, Derived, TooMany};
+use crate::view::typesetting::theme;
+
+/// Room for the map's legend below it, in points.
+pub(crate) const LEGEND: f32 = 44.0;
+
+/// The table needs no more width than this, in points; the plot gets the rest.
+const TABLE: f32 = 560.0;
+
+/// Chooses a method; `name` is for screen readers.
+pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
+    let combo = ComboBox::from_id_salt(name).selected_text(chosen.0.name()).width(150.0);
+    let response = combo
+        .height(420.0)
+        .show_ui(ui, |ui| {
+            for &method in Method::ALL {
+                let hint = format!("{}\n{}", method.about(), method.source());
+                ui.selectable_value(&mut chosen.0, method, method.name()).on_hover_text(hint);
+            }
+        })
+        .response;
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+}
+
+/// The title above the map, with the choice of its method.
+pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
+    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
+        ui.horizontal_centered(|ui| {
+            ui.strong(MAP);
+            method(ui, "error map of", &mut settings.compared);
+        });
+    });
+}
+
+/// What the map's colours mean, and how many pixels are wrong, below it.
+pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
+    let below = Rect::from_min_size(
+        pos2(area.left(), area.bottom() + 2.0),
+        vec2(area.width(), LEGEND - 2.0),
+    );
+    ui.scope_builder(UiBuilder::new().max_rect(below), |ui| {
+        ui.set_clip_rect(below);
+        ui.horizontal(|ui| {
+            let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
+            let wrong = theme::finished(ui, accuracy::WRONG);
+            ui.painter().rect_filled(mark, 0.0, Color32::WHITE);
+            ui.painter().rect_filled(mark.shrink(1.5), 0.0, wrong);
+            ui.strong(summary(compared));
+        });
+        ui.horizontal(|ui| {
+            ui.label("t off by 1 ulp of f64");
+            let width = (ui.available_width() - 50.0).clamp(40.0, 240.0);
+            let (bar, _) = ui.allocate_exact_size(vec2(width, 12.0), egui::Sense::hover());
+            let steps = width as usize;
+            for step in 0..steps {
+                let decades = accuracy::DECADES * (step as f64 + 0.5) / steps as f64;
+                let left = bar.left() + step as f32;
+                let slice =
+                    Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
+                let color = theme::finished(ui, accuracy::color_of_ulps(10f64.powf(decades)));
+                ui.painter().rect_filled(slice, 0.0, color);
+            }
+            ui.label("10¹⁶");
+        });
+    });
+}
+
+/// `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`
+pub(crate) fn summary(compared: &Compared) -> String {
+    let Compared { method, comparison, .. } = compared;
+    let (wrong, all) = (comparison.wrong, comparison.errors.len());
+    let errors = match comparison.largest {
+        Some(ulps) => format!(", t off up to {} ulps", short(ulps)),
+        None => String::new(),
+    };
+    format!("{method}: {wrong} of {all} pixels shown wrong{errors}")
+}
+
+/// What is written on a picture that the ladder did not draw, or drew in place of the chosen method.
+pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
+    if let Some(why) = derived.too_many {
+        return (chosen != Method::Ladder)
+            .then(|| format!("drawn by the ladder, not by {chosen}: {why}"));
+    }
+    let Compared { method, comparison, .. } = derived.drawn_by.as_deref()?;
+    Some(match comparison.wrong {
+        1 => format!("drawn by {method}: 1 wrong pixel shown"),
+        wrong => format!("drawn by {method}: {wrong} wrong pixels shown"),
+    })
+}
+
+/// Why there is no map, in its place.
+pub(crate) fn no_map(ui: &mut Ui, rect: Rect, why: TooMany) {
+    ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(8.0)), |ui| {
+        ui.label(format!("No error map: {why}"));
+    });
+}
+
+/// Plot and table, and above them how far measuring is and what the selected pixel says.
+pub(crate) fn ui(
+    ui: &mut Ui,
+    measuring: &Measuring,
+    derived: &Derived,
+    document: &Document,
+    session: &mut Session,
+) {
+    // One line, however many digits: what is below must not jump while one drags.
+    let text = selected(derived, document, session).unwrap_or_default();
+    ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);
+    ui.horizontal(|ui| {
+        if let Some(steps) = derived.steps {
+            ui.weak(readouts::steps(steps));
+            ui.separator();
+        }
+        progress(ui, measuring, derived);
+    });
+    if derived.too_many.is_some() {
+        // Numbers of another scene would pass for this one's.
+        return;
+    }
+    let Some(report) = measuring.report().cloned() else { return };
+    let Some(case) = report.cases.first() else { return };
+    let area = ui.available_rect_before_wrap();
+    let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
+    // The axis' name needs the room that the panel's edge would cut off.
+    let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom() - 10.0));
+    let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
+    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot::ui(ui, case));
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            table::ui(ui, case, &mut session.settings.compared);
+        });
+    });
+}
+
+/// How far measuring is, or what the numbers rest on.
+fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
+    if derived.fault.is_some() {
+        ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
+    } else if let Some(why) = derived.too_many {
+        ui.label(format!("Nothing is measured: {why}"));
+    } else if let Some(share) = measuring.share() {
+        ui.label("Measuring: so far");
+        let response = ui.add(ProgressBar::new(share).desired_width(180.0).show_percentage());
+        let spoken = format!("measured {:.0} %", 100.0 * share);
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
+        if measuring.report().is_some() && !measuring.is_current() {
+            ui.weak("until then the last scene's numbers");
+        }
+    } else if let Some(report) = measuring.report() {
+        let text = format!("Measured on {}, against {}", report.cpu, report.reference);
+        ui.add(egui::Label::new(text).truncate());
+    }
+}
+
+/// What the ladder and the map's method say of the selected pixel, be it among those that the map
+/// shows or not.
+fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
+    if derived.too_many.is_some() {
+        return None;
+    }
+    let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
+    let pixel = pixel_of(session.selection, posed)?;
+    let method = session.settings.compared.0;
+    let raster = Raster::of_pixel(pixel);
+    let truth = trace(scene, posed, &raster, Outputs::default());
+    let traced = trace_by(method, scene, posed, &raster);
+    let from = u32::from(session.settings.count_from_one);
+    let place = format!("row {}, column {}", pixel.row + from, pixel.column + from);
+    let says = |object: u32, t: f64| match object {
+        NO_OBJECT => "hits nothing".to_owned(),
+        // Every digit: the last ones are what this is about.
+        object => format!("hits {} at t = {}", document.title_of(object as usize), shortest(t)),
+    };
+    let verdict = match Comparison::new(&truth, &traced).errors[0] {
+        PixelError::Wrong => "wrong".to_owned(),
+        PixelError::Miss => "right".to_owned(),
+        PixelError::Ulps(ulps) => format!("{} ulps off", short(ulps)),
+    };
+    let (ladder, other) = (says(truth.object[0], truth.t[0]), says(traced.object[0], traced.t[0]));
+    let text = format!("{place}: ladder {ladder}; {method} {other}: {verdict}");
+    Some(RichText::new(text).strong())
+}
+
+fn pixel_of(selection: Selection, posed: &PosedCamera) -> Option<Pixel> {
+    match selection.inside(posed.image()) {
+        Selection::Pixel(pixel) => Some(pixel),
+        Selection::Uv(uv) => posed.pixel_of_uv(uv).map(|place| place.pixel),
+    }
+}

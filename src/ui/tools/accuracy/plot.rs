@@ -1,0 +1,169 @@
+//! Error against run time, both logarithmic: a mark a method.
+
+use egui::{Align2, Color32, RichText, Ui};
+use egui_plot::{
+    GridInput, GridMark, HLine, HoverPosition, LineStyle, MarkerShape, Plot, PlotUi, Points, Text,
+};
+use pinhole_core::methods::Method;
+
+use super::table::color_of;
+use crate::model::number::{grouped, power_of_ten, short};
+use crate::report::model::{Case, MethodRow};
+use crate::report::plot::{SINGLE, in_ulps_of_f64};
+use crate::view::accuracy::WRONG;
+use crate::view::typesetting::theme;
+
+/// Where errors of zero stand: two decades below one ulp.
+const EXACT: f64 = -2.0;
+
+/// Half the width of a mark, in points.
+const RADIUS: f32 = 7.5;
+
+/// A method in the plot.
+struct Mark<'a> {
+    row: &'a MethodRow,
+    /// Powers of ten: nanoseconds, ulps of `f64`.
+    at: [f64; 2],
+    color: Color32,
+}
+
+/// Shows the plot of a case.
+pub(super) fn ui(ui: &mut Ui, case: &Case) {
+    // In greys it is told by its ring.
+    let wrong = theme::finished(ui, WRONG);
+    let mark = |row| Some(Mark { row, at: place_of(row)?, color: color_of(ui, row) });
+    let marks: Vec<Mark> = case.methods.iter().filter_map(mark).collect();
+    let hover = |hover: &HoverPosition<'_>| match hover {
+        HoverPosition::NearDataPoint { plot_name, .. } => {
+            case.methods.iter().find(|row| row.name == *plot_name).map(description)
+        }
+        HoverPosition::Elsewhere { .. } => None,
+    };
+    let shown = Plot::new("error against time")
+        .x_axis_label("nanoseconds a pixel")
+        .y_axis_label("largest error in t, ulps of f64")
+        .x_axis_formatter(|mark, _| short(10f64.powf(mark.value)))
+        .y_axis_formatter(|mark, _| error_text(mark.value))
+        .x_grid_spacer(|input| times(&input))
+        .y_grid_spacer(|input| errors(&input))
+        .label_formatter(hover)
+        .grid_color(ui.visuals().text_color().gamma_multiply(0.25))
+        .show_crosshair(false)
+        .allow_scroll(false)
+        .set_margin_fraction(egui::vec2(0.1, 0.08))
+        .include_y(EXACT)
+        .include_y(1.0)
+        .show(ui, |plot| {
+            for (ulp, name) in [(1.0, "one ulp of f64"), (SINGLE, "one ulp of f32")] {
+                let line = HLine::new(name, f64::log10(ulp)).allow_hover(false);
+                plot.hline(line.color(Color32::GRAY).style(LineStyle::dashed_loose()));
+            }
+            // Where a mark is, so that the plot gets no wider for it.
+            if let Some(left) = marks.iter().map(|mark| mark.at[0]).reduce(f64::min) {
+                let at = [left, SINGLE.log10()].into();
+                let name = RichText::new("one ulp of f32").size(13.0);
+                let name = Text::new("name of the line", at, name);
+                plot.text(name.color(Color32::GRAY).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
+            }
+            // The first method on top, as in the plots that are written to files.
+            marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
+        });
+    let name = "Every method's error against its time";
+    ui.ctx().accesskit_node_builder(shown.response.id, |node| {
+        node.set_role(egui::accesskit::Role::Image);
+        node.set_label(name);
+    });
+}
+
+fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
+    let Mark { row, at, color } = mark;
+    let points = Points::new(row.name.clone(), vec![*at]).shape(shape_of(row.family()));
+    plot.points(points.filled(!row.is_single()).color(*color).radius(RADIUS));
+    if row.wrong > 0 {
+        let ring = Points::new(format!("{}, wrong", row.name), vec![*at]).allow_hover(false);
+        let ring = ring.shape(MarkerShape::Circle).filled(false);
+        plot.points(ring.color(wrong).radius(1.7 * RADIUS));
+    }
+}
+
+/// Where a method stands; nowhere before it was timed, or without any hit in common.
+fn place_of(row: &MethodRow) -> Option<[f64; 2]> {
+    let time = row.ns_per_pixel.median.filter(|time| *time > 0.0)?;
+    let error = in_ulps_of_f64(row, row.ulp.max)?;
+    let error = if error > 0.0 { error.log10().max(EXACT + 0.5) } else { EXACT };
+    Some([time.log10(), error])
+}
+
+fn shape_of(family: &str) -> MarkerShape {
+    match family {
+        "ladder" => MarkerShape::Asterisk,
+        "double-double" => MarkerShape::Plus,
+        "half-b" => MarkerShape::Square,
+        "kahan" => MarkerShape::Up,
+        "perpendicular" => MarkerShape::Diamond,
+        "closest-point" => MarkerShape::Down,
+        "recentred" => MarkerShape::Left,
+        "lagrange" => MarkerShape::Right,
+        _ => MarkerShape::Circle,
+    }
+}
+
+/// What is said of a method under the pointer.
+fn description(row: &MethodRow) -> String {
+    let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
+    let mut lines = vec![
+        row.name.clone(),
+        format!("{} ns a pixel", number(row.ns_per_pixel.median)),
+        format!("t off by at most {} ulps of its own precision", number(row.ulp.max)),
+        format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
+    ];
+    if let Some(method) = Method::from_name(&row.name) {
+        lines.extend(wrapped(method.about()));
+        lines.extend(wrapped(method.source()));
+    }
+    lines.join("\n")
+}
+
+/// Short lines: the plot does not break them.
+fn wrapped(text: &str) -> Vec<String> {
+    const MOST: usize = 60;
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + word.chars().count() < MOST => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+fn error_text(exponent: f64) -> String {
+    if exponent == EXACT {
+        return "exact".to_owned();
+    }
+    power_of_ten(exponent.round() as i32)
+}
+
+/// 1, 2 and 5 times powers of ten, or powers alone where that would be too many.
+fn times(input: &GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let digits: &[f64] = if high - low > 2.5 { &[1.0] } else { &[1.0, 2.0, 5.0] };
+    let decades = low.floor() as i32..=high.ceil() as i32;
+    let values = decades.flat_map(|e| digits.iter().map(move |d| f64::from(e) + d.log10()));
+    // Of one thickness, so that all have their number.
+    let values = values.filter(|value| (low..=high).contains(value));
+    values.map(|value| GridMark { value, step_size: 1.0 }).collect()
+}
+
+/// The place of zero errors, and powers of ten, few enough to be read.
+fn errors(input: &GridInput) -> Vec<GridMark> {
+    let (low, high) = input.bounds;
+    let step = ((high - low) / 6.0).ceil().max(1.0) as usize;
+    let powers = (0..=high.max(0.0).ceil() as i32).step_by(step).map(f64::from);
+    let marks = std::iter::once(EXACT).chain(powers);
+    let marks = marks.filter(|value| (low..=high).contains(value));
+    marks.map(|value| GridMark { value, step_size: step as f64 }).collect()
+}

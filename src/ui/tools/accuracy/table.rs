@@ -1,0 +1,90 @@
+//! The methods in numbers.
+
+use egui::{Color32, Grid, RichText, Stroke, Ui, vec2};
+use pinhole_core::methods::Method;
+
+use crate::model::number::short;
+use crate::model::session::MethodName;
+use crate::report::model::{Case, MethodRow};
+use crate::report::plot::marker;
+use crate::view::typesetting::theme;
+use crate::view::typesetting::theme::error_color;
+
+/// Heads, and what they mean.
+const COLUMNS: [(&str, &str); 7] = [
+    ("wrong", "Decisions (hit or miss, which object is first) that exact arithmetic does not make"),
+    ("share", "Wrong decisions as a share of all"),
+    ("median", "Error in t, in ulps of the method's own precision: half are at most this"),
+    ("p99", "Error in t, in ulps of the method's own precision: 99 of 100 are at most this"),
+    ("max ulps", "Error in t, in ulps of the method's own precision: all are at most this"),
+    ("rad", "The largest angle between its normal and the true one, in radians"),
+    ("ns", "Nanoseconds a pixel, the median of interleaved rounds, on one thread"),
+];
+
+/// Shows a row a method; a click on one makes it the error map's.
+pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut MethodName) {
+    // All methods and all columns in the room that is left below two pictures.
+    ui.style_mut().override_font_id = Some(egui::FontId::proportional(13.0));
+    ui.spacing_mut().interact_size.y = 17.0;
+    ui.spacing_mut().button_padding = vec2(4.0, 0.0);
+    Grid::new("methods").striped(true).num_columns(COLUMNS.len() + 1).spacing([10.0, 1.0]).show(
+        ui,
+        |ui| {
+            ui.strong("method");
+            for (name, hint) in COLUMNS {
+                ui.strong(name).on_hover_text(hint);
+            }
+            ui.end_row();
+            for row in &case.methods {
+                line(ui, row, compared);
+                ui.end_row();
+            }
+        },
+    );
+    for row in &case.methods {
+        if let Some(text) = row.decided() {
+            ui.label(text);
+        }
+    }
+}
+
+fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
+    ui.horizontal(|ui| {
+        let (place, _) = ui.allocate_exact_size(vec2(9.0, 9.0), egui::Sense::hover());
+        let color = color_of(ui, row);
+        let radius = 0.5 * place.width();
+        if row.is_single() {
+            ui.painter().circle_stroke(place.center(), radius - 1.0, Stroke::new(2.0, color));
+        } else {
+            ui.painter().circle_filled(place.center(), radius, color);
+        }
+        match Method::from_name(&row.name) {
+            Some(method) => {
+                let hint = format!("{}\n{}", method.about(), method.source());
+                let name = ui.selectable_value(&mut compared.0, method, &row.name);
+                let spoken = format!("error map of {}", row.name);
+                ui.ctx().accesskit_node_builder(name.id, |node| node.set_label(spoken));
+                name.on_hover_text(hint);
+            }
+            None => {
+                ui.label(&row.name);
+            }
+        }
+    });
+    let wrong = RichText::new(row.wrong.to_string());
+    ui.label(if row.wrong > 0 { wrong.strong().color(error_color(ui)) } else { wrong });
+    let number = |x: Option<f64>| x.map_or("-".to_owned(), short).replace('-', "−");
+    ui.label(
+        row.wrong_share().map_or(String::new(), |share| format!("{} %", short(100.0 * share))),
+    );
+    for x in [row.ulp.median, row.ulp.p99, row.ulp.max, row.normal_error_max] {
+        ui.label(number(x));
+    }
+    ui.label(number(row.ns_per_pixel.median));
+}
+
+/// A method's colour on this window's ground.
+pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
+    let [r, g, b] = marker::of(row.family()).ink_on(ui.visuals().dark_mode);
+    theme::finished(ui, Color32::from_rgb(r, g, b))
+}

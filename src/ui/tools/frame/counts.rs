@@ -1,0 +1,150 @@
+//! What the pictures left out, and what was left to do, in plain words.
+
+use egui::{Grid, RichText, ScrollArea, Ui};
+use pinhole_core::{Counts, Steps};
+
+use crate::model::number::grouped;
+use crate::ui::scene::views::{CAMERA, WORLD};
+use crate::view::derive::Derived;
+
+/// A line: what is counted, what that means, and how to say it of a picture.
+type Line = (&'static str, &'static str, fn(&Counts, &Steps) -> String);
+
+const LINES: [Line; 13] = [
+    (
+        "spheres",
+        "All spheres of the scene; the world view draws those around the observer or the camera as \
+         circles and does not trace them",
+        |c, _| grouped(c.spheres),
+    ),
+    ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| grouped(c.behind)),
+    (
+        "beside the picture, or between two rows",
+        "Left out: they lie beside the picture, or are so small that they fall between the centres \
+         of two rows of its pixels",
+        |c, _| grouped(c.outside),
+    ),
+    ("in view", "Their outlines reach rows of the picture, hidden or not", |c, _| {
+        grouped(c.in_view)
+    }),
+    (
+        "passed over as hidden",
+        "Nearer spheres hide all of it in a band of rows. Counted once for each such band, so it can \
+         be more than there are spheres; scenes of fewer than 256 spheres are not tested for it",
+        |c, _| grouped(c.hidden),
+    ),
+    (
+        "index blocks left out",
+        "Many spheres are kept in blocks of neighbours, and of a block left out none is looked at; \
+         a scene of few spheres needs no index",
+        |c, _| match c.blocks {
+            0 => "no index".to_owned(),
+            blocks => of(c.blocks_left_out, blocks),
+        },
+    ),
+    ("planes asked", "A plane that is the same as an earlier one is left out", |c, _| {
+        of(c.planes_asked, c.planes)
+    }),
+    (
+        "bands without a hit",
+        "Threads trace bands of rows; in one that nothing reaches there is background alone",
+        |c, _| of(c.bands_untouched, c.bands),
+    ),
+    ("rows that nothing reaches", "No object's outline reaches them: background alone", |c, _| {
+        of(c.rows_untouched, c.rows)
+    }),
+    (
+        "decided in f64",
+        "Hit or miss, and which is first, settled within f64's error bound",
+        |_, s| grouped(s.f64),
+    ),
+    ("in double-double", "Too close for f64: settled with twice the digits", |_, s| {
+        grouped(s.double_double)
+    }),
+    ("exactly", "Too close for that too: settled in whole numbers, without rounding", |_, s| {
+        grouped(s.exact)
+    }),
+    ("all decisions", "What one ray decides about one object is one", |_, s| grouped(s.total())),
+];
+
+fn of(part: u64, all: u64) -> String {
+    format!("{} of {}", grouped(part), grouped(all))
+}
+
+/// Shows a line a count, a column a picture.
+pub(super) fn ui(ui: &mut Ui, derived: &Derived) {
+    let camera = derived.counts.zip(derived.steps);
+    let world = derived.world_frame.as_ref().map(|frame| (frame.counts, frame.steps));
+    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+        ui.spacing_mut().interact_size.y = 19.0;
+        Grid::new("counts").striped(true).num_columns(3).spacing([12.0, 3.0]).show(ui, |ui| {
+            ui.strong("Left out, and left to do");
+            for name in [CAMERA, WORLD] {
+                ui.strong(name);
+            }
+            ui.end_row();
+            for (name, hint, say) in LINES {
+                ui.label(name).on_hover_text(hint);
+                for (view, counted) in [(CAMERA, camera), (WORLD, world)] {
+                    let text = counted.map_or("-".to_owned(), |(c, s)| say(&c, &s));
+                    let spoken = format!("{view}, {name}: {text}");
+                    let label = ui.label(RichText::new(text).strong());
+                    ui.ctx().accesskit_node_builder(label.id, |node| node.set_value(spoken));
+                    label.on_hover_text(hint);
+                }
+                ui.end_row();
+            }
+        });
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(counts: &Counts, steps: &Steps) -> Vec<String> {
+        LINES.iter().map(|(name, _, say)| format!("{name}: {}", say(counts, steps))).collect()
+    }
+
+    #[test]
+    fn a_large_scene_in_words() {
+        let mut counts = Counts::default();
+        counts.spheres = 1_000_000;
+        counts.behind = 250_000;
+        counts.outside = 738_000;
+        counts.in_view = 12_000;
+        counts.hidden = 4_321;
+        counts.planes = 2;
+        counts.planes_asked = 1;
+        counts.blocks = 62_500;
+        counts.blocks_left_out = 40_000;
+        counts.bands = 34;
+        counts.bands_untouched = 5;
+        counts.rows = 1080;
+        counts.rows_untouched = 163;
+        let mut steps = Steps::default();
+        (steps.f64, steps.double_double, steps.exact) = (2_100_000, 12, 3);
+        let expected = [
+            "spheres: 1,000,000",
+            "behind the eye: 250,000",
+            "beside the picture, or between two rows: 738,000",
+            "in view: 12,000",
+            "passed over as hidden: 4,321",
+            "index blocks left out: 40,000 of 62,500",
+            "planes asked: 1 of 2",
+            "bands without a hit: 5 of 34",
+            "rows that nothing reaches: 163 of 1,080",
+            "decided in f64: 2,100,000",
+            "in double-double: 12",
+            "exactly: 3",
+            "all decisions: 2,100,015",
+        ];
+        assert_eq!(said(&counts, &steps), expected);
+    }
+
+    #[test]
+    fn a_small_scene_has_no_index() {
+        let lines = said(&Counts::default(), &Steps::default());
+        assert!(lines.contains(&"index blocks left out: no index".to_owned()), "{lines:?}");
+    }
+}

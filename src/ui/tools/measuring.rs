@@ -1,0 +1,93 @@
+//! Measuring error against run time for the scene at hand, a slice a frame, so that the window never
+//! stalls. This is where the window meets the clock; what is derived stays pure.
+
+use std::sync::{Arc, Weak};
+use std::time::Duration;
+
+use egui::Context;
+use pinhole_core::{Camera, Scene};
+
+use crate::report::measure::Run;
+use crate::report::model::Report;
+use crate::view::derive::Derived;
+
+/// For so long nothing may have changed before measuring starts, in seconds: while one drags, each
+/// frame is another scene.
+const REST: f64 = 0.5;
+
+/// From one report to the next while measuring, in seconds.
+const BETWEEN: f64 = 0.3;
+
+/// What is being measured, and what was.
+#[derive(Default)]
+pub(crate) struct Measuring {
+    /// The scene is told by its place, and not held: who holds one makes its next change a copy.
+    subject: Option<(Camera, Weak<Scene>)>,
+    /// When the subject was first seen, in the context's seconds.
+    since: f64,
+    run: Option<Run>,
+    report: Option<Arc<Report>>,
+    /// When the report was made, in the context's seconds.
+    told: f64,
+    /// Whether the report is about the subject.
+    is_current: bool,
+    /// Whether nothing is left to measure.
+    is_done: bool,
+}
+
+impl Measuring {
+    /// Measures on, if something is left to measure, and asks for the next frame.
+    pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
+        // The report's methods too ask every object at every pixel.
+        let why_not = (derived.fault, derived.too_many);
+        let (Some(scene), (None, None)) = (&derived.scene, why_not) else { return };
+        let now = ctx.input(|input| input.time);
+        let subject = self.subject.as_ref();
+        let place = Arc::as_ptr(scene);
+        if subject.is_none_or(|(known, of)| known != camera || of.as_ptr() != place) {
+            self.subject = Some((*camera, Arc::downgrade(scene)));
+            (self.since, self.run, self.is_done, self.is_current) = (now, None, false, false);
+        }
+        if self.is_done {
+            return;
+        }
+        let left = REST - (now - self.since);
+        if self.run.is_none() && left > 0.0 {
+            ctx.request_repaint_after(Duration::from_secs_f64(left));
+            return;
+        }
+        if self.run.is_none() {
+            // A camera without a basis is a fault, which came back above.
+            self.run = Run::of_scene(name, scene, camera).ok();
+        }
+        let Some(run) = &mut self.run else { return };
+        run.step();
+        self.is_done = run.is_done();
+        if self.is_done || now - self.told >= BETWEEN {
+            self.report = Some(Arc::new(run.report()));
+            (self.told, self.is_current) = (now, true);
+        }
+        if !self.is_done {
+            ctx.request_repaint();
+        }
+    }
+
+    /// The last report, also where it is about an older scene.
+    pub(crate) fn report(&self) -> Option<&Arc<Report>> {
+        self.report.as_ref()
+    }
+
+    /// Whether the report is about what is shown, not about what was shown before.
+    pub(crate) fn is_current(&self) -> bool {
+        self.is_current
+    }
+
+    /// How far it is, 0 to 1; `None` where nothing is left to measure.
+    pub(crate) fn share(&self) -> Option<f32> {
+        match &self.run {
+            _ if self.is_done => None,
+            Some(run) => Some(run.done() as f32 / run.total().max(1) as f32),
+            None => Some(0.0),
+        }
+    }
+}

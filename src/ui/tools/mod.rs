@@ -1,0 +1,6 @@
+//! Tools: the translator to other programs, accuracy, and what a frame left out.
+
+pub mod accuracy;
+pub mod frame;
+pub mod measuring;
+pub mod translator;

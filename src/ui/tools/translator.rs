@@ -1,0 +1,292 @@
+//! The translator: the camera as another program has it, how its terms differ, and the numbers whose
+//! sign is turned.
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{
+    Align, Align2, Area, Color32, FontId, Frame, Id, Label, Layout, Order, RichText, ScrollArea,
+    Stroke, Ui, WidgetText, vec2,
+};
+use pinhole_core::Pixel;
+
+use crate::document::Document;
+use crate::exchange::{Row, Sheet};
+use crate::model::letters::told;
+use crate::model::session::{Selection, Session};
+use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
+use crate::ui::action::Action;
+use crate::view::typesetting::theme::error_color;
+
+/// Sizes of text, in points.
+const TEXT: f32 = 15.0;
+const CODE: f32 = 15.0;
+/// Where a line is too long, code is as small as this before it is broken: rows of a matrix are read in
+/// columns.
+const SMALL_CODE: f32 = 12.0;
+
+/// Width of the table's first column, in points.
+const ABOUT: f32 = 118.0;
+
+/// What was translated last, and of what.
+#[derive(Default)]
+pub(crate) struct TranslatorPanel {
+    known: Option<(Key, Translation)>,
+}
+
+/// All that a translation depends on.
+#[derive(Clone, PartialEq)]
+struct Key {
+    document: Document,
+    target: &'static str,
+    objects: bool,
+    pixel: Pixel,
+    digits: usize,
+}
+
+impl TranslatorPanel {
+    /// Shows the translator.
+    pub(crate) fn ui(
+        &mut self,
+        ui: &mut Ui,
+        document: &Document,
+        session: &mut Session,
+        actions: &mut Vec<Action>,
+    ) {
+        ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
+        let digits = session.settings.digits;
+        let pixel = pixel_of(document, session.selection);
+        choice(ui, &mut session.translator);
+        let choice = &mut session.translator;
+        let translation = self.translation(document, choice, pixel, digits);
+        ui.horizontal_wrapped(|ui| {
+            let can = translation.written.is_ok();
+            if ui.add_enabled(can, egui::Button::new("Copy")).clicked()
+                && let Ok(written) = &translation.written
+            {
+                ui.ctx().copy_text(written.joined().text);
+            }
+            if ui.add_enabled(can, egui::Button::new("Save as a file…")).clicked() {
+                actions.push(Action::AskTranslate);
+            }
+            if ui.button("Paste a camera").clicked() {
+                actions.push(Action::AskPaste);
+            }
+            let few = document.object_count() <= MOST_OBJECTS;
+            let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
+            let many = "There are too many to show: pinhole export writes them";
+            ui.add_enabled(few, objects).on_disabled_hover_text(many);
+            ui.checkbox(&mut choice.every_digit, "every digit");
+        });
+        ui.separator();
+        ScrollArea::vertical().id_salt("translation").auto_shrink(false).show(ui, |ui| {
+            let shown = if choice.every_digit { 17 } else { digits };
+            text(ui, translation, shown);
+            ui.add_space(6.0);
+            table(ui, &translation.rows, choice.chosen().short());
+        });
+    }
+
+    /// Remembered on its inputs.
+    fn translation(
+        &mut self,
+        document: &Document,
+        choice: &Translator,
+        pixel: Pixel,
+        digits: usize,
+    ) -> &Translation {
+        let (target, objects) = (choice.target, choice.objects);
+        let is_known = self.known.as_ref().is_some_and(|(key, _)| {
+            let same = (key.target, key.objects, key.pixel, key.digits);
+            // What is not written may change as it likes.
+            same == (target, objects, pixel, digits)
+                && key.document.camera == document.camera
+                && (!objects || key.document == *document)
+        });
+        if !is_known {
+            self.known = None;
+        }
+        let make = || {
+            let key = Key { document: document.clone(), target, objects, pixel, digits };
+            let made = Translation::of(document, choice.chosen(), objects, pixel, digits);
+            (key, made)
+        };
+        &self.known.get_or_insert_with(make).1
+    }
+}
+
+fn pixel_of(document: &Document, selection: Selection) -> Pixel {
+    let place = |uv| document.camera.posed().ok()?.pixel_of_uv(uv);
+    match selection.inside(document.camera.image) {
+        Selection::Pixel(pixel) => pixel,
+        Selection::Uv(uv) => place(uv).map_or(Pixel { row: 0, column: 0 }, |place| place.pixel),
+    }
+}
+
+/// One button a format, and below them one a language.
+fn choice(ui: &mut Ui, translator: &mut Translator) {
+    let mut row = |ui: &mut Ui, title: &str, is_code: bool| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(4.0, 2.0);
+            ui.label(RichText::new(title).weak());
+            for target in Target::all().filter(|t| matches!(t, Target::Code(_)) == is_code) {
+                let name = target.name();
+                let button = ui.selectable_value(&mut translator.target, name, target.short());
+                button.on_hover_text(target.label());
+            }
+        });
+    };
+    row(ui, "program", false);
+    row(ui, "code", true);
+}
+
+/// What the format writes, the turned signs marked, and what it cannot say.
+fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
+    let written = match &translation.written {
+        Ok(written) => written,
+        Err(error) => {
+            ui.label(RichText::new(sentence(&error.0)).strong().color(error_color(ui)));
+            return;
+        }
+    };
+    for (name, sheet) in &written.files {
+        if written.files.len() > 1 {
+            ui.label(RichText::new(*name).strong());
+        }
+        Frame::new().fill(ui.visuals().extreme_bg_color).inner_margin(6.0).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            let exact = sheet.text.trim_end();
+            let shown = shortened(sheet, digits);
+            let size = code_size(ui, &shown.text);
+            let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
+            ui.ctx().accesskit_node_builder(response.id, |node| {
+                node.set_role(egui::accesskit::Role::Code);
+                node.set_label("translation");
+                node.set_value(exact);
+            });
+        });
+    }
+    let is_marked = written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty());
+    if is_marked || translation.rows.iter().any(|row| row.flipped) {
+        ui.horizontal_wrapped(|ui| {
+            ui.label(WidgetText::from(marked_word(ui, "underlined")));
+            ui.label("the sign is turned against Pinhole's u, v, w");
+        });
+    }
+    for note in &written.notes {
+        ui.label(format!("• {}", sentence(note)));
+    }
+}
+
+/// The size in which the longest line fits, as far as that can be read.
+fn code_size(ui: &Ui, text: &str) -> f32 {
+    let letter = ui.ctx().fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(CODE), '0'));
+    let longest = text.lines().map(|line| line.chars().count()).max().unwrap_or_default();
+    // A dot less, for what rounding adds.
+    let fits = CODE * (ui.available_width() - 1.0) / (letter * longest.max(1) as f32);
+    (2.0 * fits).floor().clamp(2.0 * SMALL_CODE, 2.0 * CODE) / 2.0
+}
+
+fn code_format(ui: &Ui, is_marked: bool, size: f32) -> TextFormat {
+    let font = FontId::monospace(size);
+    if is_marked {
+        let color = mark_color(ui);
+        return TextFormat {
+            underline: Stroke::new(1.5, color),
+            ..TextFormat::simple(font, color)
+        };
+    }
+    TextFormat::simple(font, ui.visuals().text_color())
+}
+
+/// The colour of a turned sign: told by a line under it, too.
+fn mark_color(ui: &Ui) -> Color32 {
+    error_color(ui)
+}
+
+fn marked(ui: &Ui, sheet: &Sheet, size: f32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let text = sheet.text.trim_end();
+    let mut from = 0;
+    for mark in &sheet.flipped {
+        job.append(&text[from..mark.start], 0.0, code_format(ui, false, size));
+        job.append(&text[mark.clone()], 0.0, code_format(ui, true, size));
+        from = mark.end;
+    }
+    job.append(&text[from..], 0.0, code_format(ui, false, size));
+    job
+}
+
+fn marked_word(ui: &Ui, word: &str) -> LayoutJob {
+    let color = mark_color(ui);
+    let font = FontId::proportional(TEXT);
+    let format =
+        TextFormat { underline: Stroke::new(1.5, color), ..TextFormat::simple(font, color) };
+    LayoutJob::single_section(word.to_owned(), format)
+}
+
+/// Here and there, a line a thing.
+fn table(ui: &mut Ui, rows: &[Row], label: &str) {
+    if rows.is_empty() {
+        return;
+    }
+    let width = ui.available_width();
+    let side = ((width - ABOUT - 16.0) / 2.0).max(80.0);
+    let line = |ui: &mut Ui, cells: [WidgetText; 3]| {
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 8.0;
+            for (cell, width) in cells.into_iter().zip([ABOUT, side, side]) {
+                let layout = Layout::top_down(Align::LEFT);
+                ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+                    ui.set_width(width);
+                    ui.add(Label::new(cell).wrap());
+                });
+            }
+        });
+    };
+    let head = |text: &str| WidgetText::from(RichText::new(text).strong());
+    line(ui, [head(""), head("Pinhole"), head(label)]);
+    ui.separator();
+    for row in rows {
+        let theirs = RichText::new(&row.theirs);
+        let theirs = match (row.flipped, row.differs) {
+            (true, _) => theirs.color(mark_color(ui)).underline(),
+            (false, true) => theirs.strong(),
+            (false, false) => theirs,
+        };
+        let about = RichText::new(row.about).weak();
+        line(ui, [about.into(), RichText::new(&row.ours).into(), theirs.into()]);
+    }
+}
+
+fn sentence(text: &str) -> String {
+    let text = told(text);
+    // A name such as zNear stays as it is.
+    let word = text.split_whitespace().next().unwrap_or_default();
+    if word.contains(|c: char| c.is_uppercase() || c == '_') {
+        return format!("{}.", text.trim_end_matches('.'));
+    }
+    let mut chars = text.chars();
+    let first = chars.next().map_or_else(String::new, |c| c.to_uppercase().collect());
+    format!("{first}{}.", chars.as_str().trim_end_matches('.'))
+}
+
+/// What became of a paste, over the window's lower edge until the camera is changed or it is closed.
+pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
+    let Some(shown) = pasted else { return };
+    let mut close = false;
+    let area = Area::new(Id::unique("pasted")).order(Order::Foreground);
+    area.anchor(Align2::CENTER_BOTTOM, vec2(0.0, -24.0)).show(ctx, |ui| {
+        Frame::popup(ui.style()).show(ui, |ui| {
+            ui.set_max_width(560.0);
+            ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
+            let title = RichText::new(&shown.title).strong();
+            ui.label(if shown.worked { title } else { title.color(error_color(ui)) });
+            for note in &shown.notes {
+                ui.label(sentence(note));
+            }
+            close = ui.button("Close").clicked();
+        });
+    });
+    if close {
+        *pasted = None;
+    }
+}

@@ -1,0 +1,88 @@
+//! Sentences with the lecture's letters in them: `**u**` is a vector, bold and in its own colour,
+//! `*u*` a scalar, in italics.
+
+use egui::text::LayoutJob;
+use egui::{FontFamily, FontId, Label, TextFormat, Ui};
+
+use super::number::vector_color;
+use crate::model::letters;
+use crate::view::typesetting::fonts;
+
+/// A run of letters that are written alike.
+#[derive(Clone, Debug, PartialEq)]
+struct Run {
+    text: String,
+    is_vector: bool,
+}
+
+/// Shows the text, wrapped. Screen readers and tests get it without its marks.
+pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
+    let runs = runs(text);
+    let color = ui.visuals().strong_text_color();
+    let mut job = LayoutJob::default();
+    for run in &runs {
+        let family = if run.is_vector { fonts::bold() } else { FontFamily::Proportional };
+        let own = run.is_vector.then(|| vector_color(ui, &run.text)).flatten();
+        let format = TextFormat {
+            font_id: FontId::new(size, family),
+            color: own.unwrap_or(color),
+            // The fonts that the letters come from have lines of different heights.
+            line_height: Some(row_height(ui, size)),
+            ..TextFormat::default()
+        };
+        job.append(&run.text, 0.0, format);
+    }
+    let response = ui.add(Label::new(job).wrap());
+    let plain = plain(text);
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain));
+}
+
+/// The height of one line of such text.
+pub(crate) fn row_height(ui: &Ui, size: f32) -> f32 {
+    ui.ctx().fonts_mut(|fonts| fonts.row_height(&FontId::proportional(size))).ceil()
+}
+
+/// The text without its marks.
+pub(crate) fn plain(text: &str) -> String {
+    text.replace('*', "")
+}
+
+fn runs(text: &str) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    let (mut is_vector, mut is_scalar) = (false, false);
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        if letter == '*' {
+            // In a scalar the first of `***` ends it: u times the vector u is `*u***u**`.
+            if !is_scalar && letters.next_if_eq(&'*').is_some() {
+                is_vector = !is_vector;
+            } else {
+                is_scalar = !is_scalar;
+            }
+            continue;
+        }
+        let letter = if is_scalar { letters::italic(letter) } else { letter };
+        match runs.last_mut().filter(|run| run.is_vector == is_vector) {
+            Some(run) => run.text.push(letter),
+            None => runs.push(Run { text: letter.to_string(), is_vector }),
+        }
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_and_scalars_are_told_apart() {
+        let text = "*u***u** + *v***v**";
+        let run = |text: &str, is_vector| Run { text: text.to_owned(), is_vector };
+        assert_eq!(
+            runs(text),
+            [run("𝑢", false), run("u", true), run(" + 𝑣", false), run("v", true)]
+        );
+        assert_eq!(plain(text), "uu + vv");
+        assert_eq!(runs("*h*, *W* 1"), [run("ℎ, 𝑊 1", false)]);
+    }
+}

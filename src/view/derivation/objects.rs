@@ -1,0 +1,209 @@
+//! Where the selected ray meets one object: the numbers that decide, the roots, the hit, the normal.
+
+use pinhole_core::lecture::{
+    ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
+};
+use pinhole_core::{Ray, Root};
+
+use super::Line;
+use super::names::{CENTRE, D, HIT, N, P, POINT, T, dot, equation, minus};
+use super::numbers::Numbers;
+use super::ray::along;
+use crate::model::concept::Thing;
+use crate::model::inspection::Inspection;
+use crate::view::formula::{
+    Formula, Operator, fraction, index, negative, norm, number, parentheses, power, root, row,
+};
+
+const A: Formula = Formula::Scalar("a");
+const B: Formula = Formula::Scalar("b");
+const C: Formula = Formula::Scalar("c");
+const R: Formula = Formula::Scalar("r");
+const DISCRIMINANT: Formula = Formula::Scalar("D");
+
+/// One object's lines in the making.
+struct Sheet<'a> {
+    object: u32,
+    ray: Ray,
+    inspection: &'a Inspection,
+    numbers: Numbers,
+    lines: Vec<Line>,
+}
+
+pub(super) fn lines(
+    object: u32,
+    derivation: &ObjectDerivation,
+    ray: Ray,
+    inspection: &Inspection,
+    numbers: Numbers,
+) -> Vec<Line> {
+    let mut sheet = Sheet { object, ray, inspection, numbers, lines: Vec::new() };
+    match derivation {
+        ObjectDerivation::Sphere(sphere) => sheet.sphere(sphere),
+        ObjectDerivation::Plane(plane) => sheet.plane(plane),
+    }
+    sheet.lines
+}
+
+impl Sheet<'_> {
+    fn line(&mut self, formula: Formula) -> &mut Line {
+        self.push(Line::of(Thing::Object(self.object), formula))
+    }
+
+    fn push(&mut self, line: Line) -> &mut Line {
+        self.lines.push(line);
+        let last = self.lines.len() - 1;
+        &mut self.lines[last]
+    }
+
+    fn root_thing(&self, number: usize) -> Thing {
+        Thing::Root { object: self.object, number: number as u8 }
+    }
+
+    fn sphere(&mut self, of: &SphereDerivation) {
+        let numbers = self.numbers;
+        let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(of.sphere.center));
+        let radius = row([R, numbers.equals(of.sphere.radius)]);
+        let given = row([CENTRE, numbers.equals_vector(of.sphere.center), Operator::Comma.into()]);
+        self.line(row([given, radius]));
+        let difference = equation(minus(P, CENTRE), minus(p, c));
+        self.line(row([difference, numbers.equals_vector(of.from_center)]));
+        self.quadratic(of);
+        let found: Vec<Root> = of.roots.iter().flatten().copied().collect();
+        for (k, root) in found.iter().enumerate() {
+            self.sphere_root(of, k, root, found.len() == 1);
+        }
+        if let Some((k, hit)) = of.first.and_then(|k| Some((k, found.get(k)?))) {
+            let t = if found.len() == 1 { T } else { index(T, number(&(k + 1).to_string())) };
+            self.hit(t, k, hit);
+            let above = minus(numbers.vector(hit.point), numbers.vector(of.sphere.center));
+            let symbols = fraction(minus(HIT, CENTRE), R);
+            let put_in = fraction(above, numbers.divisor(of.sphere.radius));
+            self.normal(k, hit, symbols, Some(put_in));
+        }
+    }
+
+    /// a, b, c and D, and what D says.
+    fn quadratic(&mut self, of: &SphereDerivation) {
+        let (numbers, quadratic) = (self.numbers, &of.quadratic);
+        let d = || numbers.vector(self.ray.direction);
+        let oc = || numbers.vector(of.from_center);
+        let from_centre = minus(P, CENTRE);
+        let radius = numbers.scalar(of.sphere.radius);
+        let [a, b, c] = [quadratic.a, quadratic.b, quadratic.c].map(|x| numbers.scalar(x));
+        let squares = |of: Formula, minus_of: Formula| minus(power(of, "2"), power(minus_of, "2"));
+        let parts = [
+            (A, dot(D, D), dot(d(), d()), quadratic.a),
+            (B, dot(D, parentheses(from_centre.clone())), dot(d(), oc()), quadratic.b),
+            (C, squares(norm(from_centre), R), squares(norm(oc()), squared(radius)), quadratic.c),
+            (
+                DISCRIMINANT,
+                minus(power(B, "2"), row([A, C])),
+                minus(power(squared(b), "2"), dot(a, c.guarded())),
+                quadratic.discriminant,
+            ),
+        ];
+        for (name, symbols, put_in, value) in parts {
+            let formula = equation(equation(name, symbols), put_in);
+            self.line(row([formula, numbers.equals(value)]));
+        }
+        if let Some(last) = self.lines.last_mut() {
+            last.note = meaning(of.meeting).to_owned();
+        }
+    }
+
+    fn sphere_root(&mut self, of: &SphereDerivation, k: usize, found: &Root, is_only: bool) {
+        let numbers = self.numbers;
+        let quadratic = &of.quadratic;
+        let a = || numbers.divisor(quadratic.a);
+        let minus_b = numbers.scalar(0.0 - quadratic.b);
+        let sign = if k == 0 { Operator::Minus } else { Operator::Plus };
+        let name = if is_only { T } else { index(T, number(&(k + 1).to_string())) };
+        let symbols = row([negative(B), sign.into(), root(DISCRIMINANT)]);
+        let of_d = root(numbers.scalar(quadratic.discriminant));
+        let put_in = row([minus_b, sign.into(), of_d]);
+        let formula = equation(name, equation(fraction(symbols, A), fraction(put_in, a())));
+        let line = Line::of(self.root_thing(k), row([formula, numbers.equals(found.t)]));
+        let verdict = self.inspection.verdict(found);
+        self.push(line.noted(verdict));
+    }
+
+    fn plane(&mut self, of: &PlaneDerivation) {
+        let numbers = self.numbers;
+        let point = row([POINT, numbers.equals_vector(of.plane.point), Operator::Comma.into()]);
+        self.line(row([point, N, numbers.equals_vector(of.plane.normal)]));
+        let n = || numbers.vector(of.plane.normal);
+        let rate = equation(dot(N, D), dot(n(), numbers.vector(self.ray.direction)));
+        self.line(row([rate, numbers.equals(of.terms.rate)]));
+        let (point, p) = (numbers.vector(of.plane.point), numbers.vector(self.ray.origin));
+        let to_point = parentheses(minus(POINT, P));
+        let put_in = dot(n(), parentheses(minus(point, p)));
+        let offset = equation(dot(N, to_point.clone()), put_in);
+        self.line(row([offset, numbers.equals(of.terms.offset)]));
+        let quotient = equation(T, fraction(dot(N, to_point), dot(N, D)));
+        let Some(found) = of.root else {
+            let note = match of.meeting {
+                PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
+                _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
+            };
+            let line = Line::of(Thing::Object(self.object), quotient);
+            self.push(line.noted(note));
+            return;
+        };
+        let put_in = fraction(numbers.scalar(of.terms.offset), numbers.divisor(of.terms.rate));
+        let formula = equation(quotient, put_in);
+        let line = Line::of(self.root_thing(0), row([formula, numbers.equals(found.t)]));
+        let verdict = self.inspection.verdict(&found);
+        self.push(line.noted(verdict));
+        if of.hit().is_some() {
+            self.hit(T, 0, &found);
+            self.normal(0, &found, fraction(N, norm(N)), None);
+        }
+    }
+
+    /// The point of the object's own hit.
+    fn hit(&mut self, t: Formula, k: usize, hit: &Root) {
+        let numbers = self.numbers;
+        let put_in = along(
+            numbers.vector(self.ray.origin),
+            numbers.scalar(hit.t),
+            numbers.vector(self.ray.direction),
+        );
+        let formula = equation(equation(HIT, along(P, t, D)), put_in);
+        let formula = row([formula, numbers.equals_vector(hit.point)]);
+        self.push(Line::of(self.root_thing(k), formula));
+    }
+
+    fn normal(&mut self, k: usize, hit: &Root, symbols: Formula, put_in: Option<Formula>) {
+        let is_first = self
+            .inspection
+            .first_hit()
+            .is_some_and(|first| first.object == hit.object && first.t == hit.t);
+        let thing = if is_first { Thing::Normal } else { self.root_thing(k) };
+        let normal = Formula::Vector("normal", crate::view::formula::Ink::Text);
+        let result = self.numbers.equals_vector(hit.normal);
+        let formula = equation(normal, symbols);
+        let formula = put_in.into_iter().fold(formula, equation);
+        self.push(Line::of(thing, row([formula, result])));
+    }
+}
+
+/// What the discriminant says.
+fn meaning(meeting: SphereMeeting) -> &'static str {
+    match meeting {
+        SphereMeeting::Missed => "𝐷 < 0: the line passes by",
+        SphereMeeting::Tangent => "𝐷 = 0: the line touches the sphere",
+        SphereMeeting::Through => "𝐷 > 0: two roots, in and out",
+        SphereMeeting::FromInside => "𝐷 > 0, 𝑐 < 0: the eye is inside",
+        SphereMeeting::FromSurface => "𝐷 > 0, 𝑐 = 0: the eye is on the sphere",
+        SphereMeeting::Behind => "𝐷 ≥ 0, but all of it is behind the eye",
+    }
+}
+
+/// What a power is taken of: in parentheses unless it is a number or name without a sign.
+fn squared(base: Formula) -> Formula {
+    match base {
+        plain @ (Formula::Number(_) | Formula::Rounded(_) | Formula::Scalar(_)) => plain,
+        other => parentheses(other),
+    }
+}

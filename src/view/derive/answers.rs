@@ -1,0 +1,123 @@
+//! A student's answers graded against the document, and the map of where they are wrong.
+
+use std::sync::Arc;
+
+use egui::Color32;
+use pinhole_core::grading::{Truth, grade};
+use pinhole_core::{Camera, ImageSize, Raster};
+
+use super::Derived;
+use super::Shown;
+use super::ViewSizes;
+use super::beside::shown_beside;
+use super::memo::Memo;
+use super::objects::GoodWorld;
+use super::watch::{Watch, Work, watched};
+use super::wrong::Right;
+use crate::document::Document;
+use crate::formats::answers;
+use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::model::overlay_items::OverlayItems;
+use crate::model::session::{Selection, Session};
+use crate::view::overlay::{Picture, Style};
+
+/// What a grade is made of: the camera, the objects and their colours by number, and the answers.
+type Key = (Camera, u64, u64, AnswersAtHand);
+
+/// What the map is made of.
+type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
+
+/// The grade, or why there is none.
+pub type Grading = Result<Arc<Graded>, Arc<str>>;
+
+/// Remembers the grade and its map.
+#[derive(Debug, Default)]
+pub(super) struct GradedAnswers {
+    graded: Memo<Key, Grading>,
+    view: Memo<ViewKey, Option<Shown>>,
+    /// How many times answers were graded, which tells one grade from the next.
+    count: u64,
+}
+
+impl GradedAnswers {
+    /// Grades anew where something changed, if the layout shows it. Nothing older than the document
+    /// is ever shown: where that has a fault, this is not called, and there is no grade; nor is there
+    /// while a hand moves.
+    pub(super) fn update(
+        &mut self,
+        derived: &mut Derived,
+        document: &Document,
+        (right, world): (&Right<'_>, &GoodWorld),
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) {
+        let (Some(size), Some(at_hand)) = (sizes.answers, &session.answers) else { return };
+        let key = (*right.camera, world.generation, world.palette, at_hand.clone());
+        // Grading traces by the student's program in many variants: it waits until the hand rests.
+        if sizes.under_hand && !self.graded.knows(&key) {
+            return;
+        }
+        let count = &mut self.count;
+        let graded = self.graded.get(key, |(camera, _, _, at_hand)| {
+            *count += 1;
+            graded(document, camera, world, at_hand)
+        });
+        if let Ok(graded) = &graded {
+            let items = session.settings.items;
+            let key = (self.count, right.selection, size, items, sizes.scale, sizes.style);
+            derived.answers_view = self.view.get(key, |_| {
+                watched(watch, Work::Overlay, || map(graded, right, items, size, sizes))
+            });
+        }
+        derived.answers = Some(graded);
+    }
+}
+
+fn graded(
+    document: &Document,
+    camera: &Camera,
+    world: &GoodWorld,
+    at_hand: &AnswersAtHand,
+) -> Grading {
+    let AnswersAtHand { file, count_from } = at_hand;
+    let answers = answers::parse(&file.path, &file.bytes, camera.image, *count_from)
+        .map_err(|error| Arc::from(error.to_string()))?;
+    // Its own colours, also where the window shows others.
+    let color_of = |object| document.color_of(object);
+    let truth = Truth { camera, scene: &world.scene, color_of: &color_of };
+    let grade = grade(&truth, &answers, None).map_err(|error| Arc::from(error.to_string()))?;
+    Ok(Arc::new(Graded { answers, grade, image: camera.image, count_from: *count_from }))
+}
+
+fn map(
+    graded: &Graded,
+    right: &Right<'_>,
+    items: OverlayItems,
+    size: [u32; 2],
+    sizes: &ViewSizes,
+) -> Option<Shown> {
+    let picture = picture(graded, size)?;
+    Some(shown_beside(&picture, (right.posed, right.inspection), items, size, sizes))
+}
+
+/// The map as a picture of as many pixels as are shown; one that stands for several is wrong where
+/// one of them is.
+fn picture(graded: &Graded, size: [u32; 2]) -> Option<Picture> {
+    let cells = graded.map()?;
+    let image: ImageSize = graded.image;
+    let raster = Raster::shown_on(image, size[0], size[1]);
+    let [rows, columns] = raster.nearest(image);
+    let width = raster.columns().len();
+    let mut worst = vec![Cell::Unanswered; raster.len()];
+    for (index, cell) in cells.into_iter().enumerate() {
+        let (row, column) = (index / image.width() as usize, index % image.width() as usize);
+        let known = &mut worst[rows[row] * width + columns[column]];
+        *known = (*known).max(cell);
+    }
+    let color = |cell: Cell| {
+        let [r, g, b] = cell.color();
+        Color32::from_rgb(r, g, b)
+    };
+    Some(Picture { pixels: worst.into_iter().map(color).collect(), image, raster })
+}

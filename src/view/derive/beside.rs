@@ -1,0 +1,36 @@
+//! A picture beside the camera's own: of the same image, with what belongs to the image drawn over it.
+
+use pinhole_core::PosedCamera;
+
+use super::Shown;
+use super::ViewSizes;
+use super::blank;
+use crate::model::inspection::Inspection;
+use crate::model::overlay_items::OverlayItems;
+use crate::view::overlay;
+use crate::view::overlay::{CameraView, Picture};
+
+/// Shows a picture in so many dots, with the items of the camera that it belongs to.
+pub(super) fn shown_beside(
+    picture: &Picture,
+    (posed, inspection): (&PosedCamera, &Inspection),
+    items: OverlayItems,
+    size: [u32; 2],
+    sizes: &ViewSizes,
+) -> Shown {
+    let view = CameraView {
+        picture,
+        posed,
+        inspection: Some(inspection),
+        items,
+        size: size.map(|n| n as usize),
+        scale: sizes.scale,
+        style: sizes.style,
+        lit: None,
+        loupe: None,
+    };
+    let mut pixels = blank(size);
+    let drawing = overlay::camera(&view, &mut pixels);
+    sizes.style.finish(&mut pixels);
+    Shown::new(size, pixels, drawing)
+}

@@ -1,0 +1,66 @@
+//! Values that are made once for each input.
+
+use std::sync::Arc;
+
+use crate::view::adaptive_resolution::Coarseness;
+
+/// A value remembered with what it was made from.
+#[derive(Debug)]
+pub(super) struct Memo<K, V>(Option<(K, V)>);
+
+impl<K, V> Default for Memo<K, V> {
+    fn default() -> Self {
+        Memo(None)
+    }
+}
+
+impl<K: PartialEq, V: Clone> Memo<K, V> {
+    /// The value made from `key`: the last one if the key is the last one.
+    pub(super) fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> V {
+        match &self.0 {
+            Some((known, value)) if *known == key => value.clone(),
+            _ => {
+                let value = make(&key);
+                self.0 = Some((key, value.clone()));
+                value
+            }
+        }
+    }
+}
+
+impl<K: PartialEq, V> Memo<K, V> {
+    /// Whether the value made from `key` is at hand.
+    pub(super) fn knows(&self, key: &K) -> bool {
+        self.0.as_ref().is_some_and(|(known, _)| known == key)
+    }
+}
+
+/// A part of a key that is the same only if it is the very same value.
+#[derive(Debug)]
+pub(super) struct Same<T>(pub(super) Arc<T>);
+
+impl<T> PartialEq for Same<T> {
+    fn eq(&self, other: &Same<T>) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// How fine a picture of something is: a coarser one never takes its place.
+#[derive(Debug)]
+pub(super) struct Fineness<K>(Option<(K, Coarseness)>);
+
+impl<K> Default for Fineness<K> {
+    fn default() -> Self {
+        Fineness(None)
+    }
+}
+
+impl<K: PartialEq> Fineness<K> {
+    /// The coarseness to show this in: what is wanted, or finer where it was already.
+    pub(super) fn at_most(&mut self, key: K, wanted: Coarseness) -> Coarseness {
+        let known = self.0.as_ref().filter(|(known, _)| *known == key);
+        let coarseness = known.map_or(wanted, |(_, known)| wanted.min(*known));
+        self.0 = Some((key, coarseness));
+        coarseness
+    }
+}

@@ -1,0 +1,201 @@
+//! The document's objects as a scene, which is kept and changed while they are edited.
+
+use std::sync::Arc;
+
+use pinhole_core::{Object, Rgb, Scene, SceneError};
+
+use crate::document::{CsvSpheres, Document, Item};
+use crate::model::color_scheme::Scheme;
+use crate::model::observer::{hidden, seen_scene};
+
+/// The objects of a document, all of which are some.
+#[derive(Clone, Debug)]
+pub(super) struct GoodWorld {
+    pub(super) scene: Arc<Scene>,
+    pub(super) colors: Arc<Vec<Rgb>>,
+    /// Another number for other shapes.
+    pub(super) generation: u64,
+    /// Another number for other colours.
+    pub(super) palette: u64,
+}
+
+/// Indices of the spheres that would hide the camera from the observer, ascending.
+pub(super) type Enclosing = Arc<Vec<u32>>;
+
+/// The scene of the last document that had no fault.
+///
+/// A sphere that is dragged among a million is replaced in it, for which the scene must be held by
+/// nobody else: who shows it lets go of it before the next [`Objects::update`], or all spheres are
+/// copied.
+#[derive(Debug, Default)]
+pub(super) struct Objects {
+    good: Option<GoodWorld>,
+    /// The CSV file's spheres in the good world.
+    csv: Option<CsvSpheres>,
+    /// The scheme of the good world's colours.
+    scheme: Scheme,
+    /// The good world's scene as the observer sees it past these spheres.
+    seen: Option<(Enclosing, Arc<Scene>)>,
+}
+
+/// More objects than these that change at once have their scene made anew.
+const FEW: usize = 64;
+
+impl Objects {
+    /// The world of the last document that had no fault.
+    pub(super) fn good(&self) -> Option<&GoodWorld> {
+        self.good.as_ref()
+    }
+
+    /// Follows the document: what costs as much as there are hand-made objects, unless objects came
+    /// or went.
+    ///
+    /// # Errors
+    /// The first object that is none; the good world is then the one before.
+    pub(super) fn update(&mut self, document: &Document, scheme: Scheme) -> Result<(), SceneError> {
+        check(document)?;
+        let is_same_scheme = std::mem::replace(&mut self.scheme, scheme) == scheme;
+        let changed = self.good.as_ref().and_then(|good| self.changed(good, document));
+        match (&mut self.good, changed) {
+            (Some(good), Some(changed)) => {
+                if !changed.is_empty() {
+                    // It shares the spheres with the scene unless it hides some.
+                    self.seen.take_if(|(hidden, _)| hidden.is_empty());
+                    replace(good, self.seen.as_mut(), &changed)?;
+                }
+                if is_same_scheme {
+                    recolor(good, document, scheme);
+                } else {
+                    good.colors = Arc::new(colors(document, scheme));
+                    good.palette += 1;
+                }
+            }
+            _ => self.make(document)?,
+        }
+        self.csv.clone_from(&document.csv_spheres);
+        Ok(())
+    }
+
+    /// The good world's scene without planes and what hides the camera: see [`seen_scene`].
+    pub(super) fn seen(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
+        let scene = &self.good.as_ref()?.scene;
+        match &mut self.seen {
+            Some((known, _)) if known == enclosing => (),
+            // It has spheres of its own.
+            Some((known, seen)) if !known.is_empty() && !enclosing.is_empty() => {
+                let seen = Arc::make_mut(seen);
+                for &index in known.iter().chain(&**enclosing) {
+                    let sphere = scene.spheres()[index as usize];
+                    let is_hidden = enclosing.binary_search(&index).is_ok();
+                    let sphere = if is_hidden { hidden(&sphere) } else { sphere };
+                    // A checked sphere stays one.
+                    seen.replace_sphere(index, sphere).ok()?;
+                }
+                *known = Arc::clone(enclosing);
+            }
+            _ => {
+                let seen = Arc::new(seen_scene(scene, enclosing));
+                self.seen = Some((Arc::clone(enclosing), seen));
+            }
+        }
+        self.seen.as_ref().map(|(_, seen)| Arc::clone(seen))
+    }
+
+    /// The objects of another shape; `None` where the scene has to be made anew.
+    fn changed(&self, good: &GoodWorld, document: &Document) -> Option<Vec<(u32, Object)>> {
+        let GoodWorld { scene, .. } = good;
+        let is_same_kind = scene.spheres().len() == document.sphere_count()
+            && scene.planes().len() == document.planes.len()
+            && self.csv == document.csv_spheres;
+        if !is_same_kind {
+            return None;
+        }
+        let spheres = different(&document.spheres, scene.spheres(), 0, Object::Sphere);
+        let first = document.sphere_count() as u32;
+        let planes = different(&document.planes, scene.planes(), first, Object::Plane);
+        let changed: Vec<(u32, Object)> = spheres.chain(planes).take(FEW + 1).collect();
+        (changed.len() <= FEW).then_some(changed)
+    }
+
+    fn make(&mut self, document: &Document) -> Result<(), SceneError> {
+        let scene = Arc::new(document.scene()?);
+        let colors = colors(document, self.scheme);
+        let next = |number: fn(&GoodWorld) -> u64| self.good.as_ref().map_or(0, number) + 1;
+        let (generation, palette) = (next(|good| good.generation), next(|good| good.palette));
+        self.good = Some(GoodWorld { scene, colors: Arc::new(colors), generation, palette });
+        self.seen = None;
+        Ok(())
+    }
+}
+
+/// Every object's colour.
+fn colors(document: &Document, scheme: Scheme) -> Vec<Rgb> {
+    let all = 0..document.object_count() as u32;
+    all.map(|index| scheme.object(index, document.color_of(index))).collect()
+}
+
+/// Checks what can be edited; the CSV file's spheres were checked when they were read.
+fn check(document: &Document) -> Result<(), SceneError> {
+    for (index, item) in document.spheres.iter().enumerate() {
+        item.shape.check().map_err(|error| SceneError::Sphere { index, error })?;
+    }
+    for (index, item) in (document.sphere_count()..).zip(&document.planes) {
+        item.shape.check().map_err(|error| SceneError::Plane { index, error })?;
+    }
+    Ok(())
+}
+
+/// The items of another shape than what is known, with their indices.
+fn different<'a, S: Copy + PartialEq>(
+    items: &'a [Item<S>],
+    known: &'a [S],
+    first: u32,
+    object: fn(S) -> Object,
+) -> impl Iterator<Item = (u32, Object)> + 'a {
+    let all = (first..).zip(items.iter().zip(known));
+    all.filter(|(_, (item, known))| item.shape != **known)
+        .map(move |(index, (item, _))| (index, object(item.shape)))
+}
+
+/// Puts checked objects in the place of others, for the observer too.
+fn replace(
+    good: &mut GoodWorld,
+    seen: Option<&mut (Enclosing, Arc<Scene>)>,
+    changed: &[(u32, Object)],
+) -> Result<(), SceneError> {
+    let scene = Arc::make_mut(&mut good.scene);
+    for &(index, object) in changed {
+        match object {
+            Object::Sphere(sphere) => scene.replace_sphere(index, sphere)?,
+            Object::Plane(plane) => scene.replace_plane(index, plane)?,
+        }
+    }
+    good.generation += 1;
+    let Some((enclosing, seen)) = seen else { return Ok(()) };
+    let seen = Arc::make_mut(seen);
+    for &(index, object) in changed {
+        if let Object::Sphere(sphere) = object {
+            let is_hidden = enclosing.binary_search(&index).is_ok();
+            seen.replace_sphere(index, if is_hidden { hidden(&sphere) } else { sphere })?;
+        }
+    }
+    Ok(())
+}
+
+/// Takes over the colours of what can be edited.
+fn recolor(good: &mut GoodWorld, document: &Document, scheme: Scheme) {
+    let planes = document.sphere_count()..document.object_count();
+    let changed: Vec<(usize, Rgb)> = (0..document.spheres.len())
+        .chain(planes)
+        .map(|index| (index, scheme.object(index as u32, document.color_of(index as u32))))
+        .filter(|(index, color)| good.colors[*index] != *color)
+        .collect();
+    if changed.is_empty() {
+        return;
+    }
+    let colors = Arc::make_mut(&mut good.colors);
+    for (index, color) in changed {
+        colors[index] = color;
+    }
+    good.palette += 1;
+}

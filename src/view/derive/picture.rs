@@ -1,0 +1,327 @@
+//! What the camera sees: by the ladder, by the method that the user wants to see fail, and the
+//! difference.
+
+use std::fmt;
+use std::sync::Arc;
+
+use egui::Color32;
+use pinhole_core::methods::{Method, trace_by};
+use pinhole_core::{Counts, Depth, Frame, NO_OBJECT, Outputs, PosedCamera, Raster, Shade, Steps};
+
+use super::ViewSizes;
+use super::memo::{Fineness, Memo};
+use super::objects::GoodWorld;
+use super::scan::{ScannedPicture, first_pixels};
+use super::watch::{self, Watch, Work};
+use crate::model::inspection::Inspection;
+use crate::model::number::grouped;
+use crate::model::overlay_items::Item;
+use crate::model::session::{Selection, Session, Settings};
+use crate::view::accuracy::{self, Comparison};
+use crate::view::adaptive_resolution::Coarseness;
+use crate::view::overlay::{Loupe, Picture, loupe_window};
+
+/// How many times a method may ask whether a ray meets an object for one picture: about a second's
+/// work, in which the window stands still.
+pub const MOST_QUESTIONS: u64 = 400_000_000;
+
+/// Why no method but the ladder draws a picture: all others ask every object at every pixel, more
+/// than [`MOST_QUESTIONS`] times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooMany {
+    /// How many objects the scene has.
+    pub objects: u64,
+    /// How many pixels the screen shows.
+    pub pixels: u64,
+}
+
+impl TooMany {
+    fn of(objects: usize, pixels: usize) -> Option<TooMany> {
+        let (objects, pixels) = (objects as u64, pixels as u64);
+        let too_many = objects.saturating_mul(pixels) > MOST_QUESTIONS;
+        too_many.then_some(TooMany { objects, pixels })
+    }
+}
+
+impl fmt::Display for TooMany {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (objects, pixels) = (grouped(self.objects), grouped(self.pixels));
+        write!(
+            f,
+            "{objects} objects at {pixels} pixels are too many for a method that asks every object \
+             at every pixel"
+        )
+    }
+}
+
+/// A method's picture next to the truth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// The method.
+    pub method: Method,
+    /// Every pixel against the ladder's.
+    pub comparison: Comparison,
+    /// What the method makes of the pixels.
+    pub frame: Frame,
+}
+
+/// What a camera saw, and the ray that was selected.
+#[derive(Clone, Debug)]
+pub(super) struct GoodPicture {
+    pub(super) posed: PosedCamera,
+    pub(super) picture: Arc<Picture>,
+    pub(super) selection: Selection,
+    pub(super) inspection: Arc<Inspection>,
+    /// How far up the ladder it had to go.
+    pub(super) steps: Steps,
+    /// How much coarser it is than it could be.
+    pub(super) coarseness: Coarseness,
+    /// What it left out.
+    pub(super) counts: Counts,
+    /// Why no other method stands beside it, where one should.
+    pub(super) too_many: Option<TooMany>,
+    /// By the ladder, where another method stands beside it.
+    pub(super) truth: Option<Arc<Frame>>,
+    /// What drew the picture, where the ladder did not.
+    pub(super) drawn_by: Option<Arc<Compared>>,
+    /// The error map's method and its picture, where the map is shown.
+    pub(super) compared: Option<(Arc<Compared>, Arc<Picture>)>,
+    /// What is under the loupe, where it is shown.
+    pub(super) loupe: Option<Arc<Loupe>>,
+}
+
+/// What is seen from where: a camera, the generation of the objects, and the pixels.
+type Seen = (PosedCamera, u64, Raster);
+
+/// What colours a picture has: by which method, of what, in which mode, the palette's number, and
+/// whether it is transparent where nothing is hit.
+type PictureKey = (Method, Seen, Shade, u64, bool);
+
+/// A picture, how far up the ladder it had to go, and what it left out.
+type Made = (Arc<Picture>, Steps, Counts);
+
+/// Remembers what the camera saw.
+#[derive(Debug, Default)]
+pub(super) struct Pictures {
+    truth: Memo<Seen, Arc<Frame>>,
+    /// What other colours can be made from without a trace: objects, and `t` if the shading reads it.
+    rough: Memo<(Seen, bool), Arc<Frame<f32>>>,
+    /// By the picture's method, and by the map's where that is another one.
+    by: [Memo<(Method, Seen), Arc<Compared>>; 2],
+    picture: Memo<PictureKey, Made>,
+    map: Memo<(Method, Seen), Arc<Picture>>,
+    inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
+    loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
+    scanned: ScannedPicture,
+    fineness: Fineness<(PosedCamera, u64, [u32; 2])>,
+    /// How many pictures were made, which tells one from the next.
+    made: u64,
+    /// How many were traced for that.
+    traced: u64,
+}
+
+impl Pictures {
+    /// How many pictures were made so far.
+    pub(super) fn made(&self) -> u64 {
+        self.made
+    }
+
+    /// How many times the camera's view was traced so far.
+    pub(super) fn traced(&self) -> u64 {
+        self.traced
+    }
+
+    /// What the camera sees, of which no more is traced than the screen shows.
+    pub(super) fn of(
+        &mut self,
+        posed: PosedCamera,
+        world: &GoodWorld,
+        session: &Session,
+        sizes: &ViewSizes,
+        watch: Watch<'_>,
+    ) -> GoodPicture {
+        let selection = session.selection.inside(posed.image());
+        let inspection = self.inspected(posed, world, selection);
+        // With only the world view open, its viewport still shows the picture.
+        let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
+        let coarseness = self.fineness.at_most((posed, world.generation, size), sizes.coarseness);
+        let seen = (posed, world.generation, coarseness.raster(posed.image(), size));
+        let settings = &session.settings;
+        // What is too much for a picture at rest is so while it moves.
+        let all = Coarseness::NONE.raster(posed.image(), size).len();
+        let too_many = TooMany::of(world.scene.len(), all);
+        let with_map = sizes.map.is_some();
+        let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
+        // On the viewport in the world view, it hides what is behind.
+        let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
+        let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
+        let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
+        let compared = beside.compared.map(|compared| {
+            let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
+                let pixels = accuracy::colors(&compared.comparison);
+                Arc::new(Picture { raster: raster.clone(), image: posed.image(), pixels })
+            });
+            (compared, map)
+        });
+        let place = inspection.place.filter(|_| settings.items.shows(Item::Loupe));
+        let loupe = place.map(|place| {
+            let [rows, columns] = loupe_window(&place, posed.image());
+            let (method, (posed, generation, _), mode, palette, _) = key;
+            let seen = (posed, generation, Raster::part(rows, columns));
+            let key = (method, seen, mode, palette, false);
+            let key = (key, settings.count_from_one);
+            let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
+            match session.scanned {
+                None => loupe,
+                Some(count) => {
+                    let picture = first_pixels(&loupe.picture, count);
+                    Arc::new(Loupe { picture, ..*loupe })
+                }
+            }
+        });
+        let picture = match session.scanned {
+            None => picture,
+            Some(count) => self.scanned.of(&picture, count),
+        };
+        GoodPicture {
+            loupe,
+            posed,
+            picture,
+            selection,
+            inspection,
+            coarseness,
+            steps,
+            counts,
+            too_many: beside.too_many,
+            truth: beside.truth,
+            drawn_by: beside.drawn_by,
+            compared,
+        }
+    }
+
+    /// The selected ray and everything that it meets.
+    fn inspected(
+        &mut self,
+        posed: PosedCamera,
+        world: &GoodWorld,
+        selection: Selection,
+    ) -> Arc<Inspection> {
+        self.inspection.get((posed, world.generation, selection), |_| {
+            Arc::new(match selection {
+                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, &world.scene, pixel),
+                Selection::Uv(uv) => Inspection::of_uv(&posed, &world.scene, uv),
+            })
+        })
+    }
+
+    /// The other methods' answers, where the picture or the error map is by one, next to the ladder's.
+    fn beside(
+        &mut self,
+        seen: &Seen,
+        world: &GoodWorld,
+        settings: &Settings,
+        with_map: bool,
+        too_many: Option<TooMany>,
+        watch: Watch<'_>,
+    ) -> Beside {
+        let other = settings.compared.0;
+        let is_compared = settings.method.0 != Method::Ladder || with_map;
+        let too_many = too_many.filter(|_| is_compared);
+        let method = too_many.map_or(settings.method.0, |_| Method::Ladder);
+        // Only a comparison needs all digits of t.
+        let truth = (is_compared && too_many.is_none()).then(|| {
+            let traced = &mut self.traced;
+            self.truth.get(seen.clone(), |(posed, _, raster)| {
+                *traced += 1;
+                watch::truth(&world.scene, posed, raster, watch)
+            })
+        });
+        let mut compare = |slot: usize, method| {
+            let truth = truth.as_deref()?;
+            let memo = &mut self.by[slot];
+            Some(watch::watched(watch, Work::Trace, || compare(memo, method, seen, world, truth)))
+        };
+        let drawn_by = if method == Method::Ladder { None } else { compare(0, method) };
+        let compared = if with_map { compare(usize::from(other != method), other) } else { None };
+        Beside { method, too_many, truth, drawn_by, compared }
+    }
+
+    /// The camera's picture, by the ladder or by what stands beside it.
+    fn picture(
+        &mut self,
+        key: &PictureKey,
+        world: &GoodWorld,
+        beside: &Beside,
+        watch: Watch<'_>,
+    ) -> Made {
+        let (scene, mode, clear) = (&world.scene, key.2, key.4);
+        let colors = (mode, |i: u32| world.colors[i as usize]);
+        let (made, traced, rough) = (&mut self.made, &mut self.traced, &mut self.rough);
+        self.picture.get(key.clone(), |(_, seen, ..)| {
+            *made += 1;
+            if let (Some(by), Some(truth)) = (&beside.drawn_by, &beside.truth) {
+                let pixels = watch::repainted(&by.frame, scene, colors, watch);
+                return (picture_of(&by.frame, pixels, clear), truth.steps, truth.counts);
+            }
+            let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
+            let mut fresh = None;
+            let frame = rough.get((seen.clone(), outputs.t), |((posed, _, raster), _)| {
+                *traced += 1;
+                let traced = watch::picture(scene, posed, raster, outputs, colors, watch);
+                fresh = Some(traced.1);
+                Arc::new(traced.0)
+            });
+            let pixels = fresh.unwrap_or_else(|| watch::repainted(&frame, scene, colors, watch));
+            (picture_of(&frame, pixels, clear), frame.steps, frame.counts)
+        })
+    }
+}
+
+/// What stands beside the ladder's picture, and which method draws it.
+struct Beside {
+    method: Method,
+    too_many: Option<TooMany>,
+    truth: Option<Arc<Frame>>,
+    drawn_by: Option<Arc<Compared>>,
+    compared: Option<Arc<Compared>>,
+}
+
+fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool) -> Arc<Picture> {
+    if clear {
+        let missed = pixels.iter_mut().zip(&frame.object).filter(|(_, hit)| **hit == NO_OBJECT);
+        missed.for_each(|(pixel, _)| *pixel = Color32::TRANSPARENT);
+    }
+    let (raster, image) = (frame.raster().clone(), frame.camera().image());
+    Arc::new(Picture { raster, image, pixels })
+}
+
+/// The pixels under the loupe, by the method that draws the picture.
+fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
+    let ((method, (posed, _, raster), mode, ..), count_from_one) = key;
+    let mut frame = watch::truth(&world.scene, posed, raster, watch);
+    if *method != Method::Ladder {
+        let traced = trace_by(*method, &world.scene, posed, raster);
+        let frame = Arc::make_mut(&mut frame);
+        (frame.t, frame.object) = (traced.t, traced.object);
+    }
+    let colors = (*mode, |i: u32| world.colors[i as usize]);
+    let pixels = watch::repainted(&frame, &world.scene, colors, watch);
+    let picture = Picture { raster: raster.clone(), image: posed.image(), pixels };
+    Loupe { picture, count_from_one: *count_from_one }
+}
+
+fn compare(
+    memo: &mut Memo<(Method, Seen), Arc<Compared>>,
+    method: Method,
+    seen: &Seen,
+    world: &GoodWorld,
+    truth: &Frame,
+) -> Arc<Compared> {
+    memo.get((method, seen.clone()), |(method, (posed, _, raster))| {
+        let traced = trace_by(*method, &world.scene, posed, raster);
+        let comparison = Comparison::new(truth, &traced);
+        let mut frame = truth.clone();
+        (frame.t, frame.object) = (traced.t, traced.object);
+        Arc::new(Compared { method: *method, comparison, frame })
+    })
+}

@@ -1,0 +1,70 @@
+//! The plot of f(p + t d), remembered on its inputs.
+
+use std::sync::Arc;
+
+use pinhole_core::PosedCamera;
+
+use super::Derived;
+use super::memo::Memo;
+use crate::document::Document;
+use crate::model::color_scheme::Scheme;
+use crate::model::session::Heights;
+use crate::model::session::{Selection, Session, ViewLayout};
+use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
+
+/// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
+type Key = (PosedCamera, u64, Selection, Vec<Named>);
+
+/// Remembers the curves, their samples, and their values where one walks.
+#[derive(Debug, Default)]
+pub(super) struct Plots {
+    curves: Memo<Key, Arc<Vec<Curve>>>,
+    samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
+    walked: Memo<(u64, f64), Arc<Vec<f64>>>,
+    /// How often curves were made, which tells some from the next.
+    made: u64,
+}
+
+impl Plots {
+    /// The plot, where the layout shows it and there is a ray.
+    pub(super) fn of(
+        &mut self,
+        document: &Document,
+        session: &Session,
+        derived: &Derived,
+        generation: u64,
+        scheme: Scheme,
+    ) -> Option<Plot> {
+        if session.settings.layout != ViewLayout::Plot {
+            return None;
+        }
+        let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
+        let inspection = derived.inspection.as_deref()?;
+        let selection = session.selection.inside(posed.image());
+        let ray = selection.exact_ray(posed).ok()?;
+        let named = |object: u32| {
+            let title = document.title_of(object as usize);
+            let name = document.name_of(object).map_or_else(|| title.clone(), str::to_owned);
+            let color = scheme.object(object, document.color_of(object));
+            Named { object, title, name, color }
+        };
+        let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
+        let made = &mut self.made;
+        let curves = self.curves.get((*posed, generation, selection, named), |(.., named)| {
+            *made += 1;
+            Arc::new(curves(scene, &ray, named))
+        });
+        let range = range(&curves, session.walked);
+        let ends = [*range.start(), *range.end()];
+        let heights = session.settings.plot_heights();
+        let samples = self.samples.get((*made, ends, heights), |_| {
+            Arc::new(samples(&curves, scene, &ray, &range, heights))
+        });
+        let walked = session.walked.map(|t| {
+            let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
+            (t, self.walked.get((*made, t), make))
+        });
+        let left_out = scene.len() - curves.len();
+        Some(Plot { curves, left_out, range, heights, samples, walked })
+    }
+}

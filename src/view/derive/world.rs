@@ -1,0 +1,104 @@
+//! What the observer sees, before anything is drawn over it.
+
+use std::sync::Arc;
+
+use egui::Color32;
+use pinhole_core::{DVec3, Frame, Outputs, PosedCamera, Shade};
+
+use super::memo::{Fineness, Memo, Same};
+use super::objects::{Enclosing, Objects};
+use super::watch::{Watch, Work, picture, repainted, watched};
+use crate::model::observer::enclosing;
+use crate::view::adaptive_resolution::Coarseness;
+use crate::view::overlay::Backdrop;
+
+/// The scene as the observer sees it.
+#[derive(Debug)]
+pub(super) struct WorldPicture {
+    /// With `t` and object, which the overlay reads.
+    pub(super) frame: Arc<Frame<f32>>,
+    pub(super) pixels: Vec<Color32>,
+    pub(super) enclosing: Enclosing,
+    /// How much coarser it is than it could be.
+    pub(super) coarseness: Coarseness,
+}
+
+/// What is seen from where: the observer, the generation of the objects, and those left out.
+type Seen = (PosedCamera, u64, Enclosing);
+
+/// Remembers what the observer saw.
+#[derive(Debug, Default)]
+pub(super) struct WorldPictures {
+    enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
+    fineness: Fineness<Seen>,
+    /// What other colours are made from without a trace.
+    frame: Memo<(Seen, Coarseness), Arc<Frame<f32>>>,
+    /// With the palette's number.
+    picture: Memo<(Seen, Coarseness, u64), Arc<WorldPicture>>,
+    backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
+    traced: u64,
+}
+
+impl WorldPictures {
+    /// How many times the observer's view was traced so far.
+    pub(super) fn traced(&self) -> u64 {
+        self.traced
+    }
+
+    /// What the observer sees of the good objects, but for those that would hide a camera at `eye`;
+    /// `None` where there were none yet.
+    pub(super) fn of(
+        &mut self,
+        objects: &mut Objects,
+        eye: DVec3,
+        observer: PosedCamera,
+        wanted: Coarseness,
+        watch: Watch<'_>,
+    ) -> Option<Arc<WorldPicture>> {
+        let good = objects.good()?.clone();
+        let enclosing = self.enclosing.get((good.generation, eye, observer.eye()), |_| {
+            Arc::new(enclosing(&good.scene, eye, observer.eye()))
+        });
+        let scene = objects.seen(&enclosing)?;
+        let colors = (Shade::Lambert, |i: u32| good.colors[i as usize]);
+        let (frame, traced) = (&mut self.frame, &mut self.traced);
+        let seen = (observer, good.generation, enclosing);
+        let coarseness = self.fineness.at_most(seen.clone(), wanted);
+        Some(self.picture.get((seen, coarseness, good.palette), |(seen, ..)| {
+            let mut fresh = None;
+            let frame = frame.get((seen.clone(), coarseness), |_| {
+                *traced += 1;
+                let image = observer.image();
+                let raster = coarseness.raster(image, [image.width(), image.height()]);
+                let traced = picture(&scene, &observer, &raster, Outputs::default(), colors, watch);
+                if coarseness == Coarseness::NONE {
+                    fresh = Some(traced.1);
+                    return Arc::new(traced.0);
+                }
+                // The overlay asks at every dot what is there.
+                fresh = Some(raster.spread(image, &traced.1));
+                Arc::new(traced.0.spread())
+            });
+            let pixels = fresh.unwrap_or_else(|| repainted(&frame, &scene, colors, watch));
+            let enclosing = Arc::clone(&seen.2);
+            Arc::new(WorldPicture { frame, pixels, enclosing, coarseness })
+        }))
+    }
+
+    /// What the observer sees with a backdrop painted over it.
+    pub(super) fn before(
+        &mut self,
+        world: &Arc<WorldPicture>,
+        backdrop: &Backdrop,
+        watch: Watch<'_>,
+    ) -> Arc<Vec<Color32>> {
+        let key = (Same(Arc::clone(world)), backdrop.clone());
+        self.backdrop.get(key, |(world, backdrop)| {
+            watched(watch, Work::Overlay, || {
+                let mut dots = world.0.pixels.clone();
+                backdrop.paint(&world.0.frame, &mut dots);
+                Arc::new(dots)
+            })
+        })
+    }
+}

@@ -1,0 +1,141 @@
+//! A formula in lines of a given width. It is broken before `=` and its like; what is then still too
+//! wide, before `+`, `×` and their like; then vectors are written as columns; then letters get
+//! smaller. Nothing is ever wider than it may be.
+
+use super::Direction;
+use super::Formula;
+use super::layout::{Layout, Measure, layout, room, row};
+
+/// The column that lines are set in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column {
+    /// The letters' em.
+    pub size: f32,
+    /// How wide it is.
+    pub width: f32,
+    /// How far every line but the first is indented.
+    pub indent: f32,
+}
+
+/// Between two lines, in ems.
+const LEADING: f32 = 0.42;
+
+/// Sets a formula in as many lines as it needs.
+pub fn lines(formula: &Formula, column: Column, measure: &mut dyn Measure) -> Layout {
+    let Column { size, width, indent } = column;
+    let whole = layout(formula, size, measure);
+    if whole.width <= width {
+        return whole;
+    }
+    let mut set = Lines { column, done: Vec::new(), open: None };
+    for piece in pieces(
+        formula.parts(),
+        |part| matches!(part, Formula::Operator(operator) if operator.is_relation()),
+    ) {
+        let single = row(piece, size, measure);
+        if single.width <= width - indent {
+            set.add(piece, single);
+            continue;
+        }
+        for term in pieces(
+            piece,
+            |part| matches!(part, Formula::Operator(operator) if operator.is_binary()),
+        ) {
+            let single = row(term, size, measure);
+            let single = if single.width <= width - indent {
+                single
+            } else {
+                narrowed(term, size, width - indent, measure)
+            };
+            set.add(term, single);
+        }
+    }
+    set.stacked()
+}
+
+/// The parts, cut before each that `begins` a new piece.
+fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
+    let mut cuts = vec![0];
+    cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
+    cuts.push(parts.len());
+    cuts.windows(2).map(|pair| &parts[pair[0]..pair[1]]).filter(|piece| !piece.is_empty()).collect()
+}
+
+/// Too wide for a line of its own: vectors as columns, and then smaller.
+fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn Measure) -> Layout {
+    let columns: Vec<Formula> = parts.iter().map(upright).collect();
+    let single = row(&columns, size, measure);
+    if single.width <= width {
+        return single;
+    }
+    // Widths are proportional to the size but for the fonts' rounding.
+    let mut smaller = size;
+    let mut single = single;
+    for _ in 0..8 {
+        smaller *= (0.99 * width / single.width).clamp(0.05, 0.99);
+        single = row(&columns, smaller, measure);
+        if single.width <= width {
+            break;
+        }
+    }
+    single
+}
+
+/// The same with its vectors as columns.
+fn upright(formula: &Formula) -> Formula {
+    match formula {
+        Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Direction::Column),
+        Formula::Norm(of) => Formula::Norm(Box::new(upright(of))),
+        Formula::Parentheses(of) => Formula::Parentheses(Box::new(upright(of))),
+        Formula::Row(parts) => Formula::Row(parts.iter().map(upright).collect()),
+        Formula::Fraction(above, below) => {
+            Formula::Fraction(Box::new(upright(above)), Box::new(upright(below)))
+        }
+        Formula::Root(of) => Formula::Root(Box::new(upright(of))),
+        other => other.clone(),
+    }
+}
+
+/// Lines in the making.
+struct Lines<'a> {
+    column: Column,
+    done: Vec<Layout>,
+    /// The line that is being filled, and its last part.
+    open: Option<(Layout, &'a Formula)>,
+}
+
+impl<'a> Lines<'a> {
+    /// Adds a piece to the open line if it fits, else to a new one.
+    fn add(&mut self, parts: &'a [Formula], piece: Layout) {
+        let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
+        let indent = if self.done.is_empty() { 0.0 } else { self.column.indent };
+        match self.open.take() {
+            Some((mut line, before)) => {
+                let x = line.width + room(before, first, self.column.size);
+                if x + piece.width <= self.column.width - indent {
+                    line.put(piece, x, 0.0);
+                    self.open = Some((line, last));
+                } else {
+                    self.done.push(line);
+                    self.open = Some((piece, last));
+                }
+            }
+            None => self.open = Some((piece, last)),
+        }
+    }
+
+    /// The lines one below the other.
+    fn stacked(mut self) -> Layout {
+        self.done.extend(self.open.take().map(|(line, _)| line));
+        let mut whole = Layout::default();
+        for (k, line) in self.done.into_iter().enumerate() {
+            if k == 0 {
+                whole = line;
+                continue;
+            }
+            let y = whole.descent + LEADING * self.column.size + line.ascent;
+            whole.put(line, self.column.indent, y);
+        }
+        whole
+    }
+}

@@ -1,0 +1,209 @@
+//! A formula as LaTeX with amsmath writes it, which Markdown's `$...$` takes as well.
+
+use super::Direction;
+use super::Formula;
+use super::Operator;
+
+/// In mathematics mode.
+pub(crate) fn math(formula: &Formula) -> String {
+    match formula {
+        Formula::Scalar(name) => named("mathit", name),
+        Formula::Vector(name, _) => format!(r"\mathbf{{{name}}}"),
+        Formula::Word(text) => word(text),
+        Formula::Number(digits) | Formula::Rounded(digits) => number(digits),
+        Formula::Operator(operator) => sign(*operator).to_owned(),
+        Formula::Row(parts) => row(parts),
+        Formula::Root(of) => format!(r"\sqrt{{{}}}", math(of)),
+        Formula::Fraction(above, below) => format!(r"\frac{{{}}}{{{}}}", math(above), math(below)),
+        Formula::Power(base, small) => format!("{{{}}}^{{{}}}", math(base), math(small)),
+        Formula::Index(base, small) => format!("{{{}}}_{{{}}}", math(base), math(small)),
+        Formula::Norm(of) => format!(r"\left| {} \right|", math(of)),
+        Formula::Parentheses(of) => format!(r"\left( {} \right)", math(of)),
+        Formula::Tuple(coordinates, direction) => {
+            let coordinates: Vec<String> = coordinates.iter().map(math).collect();
+            match direction {
+                Direction::Row => format!(r"\left( {} \right)", coordinates.join(", ")),
+                Direction::Column => {
+                    format!(r"\begin{{bmatrix}} {} \end{{bmatrix}}", coordinates.join(r" \\ "))
+                }
+            }
+        }
+    }
+}
+
+/// The same with `&` before its first relation, at which lines of an `align` meet.
+pub(crate) fn aligned(formula: &Formula) -> String {
+    let parts = formula.parts();
+    let is_relation = |part: &Formula| matches!(part, Formula::Operator(o) if o.is_relation());
+    match parts.iter().position(is_relation) {
+        Some(at) => format!("{} &{}", row(&parts[..at]), row(&parts[at..])),
+        None => format!("& {}", row(parts)),
+    }
+}
+
+/// Text outside of mathematics: what LaTeX reads as commands, or what its fonts lack, is spelled out.
+pub(crate) fn text(text: &str) -> String {
+    text.chars().map(letter).collect()
+}
+
+fn letter(c: char) -> String {
+    let plain = |from: u32, first: char| {
+        char::from_u32(c as u32 - from + first as u32).unwrap_or(c).to_string()
+    };
+    match c {
+        '&' | '%' | '$' | '#' | '_' | '{' | '}' => format!(r"\{c}"),
+        '\\' => r"\textbackslash{}".to_owned(),
+        '~' => r"\textasciitilde{}".to_owned(),
+        '^' => r"\textasciicircum{}".to_owned(),
+        '<' | '>' | '|' => format!("${c}$"),
+        '“' => "``".to_owned(),
+        '”' => "''".to_owned(),
+        '−' => "$-$".to_owned(),
+        '×' => r"$\times$".to_owned(),
+        '·' => r"$\cdot$".to_owned(),
+        '√' => r"$\surd$".to_owned(),
+        '±' => r"$\pm$".to_owned(),
+        '≈' => r"$\approx$".to_owned(),
+        '≤' => r"$\le$".to_owned(),
+        '≥' => r"$\ge$".to_owned(),
+        '≠' => r"$\ne$".to_owned(),
+        '→' => r"$\to$".to_owned(),
+        '∞' => r"$\infty$".to_owned(),
+        '°' => r"$^{\circ}$".to_owned(),
+        '²' => "$^{2}$".to_owned(),
+        '\u{1d41a}'..='\u{1d433}' => format!(r"$\mathbf{{{}}}$", plain(0x1d41a, 'a')),
+        '\u{1d44e}'..='\u{1d467}' => format!("${}$", plain(0x1d44e, 'a')),
+        c if c.is_control() => String::new(),
+        c => c.to_string(),
+    }
+}
+
+/// A name of one letter is a symbol; of more, a word.
+fn named(style: &str, name: &str) -> String {
+    match name.len() {
+        1 => name.to_owned(),
+        _ => format!(r"\{style}{{{name}}}"),
+    }
+}
+
+fn word(text_of: &str) -> String {
+    match text_of {
+        "sin" => return r"\sin".to_owned(),
+        "cos" => return r"\cos".to_owned(),
+        _ => {}
+    }
+    if let Some(degrees) = text_of.strip_suffix('°') {
+        return format!(r"{}^{{\circ}}", number(degrees));
+    }
+    let is_name = !text_of.is_empty() && text_of.chars().all(|c| c.is_ascii_alphabetic());
+    if is_name {
+        format!(r"\operatorname{{{text_of}}}")
+    } else {
+        format!(r"\text{{{}}}", text(text_of))
+    }
+}
+
+/// Digits, maybe with an exponent.
+fn number(digits: &str) -> String {
+    let digits = digits.replace('−', "-");
+    match digits.split_once('e') {
+        _ if digits.contains(' ') => format!(r"\text{{{digits}}}"),
+        Some((mantissa, exponent)) => format!(r"{mantissa} \cdot 10^{{{exponent}}}"),
+        None => digits,
+    }
+}
+
+fn sign(operator: Operator) -> &'static str {
+    match operator {
+        Operator::Equals => "=",
+        Operator::Approximately => r"\approx",
+        Operator::Plus => "+",
+        Operator::Minus | Operator::Negative => "-",
+        Operator::Times => r"\times",
+        Operator::Dot => r"\cdot",
+        Operator::Comma => ",",
+    }
+}
+
+fn row(parts: &[Formula]) -> String {
+    let mut out = String::new();
+    for (k, part) in parts.iter().enumerate() {
+        let close = matches!(part, Formula::Operator(Operator::Comma))
+            || k > 0 && matches!(parts[k - 1], Formula::Operator(Operator::Negative));
+        if k > 0 && !close {
+            out.push(' ');
+        }
+        // A sign that follows another one is no operation.
+        let after_sign = k > 0 && matches!(parts[k - 1], Formula::Operator(o) if o.is_binary());
+        match part {
+            Formula::Operator(Operator::Negative) if after_sign => out.push_str("{-}"),
+            _ => out.push_str(&math(part)),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Ink;
+    use super::super::fraction;
+    use super::super::index;
+    use super::super::negative;
+    use super::super::norm;
+    use super::super::number;
+    use super::super::parentheses;
+    use super::super::power;
+    use super::super::root;
+    use super::super::row;
+    use super::super::tuple;
+    use super::super::word;
+    use super::*;
+
+    const UP: Formula = Formula::Vector("up", Ink::Given);
+
+    #[test]
+    fn every_kind_of_formula() {
+        for (formula, latex) in [
+            (Formula::Scalar("t"), "t"),
+            (Formula::Scalar("distance"), r"\mathit{distance}"),
+            (norm(UP), r"\left| \mathbf{up} \right|"),
+            (row([word("sin"), parentheses(word("90.5°"))]), r"\sin \left( 90.5^{\circ} \right)"),
+            (
+                row([word("normalize"), parentheses(negative(UP))]),
+                r"\operatorname{normalize} \left( -\mathbf{up} \right)",
+            ),
+            (word("no ray & no_hit"), r"\text{no ray \& no\_hit}"),
+            (number("-1.5e-7"), r"-1.5 \cdot 10^{-7}"),
+            (number("beyond f64"), r"\text{beyond f64}"),
+            (fraction(root(number("2")), number("4")), r"\frac{\sqrt{2}}{4}"),
+            (power(parentheses(Formula::Scalar("b")), "2"), r"{\left( b \right)}^{2}"),
+            (index(Formula::Scalar("t"), number("1")), "{t}_{1}"),
+            (tuple([number("1"), number("-2")]), r"\left( 1, -2 \right)"),
+            (
+                Formula::Tuple(vec![number("1"), number("2")], Direction::Column),
+                r"\begin{bmatrix} 1 \\ 2 \end{bmatrix}",
+            ),
+            (
+                row([UP, Operator::Times.into(), negative(UP), Operator::Approximately.into(), UP]),
+                r"\mathbf{up} \times {-}\mathbf{up} \approx \mathbf{up}",
+            ),
+        ] {
+            assert_eq!(math(&formula), latex);
+        }
+    }
+
+    #[test]
+    fn lines_meet_at_their_first_relation() {
+        let chain = row([UP, Operator::Equals.into(), UP, Operator::Equals.into(), UP]);
+        assert_eq!(aligned(&chain), r"\mathbf{up} &= \mathbf{up} = \mathbf{up}");
+        assert_eq!(aligned(&UP), r"& \mathbf{up}");
+    }
+
+    #[test]
+    fn text_has_nothing_that_latex_takes_for_a_command() {
+        assert_eq!(
+            text("50 % of {a_b} \\ “x” − 𝐮 𝑡"),
+            r"50 \% of \{a\_b\} \textbackslash{} ``x'' $-$ $\mathbf{u}$ $t$"
+        );
+    }
+}

@@ -1,0 +1,304 @@
+//! A formula as text and strokes with places: boxes that stand on a common baseline, as TeX sets
+//! them, without its refinements.
+
+use super::Direction;
+use super::Formula;
+use super::Gap;
+use super::Ink;
+use super::Operator;
+use super::gap;
+use crate::model::letters;
+
+/// The font of a piece of text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// Digits, signs and words.
+    Upright,
+    /// Scalars, already written in italic letters.
+    Italic,
+    /// Vectors.
+    Bold,
+}
+
+/// What knows how wide text is.
+pub trait Measure {
+    /// The width of `text` in a font whose em is `size`, in the unit of `size`.
+    fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
+}
+
+/// A piece of text. x to the right, y down, from where the first line's baseline begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// What it says.
+    pub text: String,
+    /// In which font.
+    pub face: Face,
+    /// The font's em.
+    pub size: f32,
+    /// In which colour.
+    pub ink: Ink,
+    /// Where its baseline begins.
+    pub at: [f32; 2],
+}
+
+/// A stroke: the bar of a fraction, a bracket.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rule {
+    /// Its corners.
+    pub points: Vec<[f32; 2]>,
+    /// How thick it is.
+    pub width: f32,
+    /// In which colour.
+    pub ink: Ink,
+}
+
+/// A formula with places: a box that reaches from its baseline up by `ascent`, down by `descent`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layout {
+    /// From left to right.
+    pub width: f32,
+    /// Above the baseline.
+    pub ascent: f32,
+    /// Below the baseline; of several lines, below the first one's.
+    pub descent: f32,
+    /// Its text.
+    pub runs: Vec<Run>,
+    /// Its strokes.
+    pub rules: Vec<Rule>,
+}
+
+/// Shares of the em. A line of text reaches so far up and down; the bars of fractions, the minus and
+/// the middle of brackets are at `AXIS`.
+const ASCENT: f32 = 0.76;
+const DESCENT: f32 = 0.24;
+const AXIS: f32 = 0.34;
+const THIN: f32 = 0.17;
+const MEDIUM: f32 = 0.24;
+const WIDE: f32 = 0.34;
+const STROKE: f32 = 0.066;
+/// Fractions, and what stands at the upper or lower right, are smaller.
+const SMALL: f32 = 0.72;
+const FRACTION: f32 = 0.88;
+/// Text that is higher than this many ems gets drawn parentheses.
+const TALL: f32 = 1.3;
+
+/// Lays a formula out in one line, letters `size` high.
+pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout {
+    match formula {
+        Formula::Scalar(name) => {
+            // A name of several letters is a word; italic letters would read as a product.
+            let text = match name.len() {
+                1 => name.chars().map(letters::italic).collect(),
+                _ => (*name).to_owned(),
+            };
+            text_box(text, Face::Italic, Ink::Text, size, measure)
+        }
+        Formula::Vector(name, ink) => text_box((*name).to_owned(), Face::Bold, *ink, size, measure),
+        Formula::Word(text) | Formula::Number(text) | Formula::Rounded(text) => {
+            text_box(text.clone(), Face::Upright, Ink::Text, size, measure)
+        }
+        Formula::Operator(operator) => {
+            text_box(operator.sign().to_owned(), Face::Upright, Ink::Text, size, measure)
+        }
+        Formula::Row(parts) => row(parts, size, measure),
+        Formula::Root(of) => root(layout(of, size, measure), size),
+        Formula::Fraction(above, below) => {
+            let small = FRACTION * size;
+            fraction(layout(above, small, measure), layout(below, small, measure), size)
+        }
+        Formula::Power(base, small) => script(base, small, -0.38, size, measure),
+        Formula::Index(base, small) => script(base, small, 0.2, size, measure),
+        Formula::Norm(of) => fenced(layout(of, size, measure), Fence::Bar, size),
+        Formula::Parentheses(of) => in_parentheses(layout(of, size, measure), size, measure),
+        Formula::Tuple(coordinates, Direction::Row) => {
+            let mut parts = Vec::new();
+            for coordinate in coordinates {
+                if !parts.is_empty() {
+                    parts.push(Operator::Comma.into());
+                }
+                parts.push(coordinate.clone());
+            }
+            in_parentheses(row(&parts, size, measure), size, measure)
+        }
+        Formula::Tuple(coordinates, Direction::Column) => {
+            let boxes = coordinates.iter().map(|c| layout(c, size, measure)).collect();
+            fenced(column(boxes, size), Fence::Bracket, size)
+        }
+    }
+}
+
+fn text_box(text: String, face: Face, ink: Ink, size: f32, measure: &mut dyn Measure) -> Layout {
+    let width = measure.width(&text, face, size);
+    Layout {
+        width,
+        ascent: ASCENT * size,
+        descent: DESCENT * size,
+        runs: vec![Run { text, face, size, ink, at: [0.0, 0.0] }],
+        rules: Vec::new(),
+    }
+}
+
+impl Layout {
+    pub(super) fn height(&self) -> f32 {
+        self.ascent + self.descent
+    }
+
+    /// Adds another box with its baseline's beginning moved by (x, y).
+    pub(super) fn put(&mut self, mut other: Layout, x: f32, y: f32) {
+        let moved = |[a, b]: [f32; 2]| [a + x, b + y];
+        other.runs.iter_mut().for_each(|run| run.at = moved(run.at));
+        for rule in &mut other.rules {
+            rule.points.iter_mut().for_each(|point| *point = moved(*point));
+        }
+        self.runs.append(&mut other.runs);
+        self.rules.append(&mut other.rules);
+        self.width = self.width.max(x + other.width);
+        self.ascent = self.ascent.max(other.ascent - y);
+        self.descent = self.descent.max(other.descent + y);
+    }
+
+    fn rule(&mut self, points: Vec<[f32; 2]>, size: f32) {
+        self.rules.push(Rule { points, width: STROKE * size, ink: Ink::Text });
+    }
+}
+
+/// The room before a part that follows another.
+pub(super) fn room(before: &Formula, after: &Formula, size: f32) -> f32 {
+    size * match gap(before, after) {
+        Gap::None => 0.0,
+        Gap::Thin => THIN,
+        Gap::Medium => MEDIUM,
+        Gap::Wide => WIDE,
+    }
+}
+
+pub(super) fn row(parts: &[Formula], size: f32, measure: &mut dyn Measure) -> Layout {
+    let mut whole = Layout::default();
+    for (k, part) in parts.iter().enumerate() {
+        let before = if k == 0 { 0.0 } else { room(&parts[k - 1], part, size) };
+        let part = layout(part, size, measure);
+        let x = whole.width + before;
+        whole.put(part, x, 0.0);
+    }
+    whole
+}
+
+fn fraction(above: Layout, below: Layout, size: f32) -> Layout {
+    let pad = 0.12 * size;
+    let width = above.width.max(below.width) + 2.0 * pad;
+    let axis = -AXIS * size;
+    let mut whole = Layout { width, ..Layout::default() };
+    let (x_above, x_below) = (0.5 * (width - above.width), 0.5 * (width - below.width));
+    let (up, down) = (axis - 0.1 * size - above.descent, axis + 0.1 * size + below.ascent);
+    whole.put(above, x_above, up);
+    whole.put(below, x_below, down);
+    whole.rule(vec![[0.04 * size, axis], [width - 0.04 * size, axis]], size);
+    whole
+}
+
+fn root(of: Layout, size: f32) -> Layout {
+    let sign = 0.62 * size;
+    let over = 0.1 * size;
+    let top = -(of.ascent + over);
+    let (bottom, end) = (of.descent - 0.1 * size, sign + of.width + 0.06 * size);
+    let middle = 0.45 * (top + bottom);
+    let mut whole = Layout::default();
+    whole.put(of, sign, 0.0);
+    whole.rule(
+        vec![
+            [0.06 * size, middle + 0.1 * size],
+            [0.17 * size, middle],
+            [0.32 * size, bottom],
+            [sign - 0.06 * size, top],
+            [end, top],
+        ],
+        size,
+    );
+    whole.width = end + 0.04 * size;
+    whole.ascent = whole.ascent.max(-top + 0.06 * size);
+    whole
+}
+
+/// A small part at the right of a base, `shift` of the base's em below its baseline.
+fn script(
+    base: &Formula,
+    small: &Formula,
+    shift: f32,
+    size: f32,
+    measure: &mut dyn Measure,
+) -> Layout {
+    let mut whole = layout(base, size, measure);
+    let small = layout(small, SMALL * size, measure);
+    let raised = if shift < 0.0 { (ASCENT * size - whole.ascent).min(0.0) } else { 0.0 };
+    let x = whole.width + 0.03 * size;
+    whole.put(small, x, shift * size + raised);
+    whole
+}
+
+fn column(boxes: Vec<Layout>, size: f32) -> Layout {
+    let between = 0.18 * size;
+    let height: f32 = boxes.iter().map(Layout::height).sum::<f32>()
+        + between * boxes.len().saturating_sub(1) as f32;
+    let width = boxes.iter().map(|b| b.width).fold(0.0, f32::max);
+    let mut whole = Layout::default();
+    let mut top = -AXIS * size - 0.5 * height;
+    for entry in boxes {
+        let (x, y) = (width - entry.width, top + entry.ascent);
+        top += entry.height() + between;
+        whole.put(entry, x, y);
+    }
+    whole
+}
+
+/// What stands on both sides of something high.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fence {
+    Bar,
+    Bracket,
+    Parenthesis,
+}
+
+fn in_parentheses(of: Layout, size: f32, measure: &mut dyn Measure) -> Layout {
+    if of.height() > TALL * size {
+        return fenced(of, Fence::Parenthesis, size);
+    }
+    let mut whole = text_box("(".to_owned(), Face::Upright, Ink::Text, size, measure);
+    for part in [of, text_box(")".to_owned(), Face::Upright, Ink::Text, size, measure)] {
+        let x = whole.width;
+        whole.put(part, x, 0.0);
+    }
+    whole
+}
+
+/// Something between two strokes as high as it is.
+fn fenced(of: Layout, fence: Fence, size: f32) -> Layout {
+    let (top, bottom) = (-of.ascent - 0.04 * size, of.descent + 0.04 * size);
+    let pad = match fence {
+        Fence::Bar => 0.24 * size,
+        Fence::Bracket | Fence::Parenthesis => 0.32 * size,
+    };
+    let (left, hook) = (0.1 * size, 0.14 * size);
+    let width = of.width + 2.0 * pad;
+    let mut whole = Layout::default();
+    whole.put(of, pad, 0.0);
+    let side = |outer: f32, inward: f32| match fence {
+        Fence::Bar => vec![[outer, top], [outer, bottom]],
+        Fence::Bracket => {
+            let inner = outer + inward * hook;
+            vec![[inner, top], [outer, top], [outer, bottom], [inner, bottom]]
+        }
+        // A parabola through the ends, touching `outer` in the middle.
+        Fence::Parenthesis => (0..=12)
+            .map(|k| {
+                let s = k as f32 / 6.0 - 1.0;
+                [outer + inward * hook * s * s, 0.5 * (top + bottom) + 0.5 * s * (bottom - top)]
+            })
+            .collect(),
+    };
+    whole.rule(side(left, 1.0), size);
+    whole.rule(side(width - left, -1.0), size);
+    whole.width = width;
+    whole.ascent = whole.ascent.max(-top);
+    whole.descent = whole.descent.max(bottom);
+    whole
+}

@@ -1,0 +1,97 @@
+//! Handles as the overlay draws them.
+
+use pinhole_core::DVec3;
+
+use super::Grip;
+use super::Stage;
+use super::grips;
+use crate::model::hand::Along;
+use crate::model::hand::Axis;
+use crate::model::hand::Hand;
+use crate::model::hand::Handle;
+use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
+
+/// Axes at a handle that is pointed at reach so many points to either side.
+const STUB_POINTS: f64 = 46.0;
+
+/// An axis that is dragged along is drawn so many of the observer's distances far.
+const LONG: f64 = 100.0;
+
+/// What the overlay draws of the handles.
+pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
+    let grips = grips(stage, hand);
+    let is_marked = |grip: &&Grip| hand.held.is_some_and(|held| held.handle == grip.handle);
+    let held = grips.iter().find(is_marked);
+    let over = held.or_else(|| grips.iter().find(|grip| hand.over == Some(grip.handle)));
+    let marks = grips.iter().map(|grip| HandleMark {
+        at: grip.at,
+        knob: knob(grip.handle),
+        state: match over {
+            Some(over) if over.handle == grip.handle => {
+                if held.is_some() {
+                    KnobState::Held
+                } else {
+                    KnobState::Over
+                }
+            }
+            _ => KnobState::Plain,
+        },
+    });
+    let grasp = hand.held;
+    let beyond = stage.beyond(stage.document.camera.eye);
+    let stems = grips.iter().filter_map(|grip| {
+        let Handle::Normal(k) = grip.handle else { return None };
+        let point = stage.place(Handle::Point(k), stage.grasp(Handle::Point(k))?)?;
+        let way = grip.at - point;
+        let length = way.length();
+        (length > 0.0).then(|| [point, point + (1.0 - stage.beyond(point) / length) * way])
+    });
+    Handles {
+        marks: marks.collect(),
+        stems: stems.collect(),
+        guides: over.map_or(Vec::new(), |grip| guides(stage, grip, hand)),
+        arrow: grasp.filter(|g| g.handle == Handle::Dolly).map(|g| g.length - beyond),
+        up: grasp
+            .filter(|g| g.handle == Handle::Up)
+            .map(|g| g.length * stage.document.camera.up().length() - beyond),
+    }
+}
+
+fn knob(handle: Handle) -> Knob {
+    match handle {
+        Handle::Corner(_) | Handle::Pixel => Knob::Square,
+        Handle::Distance | Handle::Dolly | Handle::Radius(_) => Knob::Diamond,
+        _ => Knob::Round,
+    }
+}
+
+/// The ways that a handle can be dragged, or the one that it is dragged.
+fn guides(stage: &Stage, grip: &Grip, hand: &Hand) -> Vec<Guide> {
+    let stub = overlay::length_of_points(stage.observer, grip.at, STUB_POINTS, stage.scale);
+    let long = LONG * stage.observer.eye().distance(grip.at);
+    let line = |axis: Axis, length: f64| {
+        let direction = length * axis.direction(stage.posed)?;
+        let (from, to) = (grip.at - direction, grip.at + direction);
+        Some(Guide::Line { from, to, axis: axis as usize, is_long: length > stub })
+    };
+    let lines = |axes: &[Axis], length: f64| axes.iter().filter_map(|a| line(*a, length)).collect();
+    let ring = |center: DVec3, a: DVec3, b: DVec3| vec![Guide::Ring { center, a, b }];
+    let eye = stage.document.camera.eye;
+    match (grip.handle, hand.held.is_some(), hand.along) {
+        (Handle::Roll, ..) => stage.posed.map_or(Vec::new(), |posed| {
+            let length = grip.at.distance(eye);
+            ring(eye, length * posed.basis().u, length * posed.basis().v)
+        }),
+        (Handle::Dolly, ..) | (Handle::Distance, ..) => lines(&[Axis::W], stub),
+        (Handle::Radius(k), ..) => stage.document.spheres.get(k).map_or(Vec::new(), |item| {
+            let (center, radius) = (item.shape.center, item.shape.radius);
+            let basis = stage.observer.basis();
+            ring(center, radius * basis.u, radius * basis.v)
+        }),
+        (handle, true, Along::Axis(axis)) if handle.is_free() => lines(&[axis], long),
+        (handle, true, Along::Without(axis)) if handle.is_free() => lines(&axis.others(), long),
+        (Handle::Corner(_) | Handle::Pixel, ..) => lines(&[Axis::U, Axis::V], stub),
+        (_, true, _) => Vec::new(),
+        (_, false, _) => lines(&[Axis::X, Axis::Y, Axis::Z], stub),
+    }
+}

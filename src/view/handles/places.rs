@@ -1,0 +1,181 @@
+//! Which handles there are, and where the observer sees them.
+
+use pinhole_core::steering::ViewportCorner;
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
+
+use crate::document::Document;
+use crate::model::hand::Grasp;
+use crate::model::hand::Hand;
+use crate::model::hand::Handle;
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::model::session::Selection;
+use crate::view::overlay;
+
+/// On a viewport that is seen smaller than this, in points, handles would lie over each other.
+const LEAST_VIEWPORT: f64 = 52.0;
+
+/// From an arrow's tip to the handle there, in points.
+const BEYOND: f64 = 10.0;
+
+/// What is on the stage, and who looks at it.
+#[derive(Clone, Copy)]
+pub struct Stage<'a> {
+    /// The document.
+    pub document: &'a Document,
+    /// Its camera, where it has a basis.
+    pub posed: Option<&'a PosedCamera>,
+    /// The selected ray.
+    pub selection: Selection,
+    /// What is drawn.
+    pub items: OverlayItems,
+    /// Who looks.
+    pub observer: &'a PosedCamera,
+    /// Dots per point.
+    pub scale: f32,
+}
+
+/// A handle in its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grip {
+    /// Which.
+    pub handle: Handle,
+    /// Where it is in the world.
+    pub at: DVec3,
+    /// Where the observer sees it, in dots.
+    pub spot: DVec2,
+}
+
+/// All handles that the observer sees; of those that fall together, the first is meant first.
+pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
+    if !stage.items.shows(Item::Handles) {
+        return Vec::new();
+    }
+    let of_camera = [Handle::Eye, Handle::At, Handle::Up, Handle::Roll, Handle::Dolly];
+    let corners = ViewportCorner::ALL.map(Handle::Corner);
+    let of_objects = hand.objects.into_iter().flatten().flat_map(|k| {
+        if k < stage.document.sphere_count() {
+            [Handle::Center(k), Handle::Radius(k)]
+        } else {
+            [Handle::Point(k), Handle::Normal(k)]
+        }
+    });
+    let handles = of_camera.into_iter().chain(corners).chain([Handle::Distance]);
+    let handles = handles.chain(of_objects).chain([Handle::Pixel]);
+    let is_held = |handle| hand.held.is_some_and(|grasp| grasp.handle == handle);
+    let is_small = stage.is_viewport_small();
+    let shown = handles.filter(|handle| {
+        let in_the_way = is_small && handle.is_on_viewport() && !is_held(*handle);
+        stage.items.shows(handle.item()) && !in_the_way
+    });
+    let in_place = shown.filter_map(|handle| {
+        let held = hand.held.filter(|grasp| grasp.handle == handle);
+        let at = stage.place(handle, held.or_else(|| stage.grasp(handle))?)?;
+        Some(Grip { handle, at, spot: stage.spot(at)? })
+    });
+    in_place.collect()
+}
+
+impl Stage<'_> {
+    fn camera(&self) -> &Camera {
+        &self.document.camera
+    }
+
+    /// Whether there is no room for handles on the viewport.
+    pub fn is_viewport_small(&self) -> bool {
+        let Some(posed) = self.posed else { return false };
+        let corner = |corner: ViewportCorner| {
+            let uv = corner.uv(posed.viewport());
+            self.spot(posed.viewport_point(uv))
+        };
+        let [Some(a), Some(b), Some(c), Some(d)] = ViewportCorner::ALL.map(corner) else {
+            return false;
+        };
+        a.distance(d).max(b.distance(c)) < LEAST_VIEWPORT * f64::from(self.scale)
+    }
+
+    /// The length of the arrows at the eye; `None` where it is not seen.
+    pub(super) fn arrow(&self) -> Option<f64> {
+        let arrow = overlay::arrow_length(self.observer, self.camera().eye, self.scale);
+        (arrow > 0.0 && arrow.is_finite()).then_some(arrow)
+    }
+
+    /// Handles of arrows lie so far beyond their tips, in the world, and leave the heads to be seen.
+    pub(super) fn beyond(&self, base: DVec3) -> f64 {
+        overlay::length_of_points(self.observer, base, BEYOND, self.scale)
+    }
+
+    /// How a handle is taken when it is taken now; `None` where it is not there.
+    pub fn grasp(&self, handle: Handle) -> Option<Grasp> {
+        let per_length = |drawn: f64, vector: DVec3| {
+            let length = vector.length();
+            (length > 0.0 && length.is_finite()).then_some(drawn / length)
+        };
+        let beyond = |at: DVec3| self.beyond(at);
+        let eye = self.camera().eye;
+        let length = match handle {
+            Handle::Up => {
+                per_length(overlay::UP_LENGTH * self.arrow()? + beyond(eye), self.camera().up())?
+            }
+            Handle::Roll | Handle::Dolly => self.arrow()? + beyond(eye),
+            Handle::Normal(k) => {
+                let plane = self.plane(k)?;
+                let arrow = overlay::normal_length(self.observer, plane.point, self.scale);
+                per_length(arrow + beyond(plane.point), plane.normal)?
+            }
+            _ => 1.0,
+        };
+        Some(Grasp { handle, length, toward: self.observer.basis().u })
+    }
+
+    /// Where a handle is in the world.
+    pub fn place(&self, handle: Handle, Grasp { length, toward, .. }: Grasp) -> Option<DVec3> {
+        let camera = self.camera();
+        let on_viewport = |uv: DVec2| Some(self.posed?.viewport_point(uv));
+        match handle {
+            Handle::Eye => Some(camera.eye),
+            Handle::At => match camera.orientation {
+                Orientation::At { at, .. } => Some(at),
+                Orientation::View { view, .. } => Some(camera.eye + view),
+                Orientation::Basis(_) => None,
+            },
+            Handle::Up => match camera.orientation {
+                Orientation::At { up, .. } | Orientation::View { up, .. } => {
+                    Some(camera.eye + length * up)
+                }
+                Orientation::Basis(_) => None,
+            },
+            Handle::Roll => Some(camera.eye + length * self.posed?.basis().v),
+            Handle::Dolly => Some(camera.eye + length * self.posed?.basis().w),
+            Handle::Corner(corner) => on_viewport(corner.uv(&camera.viewport)),
+            Handle::Distance => on_viewport(DVec2::new(0.0, -0.5 * camera.viewport.height)),
+            Handle::Pixel => on_viewport(self.selection.inside(camera.image).uv(self.posed?)),
+            Handle::Center(k) => Some(self.document.spheres.get(k)?.shape.center),
+            Handle::Radius(k) => {
+                let sphere = self.document.spheres.get(k)?.shape;
+                Some(sphere.center + sphere.radius * toward)
+            }
+            Handle::Point(k) => Some(self.plane(k)?.point),
+            Handle::Normal(k) => {
+                let plane = self.plane(k)?;
+                Some(plane.point + length * plane.normal)
+            }
+        }
+    }
+
+    fn plane(&self, k: usize) -> Option<pinhole_core::Plane> {
+        let place = k.checked_sub(self.document.sphere_count())?;
+        Some(self.document.planes.get(place)?.shape)
+    }
+
+    /// Where the observer sees a point, in dots; `None` outside the picture.
+    pub fn spot(&self, at: DVec3) -> Option<DVec2> {
+        let seen = self.observer.project(at);
+        let image = self.observer.image();
+        let size = [image.width() as usize, image.height() as usize];
+        let [x, y] = overlay::camera_position_of_uv(self.observer, size, seen.uv);
+        let spot = DVec2::new(x.into(), y.into());
+        let extent = DVec2::new(f64::from(image.width()), f64::from(image.height()));
+        let inside = spot.cmpge(DVec2::ZERO).all() && spot.cmple(extent).all();
+        (seen.is_in_front() && inside).then_some(spot)
+    }
+}

@@ -1,0 +1,397 @@
+//! From the pointer to a point of the world, and from there to what the handle changes. Always from
+//! how it was when the handle was taken, so that there and back again is no change.
+
+use std::f64::consts::PI;
+
+use pinhole_core::steering::{
+    CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, ViewportCorner, nice_step,
+    pixel_in_world, rounded_to, snapped,
+};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera, Viewport};
+
+use super::Part;
+use super::Solid;
+use crate::model::hand::Along;
+use crate::model::hand::Axis;
+use crate::model::hand::Grasp;
+use crate::model::hand::Handle;
+
+/// How it was when a handle was taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Start {
+    /// What it changes.
+    pub before: Part,
+    /// The camera then, where it had a basis.
+    pub posed: Option<PosedCamera>,
+    /// How it was taken.
+    pub grasp: Grasp,
+    /// Where it was in the world.
+    pub at: DVec3,
+    /// Where in the observer's viewport the pointer took it.
+    pub begun_at: DVec2,
+}
+
+/// How a drag is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct How {
+    /// Along what.
+    pub along: Along,
+    /// To multiples of a round step.
+    pub snaps: bool,
+    /// What a moved eye keeps.
+    pub eye: Keep,
+    /// What a corner of the viewport keeps.
+    pub corner: CornerKeeps,
+    /// What the viewport's distance keeps.
+    pub distance: DistanceKeeps,
+}
+
+/// What a drag has done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pulled {
+    /// How it is now.
+    pub part: Part,
+    /// How the handle is held now.
+    pub grasp: Grasp,
+    /// Whether up was turned too, because the view came near it.
+    pub up_went_along: bool,
+    /// The step that values were snapped to.
+    pub step: Option<f64>,
+    /// By how many degrees the camera was rolled, where it was.
+    pub rolled: Option<f64>,
+}
+
+/// A drag under way: who looks, and how it is held.
+#[derive(Clone, Copy, Debug)]
+pub struct Pull<'a> {
+    /// How it began.
+    pub start: &'a Start,
+    /// The observer.
+    pub observer: &'a PosedCamera,
+    /// Dots per point.
+    pub scale: f32,
+    /// How it is held.
+    pub how: How,
+}
+
+/// A step to snap to, and that a key moves by, is at least so many points long.
+const STEP_POINTS: f64 = 10.0;
+
+/// Angles are snapped to so many degrees.
+const STEP_DEGREES: f64 = 15.0;
+
+/// The step for values at a place: 1, 2 or 5 times a power of ten.
+pub fn step_of(observer: &PosedCamera, at: DVec3, scale: f32) -> Option<f64> {
+    nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at).ok()?).ok()
+}
+
+/// Where the tip of v goes when the camera is rolled by so many degrees.
+pub fn turned_by(start: &Start, degrees: f64) -> Option<DVec3> {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let (eye, basis) = (start.before.camera.eye, start.posed?);
+    Some(eye + start.grasp.length * (cos * basis.basis().v - sin * basis.basis().u))
+}
+
+/// A vector drawn from a point to its tip, so many times as long as it is.
+fn of_tip(tip: DVec3, base: DVec3, length: f64) -> DVec3 {
+    (tip - base) / length
+}
+
+impl Pull<'_> {
+    /// What there is when the pointer is at `uv` in the observer's viewport.
+    ///
+    /// # Errors
+    /// Why the handle cannot be dragged there, in words.
+    pub fn to(&self, uv: DVec2) -> Result<Pulled, String> {
+        let Start { at, begun_at, .. } = *self.start;
+        let drag = Drag { anchor: at, begun_at };
+        let point = drag.to(self.observer, uv, self.along()?).map_err(|e| e.to_string())?;
+        self.put(point)
+    }
+
+    /// What there is when the handle is at a point of the world, or as near to it as it can be.
+    ///
+    /// # Errors
+    /// Why it cannot be there, in words.
+    pub fn put(&self, point: DVec3) -> Result<Pulled, String> {
+        let Start { before, grasp, at, .. } = *self.start;
+        let unchanged =
+            Pulled { part: before, grasp, up_went_along: false, step: None, rolled: None };
+        if point == at {
+            return Ok(unchanged);
+        }
+        let camera = |camera: Camera| Pulled { part: Part { camera, ..before }, ..unchanged };
+        let steered = match grasp.handle {
+            Handle::Eye => self.eye(self.readable(at, point, 1.0)?),
+            Handle::At => self.look_at(self.readable(at, point, 1.0)?),
+            Handle::Up => self.up(point).map(|camera| (camera, false)),
+            Handle::Roll => {
+                let (rolled, degrees) = self.roll(point)?;
+                let rolled = Pulled { rolled: Some(degrees), ..camera(rolled) };
+                return Ok(self.snapped_by(rolled));
+            }
+            Handle::Dolly => self.dolly(point).map(|camera| (camera, false)),
+            Handle::Corner(corner) => self.corner(corner, point).map(|camera| (camera, false)),
+            Handle::Distance => self.distance(point).map(|camera| (camera, false)),
+            Handle::Pixel => return Ok(Pulled { part: self.pixel(point), ..unchanged }),
+            _ => return self.solid(point).map(|pulled| self.snapped_by(pulled)),
+        };
+        let (after, up_went_along) = steered?;
+        let mut pulled = Pulled { up_went_along, ..camera(after) };
+        if self.how.distance == DistanceKeeps::Picture {
+            let (old, new) = (before.camera.viewport, after.viewport);
+            pulled.part.selection = before.selection.in_another_viewport(old, new);
+        }
+        Ok(self.snapped_by(pulled))
+    }
+
+    fn snapped_by(&self, pulled: Pulled) -> Pulled {
+        Pulled { step: self.step().filter(|_| self.how.snaps), ..pulled }
+    }
+
+    /// The step that this drag is snapped to, in the unit of what it changes.
+    fn step(&self) -> Option<f64> {
+        match self.start.grasp.handle {
+            Handle::Roll => Some(STEP_DEGREES),
+            Handle::Pixel => None,
+            _ => step_of(self.observer, self.start.at, self.scale),
+        }
+    }
+
+    /// What the handle is dragged along.
+    fn along(&self) -> Result<DragAlong, String> {
+        let no_basis = || "the camera has no basis".to_owned();
+        let Start { posed, grasp, at, before, .. } = self.start;
+        let axis = |axis: Axis| axis.direction(posed.as_ref()).ok_or_else(no_basis);
+        if grasp.handle.is_free() {
+            return Ok(match self.how.along {
+                Along::View => DragAlong::ViewPlane,
+                Along::Axis(one) => DragAlong::Axis(axis(one)?),
+                Along::Without(one) => {
+                    let [a, b] = one.others();
+                    DragAlong::Plane(axis(a)?, axis(b)?)
+                }
+            });
+        }
+        let (u, v, w) = (axis(Axis::U)?, axis(Axis::V)?, axis(Axis::W)?);
+        let keeps_picture = self.how.distance == DistanceKeeps::Picture;
+        Ok(match grasp.handle {
+            Handle::Corner(_) | Handle::Distance if keeps_picture => {
+                DragAlong::Axis(*at - before.camera.eye)
+            }
+            Handle::Distance | Handle::Dolly => DragAlong::Axis(w),
+            Handle::Corner(_) | Handle::Pixel if self.how.along == Along::Axis(Axis::U) => {
+                DragAlong::Axis(u)
+            }
+            Handle::Corner(_) | Handle::Pixel if self.how.along == Along::Axis(Axis::V) => {
+                DragAlong::Axis(v)
+            }
+            _ => DragAlong::Plane(u, v),
+        })
+    }
+
+    /// What a pixel of the picture measures at the handle.
+    fn pixel_size(&self) -> Result<f64, String> {
+        pixel_in_world(self.observer, self.start.at).map_err(|e| e.to_string())
+    }
+
+    /// A number without digits that a hand cannot mean; `per` is how much of it a unit of the world is.
+    fn number(&self, value: f64, per: f64) -> Result<f64, String> {
+        let number = match self.step().filter(|_| self.how.snaps) {
+            Some(step) => snapped(value, step),
+            None => rounded_to(value, per * self.pixel_size()?),
+        };
+        number.map_err(|e| e.to_string())
+    }
+
+    /// A point or vector likewise; coordinates that the drag did not change stay to the bit. Along the
+    /// camera's axes, the way is snapped, not where it ends.
+    fn readable(&self, from: DVec3, to: DVec3, per: f64) -> Result<DVec3, String> {
+        let camera_axes: &[Axis] = match self.how.along {
+            Along::Axis(Axis::U) => &[Axis::U],
+            Along::Axis(Axis::V) => &[Axis::V],
+            Along::Axis(Axis::W) => &[Axis::W],
+            Along::Without(axis @ (Axis::U | Axis::V | Axis::W)) => &axis.others(),
+            _ => &[],
+        };
+        if self.how.snaps && !camera_axes.is_empty() {
+            let mut point = from;
+            for axis in camera_axes {
+                let direction = axis.direction(self.start.posed.as_ref()).unwrap_or_default();
+                point += self.number((to - from).dot(direction), per)? * direction;
+            }
+            return Ok(point);
+        }
+        let number = |from: f64, to: f64| if from == to { Ok(to) } else { self.number(to, per) };
+        Ok(DVec3::new(number(from.x, to.x)?, number(from.y, to.y)?, number(from.z, to.z)?))
+    }
+
+    fn eye(&self, point: DVec3) -> Result<(Camera, bool), String> {
+        let camera = self.start.before.camera;
+        match camera.with_eye_at(point, self.how.eye) {
+            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
+            Err(SteerError::Camera(fault)) => {
+                let by = point - camera.eye;
+                let orientation = match (camera.orientation, self.how.eye) {
+                    (Orientation::At { at, up }, Keep::View) => Orientation::At { at: at + by, up },
+                    (Orientation::View { view, up }, Keep::At) => {
+                        Orientation::View { view: view - by, up }
+                    }
+                    (Orientation::Basis(_), _) => return Err(fault.to_string()),
+                    (given, _) => given,
+                };
+                Ok((Camera { eye: point, orientation, ..camera }, false))
+            }
+            Err(reason) => Err(reason.to_string()),
+        }
+    }
+
+    fn look_at(&self, point: DVec3) -> Result<(Camera, bool), String> {
+        let camera = self.start.before.camera;
+        match camera.with_at(point) {
+            Ok(steered) => Ok((steered.camera, steered.up_went_along)),
+            Err(SteerError::Camera(fault)) => {
+                let orientation = match camera.orientation {
+                    Orientation::At { up, .. } => Orientation::At { at: point, up },
+                    Orientation::View { up, .. } => {
+                        Orientation::View { view: point - camera.eye, up }
+                    }
+                    Orientation::Basis(_) => return Err(fault.to_string()),
+                };
+                Ok((Camera { orientation, ..camera }, false))
+            }
+            Err(reason) => Err(reason.to_string()),
+        }
+    }
+
+    /// Up as it is dragged, parallel to the view or not: the fields show the fault.
+    fn up(&self, tip: DVec3) -> Result<Camera, String> {
+        let (camera, length) = (self.start.before.camera, self.start.grasp.length);
+        let new = of_tip(tip, camera.eye, length);
+        let new = self.readable(camera.up(), new, 1.0 / length)?;
+        let orientation = match camera.orientation {
+            Orientation::At { at, .. } => Orientation::At { at, up: new },
+            Orientation::View { view, .. } => Orientation::View { view, up: new },
+            Orientation::Basis(_) => return Err(SteerError::NoUp.to_string()),
+        };
+        Ok(Camera { orientation, ..camera })
+    }
+
+    /// The camera rolled until v points to where the tip is, and by how many degrees.
+    fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
+        let Start { before, posed, grasp, .. } = self.start;
+        let basis = *posed.as_ref().ok_or("the camera has no basis")?.basis();
+        let along = tip - before.camera.eye;
+        let degrees = (-along.dot(basis.u)).atan2(along.dot(basis.v)).to_degrees();
+        let per = 180.0 / (PI * grasp.length);
+        let degrees = self.number(degrees, per)?;
+        Ok((before.camera.swung(degrees).map_err(|e| e.to_string())?, degrees))
+    }
+
+    /// The camera moved along w by as much as the tip of w is.
+    fn dolly(&self, tip: DVec3) -> Result<Camera, String> {
+        let Start { before: Part { camera, .. }, posed, at, .. } = self.start;
+        let w = posed.as_ref().ok_or("the camera has no basis")?.basis().w;
+        let back = self.number((tip - *at).dot(w), 1.0)?;
+        let reach = camera.pivot().map_err(|e| e.to_string())?.distance(camera.eye);
+        let forward = match camera.orientation {
+            Orientation::At { .. } if reach + back <= 0.0 => {
+                return Err("the eye is moved towards at and never reaches it".to_owned());
+            }
+            Orientation::At { .. } => (reach / (reach + back)).ln(),
+            _ => -back / reach,
+        };
+        camera.dollied(forward).map_err(|e| e.to_string())
+    }
+
+    fn corner(&self, corner: ViewportCorner, point: DVec3) -> Result<Camera, String> {
+        if self.how.distance == DistanceKeeps::Picture {
+            return self.distance(point);
+        }
+        let camera = self.start.before.camera;
+        let (ratio, viewport) = match camera.with_viewport_corner(corner, point, self.how.corner) {
+            Ok(moved) => (moved.viewport.width / moved.viewport.height, moved.viewport),
+            Err(SteerError::Camera(_)) => {
+                let posed = self.start.posed.ok_or("the camera has no basis")?;
+                let size = 2.0 * corner.signs() * posed.project(point).uv;
+                let fallen = Viewport { width: size.x, height: size.y, ..camera.viewport };
+                (f64::NAN, fallen)
+            }
+            Err(reason) => return Err(reason.to_string()),
+        };
+        let read =
+            |before: f64, now: f64| if before == now { Ok(now) } else { self.number(now, 2.0) };
+        let width = read(camera.viewport.width, viewport.width)?;
+        let height = if self.how.corner == CornerKeeps::Nothing || ratio.is_nan() {
+            read(camera.viewport.height, viewport.height)?
+        } else {
+            width / ratio
+        };
+        Ok(Camera { viewport: Viewport { width, height, ..viewport }, ..camera })
+    }
+
+    fn distance(&self, point: DVec3) -> Result<Camera, String> {
+        let camera = self.start.before.camera;
+        let distance = match camera.with_viewport_through(point, DistanceKeeps::Size) {
+            Ok(moved) => moved.viewport.distance,
+            Err(_) => {
+                let w = self.start.posed.ok_or("the camera has no basis")?.basis().w;
+                (camera.eye - point).dot(w)
+            }
+        };
+        let distance = self.number(distance, 1.0)?;
+        let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
+        Ok(match self.how.distance {
+            DistanceKeeps::Size => set,
+            // A distance that is none is told as without the lock.
+            DistanceKeeps::Picture => camera.scaled_picture(distance).unwrap_or(set),
+        })
+    }
+
+    /// The pixel that is nearest to a point of the viewport.
+    fn pixel(&self, point: DVec3) -> Part {
+        let Start { before, posed, .. } = self.start;
+        let place = posed.as_ref().and_then(|posed| {
+            let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
+            posed.pixel_of_uv(posed.project(point).uv.clamp(-half, half))
+        });
+        match place {
+            Some(place) => {
+                Part { selection: crate::model::session::Selection::Pixel(place.pixel), ..*before }
+            }
+            None => *before,
+        }
+    }
+
+    /// A sphere or a plane.
+    fn solid(&self, point: DVec3) -> Result<Pulled, String> {
+        let Start { before, grasp, at, .. } = *self.start;
+        let mut now =
+            Pulled { part: before, grasp, up_went_along: false, step: None, rolled: None };
+        let Some((k, solid)) = before.object else { return Ok(now) };
+        let solid = match (solid, grasp.handle) {
+            (Solid::Sphere(mut sphere), Handle::Radius(_)) => {
+                let out = point - sphere.center;
+                let radius = sphere.with_surface_through(point).map_or(0.0, |moved| moved.radius);
+                sphere.radius = self.number(radius, 1.0)?;
+                now.grasp.toward = out.try_normalize().unwrap_or(grasp.toward);
+                Solid::Sphere(sphere)
+            }
+            (Solid::Sphere(mut sphere), _) => {
+                sphere.center = self.readable(at, point, 1.0)?;
+                Solid::Sphere(sphere)
+            }
+            (Solid::Plane(mut plane), Handle::Normal(_)) => {
+                let normal = of_tip(point, plane.point, grasp.length);
+                plane.normal = self.readable(plane.normal, normal, 1.0 / grasp.length)?;
+                Solid::Plane(plane)
+            }
+            (Solid::Plane(mut plane), _) => {
+                plane.point = self.readable(at, point, 1.0)?;
+                Solid::Plane(plane)
+            }
+        };
+        now.part.object = Some((k, solid));
+        Ok(now)
+    }
+}

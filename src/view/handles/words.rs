@@ -1,0 +1,88 @@
+//! Handles in words: what they are, and their values.
+
+use pinhole_core::steering::ViewportCorner;
+use pinhole_core::{DVec3, Orientation};
+
+use super::Part;
+use crate::document::Document;
+use crate::model::hand::Handle;
+use crate::model::number::written;
+use crate::model::session::Selection;
+
+/// What a handle is: `eye`, `sphere 0 “ball”: radius`.
+pub fn label(handle: Handle, document: &Document) -> String {
+    let of = |k: usize, what: &str| format!("{}: {what}", document.title_of(k));
+    let name = match handle {
+        Handle::Eye => "eye",
+        Handle::At => match document.camera.orientation {
+            Orientation::View { .. } => "view",
+            _ => "at",
+        },
+        Handle::Up => "up",
+        Handle::Roll => "roll round w",
+        Handle::Dolly => "dolly along w",
+        Handle::Corner(ViewportCorner::TopLeft) => "viewport, top left corner",
+        Handle::Corner(ViewportCorner::TopRight) => "viewport, top right corner",
+        Handle::Corner(ViewportCorner::BottomLeft) => "viewport, bottom left corner",
+        Handle::Corner(ViewportCorner::BottomRight) => "viewport, bottom right corner",
+        Handle::Distance => "viewport's distance",
+        Handle::Pixel => "selected pixel",
+        Handle::Center(k) => return of(k, "centre"),
+        Handle::Radius(k) => return of(k, "radius"),
+        Handle::Point(k) => return of(k, "point"),
+        Handle::Normal(k) => return of(k, "normal"),
+    };
+    name.to_owned()
+}
+
+/// `(1, 0, −2.5)`, to so many digits.
+pub fn vector(v: DVec3, digits: usize) -> String {
+    let [x, y, z] = v.to_array().map(|x| written(x, digits));
+    format!("({x}, {y}, {z})")
+}
+
+/// What a handle's value is: `eye = (1, 0, 0)`. Rows and columns count from 1 on wish.
+pub fn value(handle: Handle, part: &Part, digits: usize, from_one: bool) -> String {
+    let camera = &part.camera;
+    let number = |x: f64| written(x, digits);
+    let named = |name: &str, v: DVec3| format!("{name} = {}", vector(v, digits));
+    let at = match camera.orientation {
+        Orientation::At { at, .. } => named("at", at),
+        Orientation::View { view, .. } => named("view", view),
+        Orientation::Basis(basis) => named("𝐰", basis.w),
+    };
+    let viewport = camera.viewport;
+    match handle {
+        Handle::Eye => named("eye", camera.eye),
+        Handle::At => at,
+        Handle::Up => named("up", camera.up()),
+        Handle::Roll => match camera.orientation {
+            Orientation::Basis(basis) => named("𝐯", basis.v),
+            _ => named("up", camera.up()),
+        },
+        Handle::Dolly => match camera.orientation {
+            Orientation::At { at, .. } => {
+                let far = number(at.distance(camera.eye));
+                format!("{}, {far} from at", named("eye", camera.eye))
+            }
+            _ => named("eye", camera.eye),
+        },
+        Handle::Corner(_) => {
+            format!("width = {}, height = {}", number(viewport.width), number(viewport.height))
+        }
+        Handle::Distance => format!("distance = {}", number(viewport.distance)),
+        Handle::Pixel => match part.selection {
+            Selection::Pixel(pixel) => {
+                let first = u32::from(from_one);
+                format!("row {}, column {}", pixel.row + first, pixel.column + first)
+            }
+            Selection::Uv(uv) => format!("(u, v) = ({}, {})", number(uv.x), number(uv.y)),
+        },
+        Handle::Center(_) => part.sphere().map_or(String::new(), |s| named("centre", s.center)),
+        Handle::Radius(_) => {
+            part.sphere().map_or(String::new(), |s| format!("radius = {}", number(s.radius)))
+        }
+        Handle::Point(_) => part.plane().map_or(String::new(), |p| named("point", p.point)),
+        Handle::Normal(_) => part.plane().map_or(String::new(), |p| named("normal", p.normal)),
+    }
+}

@@ -1,0 +1,94 @@
+//! What can be dragged in the drawing, and how it looks.
+
+use egui::{Align2, Pos2, Rect, Stroke, Vec2, vec2};
+
+use crate::model::lines::{Handle, LinesLab};
+use crate::view::lines::canvas::Sheet;
+use crate::view::lines::drawing::{Ink, NAMES};
+use crate::view::lines::steps::number;
+use crate::view::typesetting::label_layout::{Font, Words, around};
+
+/// Half the side of what takes the pointer around a handle, in points.
+pub(crate) const GRASP: f32 = 13.0;
+
+/// Keeps words off the handles.
+pub(crate) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut Words) {
+    for handle in Handle::ALL {
+        if let Some(place) = lab.place_of(handle) {
+            words.keep_free(Rect::from_center_size(sheet.place(place), Vec2::splat(15.0)));
+        }
+    }
+}
+
+/// Draws the handles in sight over everything else.
+pub(crate) fn draw(sheet: &Sheet, lab: &LinesLab, ink: &Ink, held: impl Fn(Handle) -> bool) {
+    for handle in Handle::ALL {
+        let Some(at) = in_sight(sheet, lab, handle) else { continue };
+        one(sheet, handle, at, ink, held(handle));
+    }
+}
+
+/// Where a handle is, if it can be reached.
+pub(crate) fn in_sight(sheet: &Sheet, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
+    let at = sheet.place(lab.place_of(handle)?);
+    sheet.rect.expand(GRASP).contains(at).then_some(at)
+}
+
+fn one(sheet: &Sheet, handle: Handle, at: Pos2, ink: &Ink, held: bool) {
+    let larger = if held { 1.3 } else { 1.0 };
+    let edge = Stroke::new(2.0, sheet.halo);
+    let painter = &sheet.painter;
+    match handle {
+        Handle::Move => {
+            let square = Rect::from_center_size(at, Vec2::splat(15.0 * larger));
+            painter.rect(square, 2.0, ink.implicit, edge, egui::StrokeKind::Outside);
+        }
+        Handle::Turn => {
+            painter.circle(at, 8.0 * larger, sheet.halo, Stroke::new(4.0, ink.implicit));
+        }
+        Handle::P => {
+            painter.circle(at, 8.0 * larger, ink.ray, edge);
+        }
+        Handle::Tip if held => {
+            painter.circle_stroke(at, 12.0, Stroke::new(2.0, ink.ray));
+        }
+        Handle::Tip => {}
+        Handle::T => {
+            painter.circle(at, 7.0 * larger, ink.text, Stroke::new(3.0, ink.ray));
+        }
+    }
+}
+
+/// p, d and t at their handles.
+pub(crate) fn names(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words, digits: usize) {
+    let d = lab.ray.d.normalize_or_zero();
+    // On the screen y grows downwards: to the right of d, and backwards.
+    let (right, back) = (vec2(d.y as f32, d.x as f32), vec2(-d.x as f32, d.y as f32));
+    let of_ray = Font { size: NAMES + 1.0, color: ink.ray, bold: true };
+    let of_t = Font { size: NAMES, color: ink.text, bold: false };
+    let t = format!("t = {}", number(lab.t, digits));
+    for (handle, text, font, toward) in [
+        (Handle::P, "p", of_ray, back - right),
+        (Handle::T, t.as_str(), of_t, right),
+        (Handle::Tip, "d", of_ray, right),
+    ] {
+        if let Some(place) = lab.place_of(handle) {
+            words.write(text, font, around(sheet.place(place), toward, 13.0));
+        }
+    }
+}
+
+/// The crossing of both lines.
+pub(crate) fn cross(sheet: &Sheet, at: Pos2, ink: &Ink) {
+    let arm = 9.0;
+    for (width, color) in [(7.0, sheet.halo), (4.0, ink.text)] {
+        for side in [vec2(arm, arm), vec2(arm, -arm)] {
+            sheet.painter.line_segment([at - side, at + side], Stroke::new(width, color));
+        }
+    }
+}
+
+/// Below, above and beside the crossing.
+pub(crate) fn places_at_crossing(at: Pos2) -> Vec<(Pos2, Align2)> {
+    around(at, vec2(0.0, 1.0), 17.0).chain(around(at, vec2(0.0, 1.0), 30.0)).collect()
+}

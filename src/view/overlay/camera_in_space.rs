@@ -1,0 +1,295 @@
+//! The edited camera as lines in the world view: eye, arrows, frustum, viewport, selected ray.
+
+use std::borrow::Cow;
+
+use egui::Color32;
+use pinhole_core::{DVec2, DVec3, Orientation, Pixel, PosedCamera};
+
+use crate::model::concept::Thing;
+use crate::model::inspection::Inspection;
+use crate::model::number::written;
+use crate::model::overlay_items::Item;
+use crate::view::overlay::screen::unit;
+use crate::view::overlay::sketch::{Head, Pen, Sketch, Tip};
+use crate::view::overlay::world_view::WorldView;
+
+/// Sizes of text, in points: vectors, points, marks.
+pub(crate) const VECTOR_TEXT: f32 = 21.0;
+pub(crate) const POINT_TEXT: f32 = 17.0;
+pub(crate) const MARK_TEXT: f32 = 14.0;
+
+/// A basis arrow is one world unit long where that makes it so many points long on the screen, and
+/// otherwise as near to it as it can be.
+pub(crate) const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
+
+/// Lengths of the other arrows, as multiples of the basis arrows': all may have one direction, and
+/// each must stick out.
+pub(crate) const VIEW_LENGTH: f64 = 1.6;
+/// Of the arrow of up.
+pub const UP_LENGTH: f64 = 1.35;
+const AXIS_LENGTH: f64 = 1.75;
+
+/// Significant digits of the t of a point that walks along the ray.
+const WALKED_DIGITS: usize = 4;
+
+/// A normal's length, in points.
+pub(crate) const NORMAL_POINTS: f64 = 62.0;
+
+impl Sketch<'_> {
+    /// All of it, from the back of the drawing to its front.
+    pub(crate) fn camera_in_space(&mut self, view: &WorldView) {
+        let eye = view.camera.eye;
+        let usual = self.length_of_points(eye, ARROW_POINTS);
+        let arrow = view.handles.arrow.unwrap_or(usual);
+        self.axes();
+        if let Some(posed) = view.posed {
+            self.frustum(posed, view);
+            self.outline(posed);
+            self.marks(posed);
+            if let Some(inspection) = view.inspection {
+                self.selected(posed, inspection, view);
+            }
+        }
+        self.given(view, arrow);
+        if let Some(posed) = view.posed {
+            self.basis(posed, arrow);
+        }
+        self.eye_and_at(view);
+    }
+
+    /// One world unit, or as much of it or as many as are within this many points at a place; 0
+    /// where the place cannot be seen.
+    pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
+        let Some(dots) = self.screen.dots_per_unit(at) else { return 0.0 };
+        let points = dots / self.scale();
+        points.clamp(least, most) / points
+    }
+
+    fn axes(&mut self) {
+        let length = AXIS_LENGTH * self.length_of_points(DVec3::ZERO, ARROW_POINTS);
+        let names = ["x", "y", "z"];
+        for ((axis, name), color) in DVec3::AXES.into_iter().zip(names).zip(self.colors.axes) {
+            let pen = Pen::new(Item::Axes, color, 1.6);
+            let tip = self.arrow(DVec3::ZERO, length * axis, Head::Open, pen);
+            self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
+        }
+    }
+
+    pub(crate) fn label_tip(
+        &mut self,
+        pen: Pen,
+        text: impl Into<Cow<'static, str>>,
+        tip: Option<Tip>,
+        font: (Color32, f32, bool),
+    ) {
+        if let Some(Tip { spot, direction }) = tip {
+            self.label(pen, text, spot.at, direction, font);
+        }
+    }
+
+    /// Edges from the eye through the viewport's corners to the nearest plane, or past the spheres.
+    fn frustum(&mut self, posed: &PosedCamera, view: &WorldView) {
+        let ink = self.colors.ink;
+        let near = Pen::new(Item::Frustum, ink, 1.8);
+        let far = Pen::new(Item::Frustum, ink.gamma_multiply(0.55), 1.3).without_halo();
+        let reach = reach(posed, view);
+        let rays = corners(posed).map(|uv| posed.ray(uv));
+        let ends = rays.map(|ray| {
+            let planes = view.scene.planes().iter().take(64);
+            let hits = planes.filter_map(|plane| plane.roots(&ray).first_positive());
+            let wall = hits.fold(f64::INFINITY, f64::min);
+            (ray.at(wall.min(reach)), wall <= reach)
+        });
+        for (ray, (end, _)) in rays.iter().zip(ends) {
+            self.line(ray.origin, ray.at(1.0), near);
+            self.line(ray.at(1.0), end, far);
+        }
+        if ends.iter().all(|(_, on_plane)| *on_plane) {
+            for k in 0..4 {
+                self.line(ends[k].0, ends[(k + 1) % 4].0, far);
+            }
+        }
+    }
+
+    fn outline(&mut self, posed: &PosedCamera) {
+        let pen = Pen::new(Item::Viewport, self.colors.ink, 2.2).of(Thing::Viewport).on_viewport();
+        let corners = corners(posed).map(|uv| posed.viewport_point(uv));
+        for k in 0..4 {
+            self.line(corners[k], corners[(k + 1) % 4], pen);
+        }
+    }
+
+    /// A thick top edge with a triangle on it, and a triangle in the corner of pixel (0, 0).
+    fn marks(&mut self, posed: &PosedCamera) {
+        let viewport = posed.viewport();
+        let (w, h) = (viewport.width, viewport.height);
+        let side = w.min(h);
+        let Some(dots) = self.screen.dots_per_unit(posed.viewport_point(DVec2::ZERO)) else {
+            return;
+        };
+        let points = dots * side / self.scale();
+        let size = (0.09 * points).clamp(8.0, 22.0) / points * side;
+        if !size.is_finite() {
+            return;
+        }
+        let color = self.colors.mark;
+        let pen = Pen::new(Item::Marks, color, 3.4).on_viewport();
+        let at = |u: f64, v: f64| posed.viewport_point(DVec2::new(u, v));
+        self.line(at(-0.5 * w, 0.5 * h), at(0.5 * w, 0.5 * h), pen.without_halo());
+        let tip = 0.5 * h + 1.1 * size;
+        self.polygon(&[at(-0.7 * size, 0.5 * h), at(0.7 * size, 0.5 * h), at(0.0, tip)], pen);
+        let corner =
+            [at(-0.5 * w, 0.5 * h), at(-0.5 * w + size, 0.5 * h), at(-0.5 * w, 0.5 * h - size)];
+        self.polygon(&corner, pen.without_halo());
+        let font = (color, MARK_TEXT, false);
+        let place =
+            |s: &Self, uv: DVec2| s.screen.spot(posed.viewport_point(uv)).map(|spot| spot.at);
+        let center = place(self, DVec2::ZERO);
+        let named = [("top", DVec2::new(0.0, tip)), ("(0, 0)", DVec2::new(-0.5 * w, 0.5 * h))];
+        for (text, uv) in named {
+            if let (Some(center), Some(spot)) = (center, place(self, uv))
+                && points > 90.0
+            {
+                self.label(pen, text, spot, spot - center, font);
+            }
+        }
+    }
+
+    /// The selected pixel on the viewport, its ray, the hit and the normal there.
+    fn selected(&mut self, posed: &PosedCamera, inspection: &Inspection, view: &WorldView) {
+        let far = view.observer.distance();
+        let ray = &inspection.ray;
+        let color = self.colors.ray;
+        let touched = inspection.place.map(|place| place.touching(posed.image()));
+        for pixel in touched.into_iter().flatten() {
+            self.pixel(posed, pixel);
+        }
+        let pen = Pen::new(Item::Ray, color, 2.8).of(Thing::Ray);
+        let hit = inspection.first_hit();
+        let end = match hit {
+            Some(hit) => Some(hit.point),
+            None => unit(ray.direction).map(|d| ray.origin + 100.0 * far * d),
+        };
+        if let Some(end) = end {
+            self.line(ray.origin, end, pen);
+        }
+        self.point(ray.at(1.0), 3.6, pen.of(Thing::Pixel).on_viewport());
+        if let Some(t) = view.walked {
+            self.walked(inspection, t);
+        }
+        let Some(hit) = hit else { return };
+        let ink = self.colors.hit;
+        let pen = Pen::new(Item::Hit, ink, 2.4).of(Thing::Normal);
+        let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
+        let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
+        self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
+        let pen = Pen { color, ..pen }.of(inspection.thing_of(hit));
+        if let Some(spot) = self.point(hit.point, 5.0, pen) {
+            self.label(pen, "hit", spot.at, DVec2::new(0.3, 1.0), (color, POINT_TEXT, false));
+        }
+    }
+
+    /// The point p + t d, with its t, and the line to it where the ray is not drawn so far.
+    fn walked(&mut self, inspection: &Inspection, t: f64) {
+        let ray = &inspection.ray;
+        let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
+        let color = self.colors.ray;
+        let thin = Pen::new(Item::Ray, color.gamma_multiply(0.7), 1.4);
+        if t < 0.0 {
+            self.line(ray.origin, at, thin);
+        } else if t > last {
+            self.line(ray.at(last), at, thin);
+        }
+        let pen = Pen::new(Item::Ray, self.colors.hit, 2.0);
+        self.point(at, 7.5, Pen { color, ..pen });
+        if let Some(spot) = self.point(at, 4.5, pen) {
+            let text = format!("t = {}", written(t, WALKED_DIGITS));
+            let font = (color, POINT_TEXT, true);
+            self.label(pen, text, spot.at, DVec2::new(-0.3, -1.0), font);
+        }
+    }
+
+    /// A pixel's cell, framed, on the viewport.
+    pub(crate) fn pixel(&mut self, posed: &PosedCamera, Pixel { row, column }: Pixel) {
+        let u = [posed.u_of_column_edge(column), posed.u_of_column_edge(column + 1)];
+        let v = [posed.v_of_row_edge(row), posed.v_of_row_edge(row + 1)];
+        let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+            .map(|(i, j)| posed.viewport_point(DVec2::new(u[i], v[j])));
+        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).of(Thing::Pixel).on_viewport();
+        for k in 0..4 {
+            self.line(corners[k], corners[(k + 1) % 4], pen.without_halo());
+        }
+    }
+
+    /// View and up as they are given; a basis given by hand has neither.
+    fn given(&mut self, view: &WorldView, arrow: f64) {
+        let (Orientation::At { up, .. } | Orientation::View { up, .. }) = view.camera.orientation
+        else {
+            return;
+        };
+        let color = self.colors.given;
+        let eye = view.camera.eye;
+        let vectors = [
+            ("view", view.camera.view(), arrow * VIEW_LENGTH, Thing::View),
+            ("up", up, view.handles.up.unwrap_or(arrow * UP_LENGTH), Thing::Up),
+        ];
+        for (name, vector, length, thing) in vectors {
+            if let Some(direction) = unit(vector) {
+                let pen = Pen::new(Item::ViewAndUp, color, 1.9).of(thing);
+                let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
+                self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
+            }
+        }
+    }
+
+    fn basis(&mut self, posed: &PosedCamera, arrow: f64) {
+        let (eye, basis) = (posed.eye(), posed.basis());
+        let arrows = [
+            ("u", basis.u, Head::Filled, Thing::U),
+            ("v", basis.v, Head::Open, Thing::V),
+            ("w", basis.w, Head::Double, Thing::W),
+        ];
+        let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
+        for ((name, vector, head, thing), (color, pattern)) in arrows.into_iter().zip(inks) {
+            let pen = Pen::new(Item::Basis, color, 3.4).of(thing).patterned(pattern);
+            let tip = self.arrow(eye, eye + arrow * vector, head, pen);
+            self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
+        }
+    }
+
+    fn eye_and_at(&mut self, view: &WorldView) {
+        let ink = self.colors.ink;
+        if let Orientation::At { at, .. } = view.camera.orientation {
+            let color = self.colors.given;
+            let pen = Pen::new(Item::At, color, 2.0).of(Thing::At);
+            if let Some(spot) = self.point(at, 4.5, pen) {
+                let font = (color, POINT_TEXT, false);
+                self.label(pen, "at", spot.at, DVec2::new(0.5, 1.0), font);
+            }
+        }
+        let pen = Pen::new(Item::Eye, ink, 2.0).of(Thing::Eye);
+        if let Some(spot) = self.point(view.camera.eye, 6.0, pen) {
+            self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
+        }
+    }
+}
+
+/// (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.
+pub(crate) fn corners(posed: &PosedCamera) -> [DVec2; 4] {
+    let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
+    [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
+}
+
+/// To which t of the corner rays the frustum is drawn: past every sphere of ordinary size.
+fn reach(posed: &PosedCamera, view: &WorldView) -> f64 {
+    const ASKED_SPHERES: usize = 1024;
+    const LEAST: f64 = 2.2;
+    let distance = posed.viewport().distance;
+    let limit = 8.0 * view.observer.distance() / distance;
+    let far_sides = view.scene.spheres().iter().take(ASKED_SPHERES).filter_map(|sphere| {
+        let depth = posed.project(sphere.center).depth;
+        (sphere.radius < depth).then_some((depth + sphere.radius) / distance)
+    });
+    let planes = if view.scene.planes().is_empty() { 1.0 } else { 1.2 };
+    far_sides.filter(|t| *t < limit).fold(LEAST, f64::max) * 1.1 * planes
+}

@@ -1,0 +1,159 @@
+//! A drawing: lines and shapes in dots, before anything is painted. Tests, the window and exported
+//! figures read the same one.
+
+use egui::Color32;
+use pinhole_core::DVec2;
+
+use crate::model::concept::Thing;
+use crate::model::overlay_items::Item;
+
+/// A shape in dots from the top left corner.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A chain of straight lines, so many dots wide; closed if it ends where it began.
+    Line {
+        /// Its corners.
+        points: Vec<[f32; 2]>,
+        /// In dots.
+        width: f32,
+    },
+    /// A filled polygon.
+    Polygon {
+        /// Its corners.
+        points: Vec<[f32; 2]>,
+    },
+    /// A filled disc.
+    Disc {
+        /// Its centre.
+        center: [f32; 2],
+        /// In dots.
+        radius: f32,
+    },
+}
+
+/// One stroke of the overlay.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark {
+    /// What it belongs to.
+    pub item: Item,
+    /// What is pointed at where it is pointed at.
+    pub thing: Option<Thing>,
+    /// Where it is.
+    pub shape: Shape,
+    /// Its colour.
+    pub color: Color32,
+    /// A casing around it, so that it stands out from what it crosses.
+    pub halo: Option<Color32>,
+    /// Whether it lies behind something, or belongs to the ghost: such a line is dashed.
+    pub hidden: bool,
+    /// Dash and gap, in points, that tell this line from others like it where colours do not.
+    pub pattern: Option<[f32; 2]>,
+}
+
+/// Text in the picture, drawn by whoever has fonts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// What it belongs to.
+    pub item: Item,
+    /// The middle of the text, in dots.
+    pub position: [f32; 2],
+    /// What it says.
+    pub text: String,
+    /// Its colour.
+    pub color: Color32,
+    /// The colour of a soft edge around the letters.
+    pub halo: Color32,
+    /// Height of the font in points.
+    pub size: f32,
+    /// Bold: a vector's name.
+    pub bold: bool,
+}
+
+/// All marks of one picture, in the order of painting, and its labels.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Dots per point.
+    pub scale: f32,
+    /// Later ones lie over earlier ones.
+    pub marks: Vec<Mark>,
+    /// None overlaps another.
+    pub labels: Vec<Label>,
+}
+
+/// Where a thing can be pointed at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Target {
+    /// What it is.
+    pub thing: Thing,
+    /// What there is of it, in dots.
+    pub shape: Shape,
+}
+
+impl Drawing {
+    /// Every mark that can be pointed at, in the order of painting.
+    pub fn targets(&self) -> Vec<Target> {
+        let pointable = self.marks.iter().filter_map(|mark| Some((mark.thing?, &mark.shape)));
+        pointable.map(|(thing, shape)| Target { thing, shape: shape.clone() }).collect()
+    }
+}
+
+/// The thing that is nearest to a place, and no farther than `within`, all in dots. Of equally near
+/// ones the one that is drawn over the others.
+pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Thing> {
+    let at = DVec2::new(position[0].into(), position[1].into());
+    let mut nearest = (f64::from(within), None);
+    for Target { thing, shape } in targets {
+        let distance = shape.distance(at);
+        if distance <= nearest.0 {
+            nearest = (distance, Some(*thing));
+        }
+    }
+    nearest.1
+}
+
+impl Shape {
+    /// How far a place is from the shape, in dots; 0 on it.
+    fn distance(&self, at: DVec2) -> f64 {
+        let wide = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
+        let to_chain = |points: &[[f32; 2]]| {
+            let sides = points.windows(2).map(|pair| (wide(pair[0]), wide(pair[1])));
+            sides.map(|(a, b)| distance_to_side(at, a, b)).fold(f64::INFINITY, f64::min)
+        };
+        match self {
+            Shape::Line { points, width } => (to_chain(points) - 0.5 * f64::from(*width)).max(0.0),
+            Shape::Polygon { points } => {
+                let closed: Vec<_> = points.iter().chain(points.first()).copied().collect();
+                let crossings = closed.windows(2).filter(|pair| {
+                    let (a, b) = (wide(pair[0]), wide(pair[1]));
+                    (a.y > at.y) != (b.y > at.y)
+                        && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)
+                });
+                if crossings.count() % 2 == 1 { 0.0 } else { to_chain(&closed) }
+            }
+            Shape::Disc { center, radius } => {
+                (wide(*center).distance(at) - f64::from(*radius)).max(0.0)
+            }
+        }
+    }
+}
+
+fn distance_to_side(at: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let side = b - a;
+    let share = ((at - a).dot(side) / side.length_squared()).clamp(0.0, 1.0);
+    // A side without length is a point.
+    at.distance(if share.is_nan() { a } else { a + share * side })
+}
+
+impl Label {
+    /// Half the width and height, in dots, of a box that the text fits into in any font of usual
+    /// width.
+    pub fn half_extent(&self, scale: f32) -> [f32; 2] {
+        let size = self.size * scale;
+        [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
+    }
+}
+
+/// A place in dots, as the rasteriser takes it.
+pub(crate) fn dot(at: DVec2) -> [f32; 2] {
+    [at.x as f32, at.y as f32]
+}

@@ -1,0 +1,245 @@
+//! A plane of the world as the observer sees it: from dots to places on the plane, without tracing.
+
+use std::ops::Range;
+
+use pinhole_core::{DVec2, DVec3};
+
+use crate::view::overlay::screen::{RayParts, unit};
+
+/// A plane with two coordinates on it, a and b.
+///
+/// The ray through the dot (x, y) has the direction `d = x*across + y*down + corner`. With the
+/// plane's origin O and normal n it meets the plane at
+///
+/// ```text
+/// t = n.(O - eye) / n.d     a = A.(eye - O + t d)     b = B.(eye - O + t d)
+/// ```
+///
+/// and since d is linear in x and y, t, a and b are quotients of linear functions of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Flat {
+    /// Greater than 0: dots see the plane where the rate is, too.
+    offset: f64,
+    rate: Linear,
+    a: Linear,
+    b: Linear,
+}
+
+/// Where one dot's ray meets a [`Flat`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct FlatSpot {
+    /// t of the observer's ray; greater than 0.
+    pub(crate) t: f64,
+    /// (a, b).
+    pub(crate) place: DVec2,
+}
+
+/// `x*X + y*Y + Z`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Linear(DVec3);
+
+impl Linear {
+    fn of(rays: &RayParts, vector: DVec3) -> Linear {
+        Linear(DVec3::new(vector.dot(rays.across), vector.dot(rays.down), vector.dot(rays.corner)))
+    }
+
+    fn at(self, dot: DVec2) -> f64 {
+        self.0.x * dot.x + self.0.y * dot.y + self.0.z
+    }
+}
+
+impl Flat {
+    /// The plane through `origin`, on which a grows by 1 along `axis_a` and b by 1 along `axis_b`;
+    /// the two are at right angles. `None` where the numbers leave the range of `f64`, and for an
+    /// observer in the plane.
+    pub(crate) fn new(
+        rays: &RayParts,
+        origin: DVec3,
+        axis_a: DVec3,
+        axis_b: DVec3,
+    ) -> Option<Flat> {
+        let (unit_a, unit_b) = (unit(axis_a)?, unit(axis_b)?);
+        let normal = unit_a.cross(unit_b);
+        let from_origin = rays.eye - origin;
+        let offset = -normal.dot(from_origin);
+        let rate = Linear::of(rays, normal);
+        // All four may be scaled together: rows of dots are computed in f32, near 1.
+        let scale = offset.signum() / rate.0.abs().max_element();
+        let numerator = |direction: DVec3, length: f64| {
+            let along = direction / length;
+            let sum = along.dot(from_origin) * rate.0 + offset * Linear::of(rays, along).0;
+            Linear(sum * scale)
+        };
+        let flat = Flat {
+            offset: offset * scale,
+            rate: Linear(rate.0 * scale),
+            a: numerator(unit_a, axis_a.length()),
+            b: numerator(unit_b, axis_b.length()),
+        };
+        let finite = flat.offset.is_finite()
+            && [flat.rate, flat.a, flat.b].iter().all(|linear| linear.0.is_finite());
+        (finite && flat.offset > 0.0).then_some(flat)
+    }
+
+    /// Where the ray through a dot meets the plane, if it does in front of the observer and with
+    /// `|a|` and `|b|` up to `half`.
+    pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
+        let rate = self.rate.at(dot);
+        let place = DVec2::new(self.a.at(dot), self.b.at(dot));
+        if !(rate > 0.0 && place.abs().max_element() <= half * rate) {
+            return None;
+        }
+        let (t, place) = (self.offset / rate, place / rate);
+        (t > 0.0 && t.is_finite() && place.is_finite()).then_some(FlatSpot { t, place })
+    }
+
+    /// The dots of a row that [`Flat::at`] finds on the plane, give or take one at each end.
+    pub(crate) fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
+        // Each condition is linear in x: value + slope x >= 0.
+        let reach = half * self.rate.0;
+        let conditions =
+            [self.rate.0, reach - self.a.0, reach + self.a.0, reach - self.b.0, reach + self.b.0];
+        let (mut from, mut to) = (0.0f64, width as f64);
+        for condition in conditions {
+            let (slope, value) = (condition.x, condition.y * y + condition.z);
+            let zero = -value / slope;
+            if slope > 0.0 {
+                from = from.max(zero);
+            } else if slope < 0.0 {
+                to = to.min(zero);
+            } else if value < 0.0 || value.is_nan() {
+                return 0..0;
+            }
+        }
+        // Neither is NaN: `max` and `min` leave that out.
+        let to = (to.ceil() as usize).min(width);
+        (from as usize).min(to)..to
+    }
+
+    /// A part of a row of dots at once: what [`Flat::at`] says of each dot of its span, and how much
+    /// of it a grid line covers. Plain loops over `f32`, which the compiler makes into SIMD.
+    pub(crate) fn fill_row(
+        &self,
+        row: &mut FlatRow,
+        y: f64,
+        part: &Range<usize>,
+        half: f64,
+        grid: Option<&Grid>,
+    ) {
+        let span = self.span(y, part.end, half);
+        let start = span.start.max(part.start);
+        let span = start..span.end.max(start);
+        row.resize(&span);
+        let first = DVec2::new(span.start as f64 + 0.5, y);
+        let of = |linear: Linear| (linear.at(first) as f32, linear.0.x as f32);
+        let (rate, a, b, offset) = (of(self.rate), of(self.a), of(self.b), self.offset as f32);
+        let values = row.t.iter_mut().zip(&mut row.a).zip(&mut row.b).zip(&mut row.inverse_rate);
+        for (k, (((t_of, a_of), b_of), inverse_of)) in values.enumerate() {
+            let x = k as f32;
+            let inverse = 1.0 / (rate.0 + rate.1 * x);
+            *inverse_of = inverse;
+            *t_of = offset * inverse;
+            *a_of = (a.0 + a.1 * x) * inverse;
+            *b_of = (b.0 + b.1 * x) * inverse;
+        }
+        if let Some(grid) = grid {
+            self.cover(&mut row.line, &row.a, &row.inverse_rate, self.a, &grid.of_a);
+            self.cover(&mut row.line, &row.b, &row.inverse_rate, self.b, &grid.of_b);
+        }
+    }
+
+    /// Raises the coverage of each dot to that by the lines across one coordinate.
+    fn cover(
+        &self,
+        line: &mut [f32],
+        place: &[f32],
+        inverse_rate: &[f32],
+        numerator: Linear,
+        lines: &Lines,
+    ) {
+        // How much numerator and rate change from dot to dot, across and down.
+        let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
+        let reach = 0.5 * lines.width + 0.5;
+        let sparse = 1.0 / (3.0 * lines.width);
+        for ((line, place), inverse_rate) in line.iter_mut().zip(place).zip(inverse_rate) {
+            let (across, down) = (n.x - place * r.x, n.y - place * r.y);
+            let per_dot =
+                (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
+            let cells = (place - lines.shift) * lines.inverse_step;
+            // Adding and taking away 1.5 * 2^23 rounds to a whole number, without a call.
+            let whole = (cells + 12_582_912.0) - 12_582_912.0;
+            let dots_per_cell = 1.0 / per_dot.max(1e-30);
+            let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
+            let told_apart = (dots_per_cell * sparse - 1.0).clamp(0.0, 1.0);
+            *line = line.max(near * told_apart);
+        }
+    }
+}
+
+/// The dots of one row that see a [`Flat`], with what is known of each.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct FlatRow {
+    /// Which dots of the row.
+    pub(crate) span: Range<usize>,
+    pub(crate) t: Vec<f32>,
+    pub(crate) a: Vec<f32>,
+    pub(crate) b: Vec<f32>,
+    /// How much of the dot a grid line covers, 0 to 1. Lines too dense to be told apart fade away.
+    pub(crate) line: Vec<f32>,
+    inverse_rate: Vec<f32>,
+}
+
+impl FlatRow {
+    fn resize(&mut self, span: &Range<usize>) {
+        for values in
+            [&mut self.t, &mut self.a, &mut self.b, &mut self.line, &mut self.inverse_rate]
+        {
+            values.clear();
+            values.resize(span.len(), 0.0);
+        }
+        self.span = span.clone();
+    }
+}
+
+impl FlatRow {
+    /// (a, b, coverage by grid lines) of one dot of the span.
+    #[inline(always)]
+    pub(crate) fn spot(&self, k: usize) -> [f32; 3] {
+        [self.a[k], self.b[k], self.line[k]]
+    }
+
+    /// t and (a, b, coverage by grid lines) of a part of the span.
+    pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
+        let part = part.start - self.span.start..part.end - self.span.start;
+        let values = self.t[part.clone()].iter().zip(&self.a[part.clone()]);
+        let values = values.zip(&self.b[part.clone()]).zip(&self.line[part]);
+        values.map(|(((t, a), b), line)| (*t, [*a, *b, *line]))
+    }
+}
+
+/// Lines at all whole multiples of a step of a and of b.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Grid {
+    of_a: Lines,
+    of_b: Lines,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Lines {
+    inverse_step: f32,
+    shift: f32,
+    /// In dots.
+    width: f32,
+}
+
+impl Grid {
+    /// Lines `width` dots wide; `shift` is (a, b) of one crossing.
+    pub(crate) fn new(step: DVec2, shift: DVec2, width: f32) -> Grid {
+        let lines = |step: f64, shift: f64| Lines {
+            inverse_step: (1.0 / step) as f32,
+            shift: shift as f32,
+            width,
+        };
+        Grid { of_a: lines(step.x, shift.x), of_b: lines(step.y, shift.y) }
+    }
+}

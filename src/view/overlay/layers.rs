@@ -1,0 +1,348 @@
+//! What the observer sees besides the traced spheres, dot by dot: the background, the planes'
+//! patches, and the viewport with the picture on it. Near ones cover far ones, and spheres cover
+//! and are covered as their t says.
+
+use std::ops::Range;
+
+use egui::Color32;
+use pinhole_core::{DVec2, Frame, ImageSize, NO_OBJECT};
+use rayon::prelude::*;
+
+use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
+use crate::view::overlay::picture::Picture;
+
+/// Everything flat in one world view, and the t-buffer that it is compared with.
+pub(crate) struct Layers<'a> {
+    frame: &'a Frame<f32>,
+    width: usize,
+    height: usize,
+    pub(crate) background: Color32,
+    pub(crate) viewport: Option<ViewportLayer<'a>>,
+    pub(crate) patches: Vec<Patch>,
+}
+
+/// The viewport's rectangle: the picture, and the edges between its pixels.
+pub(crate) struct ViewportLayer<'a> {
+    /// (a, b) is (u / width, v / height).
+    pub(crate) flat: Flat,
+    pub(crate) image: ImageSize,
+    pub(crate) picture: Option<PictureLookup<'a>>,
+    /// The edges between pixels that are drawn, and how opaque they are, 0 to 1.
+    pub(crate) grid: Option<(Grid, f32)>,
+    /// What is seen through where there is nothing.
+    pub(crate) behind: Color32,
+}
+
+/// A picture with the nearest traced pixel of each pixel looked up beforehand.
+pub(crate) struct PictureLookup<'a> {
+    picture: &'a Picture,
+    rows: Vec<usize>,
+    columns: Vec<usize>,
+}
+
+/// The part of an infinite plane near what the observer looks at, fading outwards, with grid lines
+/// in world units.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Patch {
+    /// (a, b) are world units from the patch's centre.
+    pub(crate) flat: Flat,
+    pub(crate) radius: f64,
+    pub(crate) color: Color32,
+    pub(crate) grid_color: Color32,
+    /// In its middle, 0 to 1.
+    pub(crate) opacity: f32,
+    pub(crate) grid: Grid,
+}
+
+/// How much nearer something must be to hide a point: the points of a surface must not hide
+/// themselves.
+const TOLERANCE: f64 = 1e-3;
+
+/// The same for layers over the traced picture, which do not touch it: the rounding of `f32`.
+const PAINT_TOLERANCE: f32 = 1e-6;
+
+/// (u / width, v / height) of the viewport's edges.
+const HALF_VIEWPORT: f64 = 0.5;
+
+/// Through a patch that is more transparent than this, lines are seen as if it were not there.
+const SEEN_THROUGH: f32 = 0.25;
+
+impl<'a> PictureLookup<'a> {
+    /// `None` for a picture that is not whole, or of another image.
+    pub(crate) fn new(picture: &'a Picture, image: ImageSize) -> Option<Self> {
+        if !picture.is_whole() || picture.image != image {
+            return None;
+        }
+        let [rows, columns] = picture.raster.nearest(image);
+        Some(PictureLookup { picture, rows, columns })
+    }
+
+    fn color(&self, row: usize, column: usize) -> Color32 {
+        let width = self.picture.raster.columns().len();
+        self.picture.pixels[self.rows[row] * width + self.columns[column]]
+    }
+}
+
+impl ViewportLayer<'_> {
+    /// Where on the rectangle the dot's ray passes; `None` beside it.
+    pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
+        self.flat.at(dot, HALF_VIEWPORT)
+    }
+
+    /// A dot at (a, b), covered by grid lines to the share `line`, over what is below it.
+    #[inline(always)]
+    fn paint(&self, [a, b, line]: [f32; 3], below: Color32) -> Color32 {
+        let (w, h) = (self.image.width(), self.image.height());
+        let cell = |x: f32, count: u32| ((x * count as f32) as usize).min(count as usize - 1);
+        let base = match &self.picture {
+            Some(picture) => picture.color(cell(0.5 - b, h), cell(a + 0.5, w)),
+            None => below,
+        };
+        match self.grid {
+            Some((_, opacity)) => mix(base, contrast(base, self.behind), line * opacity),
+            None => base,
+        }
+    }
+}
+
+impl Patch {
+    /// How opaque the patch is at `|(a, b)|^2`: it fades to nothing at its rim.
+    #[inline(always)]
+    fn opacity_at(&self, length_squared: f32) -> f32 {
+        let radius = self.radius as f32;
+        let s = (1.3 - 1.3 / (radius * radius) * length_squared).clamp(0.0, 1.0);
+        self.opacity * s * s * (3.0 - 2.0 * s)
+    }
+
+    fn hides(&self, dot: DVec2, covers: impl Fn(f64) -> bool) -> bool {
+        self.flat.at(dot, self.radius).is_some_and(|spot| {
+            covers(spot.t) && self.opacity_at(spot.place.length_squared() as f32) > SEEN_THROUGH
+        })
+    }
+
+    /// A dot at (a, b), covered by grid lines to the share `line`, over what is below it.
+    #[inline(always)]
+    fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
+        let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
+        let base = mix(below, self.color, opacity);
+        if line > 0.0 { mix(base, self.grid_color, line * opacity) } else { base }
+    }
+}
+
+impl<'a> Layers<'a> {
+    /// `frame` is the observer's, with every pixel traced.
+    pub(crate) fn new(frame: &'a Frame<f32>, background: Color32) -> Self {
+        let image = frame.camera().image();
+        Layers {
+            frame,
+            width: image.width() as usize,
+            height: image.height() as usize,
+            background,
+            viewport: None,
+            patches: Vec::new(),
+        }
+    }
+
+    /// Whether the frame has a t for every dot.
+    fn is_traced(&self) -> bool {
+        self.frame.t.len() == self.width * self.height
+            && self.frame.object.len() == self.frame.t.len()
+    }
+
+    /// t of the traced object at a dot; infinite beside the picture.
+    pub(crate) fn traced_t(&self, dot: DVec2) -> f64 {
+        let inside =
+            dot.cmpge(DVec2::ZERO).all() && dot.x < self.width as f64 && dot.y < self.height as f64;
+        if !(inside && self.is_traced()) {
+            return f64::INFINITY;
+        }
+        self.frame.t[dot.y as usize * self.width + dot.x as usize].into()
+    }
+
+    /// Whether something hides a point at `t` from the observer. Lines drawn on the viewport are
+    /// not hidden by it.
+    pub(crate) fn hides(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
+        let covers = |nearer: f64| nearer * (1.0 + TOLERANCE) < t;
+        if covers(self.traced_t(dot)) {
+            return true;
+        }
+        let picture = self.viewport.as_ref().filter(|v| !on_viewport && v.picture.is_some());
+        if picture.and_then(|layer| layer.spot(dot)).is_some_and(|spot| covers(spot.t)) {
+            return true;
+        }
+        self.patches.iter().any(|patch| patch.hides(dot, covers))
+    }
+
+    /// Paints all layers over the traced picture.
+    pub(crate) fn paint(&self, dots: &mut [Color32]) {
+        self.paint_parts(dots, |_| 0..self.width, |_, _, _| ());
+    }
+
+    /// Paints all layers over the `traced` picture where the viewport is. Elsewhere the dots have to
+    /// show what [`Layers::paint`] makes of it without the viewport.
+    pub(crate) fn paint_viewport(&self, traced: &[Color32], dots: &mut [Color32]) {
+        let Some(viewport) = &self.viewport else { return };
+        if traced.len() == dots.len() {
+            let part = |row: usize| viewport.flat.span(row as f64 + 0.5, self.width, HALF_VIEWPORT);
+            self.paint_parts(dots, part, |row, part, dots| {
+                let start = row * self.width;
+                dots.copy_from_slice(&traced[start + part.start..start + part.end]);
+            });
+        }
+    }
+
+    /// Paints all layers over a part of each row, after something was done to its dots.
+    fn paint_parts(
+        &self,
+        dots: &mut [Color32],
+        part_of: impl Fn(usize) -> Range<usize> + Sync,
+        before: impl Fn(usize, Range<usize>, &mut [Color32]) + Sync,
+    ) {
+        if !self.is_traced() || dots.len() != self.frame.t.len() {
+            return;
+        }
+        let rows = dots.par_chunks_exact_mut(self.width).with_min_len(16).enumerate();
+        rows.for_each_init(
+            || vec![FlatRow::default(); self.patches.len() + 1],
+            |layers, (row, dots)| {
+                let part = part_of(row);
+                if !part.is_empty() {
+                    before(row, part.clone(), &mut dots[part.clone()]);
+                    self.fill(layers, row, &part);
+                    self.paint_row(layers, row, &part, dots);
+                }
+            },
+        );
+    }
+
+    /// A part of the viewport's row of dots, then of the patches'.
+    fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
+        let y = row as f64 + 0.5;
+        if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
+            let grid = grid.as_ref().map(|(grid, _)| grid);
+            flat.fill_row(&mut layers[0], y, part, HALF_VIEWPORT, grid);
+        }
+        for (layer, Patch { flat, radius, grid, .. }) in layers[1..].iter_mut().zip(&self.patches) {
+            flat.fill_row(layer, y, part, *radius, Some(grid));
+        }
+    }
+
+    fn paint_row(&self, layers: &[FlatRow], row: usize, part: &Range<usize>, dots: &mut [Color32]) {
+        let start = row * self.width;
+        let t = &self.frame.t[start..start + self.width];
+        let objects = &self.frame.object[start..start + self.width];
+        for (dot, object) in dots[part.clone()].iter_mut().zip(&objects[part.clone()]) {
+            if *object == NO_OBJECT {
+                *dot = self.background;
+            }
+        }
+        // Between two ends of spans, the same layers are there.
+        let mut ends: Vec<usize> = layers.iter().flat_map(|l| [l.span.start, l.span.end]).collect();
+        ends.sort_unstable();
+        for pair in ends.windows(2) {
+            let part = pair[0]..pair[1];
+            let there = |l: &FlatRow| l.span.start <= part.start && part.end <= l.span.end;
+            let there: Vec<usize> = (0..layers.len()).filter(|l| there(&layers[*l])).collect();
+            match there[..] {
+                [] => {}
+                [only] => self.paint_one(&layers[only], only, part, t, dots),
+                _ => self.paint_many(layers, &there, part, t, dots),
+            }
+        }
+    }
+
+    fn paint_one(
+        &self,
+        row: &FlatRow,
+        index: usize,
+        part: Range<usize>,
+        traced: &[f32],
+        dots: &mut [Color32],
+    ) {
+        let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
+        let spots = row.spots(part);
+        // One loop for each kind: this is where most of the time goes. The patches' can
+        // cover the whole screen.
+        match (index.checked_sub(1), &self.viewport) {
+            (Some(patch), _) => {
+                let patch = &self.patches[patch];
+                for ((dot, (t, spot)), traced) in dots.iter_mut().zip(spots).zip(traced) {
+                    *dot = patch.paint(spot, is_nearer(t, *traced), *dot);
+                }
+            }
+            (None, Some(viewport)) => {
+                let nearer = dots.iter_mut().zip(spots).zip(traced);
+                let nearer = nearer.filter(|((_, (t, _)), traced)| is_nearer(*t, **traced));
+                nearer.for_each(|((dot, (_, spot)), _)| *dot = viewport.paint(spot, *dot));
+            }
+            (None, None) => {}
+        }
+    }
+
+    fn paint_many(
+        &self,
+        layers: &[FlatRow],
+        there: &[usize],
+        part: Range<usize>,
+        traced: &[f32],
+        dots: &mut [Color32],
+    ) {
+        let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
+        // The picture lets nothing through: behind it, nothing needs to be sorted.
+        let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
+        for column in part {
+            let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
+            if let Some(viewport) = picture {
+                let own = t(&0);
+                if is_nearer(own, traced[column]) && there[1..].iter().all(|layer| t(layer) > own) {
+                    let spot = layers[0].spot(column - layers[0].span.start);
+                    dots[column] = viewport.paint(spot, dots[column]);
+                    continue;
+                }
+            }
+            found.clear();
+            found.extend(there.iter().map(|index| (t(index), *index)));
+            found.retain(|(t, _)| is_nearer(*t, traced[column]));
+            found.sort_by(|a, b| b.0.total_cmp(&a.0));
+            for (_, index) in &found {
+                dots[column] = self.layer_over(&layers[*index], *index, column, dots[column]);
+            }
+        }
+    }
+
+    fn layer_over(&self, row: &FlatRow, index: usize, column: usize, below: Color32) -> Color32 {
+        let spot = row.spot(column - row.span.start);
+        match (index.checked_sub(1), &self.viewport) {
+            (Some(patch), _) => self.patches[patch].paint(spot, true, below),
+            (None, Some(viewport)) => viewport.paint(spot, below),
+            (None, None) => below,
+        }
+    }
+}
+
+/// Whether a layer's dot lies before what was traced there.
+fn is_nearer(t: f32, traced: f32) -> bool {
+    (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
+}
+
+/// `share` of `top`, which is opaque, over `bottom`.
+#[inline(always)]
+pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
+    // 2^23 + x has x in its last bits; it is what a cast does, without the cast's other cases.
+    let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
+    // Two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
+    let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
+    let two = |b: u32, t: u32| {
+        (((b & 0x00ff_00ff) * (256 - weight) + (t & 0x00ff_00ff) * weight) >> 8) & 0x00ff_00ff
+    };
+    let [r, g, b, a] = (two(b, t) | two(b >> 8, t >> 8) << 8).to_le_bytes();
+    Color32::from_rgba_premultiplied(r, g, b, a)
+}
+
+/// Black on a light colour, white on a dark one (luma of ITU-R BT.601); on what is transparent as on
+/// what is `behind`.
+pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
+    let color = if color.a() < 128 { behind } else { color };
+    let luma = 299 * u32::from(color.r()) + 587 * u32::from(color.g()) + 114 * u32::from(color.b());
+    if luma > 110_000 { Color32::BLACK } else { Color32::WHITE }
+}

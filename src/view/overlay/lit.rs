@@ -1,0 +1,95 @@
+//! What is pointed at, lit: the rest is dimmed, the thing itself is drawn anew, thicker and over all
+//! else, whether or not its item is switched on.
+//!
+//! `lit_world`: in the world view; `lit_camera`: in the camera view.
+
+use egui::Color32;
+use pinhole_core::{Camera, DVec3, Scene, Sphere};
+
+use crate::model::concept::Thing;
+use crate::model::number::written;
+use crate::view::overlay::drawing::Drawing;
+use crate::view::overlay::labels::Request;
+use crate::view::overlay::objects::tangents;
+use crate::view::overlay::sketch::Pen;
+
+/// What is lit, and what is needed to draw it.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit<'a> {
+    /// What.
+    pub thing: Thing,
+    /// The edited camera as given.
+    pub camera: &'a Camera,
+    /// What it looks at.
+    pub scene: &'a Scene,
+    /// Significant digits of numbers.
+    pub digits: usize,
+}
+
+impl Lit<'_> {
+    /// A number for a label.
+    pub(super) fn number(&self, x: f64) -> String {
+        written(x, self.digits)
+    }
+
+    /// An angle in radians, in degrees for a label.
+    pub(super) fn degrees(&self, angle: f64) -> String {
+        format!("{}°", self.number(angle.to_degrees()))
+    }
+}
+
+/// How opaque the other marks remain.
+const DIMMED: f32 = 0.42;
+
+/// Labels of the parts of a view ray's direction.
+pub(super) const ALONG: [(Thing, &str); 3] =
+    [(Thing::AlongW, "−distance 𝐰"), (Thing::AlongU, "𝑢 𝐮"), (Thing::AlongV, "𝑣 𝐯")];
+
+/// Widths of lit lines and of those beside them, in points.
+pub(super) const STRONG: f32 = 5.0;
+pub(super) const BESIDE: f32 = 3.0;
+
+/// Lets the other marks and labels step back, and takes away the thing's own: it is drawn anew.
+pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, thing: Thing) {
+    drawing.marks.retain(|mark| mark.thing != Some(thing));
+    for mark in &mut drawing.marks {
+        mark.color = mark.color.gamma_multiply(DIMMED);
+        mark.halo = mark.halo.map(|halo| halo.gamma_multiply(DIMMED));
+    }
+    requests.retain(|request| request.thing != Some(thing));
+    for request in requests {
+        request.color = request.color.gamma_multiply(DIMMED);
+    }
+}
+
+/// The thing's own labels first: they get the best places, and nothing is named twice.
+pub(super) fn first(own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
+    others.retain(|other| own.iter().all(|request| request.text != other.text));
+    own.into_iter().chain(others).collect()
+}
+
+/// A pen and its casing, which a chain of short lines needs as a whole, below all of it.
+pub(super) fn cased(pen: Pen, halo: Color32) -> [Pen; 2] {
+    let pen = pen.without_halo();
+    [Pen { color: halo, width: pen.width + 2.5, ..pen }, pen]
+}
+
+/// The circle on a sphere that bounds what is seen of it from a point; `None` from inside.
+pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
+    const SIDES: usize = 96;
+    let out = from - sphere.center;
+    let distance = out.length();
+    let share = sphere.radius / distance;
+    if share.is_nan() || share >= 1.0 {
+        return None;
+    }
+    let axis = out / distance;
+    let (a, b) = tangents(axis);
+    let center = sphere.center + sphere.radius * share * axis;
+    let radius = sphere.radius * (1.0 - share * share).sqrt();
+    let at = |k: usize| {
+        let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();
+        center + radius * (cos * a + sin * b)
+    };
+    Some((0..=SIDES).map(at).collect())
+}

@@ -1,0 +1,233 @@
+//! The loupe of the camera view: the pixels around the selected (u, v), so large that one sees
+//! whether it is in the middle of a pixel, on an edge or on a corner.
+
+use std::ops::Range;
+
+use egui::Color32;
+use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
+
+use crate::model::concept::Thing;
+use crate::model::overlay_items::Item;
+use crate::view::overlay::camera_view::{CameraView, Sheet, place_of};
+use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
+use crate::view::overlay::picture::Picture;
+use crate::view::overlay::sketch::Pen;
+
+/// So many pixels are shown across and down.
+const PIXELS: u32 = 9;
+/// The side of a magnified pixel, in points, where there is room.
+const CELL: f64 = 24.0;
+/// The loupe takes at most this share of the view; less than half of the height, so that the place
+/// itself is not under it.
+const SHARE: DVec2 = DVec2::new(0.62, 0.45);
+/// Height of its text, in points.
+const TEXT: f32 = 15.0;
+/// Room for the rows' names, and for a line of text, in points.
+const RIM: DVec2 = DVec2::new(62.0, 23.0);
+
+/// What is under the loupe.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loupe {
+    /// The pixels around the place, all of them traced.
+    pub picture: Picture,
+    /// Rows and columns are named as the course counts them.
+    pub count_from_one: bool,
+}
+
+/// Rows and columns under the loupe, as far as the image goes: the place is in their middle, or in
+/// the middle one.
+pub fn loupe_window(place: &PixelOfUv, image: ImageSize) -> [Range<u32>; 2] {
+    let around = |edge: Option<u32>, own: u32, count: u32| {
+        let half = PIXELS / 2;
+        let (middle, end) = edge.map_or((own, own + 1), |edge| (edge, edge));
+        middle.saturating_sub(half)..(end + half).min(count)
+    };
+    [
+        around(place.row_edge, place.pixel.row, image.height()),
+        around(place.column_edge, place.pixel.column, image.width()),
+    ]
+}
+
+/// Where the loupe lies in the view.
+struct Inset {
+    /// Its upper left corner and its size, rims included, in dots.
+    from: DVec2,
+    size: DVec2,
+    /// The (fractional) row and column in the middle of the cells, as x and y of the image.
+    middle: DVec2,
+    /// Where that is, in dots.
+    center: DVec2,
+    /// The side of a cell.
+    cell: f64,
+}
+
+impl Inset {
+    /// In the corner of the view farthest from the place.
+    fn of(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
+        let (extent, scale) = (view.extent(), f64::from(view.scale));
+        let pixels = f64::from(PIXELS);
+        let rim = scale * RIM;
+        let room = SHARE * extent - DVec2::new(rim.x, 2.0 * rim.y);
+        let cell = (scale * CELL).min(room.min_element() / pixels).max(4.0 * scale);
+        let cells = DVec2::splat(pixels * cell);
+        let size = cells + DVec2::new(rim.x + 6.0 * scale, 2.0 * rim.y);
+        let margin = 10.0 * scale;
+        let corner = |at: f64, extent: f64, size: f64| {
+            if at > 0.5 * extent { margin } else { extent - size - margin }
+        };
+        let from = DVec2::new(corner(at.x, extent.x, size.x), corner(at.y, extent.y, size.y));
+        let middle = |edge: Option<u32>, own: u32| edge.map_or(f64::from(own) + 0.5, f64::from);
+        let pixel = place.pixel;
+        Inset {
+            from,
+            size,
+            middle: DVec2::new(
+                middle(place.column_edge, pixel.column),
+                middle(place.row_edge, pixel.row),
+            ),
+            center: from + rim + 0.5 * cells,
+            cell,
+        }
+    }
+
+    /// The middle of the rims: of the one with the rows' names across, of the columns' down.
+    fn rim(&self, scale: f64) -> DVec2 {
+        self.from + 0.5 * scale * RIM
+    }
+
+    /// A place of the image, in pixels from its upper left corner, under the loupe.
+    fn place(&self, x: f64, y: f64) -> DVec2 {
+        self.center + self.cell * (DVec2::new(x, y) - self.middle)
+    }
+}
+
+impl Sheet<'_> {
+    /// Draws the loupe over everything else, and takes away the labels that it covers.
+    pub(super) fn loupe(&mut self) {
+        let (Some(loupe), Some(inspection)) = (self.view.loupe, self.view.inspection) else {
+            return;
+        };
+        let Some(place) = inspection.place else { return };
+        if !self.items.shows(Item::Loupe) || !loupe.picture.is_whole() {
+            return;
+        }
+        let (view, colors) = (self.view, self.colors);
+        let at = place_of(view.posed, view.size, inspection.uv);
+        let inset = Inset::of(view, &place, at);
+        let end = inset.from + inset.size;
+        let pen = |color: Color32, width: f32| Pen::new(Item::Loupe, color, width);
+        self.line(&[at, nearest(at, inset.from, end)], pen(colors.ray, 1.5));
+        self.filled(inset.from, end, pen(colors.background, 1.0));
+        self.frame(inset.from, end, pen(colors.ink, 2.0));
+        self.cells(&inset, loupe);
+        for pixel in place.touching(view.posed.image()) {
+            let corner =
+                |k: u32| inset.place(f64::from(pixel.column + k), f64::from(pixel.row + k));
+            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).of(Thing::Pixel));
+        }
+        let per_pixel = view.dots_per_pixel();
+        let spot = inset.place(at.x / per_pixel.x, at.y / per_pixel.y);
+        for axis in [DVec2::X, DVec2::Y] {
+            let arm = 0.8 * inset.cell * axis;
+            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).of(Thing::Pixel));
+        }
+    }
+
+    fn filled(&mut self, from: DVec2, to: DVec2, pen: Pen) {
+        let corners = [from, DVec2::new(to.x, from.y), to, DVec2::new(from.x, to.y)];
+        self.add(pen, Shape::Polygon { points: corners.map(dot).to_vec() });
+    }
+
+    fn cells(&mut self, inset: &Inset, loupe: &Loupe) {
+        let raster = &loupe.picture.raster;
+        let columns = raster.columns();
+        for (row, pixels) in raster.rows().iter().zip(loupe.picture.pixels.chunks(columns.len())) {
+            for (column, color) in columns.iter().zip(pixels) {
+                let corner = |k: u32| inset.place(f64::from(column + k), f64::from(row + k));
+                let edge = Pen::new(Item::Loupe, self.colors.ink.gamma_multiply(0.6), 1.0);
+                let (from, to) = (corner(0), corner(1));
+                self.filled(from, to, Pen::new(Item::Loupe, *color, 1.0));
+                self.frame(from, to, edge);
+                // As plain as pixels are.
+                self.drawing.marks.iter_mut().rev().take(2).for_each(|mark| mark.halo = None);
+            }
+        }
+    }
+}
+
+/// Rows, columns and what kind of place it is, in words; labels under the loupe are taken away.
+pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
+    let (Some(loupe), Some(inspection)) = (view.loupe, view.inspection) else { return };
+    let Some(place) = inspection.place else { return };
+    if !view.items.shows(Item::Loupe) || !loupe.picture.is_whole() {
+        return;
+    }
+    let at = place_of(view.posed, view.size, inspection.uv);
+    let inset = Inset::of(view, &place, at);
+    let (low, high) = (inset.from, inset.from + inset.size);
+    drawing.labels.retain(|label| {
+        let [x, y] = label.position;
+        let [w, h] = label.half_extent(view.scale);
+        let apart = DVec2::new(f64::from(x), f64::from(y)) - 0.5 * (low + high);
+        apart.abs().cmpgt(0.5 * (high - low) + DVec2::new(w.into(), h.into())).any()
+    });
+    let touched = place.touching(view.posed.image());
+    let mut texts = rows(&touched, loupe, &inset, view.scale);
+    texts.extend(columns(&touched, loupe, &inset, view.scale));
+    let kind = match touched.len() {
+        4 => "corner of 4 pixels",
+        2 => "between 2 pixels",
+        1 if view.posed.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
+        _ => "inside of a pixel",
+    };
+    let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;
+    texts.push((kind.to_owned(), DVec2::new(0.5 * (low.x + high.x), below)));
+    let colors = view.style.colors();
+    drawing.labels.extend(texts.into_iter().map(|(text, center)| Label {
+        item: Item::Loupe,
+        position: dot(center),
+        text,
+        color: colors.ink,
+        halo: colors.background,
+        size: TEXT,
+        bold: false,
+    }));
+}
+
+/// The touched rows' names, at the left of them.
+fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
+    let scale = f64::from(scale);
+    let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
+    rows.dedup();
+    let name = |row: &u32| {
+        // Two names need more room than two small pixels have.
+        let least = 0.55 * f64::from(TEXT) * scale;
+        let own = inset.place(0.0, f64::from(*row) + 0.5).y - inset.center.y;
+        let y = if rows.len() == 1 { own } else { own.signum() * own.abs().max(least) };
+        let row = row + u32::from(loupe.count_from_one);
+        (format!("row {row}"), DVec2::new(inset.rim(scale).x, inset.center.y + y))
+    };
+    rows.iter().map(name).collect()
+}
+
+/// The touched columns' numbers, above them, and what they are.
+fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
+    let scale = f64::from(scale);
+    let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
+    columns.sort_unstable();
+    columns.dedup();
+    let rim = inset.rim(scale);
+    let name = |(k, column): (usize, &u32)| {
+        let name = (column + u32::from(loupe.count_from_one)).to_string();
+        let half = scale * f64::from(TEXT) * (0.3 * name.len() as f64 + 0.25);
+        let beside = if columns.len() == 1 { 0.0 } else { half * (2.0 * k as f64 - 1.0) };
+        (name, DVec2::new(inset.center.x + beside, rim.y))
+    };
+    let named = columns.iter().enumerate().map(name);
+    named.chain([("column".to_owned(), rim)]).collect()
+}
+
+/// The point of a rectangle that is nearest to a place.
+fn nearest(at: DVec2, from: DVec2, to: DVec2) -> DVec2 {
+    at.clamp(from, to)
+}

@@ -1,0 +1,141 @@
+//! How the world view shows what its tracer leaves out: a plane as the part of it near the
+//! observer's target, with a grid; a sphere around the camera as three circles.
+
+use egui::Color32;
+use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
+
+use crate::model::concept::Thing;
+use crate::model::overlay_items::Item;
+use crate::view::overlay::flat::{Flat, Grid};
+use crate::view::overlay::layers::{Patch, mix};
+use crate::view::overlay::screen::{RayParts, unit};
+use crate::view::overlay::sketch::{Pen, Sketch};
+use crate::view::overlay::style::Colors;
+
+/// The patch's radius, as a share of the observer's distance to the target and on to the plane; and
+/// how far the plane can be from the target, as a multiple of the observer's distance to it.
+const PATCH_RADIUS: f64 = 0.75;
+const PATCH_REACH: f64 = 3.0;
+
+/// How opaque a patch is in its middle, and how opaque it is where it stands between the observer
+/// and the camera.
+const OPACITY: f32 = 0.75;
+const OPACITY_BETWEEN: f32 = 0.2;
+
+/// Of very many planes, so many are shown.
+const SHOWN_PLANES: usize = 16;
+
+/// Who looks at a plane, and at what.
+pub(crate) struct Onlooker {
+    pub(crate) rays: RayParts,
+    pub(crate) target: DVec3,
+    pub(crate) distance: f64,
+    /// The edited camera's.
+    pub(crate) camera_eye: DVec3,
+    /// Dots per point.
+    pub(crate) scale: f64,
+}
+
+/// The patches of the planes near what the observer looks at.
+pub(crate) fn patches(
+    planes: &[Plane],
+    color_of: impl Fn(usize) -> Rgb,
+    onlooker: &Onlooker,
+    colors: &Colors,
+) -> Vec<Patch> {
+    let visible = planes.iter().take(SHOWN_PLANES).enumerate();
+    visible.filter_map(|(index, plane)| patch(plane, color_of(index), onlooker, colors)).collect()
+}
+
+fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) -> Option<Patch> {
+    let normal = unit(plane.normal)?;
+    let height = |p: DVec3| normal.dot(p - plane.point);
+    let away = height(onlooker.target);
+    if away.is_nan() || away.abs() > PATCH_REACH * onlooker.distance {
+        return None;
+    }
+    let center = onlooker.target - away * normal;
+    let (axis_a, axis_b) = tangents(normal);
+    let step = grid_step(onlooker.distance);
+    let shift = -DVec2::new(axis_a.dot(center) % step, axis_b.dot(center) % step);
+    let between = height(onlooker.camera_eye) * height(onlooker.rays.eye) < 0.0;
+    let color = Color32::from_rgb(r, g, b);
+    Some(Patch {
+        flat: Flat::new(&onlooker.rays, center, axis_a, axis_b)?,
+        radius: PATCH_RADIUS * (onlooker.distance + away.abs()),
+        color: mix(color, colors.background, 0.35),
+        grid_color: mix(color, colors.ink, 0.45),
+        opacity: if between { OPACITY_BETWEEN } else { OPACITY },
+        grid: Grid::new(DVec2::splat(step), shift, onlooker.scale as f32),
+    })
+}
+
+/// Two directions in the plane at right angles, along the world's axes where the plane allows.
+pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
+    let least = normal.abs();
+    let axis = if least.x <= least.y && least.x <= least.z {
+        DVec3::X
+    } else if least.y <= least.z {
+        DVec3::Y
+    } else {
+        DVec3::Z
+    };
+    let a = (axis - axis.dot(normal) * normal).normalize();
+    (a, normal.cross(a))
+}
+
+/// 1, 2 or 5 times a power of ten: some fourteen cells across a patch.
+fn grid_step(distance: f64) -> f64 {
+    let about = 2.0 * PATCH_RADIUS * distance / 14.0;
+    let power = 10f64.powf(about.log10().floor());
+    let mantissa = about / power;
+    power
+        * if mantissa < 1.5 {
+            1.0
+        } else if mantissa < 3.5 {
+            2.0
+        } else if mantissa < 7.5 {
+            5.0
+        } else {
+            10.0
+        }
+}
+
+impl Sketch<'_> {
+    /// Three circles on a sphere, at right angles to x, y and z.
+    pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
+        const SIDES: usize = 72;
+        let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
+        let pen = Pen::new(Item::Frustum, color, 1.2).of(Thing::Object(index)).without_halo();
+        for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
+            let at = |k: usize| {
+                let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();
+                sphere.center + sphere.radius * (cos * a + sin * b)
+            };
+            for k in 0..SIDES {
+                self.line(at(k), at(k + 1), pen);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn grid_steps_are_round_and_neither_few_nor_many() {
+        for distance in [1e-6, 0.3, 1.0, 7.0, 10.0, 33.0, 9e8] {
+            let step = grid_step(distance);
+            let cells = 2.0 * PATCH_RADIUS * distance / step;
+            assert!((9.0..25.0).contains(&cells), "{distance}: {cells}");
+        }
+        assert_eq!(grid_step(10.0), 1.0);
+    }
+
+    #[test]
+    fn grids_on_level_planes_follow_the_axes() {
+        assert_eq!(tangents(DVec3::Z), (DVec3::X, DVec3::Y));
+        assert_eq!(tangents(DVec3::Y), (DVec3::X, DVec3::NEG_Z));
+    }
+}

@@ -1,0 +1,102 @@
+//! Marks as what is painted one after the other: fills and strokes. What paints pixels and what
+//! writes files both take these.
+
+use std::borrow::Cow;
+
+use egui::Color32;
+
+use crate::view::overlay::drawing::{Drawing, Mark, Shape};
+
+/// How wide the casing of a mark is on each side, in points; of a thin line, as a share of it.
+const HALO_WIDTH: f32 = 1.25;
+const HALO_SHARE: f32 = 0.5;
+
+/// Dash and gap of a hidden line, in points.
+const DASH: [f32; 2] = [5.0, 4.5];
+
+/// Something to fill or to stroke, in the unit of the drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path<'a> {
+    /// Where.
+    pub outline: Outline<'a>,
+    /// In which colour.
+    pub color: Color32,
+    /// Filled or stroked.
+    pub ink: Ink,
+}
+
+/// Where something is painted.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outline<'a> {
+    /// A chain of straight lines.
+    Chain {
+        /// Its corners.
+        points: Cow<'a, [[f32; 2]]>,
+        /// Whether the last is joined to the first.
+        closed: bool,
+    },
+    /// A circle.
+    Circle {
+        /// Its centre.
+        center: [f32; 2],
+        /// Its radius.
+        radius: f32,
+    },
+}
+
+/// What is done with an outline.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ink {
+    /// It is filled.
+    Fill,
+    /// It is followed by a pen; corners are round.
+    Stroke {
+        /// The pen's width.
+        width: f32,
+        /// Whether the ends are round; else they are cut off.
+        round: bool,
+        /// Dash and gap, if it is dashed.
+        dash: Option<[f32; 2]>,
+    },
+}
+
+impl Drawing {
+    /// All that is painted, in the order of painting.
+    pub fn paths(&self) -> impl Iterator<Item = Path<'_>> {
+        self.marks.iter().flat_map(|mark| {
+            let (halo, own) = paths_of(mark, self.scale);
+            halo.into_iter().chain([own])
+        })
+    }
+}
+
+/// A mark's casing, if it has one, and itself.
+fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
+    let full = HALO_WIDTH * scale;
+    let (width, casing) = match mark.shape {
+        Shape::Line { width, .. } => (width, full.min(HALO_SHARE * width)),
+        Shape::Polygon { .. } | Shape::Disc { .. } => (0.0, full),
+    };
+    let around = Ink::Stroke { width: width + 2.0 * casing, round: true, dash: None };
+    let ink = match mark.shape {
+        Shape::Line { .. } => {
+            let dash = if mark.hidden { Some(DASH) } else { mark.pattern };
+            let dash = dash.map(|dash| dash.map(|length| length * scale));
+            Ink::Stroke { width, round: dash.is_none(), dash }
+        }
+        Shape::Polygon { .. } | Shape::Disc { .. } => Ink::Fill,
+    };
+    let path = |color, ink| Path { outline: outline_of(&mark.shape), color, ink };
+    (mark.halo.map(|halo| path(halo, around)), path(mark.color, ink))
+}
+
+fn outline_of(shape: &Shape) -> Outline<'_> {
+    let chain = |points, closed| Outline::Chain { points: Cow::Borrowed(points), closed };
+    match shape {
+        Shape::Line { points, .. } => {
+            chain(points.as_slice(), points.len() > 2 && points.first() == points.last())
+        }
+        Shape::Polygon { points } => chain(points.as_slice(), true),
+        Shape::Disc { center, radius } => Outline::Circle { center: *center, radius: *radius },
+    }
+}

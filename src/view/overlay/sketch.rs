@@ -1,0 +1,321 @@
+//! Lines, arrows and points of the world into the marks of a [`Drawing`]: projected, cut, and
+//! parted into what is seen and what is hidden.
+
+use std::borrow::Cow;
+
+use egui::Color32;
+use pinhole_core::{DVec2, DVec3};
+
+use crate::model::concept::Thing;
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
+use crate::view::overlay::labels::Request;
+use crate::view::overlay::layers::Layers;
+use crate::view::overlay::screen::{CutLine, Screen, Spot};
+use crate::view::overlay::style::Colors;
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pen {
+    pub(crate) item: Item,
+    pub(crate) thing: Option<Thing>,
+    pub(crate) color: Color32,
+    /// In points.
+    pub(crate) width: f32,
+    pub(crate) halo: bool,
+    /// Drawn on the viewport's rectangle, and so not hidden by it.
+    pub(crate) on_viewport: bool,
+    /// Never hidden by anything.
+    pub(crate) on_top: bool,
+    /// Dashed also where nothing hides it.
+    pub(crate) dashed: bool,
+    /// See [`Mark::pattern`].
+    pub(crate) pattern: Option<[f32; 2]>,
+}
+
+/// The shape of an arrow's head.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Head {
+    /// A filled triangle.
+    Filled,
+    /// Two strokes.
+    Open,
+    /// Two filled triangles, one behind the other.
+    Double,
+}
+
+/// A drawing in the making.
+pub(crate) struct Sketch<'a> {
+    pub(crate) screen: Screen,
+    pub(crate) layers: &'a Layers<'a>,
+    pub(crate) items: OverlayItems,
+    pub(crate) colors: &'static Colors,
+    pub(crate) drawing: Drawing,
+    pub(crate) requests: Vec<Request>,
+}
+
+/// Dots between two questions of whether a line is hidden.
+const SAMPLE_SPACING: f64 = 1.5;
+
+/// A run shorter than this, in points, is drawn as its neighbour is.
+const SHORTEST_RUN: f64 = 3.0;
+
+/// A part of a line that is seen, or hidden, as a whole; shares of its length on the screen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Run {
+    from: f64,
+    to: f64,
+    hidden: bool,
+}
+
+impl Pen {
+    pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
+        let (thing, on_viewport, on_top, dashed) = (None, false, false, false);
+        let pattern = None;
+        Pen { item, thing, color, width, halo: true, on_viewport, on_top, dashed, pattern }
+    }
+
+    /// Where it is in sight, with this dash and gap in points.
+    pub(crate) fn patterned(self, pattern: Option<[f32; 2]>) -> Pen {
+        Pen { pattern, ..self }
+    }
+
+    /// What it draws, for whoever points at it.
+    pub(crate) fn of(self, thing: Thing) -> Pen {
+        Pen { thing: Some(thing), ..self }
+    }
+
+    pub(crate) fn on_top(self) -> Pen {
+        Pen { on_top: true, ..self }
+    }
+
+    pub(crate) fn dashed(self) -> Pen {
+        Pen { dashed: true, ..self }
+    }
+
+    pub(crate) fn without_halo(self) -> Pen {
+        Pen { halo: false, ..self }
+    }
+
+    pub(crate) fn on_viewport(self) -> Pen {
+        Pen { on_viewport: true, ..self }
+    }
+}
+
+impl Sketch<'_> {
+    pub(crate) fn scale(&self) -> f64 {
+        f64::from(self.drawing.scale)
+    }
+
+    /// A straight line of the world.
+    pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: Pen) {
+        if self.items.shows(pen.item)
+            && let Some(cut) = self.screen.line(from, to)
+        {
+            self.cut_line(cut.from, cut.to, pen);
+        }
+    }
+
+    /// An arrow whose head keeps its size on the screen; where its tip is, if that is in sight.
+    pub(crate) fn arrow(&mut self, from: DVec3, to: DVec3, head: Head, pen: Pen) -> Option<Tip> {
+        if !self.items.shows(pen.item) {
+            return None;
+        }
+        let CutLine { from, to, whole_to, .. } = self.screen.line(from, to)?;
+        if !whole_to {
+            self.cut_line(from, to, pen);
+            return None;
+        }
+        let along = to.at - from.at;
+        let length = along.length();
+        let full = self.scale() * (4.0 + 3.0 * f64::from(pen.width));
+        let Some(direction) = along.try_normalize().filter(|_| length > 0.3 * full) else {
+            // It points at the observer, or away: only its end is seen.
+            self.disc(to, pen.width + 1.5, pen);
+            return Some(Tip { spot: to, direction: DVec2::ZERO });
+        };
+        let size = full.min(0.8 * length);
+        let neck = match head {
+            Head::Open => 0.1,
+            Head::Filled => 0.7,
+            Head::Double => 1.2,
+        };
+        self.cut_line(from, from.toward(to, 1.0 - (neck * size / length).min(1.0)), pen);
+        self.head(to, direction, size, head, pen);
+        Some(Tip { spot: to, direction })
+    }
+
+    fn head(&mut self, tip: Spot, direction: DVec2, size: f64, head: Head, pen: Pen) {
+        let side = direction.perp() * (0.42 * size);
+        let triangle = |tip: DVec2| {
+            let back = tip - direction * size;
+            [tip, back + side, back - side]
+        };
+        let hidden = self.is_hidden(tip, pen);
+        let mut add = |corners: &[DVec2], filled: bool| {
+            let mut points: Vec<[f32; 2]> = corners.iter().copied().map(dot).collect();
+            let shape = if filled && !hidden {
+                Shape::Polygon { points }
+            } else {
+                if filled {
+                    points.push(points[0]);
+                }
+                let thin = if hidden { 0.6 } else { 1.0 };
+                Shape::Line { points, width: thin * pen.width * self.drawing.scale }
+            };
+            let halo = (pen.halo && !hidden).then_some(self.colors.halo);
+            // A dashed head would be no head.
+            let (item, thing, color) = (pen.item, pen.thing, pen.color);
+            let pattern = None;
+            let mark = Mark { item, thing, shape, color, halo, hidden: false, pattern };
+            self.drawing.marks.push(mark);
+        };
+        match head {
+            Head::Filled => add(&triangle(tip.at), true),
+            Head::Open => {
+                let [tip, left, right] = triangle(tip.at);
+                add(&[left, tip, right], false);
+            }
+            Head::Double => {
+                add(&triangle(tip.at - direction * (0.7 * size)), true);
+                add(&triangle(tip.at), true);
+            }
+        }
+    }
+
+    /// A point of the world as a disc, `radius` in points; where it is, if in sight.
+    pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: Pen) -> Option<Spot> {
+        if !self.items.shows(pen.item) {
+            return None;
+        }
+        let spot = self.screen.spot(at)?;
+        self.disc(spot, radius, pen);
+        Some(spot)
+    }
+
+    /// A hidden disc is a ring.
+    fn disc(&mut self, spot: Spot, radius: f32, pen: Pen) {
+        let hidden = self.is_hidden(spot, pen);
+        let radius = radius * self.drawing.scale;
+        let shape = if hidden {
+            let ring = (0..=24).map(|k| {
+                let angle = f64::from(k) * std::f64::consts::TAU / 24.0;
+                dot(spot.at + DVec2::from_angle(angle) * f64::from(radius))
+            });
+            Shape::Line { points: ring.collect(), width: 1.2 * self.drawing.scale }
+        } else {
+            Shape::Disc { center: dot(spot.at), radius }
+        };
+        self.mark(shape, pen);
+    }
+
+    /// Adds a shape that is in sight.
+    fn mark(&mut self, shape: Shape, pen: Pen) {
+        let halo = pen.halo.then_some(self.colors.halo);
+        self.drawing.marks.push(Mark {
+            item: pen.item,
+            thing: pen.thing,
+            shape,
+            color: pen.color,
+            halo,
+            hidden: false,
+            pattern: None,
+        });
+    }
+
+    /// A flat polygon on the viewport, if it is wholly in sight and its middle is not hidden.
+    pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: Pen) {
+        if !self.items.shows(pen.item) {
+            return;
+        }
+        let Some(spots) = corners.iter().map(|c| self.screen.spot(*c)).collect::<Option<Vec<_>>>()
+        else {
+            return;
+        };
+        let seen = spots.iter().any(|spot| !self.is_hidden(*spot, pen));
+        if seen {
+            let shape = Shape::Polygon { points: spots.iter().map(|s| dot(s.at)).collect() };
+            self.mark(shape, pen);
+        }
+    }
+
+    /// Asks for a label.
+    pub(crate) fn label(
+        &mut self,
+        pen: Pen,
+        text: impl Into<Cow<'static, str>>,
+        anchor: DVec2,
+        toward: DVec2,
+        font: (Color32, f32, bool),
+    ) {
+        let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
+        if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
+            let (color, size, bold) = font;
+            let (item, thing, text) = (pen.item, pen.thing, text.into());
+            let request = Request { item, text, thing, anchor, toward, color, size, bold };
+            self.requests.push(request);
+        }
+    }
+
+    fn is_hidden(&self, spot: Spot, pen: Pen) -> bool {
+        !pen.on_top && self.layers.hides(spot.at, 1.0 / spot.inverse_t, pen.on_viewport)
+    }
+
+    fn cut_line(&mut self, from: Spot, to: Spot, pen: Pen) {
+        let scale = self.drawing.scale;
+        for run in self.runs(from, to, pen) {
+            let points = [run.from, run.to].map(|s| dot(from.toward(to, s).at)).to_vec();
+            let thin = if run.hidden { 0.65 } else { 1.0 };
+            let dashed = run.hidden || pen.dashed;
+            let halo = (pen.halo && !dashed).then_some(self.colors.halo);
+            let shape = Shape::Line { points, width: thin * pen.width * scale };
+            let (item, thing, color) = (pen.item, pen.thing, pen.color);
+            let pattern = pen.pattern;
+            let mark = Mark { item, thing, shape, color, halo, hidden: dashed, pattern };
+            self.drawing.marks.push(mark);
+        }
+    }
+
+    fn runs(&self, from: Spot, to: Spot, pen: Pen) -> Vec<Run> {
+        let length = (to.at - from.at).length();
+        let count = (length / SAMPLE_SPACING).ceil().clamp(1.0, 16_384.0) as usize;
+        let shortest = SHORTEST_RUN * self.scale() / length.max(1e-9);
+        let mut runs: Vec<Run> = Vec::new();
+        for k in 0..count {
+            let share = |k: f64| k / count as f64;
+            let hidden = self.is_hidden(from.toward(to, share(k as f64 + 0.5)), pen);
+            let to = share(k as f64 + 1.0);
+            match runs.last_mut() {
+                Some(last) if last.hidden == hidden => last.to = to,
+                _ => runs.push(Run { from: share(k as f64), to, hidden }),
+            }
+        }
+        merged(&runs, shortest)
+    }
+}
+
+/// Runs without those shorter than `shortest`, which become part of the run before them.
+fn merged(runs: &[Run], shortest: f64) -> Vec<Run> {
+    let mut merged: Vec<Run> = Vec::new();
+    for run in runs {
+        match merged.last_mut() {
+            Some(last) if last.hidden == run.hidden || run.to - run.from < shortest => {
+                last.to = run.to;
+            }
+            // The first run of a line has no run before it.
+            Some(last) if last.to - last.from < shortest => {
+                *last = Run { from: last.from, ..*run };
+            }
+            _ => merged.push(*run),
+        }
+    }
+    merged
+}
+
+/// Where an arrow ends on the screen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tip {
+    pub(crate) spot: Spot,
+    /// Of length 1, or zero for an arrow that points at the observer.
+    pub(crate) direction: DVec2,
+}

@@ -1,0 +1,215 @@
+//! The overlay's colours.
+//!
+//! Hues are Okabe and Ito's (*Color Universal Design*, 2008), darkened on a light background and
+//! lightened on a dark one. No two things are told apart by colour alone: u, v, w are thick and
+//! have three different heads, x, y, z are thin, and all have labels.
+
+use egui::Color32;
+use serde::{Deserialize, Serialize};
+
+use crate::model::color_scheme::Scheme;
+
+/// Colours for a light or for a dark window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Style {
+    /// Dark lines on a light background.
+    #[default]
+    Light,
+    /// Light lines on a dark background.
+    Dark,
+    /// [`Style::Light`] in [`Scheme::ColourBlind`].
+    ColourBlindLight,
+    /// [`Style::Dark`] in [`Scheme::ColourBlind`].
+    ColourBlindDark,
+    /// [`Style::Light`] in [`Scheme::Grey`].
+    GreyLight,
+    /// [`Style::Dark`] in [`Scheme::Grey`].
+    GreyDark,
+}
+
+/// The colours of one [`Style`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Colors {
+    /// Where the observer sees nothing.
+    pub background: Color32,
+    /// Behind lines and text, so that they stand out from what they cross.
+    pub halo: Color32,
+    /// Eye, frustum, viewport outline.
+    pub ink: Color32,
+    /// The u, v, w arrows.
+    pub basis: [Color32; 3],
+    /// Dash and gap of these arrows, in points, where greys alone would tell them apart.
+    pub patterns: [Option<[f32; 2]>; 3],
+    /// The x, y, z axes.
+    pub axes: [Color32; 3],
+    /// The at point, and view and up.
+    pub given: Color32,
+    /// The selected ray and pixel.
+    pub ray: Color32,
+    /// The hit and its normal.
+    pub hit: Color32,
+    /// The marks at the image's top edge and at pixel (0, 0).
+    pub mark: Color32,
+}
+
+const fn rgb(hex: u32) -> Color32 {
+    Color32::from_rgb((hex >> 16) as u8, (hex >> 8) as u8, hex as u8)
+}
+
+const LIGHT: Colors = Colors {
+    background: rgb(0xf4f6f9),
+    halo: rgb(0xffffff),
+    ink: rgb(0x2b3038),
+    basis: [rgb(0xc8480a), rgb(0x00805c), rgb(0x0062a8)],
+    patterns: [None; 3],
+    axes: [rgb(0x8d6a5c), rgb(0x5c7a70), rgb(0x5c6e86)],
+    given: rgb(0x9c4480),
+    ray: rgb(0xb8004e),
+    hit: rgb(0x111111),
+    mark: rgb(0x7a3cc2),
+};
+
+const DARK: Colors = Colors {
+    background: rgb(0x171a20),
+    halo: rgb(0x0c0e11),
+    ink: rgb(0xd9dee6),
+    basis: [rgb(0xff8a4c), rgb(0x2fd3a0), rgb(0x6cbcf5)],
+    patterns: [None; 3],
+    axes: [rgb(0xb89a8e), rgb(0x8fb0a5), rgb(0x93a7c2)],
+    given: rgb(0xe59cc8),
+    ray: rgb(0xff5c98),
+    hit: rgb(0xffffff),
+    mark: rgb(0xc39bff),
+};
+
+const COLOUR_BLIND_LIGHT: Colors = Colors {
+    ink: rgb(0x15181d),
+    basis: [rgb(0x754007), rgb(0x29604b), rgb(0x1d86fb)],
+    axes: [rgb(0x7d7468), rgb(0x5f6f69), rgb(0x56708c)],
+    given: rgb(0x978b02),
+    ray: rgb(0xf141a8),
+    mark: rgb(0x5b3a8c),
+    ..LIGHT
+};
+
+const COLOUR_BLIND_DARK: Colors = Colors {
+    ink: rgb(0xf2f4f8),
+    basis: [rgb(0xb2682f), rgb(0x00fe94), rgb(0x2e8fe5)],
+    axes: [rgb(0xa89a8c), rgb(0x9db8ad), rgb(0x8ba3c0)],
+    given: rgb(0xecc805),
+    ray: rgb(0xef2c83),
+    mark: rgb(0xc9b3ff),
+    ..DARK
+};
+
+/// u in one, v in long dashes, w in short ones; what is hidden is thin besides.
+const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
+
+const GREY_LIGHT: Colors = Colors {
+    background: rgb(0xffffff),
+    halo: rgb(0xffffff),
+    ink: rgb(0x2e2e2e),
+    basis: [rgb(0x000000), rgb(0x454545), rgb(0x717171)],
+    patterns: PATTERNS,
+    axes: [rgb(0x767676), rgb(0x767676), rgb(0x767676)],
+    given: rgb(0x5a5a5a),
+    ray: rgb(0x000000),
+    hit: rgb(0x000000),
+    mark: rgb(0x3a3a3a),
+};
+
+const GREY_DARK: Colors = Colors {
+    background: rgb(0x121212),
+    halo: rgb(0x000000),
+    ink: rgb(0xdddddd),
+    basis: [rgb(0xffffff), rgb(0xc4c4c4), rgb(0x949494)],
+    patterns: PATTERNS,
+    axes: [rgb(0x9a9a9a), rgb(0x9a9a9a), rgb(0x9a9a9a)],
+    given: rgb(0xb0b0b0),
+    ray: rgb(0xffffff),
+    hit: rgb(0xffffff),
+    mark: rgb(0xd0d0d0),
+};
+
+impl Style {
+    /// All of them.
+    pub const ALL: [Style; 6] = [
+        Style::Light,
+        Style::Dark,
+        Style::ColourBlindLight,
+        Style::ColourBlindDark,
+        Style::GreyLight,
+        Style::GreyDark,
+    ];
+
+    /// In one word, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Style::Light => "light",
+            Style::Dark => "dark",
+            Style::ColourBlindLight => "colour-blind",
+            Style::ColourBlindDark => "colour-blind-dark",
+            Style::GreyLight => "grey",
+            Style::GreyDark => "grey-dark",
+        }
+    }
+
+    /// A scheme's colours on a dark or on a light background.
+    pub fn of(scheme: Scheme, is_dark: bool) -> Style {
+        match (scheme, is_dark) {
+            (Scheme::Standard, false) => Style::Light,
+            (Scheme::Standard, true) => Style::Dark,
+            (Scheme::ColourBlind, false) => Style::ColourBlindLight,
+            (Scheme::ColourBlind, true) => Style::ColourBlindDark,
+            (Scheme::Grey, false) => Style::GreyLight,
+            (Scheme::Grey, true) => Style::GreyDark,
+        }
+    }
+
+    /// Which scheme it is of.
+    pub fn scheme(self) -> Scheme {
+        match self {
+            Style::Light | Style::Dark => Scheme::Standard,
+            Style::ColourBlindLight | Style::ColourBlindDark => Scheme::ColourBlind,
+            Style::GreyLight | Style::GreyDark => Scheme::Grey,
+        }
+    }
+
+    /// Whether it has light lines on a dark background.
+    pub fn is_dark(self) -> bool {
+        matches!(self, Style::Dark | Style::ColourBlindDark | Style::GreyDark)
+    }
+
+    /// Its colours.
+    pub fn colors(self) -> &'static Colors {
+        match self {
+            Style::Light => &LIGHT,
+            Style::Dark => &DARK,
+            Style::ColourBlindLight => &COLOUR_BLIND_LIGHT,
+            Style::ColourBlindDark => &COLOUR_BLIND_DARK,
+            Style::GreyLight => &GREY_LIGHT,
+            Style::GreyDark => &GREY_DARK,
+        }
+    }
+
+    /// A finished picture's dots as this style has them: without hue where it has none.
+    pub fn finish(self, dots: &mut [Color32]) {
+        if self.scheme() == Scheme::Grey {
+            for dot in dots {
+                *dot = grey(*dot);
+            }
+        }
+    }
+}
+
+/// What is as bright, without hue (luma of ITU-R BT.709).
+fn grey(color: Color32) -> Color32 {
+    let [r, g, b, a] = color.to_array();
+    let luma = 2126 * u32::from(r) + 7152 * u32::from(g) + 722 * u32::from(b);
+    let luma = ((luma + 5000) / 10_000) as u8;
+    Color32::from_rgba_premultiplied(luma, luma, luma, a)
+}
+
+#[cfg(test)]
+#[path = "tests/style.rs"]
+mod tests;

@@ -1,0 +1,23 @@
+//! The ghost in the world view.
+
+use super::*;
+use crate::view::overlay::drawing::Shape;
+
+#[test]
+fn all_lines_of_the_ghost_are_dashed_and_its_names_have_primes() {
+    let stage = Stage::new(Camera::CANONICAL, vec![sphere(0.0, 0.0, -5.0, 1.0)], Vec::new());
+    let ghost =
+        Camera { eye: DVec3::new(0.6, 0.4, 0.3), ..stage.camera }.posed().expect("a camera");
+    let alone = stage.view().drawing();
+    let both = WorldView { ghost: Some(&ghost), ..stage.view() }.drawing();
+    let more: Vec<_> = both.marks.iter().filter(|mark| !alone.marks.contains(mark)).collect();
+    let lines = more.iter().filter(|mark| match &mark.shape {
+        Shape::Line { points, .. } => points.len() == 2,
+        _ => false,
+    });
+    let (dashed, solid): (Vec<&&Mark>, Vec<&&Mark>) = lines.partition(|mark| mark.hidden);
+    // Four edges, four sides and three arrows, whole or in parts.
+    assert!(dashed.len() >= 11 && solid.is_empty(), "{} {}", dashed.len(), solid.len());
+    let mut names = both.labels.iter().map(|label| label.text.as_str());
+    assert!(names.any(|name| name.ends_with('′')));
+}

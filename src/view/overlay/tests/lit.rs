@@ -1,0 +1,201 @@
+//! What is pointed at: drawn anew over everything else, which steps back.
+
+use pinhole_core::Orientation;
+
+use super::*;
+use crate::model::concept::Thing;
+
+/// What both views show of the canonical stage, but for its wall: see below.
+const THINGS: [Thing; 21] = [
+    Thing::Eye,
+    Thing::At,
+    Thing::View,
+    Thing::Up,
+    Thing::Backwards,
+    Thing::U,
+    Thing::V,
+    Thing::W,
+    Thing::UpCrossW,
+    Thing::WCrossU,
+    Thing::Viewport,
+    Thing::Distance,
+    Thing::Pixel,
+    Thing::AlongU,
+    Thing::AlongV,
+    Thing::AlongW,
+    Thing::Direction,
+    Thing::Ray,
+    Thing::Object(0),
+    Thing::Root { object: 0, number: 1 },
+    Thing::Normal,
+];
+
+fn lit<'a>(stage: &'a Stage, thing: Thing) -> Option<Lit<'a>> {
+    Some(Lit { thing, camera: &stage.camera, scene: &stage.scene, digits: 5 })
+}
+
+fn world_drawing(stage: &Stage, thing: Thing) -> Drawing {
+    WorldView { scale: 0.3, lit: lit(stage, thing), ..stage.view() }.drawing()
+}
+
+fn camera_drawing(stage: &Stage, thing: Option<Thing>) -> Drawing {
+    CameraView {
+        posed: stage.posed(),
+        picture: stage.picture.as_ref().expect("a picture"),
+        inspection: stage.inspection.as_ref(),
+        size: [240, 240],
+        items: stage.items,
+        scale: 0.5,
+        style: Style::Dark,
+        lit: thing.and_then(|thing| lit(stage, thing)),
+        loupe: None,
+    }
+    .drawing()
+}
+
+#[test]
+fn every_thing_is_lit_in_the_views_that_can_show_it() {
+    let stage = canonical();
+    for thing in THINGS {
+        let world = world_drawing(&stage, thing);
+        assert!(world.targets().iter().any(|target| target.thing == thing), "{thing:?}");
+        check_labels(&world, DVec2::new(SIZE.0.into(), SIZE.1.into()));
+        let camera = camera_drawing(&stage, Some(thing));
+        assert!(camera.targets().iter().any(|target| target.thing == thing), "{thing:?}");
+        check_labels(&camera, DVec2::splat(240.0));
+    }
+    let nowhere = camera_drawing(&stage, Some(Thing::Object(99)));
+    assert_eq!(nowhere, camera_drawing(&stage, None));
+}
+
+#[test]
+fn a_plane_is_hatched_where_it_is_seen() {
+    let stage = canonical();
+    let posed = stage.posed();
+    let wall = stage.scene.spheres().len() as u32;
+    let drawing = camera_drawing(&stage, Some(Thing::Object(wall)));
+    let plain = camera_drawing(&stage, None);
+    let count = drawing.marks.len() - plain.marks.len();
+    assert_eq!(drawing.marks[count..], plain.marks, "what lies on the plane stays as it is");
+    // Below them lies the casing of all strokes.
+    let strokes = &drawing.marks[count / 2..count];
+    let mut seen = 0;
+    for stroke in strokes {
+        let [from, to] = [points(stroke)[0], points(stroke)[1]];
+        let at = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+        let uv = camera_uv_at(posed, [240, 240], at);
+        let hit = stage.scene.first_hit_of(&posed.exact_ray_at(uv).expect("a ray"));
+        // Strokes that only touch the border may end beside it.
+        if (to[0] - from[0]).abs() > 8.0 {
+            assert_eq!(hit.map(|hit| hit.object), Some(wall), "{at:?}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 10, "{seen}");
+}
+
+#[test]
+fn what_is_lit_needs_no_item_and_the_rest_is_dimmed() {
+    let mut stage = canonical();
+    let plain = stage.view().drawing();
+    let ink = |drawing: &Drawing| {
+        drawing.marks.iter().find(|mark| mark.item == Item::Frustum).map(|mark| mark.color)
+    };
+    let dimmed = ink(&world_drawing(&stage, Thing::W)).expect("a frustum");
+    assert!(dimmed.a() < ink(&plain).expect("a frustum").a());
+    stage.items = OverlayItems::NONE;
+    assert!(stage.view().drawing().marks.is_empty());
+    let lit = world_drawing(&stage, Thing::W);
+    assert!(lit.marks.iter().all(|mark| mark.thing == Some(Thing::W)) && !lit.marks.is_empty());
+}
+
+#[test]
+fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
+    let up = DVec3::new(0.0, 1.0, 1.0);
+    let at = DVec3::new(0.0, 0.0, -1.0);
+    let camera = Camera { orientation: Orientation::At { at, up }, ..Camera::CANONICAL };
+    let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 6.0);
+    let stage = Stage::seen_by(camera, Scene::default(), observer);
+    let drawing = world_drawing(&stage, Thing::UpCrossW);
+    let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
+    for text in ["up", "w", "up × w", "1.4142 · sin(45°) = 1"] {
+        assert!(texts.contains(&text), "{text}: {texts:?}");
+    }
+    let fill = drawing.marks.iter().find(|mark| {
+        mark.thing == Some(Thing::UpCrossW)
+            && matches!(&mark.shape, Shape::Polygon { points } if points.len() == 4)
+    });
+    let fill = fill.expect("a parallelogram");
+    assert!(fill.color.a() < 128, "one sees through it");
+    let [eye, a, far, b]: [DVec2; 4] = points(fill)
+        .into_iter()
+        .map(|[x, y]| DVec2::new(x.into(), y.into()))
+        .collect::<Vec<_>>()
+        .try_into()
+        .expect("four corners");
+    assert!(eye.distance(stage.place(DVec3::ZERO)) < 0.01);
+    // Up and w point where they should, and the far corner is where both together lead.
+    let toward = |from: DVec2, to: DVec2| (to - from).normalize();
+    let seen = |point: DVec3| toward(eye, stage.place(point));
+    assert!(toward(eye, a).distance(seen(0.1 * up)) < 0.05);
+    assert!(toward(eye, b).distance(seen(0.1 * DVec3::Z)) < 0.05);
+    let together = 0.1 * (up + DVec3::Z);
+    assert!(toward(eye, far).distance(seen(together)) < 0.05);
+}
+
+#[test]
+fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
+    let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
+    let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
+    let uv = DVec2::new(0.45, 0.4);
+    stage.inspection = Some(Inspection::of_uv(stage.posed(), &stage.scene, uv));
+    let drawing = world_drawing(&stage, Thing::AlongU);
+    for thing in [Thing::AlongU, Thing::AlongV, Thing::AlongW] {
+        assert!(drawing.targets().iter().any(|target| target.thing == thing), "{thing:?}");
+    }
+    let widths = |thing: Thing| {
+        drawing.marks.iter().filter(move |mark| mark.thing == Some(thing)).filter_map(|mark| {
+            match &mark.shape {
+                Shape::Line { width, .. } => Some(*width),
+                _ => None,
+            }
+        })
+    };
+    let widest = |thing| widths(thing).fold(0.0, f32::max);
+    assert!(widest(Thing::AlongU) > widest(Thing::AlongW));
+}
+
+#[test]
+fn without_a_basis_the_flat_parallelogram_is_still_drawn() {
+    let camera = Camera {
+        orientation: Orientation::At { at: DVec3::new(0.0, 3.0, 0.0), up: DVec3::Y },
+        ..Camera::CANONICAL
+    };
+    let stage = Stage::new(camera, vec![sphere(0.0, 0.0, -5.0, 1.0)], vec![]);
+    let drawing = world_drawing(&stage, Thing::UpCrossW);
+    let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
+    assert!(texts.contains(&"sin(180°) = 0"), "{texts:?}");
+    assert!(world_drawing(&stage, Thing::U).targets().iter().all(|t| t.thing != Thing::U));
+}
+
+#[test]
+fn the_nearest_mark_is_pointed_at() {
+    let line = |y: f32| Shape::Line { points: vec![[0.0, y], [100.0, y]], width: 2.0 };
+    let targets = [
+        Target { thing: Thing::U, shape: line(10.0) },
+        Target { thing: Thing::V, shape: line(30.0) },
+        Target { thing: Thing::Eye, shape: Shape::Disc { center: [0.0, 10.0], radius: 6.0 } },
+        Target {
+            thing: Thing::W,
+            shape: Shape::Polygon { points: vec![[60.0, 40.0], [90.0, 40.0], [60.0, 80.0]] },
+        },
+    ];
+    let at = |x: f32, y: f32| thing_at(&targets, [x, y], 8.0);
+    assert_eq!(at(50.0, 12.0), Some(Thing::U));
+    assert_eq!(at(50.0, 24.0), Some(Thing::V));
+    assert_eq!(at(50.0, 20.0), None, "too far from both");
+    assert_eq!(at(2.0, 11.0), Some(Thing::Eye), "drawn over the line");
+    assert_eq!(at(65.0, 55.0), Some(Thing::W), "inside");
+    assert_eq!(at(88.0, 75.0), None);
+    assert_eq!(at(106.0, 10.0), Some(Thing::U), "beyond its end");
+}

@@ -1,0 +1,272 @@
+//! The world view: the scene with the camera in it, as the observer sees it.
+
+use egui::Color32;
+use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Ray, Rgb, Scene};
+
+use crate::model::inspection::Inspection;
+use crate::model::observer::Observer;
+use crate::model::overlay_items::{Item, OverlayItems};
+use crate::view::overlay::camera_view::camera_uv_at;
+use crate::view::overlay::drawing::Drawing;
+use crate::view::overlay::flat::{Flat, Grid};
+use crate::view::overlay::handles::Handles;
+use crate::view::overlay::labels;
+use crate::view::overlay::layers::{Layers, Patch, PictureLookup, ViewportLayer};
+use crate::view::overlay::lit::Lit;
+use crate::view::overlay::objects::{self, Onlooker};
+use crate::view::overlay::picture::Picture;
+use crate::view::overlay::screen::Screen;
+use crate::view::overlay::sketch::Sketch;
+use crate::view::overlay::style::Style;
+
+/// Everything that the world view shows.
+#[derive(Clone, Copy)]
+pub struct WorldView<'a> {
+    /// The edited camera as given, maybe without a basis.
+    pub camera: &'a Camera,
+    /// The edited camera, where it has a basis.
+    pub posed: Option<&'a PosedCamera>,
+    /// What it sees.
+    pub picture: Option<&'a Picture>,
+    /// The selected ray.
+    pub inspection: Option<&'a Inspection>,
+    /// What it looks at, all of it.
+    pub scene: &'a Scene,
+    /// Which spheres lie [around the camera](crate::model::observer::enclosing) and are drawn as circles.
+    pub enclosing: &'a [u32],
+    /// The colour of each object of the scene.
+    pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
+    /// Who looks.
+    pub observer: &'a Observer,
+    /// The picture of [`observer::seen_scene`](crate::model::observer::seen_scene) by the observer's
+    /// camera, every pixel traced.
+    pub frame: &'a Frame<f32>,
+    /// What to draw.
+    pub items: OverlayItems,
+    /// Dots per point.
+    pub scale: f32,
+    /// The colours.
+    pub style: Style,
+    /// The t of the point that walks along the selected ray.
+    pub walked: Option<f64>,
+    /// The frozen camera to compare with.
+    pub ghost: Option<&'a PosedCamera>,
+    /// What is lit, if anything.
+    pub lit: Option<Lit<'a>>,
+    /// What can be taken in the hand.
+    pub handles: &'a Handles,
+    /// Where the observer sees nothing, the picture is transparent.
+    pub is_clear: bool,
+}
+
+/// What is behind the camera and its marks: all that stays as it is while only the camera is moved.
+/// The observer's picture with the planes' patches painted over it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Backdrop {
+    patches: Vec<Patch>,
+    background: Color32,
+}
+
+impl Backdrop {
+    /// The backdrop of a world view.
+    pub fn of(view: &WorldView) -> Backdrop {
+        Backdrop { patches: view.patches(), background: view.background() }
+    }
+
+    /// Paints it over the observer's traced and shaded picture.
+    pub fn paint(&self, frame: &Frame<f32>, dots: &mut [Color32]) {
+        self.layers(frame).paint(dots);
+    }
+
+    fn layers<'a>(&self, frame: &'a Frame<f32>) -> Layers<'a> {
+        let mut layers = Layers::new(frame, self.background);
+        layers.patches.clone_from(&self.patches);
+        layers
+    }
+}
+
+/// Paints the world view over its backdrop, which the dots show; `traced` is the picture behind that.
+/// What was painted, and which text belongs where.
+pub fn world(
+    view: &WorldView,
+    backdrop: &Backdrop,
+    traced: &[Color32],
+    dots: &mut [Color32],
+) -> Drawing {
+    let drawing = world_apart(view, backdrop, traced, dots);
+    drawing.paint(view.frame.camera().image().width() as usize, dots);
+    drawing
+}
+
+/// The same without painting the drawing.
+pub fn world_apart(
+    view: &WorldView,
+    backdrop: &Backdrop,
+    traced: &[Color32],
+    dots: &mut [Color32],
+) -> Drawing {
+    let layers = view.layers(backdrop);
+    // What is drawn does not depend on what is filled.
+    rayon::join(|| view.sketch(&layers), || layers.paint_viewport(traced, dots)).0
+}
+
+/// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
+/// viewport and where an object hides it.
+pub fn pick(posed: &PosedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
+    let observer = frame.camera();
+    let at = DVec2::new(position[0].into(), position[1].into());
+    let layers = Layers::new(frame, Color32::TRANSPARENT);
+    let layer = viewport_layer(posed, observer, Color32::TRANSPARENT)?;
+    let spot = layer.spot(at)?;
+    let uv = spot.place * DVec2::new(posed.viewport().width, posed.viewport().height);
+    (spot.t <= layers.traced_t(at)).then_some(uv)
+}
+
+/// Where in the world view, in dots, a point of the world is seen; `None` behind the observer and
+/// outside the picture. What stands before the point does not count.
+pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
+    let observer = frame.camera();
+    let unit = (point - observer.eye()).length();
+    let spot = Screen::new(observer, unit).spot(point)?;
+    Some([spot.at.x as f32, spot.at.y as f32])
+}
+
+/// The t at which the ray's line passes nearest to what the observer sees at a place, in dots,
+/// rounded to what a hand can do; `None` where the line runs at the observer.
+pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f64> {
+    let observer = frame.camera();
+    let size = [observer.image().width() as usize, observer.image().height() as usize];
+    let sight = observer.ray(camera_uv_at(observer, size, position)).direction;
+    let (d, between) = (ray.direction, ray.origin - observer.eye());
+    // The shortest way from one line to the other is across both.
+    let across = d.cross(sight);
+    let t = sight.cross(between).dot(across) / across.length_squared();
+    let digits = 10_f64.powf(3.0 - t.abs().max(1.0).log10().ceil());
+    t.is_finite().then(|| (t * digits).round() / digits + 0.0)
+}
+
+fn viewport_layer<'a>(
+    posed: &PosedCamera,
+    observer: &PosedCamera,
+    behind: Color32,
+) -> Option<ViewportLayer<'a>> {
+    let (basis, viewport) = (posed.basis(), posed.viewport());
+    let rays = Screen::new(observer, 1.0).ray_parts();
+    let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
+    let flat = Flat::new(&rays, posed.viewport_point(DVec2::ZERO), u, v)?;
+    Some(ViewportLayer { flat, image: posed.image(), picture: None, grid: None, behind })
+}
+
+/// Pixel edges nearer to each other than this, in points, are left out by twos, fives, tens...
+const GRID_SPACING: f64 = 7.0;
+
+impl<'a> WorldView<'a> {
+    /// The marks and labels, without painting them.
+    pub fn drawing(&self) -> Drawing {
+        self.sketch(&self.layers(&Backdrop::of(self)))
+    }
+
+    fn screen(&self) -> Screen {
+        Screen::new(self.frame.camera(), self.observer.distance())
+    }
+
+    fn background(&self) -> Color32 {
+        if self.is_clear { Color32::TRANSPARENT } else { self.style.colors().background }
+    }
+
+    fn patches(&self) -> Vec<Patch> {
+        if !self.items.shows(Item::Planes) {
+            return Vec::new();
+        }
+        let onlooker = Onlooker {
+            rays: self.screen().ray_parts(),
+            target: self.observer.target(),
+            distance: self.observer.distance(),
+            camera_eye: self.camera.eye,
+            scale: f64::from(self.scale),
+        };
+        let first = self.scene.spheres().len();
+        let color_of = |index: usize| (self.color_of)((first + index) as u32);
+        objects::patches(self.scene.planes(), color_of, &onlooker, self.style.colors())
+    }
+
+    fn layers(&self, backdrop: &Backdrop) -> Layers<'a> {
+        let mut layers = backdrop.layers(self.frame);
+        if let Some(posed) = self.posed {
+            let behind = self.style.colors().background;
+            layers.viewport = viewport_layer(posed, self.frame.camera(), behind);
+            if let Some(layer) = &mut layers.viewport {
+                let picture = self.picture.filter(|_| self.items.shows(Item::Picture));
+                layer.picture = picture.and_then(|p| PictureLookup::new(p, posed.image()));
+                if self.items.shows(Item::PixelGrid) {
+                    layer.grid = pixel_grid(&self.screen(), posed, f64::from(self.scale));
+                }
+            }
+        }
+        layers
+    }
+
+    fn sketch(&self, layers: &Layers<'a>) -> Drawing {
+        let colors = self.style.colors();
+        let screen = self.screen();
+        let mut sketch = Sketch {
+            screen,
+            layers,
+            items: self.items,
+            colors,
+            drawing: Drawing { scale: self.scale, ..Drawing::default() },
+            requests: Vec::new(),
+        };
+        for index in self.enclosing {
+            if let Some(sphere) = self.scene.spheres().get(*index as usize) {
+                sketch.circles(*index, sphere, (self.color_of)(*index));
+            }
+        }
+        if let Some(ghost) = self.ghost {
+            sketch.ghost(ghost);
+        }
+        let of_ghost = std::mem::take(&mut sketch.requests);
+        sketch.camera_in_space(self);
+        // Its names come after the camera's, where there is no room for both.
+        sketch.requests.extend(of_ghost);
+        if let Some(lit) = self.lit {
+            sketch.light(self, lit);
+        }
+        sketch.handles(self.handles);
+        let Sketch { mut drawing, requests, .. } = sketch;
+        drawing.labels = labels::place(&requests, &drawing, screen.size, colors.halo);
+        drawing
+    }
+}
+
+/// The densest grid of pixel edges that can be told apart on the screen, and how opaque it is.
+fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid, f32)> {
+    let center = posed.viewport_point(DVec2::ZERO);
+    let (basis, viewport, image) = (posed.basis(), posed.viewport(), posed.image());
+    let middle = screen.spot(center)?;
+    let dots_per = |axis: DVec3, extent: f64, count: u32| {
+        let half = 0.25 * extent * axis;
+        let ends = (screen.spot(center - half), screen.spot(center + half));
+        let half_extent = match ends {
+            (Some(a), Some(b)) => (b.at - a.at).length(),
+            (Some(end), None) | (None, Some(end)) => 2.0 * (end.at - middle.at).length(),
+            // Seen from so near that the whole screen is within the viewport.
+            (None, None) => screen.size.max_element(),
+        };
+        2.0 * half_extent / f64::from(count)
+    };
+    let dots = dots_per(basis.u, viewport.width, image.width()).min(dots_per(
+        basis.v,
+        viewport.height,
+        image.height(),
+    ));
+    let wanted = GRID_SPACING * scale / dots.max(1e-9);
+    let step = (0..5)
+        .flat_map(|power| [1, 2, 5].map(|m| m * 10u32.pow(power)))
+        .find(|step| f64::from(*step) >= wanted)?;
+    let opacity = if step == 1 { 0.45 } else { 0.28 };
+    let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+    // In (u / width, v / height), from the corner of pixel (0, 0).
+    let step = f64::from(step) / DVec2::new(w, h);
+    Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0) as f32), opacity))
+}

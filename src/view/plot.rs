@@ -1,0 +1,274 @@
+//! What the plot of f(p + t d) shows: which objects, over which t, each in its own unit, and what is
+//! said of each. Pure; the arithmetic is [`pinhole_core::lecture`]'s.
+
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+use pinhole_core::lecture::{
+    AlongRay, ObjectDerivation, PlaneMeeting, SphereMeeting, Unit, UnitOf, Vertex,
+};
+use pinhole_core::{ExactRay, Rgb, Root, Scene};
+
+use crate::model::inspection::Inspection;
+use crate::model::number::written;
+use crate::model::session::Heights;
+
+/// More curves than this cannot be told apart.
+pub const MOST: usize = 8;
+
+/// Zeros farther out than so many times the first hit are said in words only.
+const FAR: f64 = 8.0;
+
+/// Values at this many times from one end of the plot to the other.
+const SAMPLES: usize = 160;
+
+/// Of each curve t and height, by ascending t.
+pub type Samples = Vec<Vec<(f64, f64)>>;
+
+/// Everything that the plot shows.
+#[derive(Clone, Debug)]
+pub struct Plot {
+    /// The objects' functions.
+    pub curves: Arc<Vec<Curve>>,
+    /// How many objects have none.
+    pub left_out: usize,
+    /// From which t to which one.
+    pub range: RangeInclusive<f64>,
+    /// How values of f, in their curve's unit, become heights.
+    pub heights: Heights,
+    /// Its curves within that range, t and height.
+    pub samples: Arc<Samples>,
+    /// The t of the point that walks, and there each curve's f.
+    pub walked: Option<(f64, Arc<Vec<f64>>)>,
+}
+
+/// One object's f along the ray.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// Which object, and how it looks.
+    pub named: Named,
+    /// Its place among the curves, which decides its dashes.
+    pub place: usize,
+    /// Where its zeros are, and why.
+    pub derivation: ObjectDerivation,
+    /// f is drawn in multiples of this.
+    unit: Unit,
+    /// f at the eye.
+    at_eye: f64,
+    /// Where a sphere's parabola turns, and a, its curvature.
+    vertex: Option<(Vertex, f64)>,
+}
+
+/// An object with a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named {
+    /// Which object.
+    pub object: u32,
+    /// What lists call it.
+    pub title: String,
+    /// What stands at the curve.
+    pub name: String,
+    /// Its colour in the views.
+    pub color: Rgb,
+}
+
+/// A number as people write it.
+fn number(x: f64, digits: usize) -> String {
+    written(x + 0.0, digits)
+}
+
+/// The objects to show: all where they are few, otherwise those that the ray meets first, then those
+/// behind the eye.
+pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
+    if scene.len() <= MOST {
+        return (0..scene.len() as u32).collect();
+    }
+    let (behind, ahead): (Vec<&Root>, Vec<&Root>) =
+        inspection.roots.iter().partition(|root| root.t <= 0.0);
+    let mut shown: Vec<u32> = Vec::new();
+    for root in ahead.into_iter().chain(behind.into_iter().rev()) {
+        if shown.len() < MOST && !shown.contains(&root.object) {
+            shown.push(root.object);
+        }
+    }
+    shown.sort_unstable();
+    shown
+}
+
+/// The functions of these objects along the ray.
+pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
+    let of = |(place, named): (usize, &Named)| {
+        let along = along(scene, ray, named.object)?;
+        let shape = scene.object(named.object)?;
+        let derivation = ObjectDerivation::of(&shape, named.object, ray).ok()?;
+        let vertex = along.vertex().map(|v| (v, (along.slope(v.t + 1.0) / 2.0).abs()));
+        let (unit, at_eye) = (along.unit(), along.value(0.0));
+        Some(Curve { named: named.clone(), place, derivation, unit, at_eye, vertex })
+    };
+    named.iter().enumerate().filter_map(of).collect()
+}
+
+fn along<'a>(scene: &Scene, ray: &ExactRay<'a>, object: u32) -> Option<AlongRay<'a>> {
+    AlongRay::new(&scene.object(object)?, *ray).ok()
+}
+
+/// Each curve's t and height over a range.
+pub fn samples(
+    curves: &[Curve],
+    scene: &Scene,
+    ray: &ExactRay,
+    range: &RangeInclusive<f64>,
+    heights: Heights,
+) -> Samples {
+    let of = |curve: &Curve| {
+        let along = along(scene, ray, curve.named.object);
+        along.map_or_else(Vec::new, |along| curve.samples(&along, range, heights))
+    };
+    curves.iter().map(of).collect()
+}
+
+/// Each curve's f at t.
+pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
+    let of = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
+    curves.iter().map(|curve| of(curve).unwrap_or(f64::NAN)).collect()
+}
+
+/// Which t the plot shows: all zeros that are not far, the eye, the viewport, and where one walks.
+pub fn range(curves: &[Curve], walked: Option<f64>) -> RangeInclusive<f64> {
+    let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
+    ts.retain(|t| t.is_finite());
+    let hits = curves.iter().filter_map(|curve| curve.derivation.hit());
+    let first = hits.map(|root| root.t).fold(f64::INFINITY, f64::min);
+    let limit = FAR * if first.is_finite() { first.max(1.0) } else { 4.0 };
+    let right = ts.iter().copied().filter(|t| *t <= limit).fold(1.3, f64::max) * 1.2;
+    let left = ts.iter().copied().filter(|t| *t >= -right).fold(0.0, f64::min);
+    let left = (1.15 * left).min(-0.2 * right);
+    let walked = walked.unwrap_or(0.0);
+    left.min(walked)..=right.max(walked)
+}
+
+impl Curve {
+    /// Whether it is a straight line: a plane's.
+    pub(crate) fn is_straight(&self) -> bool {
+        self.vertex.is_none()
+    }
+
+    /// Where something is to be seen: zeros, and where a sphere is missed most narrowly.
+    fn landmarks(&self) -> Vec<f64> {
+        let zeros: Vec<f64> = self.derivation.roots().map(|root| root.t).collect();
+        if zeros.is_empty() { self.vertex.map(|(v, _)| v.t).into_iter().collect() } else { zeros }
+    }
+
+    /// What f is drawn in multiples of, in words.
+    pub(crate) fn unit_words(&self, digits: usize) -> String {
+        let unit = number(self.unit.value, digits);
+        match self.unit.of {
+            UnitOf::SquaredRadius => format!("unit r² = {unit}"),
+            UnitOf::Origin => format!("unit |f(p)| = {unit}"),
+            UnitOf::OneStep => format!("unit |f(p + d)| = {unit}"),
+            UnitOf::One => "unit 1".to_owned(),
+        }
+    }
+
+    /// The height of a value of f.
+    pub(crate) fn height(&self, f: f64, heights: Heights) -> f64 {
+        heights.of(f / self.unit.value)
+    }
+
+    /// t and height, by ascending t: evenly, and closely where a parabola turns.
+    fn samples(
+        &self,
+        along: &AlongRay,
+        range: &RangeInclusive<f64>,
+        heights: Heights,
+    ) -> Vec<(f64, f64)> {
+        let (from, to) = (*range.start(), *range.end());
+        let mut ts: Vec<f64> =
+            (0..=SAMPLES).map(|k| from + (to - from) * k as f64 / SAMPLES as f64).collect();
+        if let Some((vertex, curvature)) = self.vertex {
+            let landmarks = self.derivation.roots().map(|root| (root.t - vertex.t).abs());
+            let width = landmarks.fold((self.unit.value / curvature).sqrt(), f64::max);
+            ts.extend((-24..=24).map(|k| vertex.t + width * f64::from(k) / 8.0));
+        }
+        ts.extend(self.derivation.roots().map(|root| root.t));
+        ts.retain(|t| range.contains(t));
+        ts.sort_by(f64::total_cmp);
+        let height = |t: f64| (t, self.height(along.value(t), heights));
+        ts.into_iter().map(height).filter(|(_, y)| y.is_finite()).collect()
+    }
+
+    /// What the curve says, in words.
+    pub(crate) fn words(&self, digits: usize) -> String {
+        let zeros: Vec<String> =
+            self.derivation.roots().map(|root| number(root.t, digits)).collect();
+        let zero = |k: usize| zeros.get(k).cloned().unwrap_or_else(|| "beyond f64".to_owned());
+        match &self.derivation {
+            ObjectDerivation::Sphere(sphere) => match sphere.meeting {
+                SphereMeeting::Missed => "D < 0: f is never 0: missed".to_owned(),
+                SphereMeeting::Tangent => {
+                    format!("D = 0: f touches 0 once, at t = {}: tangent: hit", zero(0))
+                }
+                SphereMeeting::Through => {
+                    format!("D > 0: in at t = {}, out at t = {}", zero(0), zero(1))
+                }
+                SphereMeeting::FromInside => format!(
+                    "f < 0 at t = 0: the eye is inside; {} is behind, {} is its first root ahead",
+                    zero(0),
+                    zero(1)
+                ),
+                SphereMeeting::FromSurface => format!(
+                    "f = 0 at t = 0, which is no hit; the hit is t = {}",
+                    zero(usize::from(sphere.first == Some(1)))
+                ),
+                SphereMeeting::Behind => {
+                    format!("0 only at t = {}, not ahead of the eye: no hit", zeros.join(" and "))
+                }
+            },
+            ObjectDerivation::Plane(plane) => match plane.meeting {
+                PlaneMeeting::Ahead => format!("straight line, 0 at t = {}", zero(0)),
+                PlaneMeeting::Behind => {
+                    format!("0 only at t = {}, behind the eye: no hit", zero(0))
+                }
+                PlaneMeeting::AtOrigin => "0 at t = 0, which is no hit".to_owned(),
+                PlaneMeeting::Parallel => {
+                    format!("n·d = 0: f stays {}, never 0: parallel", number(self.at_eye, digits))
+                }
+                PlaneMeeting::Within => {
+                    "f is 0 at every t: the ray runs in the plane: no hit".to_owned()
+                }
+            },
+        }
+    }
+
+    /// Whether a point with this value of f is inside of a sphere.
+    pub(crate) fn is_inside(&self, f: f64) -> bool {
+        !self.is_straight() && f < 0.0
+    }
+
+    /// A value of f, and what it means.
+    pub(crate) fn reading(&self, f: f64, digits: usize) -> String {
+        let meaning = match (f.partial_cmp(&0.0), self.is_straight()) {
+            (Some(std::cmp::Ordering::Less), false) => "< 0: inside",
+            (Some(std::cmp::Ordering::Less), true) => "< 0: where n points away from",
+            (Some(std::cmp::Ordering::Greater), false) => "> 0: outside",
+            (Some(std::cmp::Ordering::Greater), true) => "> 0: where n points to",
+            _ => ": on it",
+        };
+        format!("f = {} {meaning}", number(f, digits))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::session::Heights;
+
+    #[test]
+    fn compression_keeps_sign_and_order() {
+        let ys = [-1e9, -3.0, -1.0, -0.2, 0.0, 0.2, 1.0, 3.0, 1e9];
+        let heights = ys.map(|y| Heights::Compressed.of(y));
+        assert!(heights.windows(2).all(|pair| pair[0] < pair[1]), "{heights:?}");
+        assert_eq!(Heights::Compressed.of(-0.25), -0.25);
+        assert_eq!(Heights::Compressed.of(-5.0), -Heights::Compressed.of(5.0));
+        assert_eq!(ys.map(|y| Heights::Even.of(y)), ys);
+    }
+}

@@ -1,0 +1,117 @@
+//! The derivation as it is laid out and painted, line by line, in the window and in figures.
+
+use std::sync::Arc;
+
+use egui::{FontId, Galley, Id, Rect, Ui, vec2};
+
+use crate::view::derivation::{Ledger, Line, Section, left_out};
+use crate::view::formula::{Column, Layout};
+use crate::view::typesetting::formula::{self, Inks};
+use crate::view::typesetting::theme::error_color;
+
+/// The formulas' em, and that of what is said behind them, in points.
+pub(crate) const SIZE: f32 = 17.0;
+
+pub(crate) const NOTE: f32 = 15.0;
+
+/// Room around a line, in points.
+pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
+
+/// How far the second and later lines of a formula are indented.
+const INDENT: f32 = 26.0;
+
+/// Above a section's title, and between two lines, in points.
+pub(crate) const BEFORE_SECTION: f32 = 6.0;
+
+pub(crate) const BETWEEN_LINES: f32 = 2.0;
+
+/// A line with its size.
+pub(crate) struct LaidLine {
+    pub(crate) id: Id,
+    pub(crate) text: String,
+    pub(crate) layout: Layout,
+    /// Where the note begins, from the line's upper left corner.
+    pub(crate) note: egui::Vec2,
+    pub(crate) height: f32,
+}
+
+pub(crate) fn note_galley(ui: &Ui, line: &Line, width: f32) -> Arc<Galley> {
+    let color = if line.is_fault { error_color(ui) } else { ui.visuals().weak_text_color() };
+    ui.painter().layout(line.note.clone(), FontId::proportional(NOTE), color, width)
+}
+
+pub(crate) fn laid_line(ui: &Ui, line: &Line, id: Id, width: f32) -> LaidLine {
+    let inner = (width - 2.0 * PAD.x).max(20.0);
+    let indent = INDENT.min(0.2 * inner);
+    let layout = formula::set(ui.ctx(), &line.formula, Column { size: SIZE, width: inner, indent });
+    let height = layout.ascent + layout.descent;
+    let mut whole = LaidLine { id, text: line.to_string(), layout, note: PAD, height };
+    if !line.note.is_empty() {
+        let note = note_galley(ui, line, inner - indent).size();
+        let beside = whole.layout.width + 18.0;
+        if beside + note.x <= inner && height < 2.4 * SIZE {
+            whole.note.x += beside;
+            whole.note.y += whole.layout.ascent - 0.78 * note.y;
+        } else {
+            whole.note += vec2(indent, height + 1.0);
+            whole.height += note.y + 1.0;
+        }
+    }
+    whole.height += 2.0 * PAD.y;
+    whole
+}
+
+/// Where a line's first baseline begins.
+pub(crate) fn baseline_of(rect: Rect, place: &LaidLine) -> egui::Pos2 {
+    rect.min + PAD + vec2(0.0, place.layout.ascent)
+}
+
+/// A line's formula and what is said behind it.
+pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: Inks) {
+    formula::paint(ui.painter(), baseline_of(rect, place), &place.layout, inks);
+    if !line.note.is_empty() {
+        let width = (rect.width() - place.note.x).max(20.0);
+        let galley = note_galley(ui, line, width);
+        ui.painter().galley(rect.min + place.note, galley, ui.visuals().text_color());
+    }
+}
+
+/// Draws the ledger as the panel shows it, from the upper left corner of a column on; how high it is.
+/// Of a section that `is_folded` only the title.
+pub(crate) fn draw(
+    ui: &Ui,
+    ledger: &Ledger,
+    column: Rect,
+    is_folded: impl Fn(&Section) -> bool,
+) -> f32 {
+    let (inks, painter) = (Inks::of(ui), ui.painter());
+    let mut at = column.min;
+    for (k, section) in ledger.sections.iter().enumerate() {
+        at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
+        let color = ui.visuals().strong_text_color();
+        let title = FontId::proportional(SIZE);
+        let title = painter.layout(section.title.clone(), title, color, column.width());
+        let height = title.size().y;
+        painter.galley(at, title, color);
+        at.y += height + BETWEEN_LINES;
+        if is_folded(section) {
+            continue;
+        }
+        for line in &section.lines {
+            let place = laid_line(ui, line, Id::NULL, column.width());
+            let rect = Rect::from_min_size(at, vec2(column.width(), place.height));
+            paint(ui, rect, line, &place, inks);
+            at.y += place.height + BETWEEN_LINES;
+        }
+    }
+    if ledger.left_out > 0 {
+        at.y += BEFORE_SECTION;
+        let color = ui.visuals().text_color();
+        let note = FontId::proportional(NOTE);
+        let note = painter.layout(left_out(ledger.left_out), note, color, column.width());
+        let height = note.size().y;
+        painter.galley(at, note, color);
+        at.y += height;
+    }
+    at.y - column.top()
+}

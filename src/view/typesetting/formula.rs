@@ -1,0 +1,102 @@
+//! Formulas on the screen: how wide text is there, and painting what was laid out.
+
+use egui::epaint::text::{LayoutJob, TextFormat};
+use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2, pos2, vec2};
+
+use crate::model::letters::plain_scalars;
+use crate::model::symbols::{Kind, words};
+use crate::view::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
+use crate::view::typesetting::fonts;
+use crate::view::typesetting::theme;
+
+/// Sets a formula in lines as wide as `column` says, with the window's fonts.
+pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
+    lines(formula, column, &mut Fonts(ctx))
+}
+
+struct Fonts<'a>(&'a Context);
+
+impl Measure for Fonts<'_> {
+    fn width(&mut self, text: &str, face: Face, size: f32) -> f32 {
+        let font = font(face, size);
+        self.0.fonts_mut(|fonts| text.chars().map(|c| fonts.glyph_width(&font, c)).sum())
+    }
+}
+
+fn font(face: Face, size: f32) -> FontId {
+    match face {
+        Face::Bold => FontId::new(size, fonts::bold()),
+        Face::Upright | Face::Italic => FontId::new(size, FontFamily::Proportional),
+    }
+}
+
+/// The colours of one window.
+#[derive(Clone, Copy)]
+pub(crate) struct Inks {
+    text: Color32,
+    basis: [Color32; 3],
+    given: Color32,
+    ray: Color32,
+}
+
+impl Inks {
+    pub(crate) fn of(ui: &Ui) -> Inks {
+        let style = theme::style(ui);
+        let colors = style.colors();
+        Inks {
+            text: ui.visuals().text_color(),
+            basis: colors.basis,
+            given: colors.given,
+            ray: colors.ray,
+        }
+    }
+
+    fn color(self, ink: Ink) -> Color32 {
+        match ink {
+            Ink::Text => self.text,
+            Ink::U => self.basis[0],
+            Ink::V => self.basis[1],
+            Ink::W => self.basis[2],
+            Ink::Given => self.given,
+            Ink::Ray => self.ray,
+        }
+    }
+}
+
+/// What the symbol at a place of a layout means; the place is given from where its first baseline
+/// begins.
+pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
+    let mut fonts = Fonts(ctx);
+    let mut holds = |run: &&Run| {
+        let [x, y] = run.at;
+        // A thin letter is as easy to meet as a wide one.
+        let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
+        let down = y - 0.8 * run.size..=y + 0.3 * run.size;
+        across.contains(&at.x) && down.contains(&at.y)
+    };
+    let run = layout.runs.iter().find(|run| run.face != Face::Upright && holds(run))?;
+    let kind = if run.face == Face::Bold { Kind::Vector } else { Kind::Scalar };
+    words(kind, &plain_scalars(&run.text))
+}
+
+/// Paints a layout whose first baseline begins at `origin`.
+pub(crate) fn paint(painter: &Painter, origin: Pos2, layout: &Layout, inks: Inks) {
+    for run in &layout.runs {
+        let color = inks.color(run.ink);
+        // A word's italic letters are slanted ones: those of Unicode would read as a product.
+        let italics = run.face == Face::Italic && run.text.len() > 4;
+        let format =
+            TextFormat { font_id: font(run.face, run.size), color, italics, ..Default::default() };
+        let job = LayoutJob::single_section(run.text.clone(), format);
+        let galley = painter.layout_job(job);
+        let baseline = galley
+            .rows
+            .first()
+            .map_or(0.0, |row| row.pos.y + row.glyphs.first().map_or(0.0, |glyph| glyph.pos.y));
+        painter.galley(origin + vec2(run.at[0], run.at[1] - baseline), galley, color);
+    }
+    for rule in &layout.rules {
+        let points = rule.points.iter().map(|[x, y]| pos2(origin.x + x, origin.y + y)).collect();
+        painter.line(points, Stroke::new(rule.width, inks.color(rule.ink)));
+    }
+}

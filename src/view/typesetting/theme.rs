@@ -1,0 +1,232 @@
+//! How the window looks: fonts' sizes, colours, the ring round what has the focus, the spotlight.
+
+use egui::{
+    Color32, Context, FontFamily, FontId, Id, LayerId, Mesh, Order, Pos2, Rect, Shape, Stroke,
+    StrokeKind, TextStyle, Theme, Ui, Vec2, Visuals,
+};
+use pinhole_core::Rgb;
+
+use crate::document::Document;
+use crate::model::color_scheme::Scheme;
+use crate::model::presenting::WRITTEN;
+use crate::model::session::Settings;
+use crate::view::overlay::Style;
+use crate::view::typesetting::fonts;
+
+/// What the window's look depends on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Look {
+    /// The colours that things are told apart by.
+    pub(crate) scheme: Scheme,
+    /// Large and with more contrast.
+    pub(crate) presenting: bool,
+    /// Nothing moves by itself.
+    pub(crate) reduced_motion: bool,
+}
+
+impl Look {
+    /// As in a window where nothing else is set.
+    pub(crate) fn in_scheme(scheme: Scheme) -> Look {
+        Look { scheme, ..Look::default() }
+    }
+
+    /// As the settings say.
+    pub(crate) fn of(settings: &Settings, presenting: bool) -> Look {
+        let Settings { scheme, reduced_motion, .. } = *settings;
+        Look { scheme, presenting, reduced_motion }
+    }
+}
+
+fn key() -> Id {
+    Id::unique("look")
+}
+
+/// The look that was installed.
+pub(crate) fn installed(ctx: &Context) -> Look {
+    ctx.data(|data| data.get_temp(key())).unwrap_or_default()
+}
+
+/// The overlay's colours in this window.
+pub(crate) fn style(ui: &Ui) -> Style {
+    Style::of(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
+}
+
+/// A colour that tells things apart in a plot, as this window has colours: in greys, those of the
+/// things beside each other are far apart.
+pub(crate) fn plotted(ui: &Ui, color: Color32, index: usize) -> Color32 {
+    match installed(ui.ctx()).scheme {
+        Scheme::Grey => Scheme::grey_of(index),
+        Scheme::Standard | Scheme::ColourBlind => color,
+    }
+}
+
+/// A colour as pictures in this window have it: without hue where they have none.
+pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
+    let mut dots = [color];
+    style(ui).finish(&mut dots);
+    dots[0]
+}
+
+/// The colour in which the window shows an object.
+pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
+    installed(ui.ctx()).scheme.object(index, document.color_of(index))
+}
+
+/// Gives a context this look, from its next pass on; nothing where it has it.
+pub(crate) fn install(ctx: &Context, look: Look) {
+    if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
+        return;
+    }
+    let before = installed(ctx);
+    ctx.data_mut(|data| data.insert_temp(key(), look));
+    for theme in [Theme::Dark, Theme::Light] {
+        ctx.style_mut_of(theme, |style| {
+            let cursor = style.visuals.text_cursor.clone();
+            style.visuals = Visuals { text_cursor: cursor, ..visuals(theme, look) };
+            style.text_styles = text_styles(look.presenting);
+            if look.reduced_motion {
+                style.animation_time = 0.0;
+                style.scroll_animation = egui::style::ScrollAnimation::none();
+            } else if before.reduced_motion {
+                let usual = egui::Style::default();
+                style.animation_time = usual.animation_time;
+                style.scroll_animation = usual.scroll_animation;
+            }
+        });
+    }
+}
+
+/// While presenting nothing is written in less than what the zoom is reckoned from.
+fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
+    let mut styles = egui::style::default_text_styles();
+    if presenting {
+        for font in styles.values_mut() {
+            font.size = font.size.max(WRITTEN + 1.0);
+        }
+        styles.insert(TextStyle::Heading, FontId::new(19.0, FontFamily::Proportional));
+    }
+    styles
+}
+
+fn visuals(theme: Theme, look: Look) -> Visuals {
+    let mut visuals = base_visuals(theme);
+    let is_dark = theme == Theme::Dark;
+    if look.presenting {
+        let (text, ground) = match is_dark {
+            true => (Color32::WHITE, Color32::BLACK),
+            false => (Color32::BLACK, Color32::WHITE),
+        };
+        visuals.widgets.noninteractive.fg_stroke.color = text;
+        visuals.widgets.inactive.fg_stroke.color = text;
+        visuals.weak_text_alpha = 0.88;
+        visuals.panel_fill = ground;
+        visuals.window_fill = ground;
+    }
+    if look.scheme == Scheme::Grey {
+        let (fill, edge) = if is_dark { (0x50, 0xff) } else { (0xc8, 0x00) };
+        visuals.selection.bg_fill = Color32::from_gray(fill);
+        visuals.selection.stroke.color = Color32::from_gray(edge);
+        visuals.hyperlink_color = Color32::from_gray(edge);
+    }
+    visuals
+}
+
+/// The ring's colour and that of its casing: one of both stands out from anything.
+fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
+    match (visuals.dark_mode, scheme) {
+        (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
+        (false, Scheme::Grey) => (Color32::BLACK, Color32::WHITE),
+        (true, _) => (Color32::from_rgb(0xff, 0xd5, 0x4a), Color32::BLACK),
+        (false, _) => (Color32::from_rgb(0x0b, 0x57, 0xd0), Color32::WHITE),
+    }
+}
+
+/// Draws a ring round what has the focus, over all else in its layer.
+pub(crate) fn focus_ring(ui: &Ui) {
+    let ctx = ui.ctx();
+    let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
+    let Some(response) = ctx.read_response(focused) else { return };
+    let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
+    // What is scrolled away has no ring; what touches the window's edge has one inside.
+    let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
+    if response.interact_rect.is_negative() || !visible.is_positive() {
+        return;
+    }
+    let painter = ctx.layer_painter(response.layer_id).with_clip_rect(ctx.content_rect());
+    painter.rect_stroke(visible, 4.0, Stroke::new(4.5, casing), StrokeKind::Middle);
+    painter.rect_stroke(visible, 4.0, Stroke::new(2.5, color), StrokeKind::Middle);
+}
+
+/// What the spotlight leaves bright, as a share of the window's height.
+const BRIGHT: f32 = 0.17;
+/// Corners of the spotlight's circle.
+const CORNERS: usize = 72;
+
+/// Dims all but a circle round the pointer; in reduced motion, a large ring round it.
+pub(crate) fn spotlight(ctx: &Context) {
+    let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else { return };
+    let window = ctx.content_rect();
+    let radius = BRIGHT * window.height();
+    let layer = LayerId::new(Order::Foreground, Id::unique("spotlight"));
+    let painter = ctx.layer_painter(layer);
+    if installed(ctx).reduced_motion {
+        let width = 0.05 * radius;
+        painter.circle_stroke(at, 0.6 * radius, Stroke::new(1.8 * width, Color32::BLACK));
+        painter.circle_stroke(at, 0.6 * radius, Stroke::new(width, Color32::YELLOW));
+    } else {
+        painter.add(Shape::mesh(hole(window, at, radius)));
+    }
+}
+
+/// All of the window but a circle.
+fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
+    let dim = Color32::from_black_alpha(170);
+    let far = window.size().length() + window.distance_to_pos(at) + radius;
+    let mut mesh = Mesh::default();
+    for corner in 0..=CORNERS {
+        let direction = Vec2::angled(corner as f32 / CORNERS as f32 * std::f32::consts::TAU);
+        // A soft edge, and then all the way out.
+        mesh.colored_vertex(at + radius * direction, Color32::TRANSPARENT);
+        mesh.colored_vertex(at + 1.06 * radius * direction, dim);
+        mesh.colored_vertex(at + far * direction, dim);
+        if corner > 0 {
+            let k = 3 * corner as u32;
+            for [a, b] in [[k - 3, k - 2], [k - 2, k - 1]] {
+                mesh.add_triangle(a, b, a + 3);
+                mesh.add_triangle(b, a + 3, b + 3);
+            }
+        }
+    }
+    mesh
+}
+
+/// The colour of what is wrong, legible on the theme's background.
+pub(crate) fn error_color(ui: &Ui) -> Color32 {
+    if style(ui).scheme() == Scheme::Grey {
+        // What is wrong is also said.
+        ui.visuals().strong_text_color()
+    } else if ui.visuals().dark_mode {
+        Color32::from_rgb(0xff, 0x8a, 0x70)
+    } else {
+        Color32::from_rgb(0xb0, 0x20, 0x00)
+    }
+}
+
+/// Gives a context the program's look, from its next pass on.
+pub(crate) fn install_base(ctx: &Context) {
+    fonts::install(ctx);
+    for theme in [Theme::Dark, Theme::Light] {
+        ctx.style_mut_of(theme, |style| style.visuals = base_visuals(theme));
+    }
+}
+
+/// The program's colours.
+fn base_visuals(theme: Theme) -> Visuals {
+    let mut visuals = theme.default_visuals();
+    // egui's greys are for one reader near the screen, not for the back row.
+    let text = Color32::from_gray(if theme == Theme::Dark { 0xea } else { 0x10 });
+    visuals.widgets.noninteractive.fg_stroke.color = text;
+    visuals.widgets.inactive.fg_stroke.color = text;
+    visuals.weak_text_alpha = 0.75;
+    visuals
+}
