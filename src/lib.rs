@@ -9,7 +9,6 @@ pub mod accuracy;
 pub mod action;
 pub mod app;
 pub mod arguments;
-pub mod bench;
 pub mod chart;
 pub mod coarseness;
 pub mod code;

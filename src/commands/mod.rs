@@ -1,7 +1,6 @@
 //! The headless commands, one a file. None of them touches a display or a graphics driver.
 
 mod animation;
-mod bench;
 mod check;
 mod export;
 mod figure;
@@ -75,7 +74,6 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Trace(arguments) => trace::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Report(arguments) => report::run(arguments),
-        Command::Bench(arguments) => bench::run(arguments),
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Import(arguments) => import::run(arguments),
