@@ -34,7 +34,7 @@ use crate::derive::{Derived, Deriver, ViewSizes};
 use crate::document::Document;
 use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
-use crate::frame_times::{FrameHistory, Stopwatch};
+use crate::frame_times::{FrameWork, Stopwatch};
 use crate::measuring::Measuring;
 use crate::observer::Observer;
 use crate::panels::dialogs::Dialog;
@@ -45,7 +45,7 @@ use crate::panels::navigation::Navigation;
 use crate::panels::translator::TranslatorPanel;
 use crate::panels::{camera, dialogs, objects, places, plot, selection, top_bar, views};
 use crate::play::Player;
-use crate::present::{FrameTimes, WindowGeometry};
+use crate::present::WindowGeometry;
 use crate::session::{Session, Settings, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::thing::Pointed;
@@ -77,8 +77,8 @@ pub struct App {
     /// The error map, or what a wrong camera sees.
     beside_texture: ViewTexture,
     measuring: Measuring,
-    frames: FrameHistory,
-    logs_frame_times: bool,
+    /// What went into the last frame, for those who keep a log.
+    frame_work: Option<FrameWork>,
     governor: Governor,
     hand: HandInput,
     navigation: Navigation,
@@ -122,8 +122,7 @@ impl App {
             translator: TranslatorPanel::default(),
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
-            frames: FrameHistory::default(),
-            logs_frame_times: false,
+            frame_work: None,
             governor: Governor::default(),
             hand: HandInput::default(),
             navigation: Navigation::default(),
@@ -185,15 +184,9 @@ impl App {
         self.deriver.traced()
     }
 
-    /// The last frame was handed to the display.
-    pub fn presented(&mut self, times: &FrameTimes) {
-        self.frames.presented(times);
-    }
-
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        let mut stopwatch = None;
         let mut actions = Vec::new();
         self.hand_inputs(&ctx);
         self.window_inputs(&ctx, &mut actions);
@@ -219,12 +212,15 @@ impl App {
             let sizes = ViewSizes { coarseness, under_hand, ..sizes };
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
-            let stopwatch = stopwatch.insert(Stopwatch::start());
+            let stopwatch = Stopwatch::start();
             let tell = |work| stopwatch.tell(work);
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
-            stopwatch.derived();
-            self.keep_pace(&ctx, coarseness, stopwatch.traced());
+            let times = stopwatch.stop();
+            self.keep_pace(&ctx, coarseness, times.traced());
+            if let Some(frame_work) = &mut self.frame_work {
+                frame_work.add(ctx.cumulative_frame_nr(), times);
+            }
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(self.open.origin());
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
@@ -237,7 +233,6 @@ impl App {
         self.record(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
-        self.frames.end(&ctx, stopwatch.filter(|_| self.times_frames()));
     }
 
     /// Panels are drawn from the top while they are edited. Where an edit changed what had already

@@ -230,11 +230,6 @@ impl Scheme {
     /// All of them.
     pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
 
-    /// The grey of something that is counted so: neighbours are far apart.
-    pub fn grey_of(index: usize) -> Color32 {
-        Color32::from_gray(GREYS[index % GREYS.len()])
-    }
-
     /// What a menu calls it.
     pub fn label(self) -> &'static str {
         match self {

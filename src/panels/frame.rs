@@ -1,120 +1,154 @@
-//! The frame view: below both views what the last new picture took, what those before it took, and
-//! what the pictures left out.
+//! The frame view: what the pictures left out, and what was left to do, in plain words.
 
-mod counts;
-mod plot;
-
-use egui::{Color32, Grid, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{FontId, Grid, RichText, ScrollArea, Ui};
+use pinhole_core::{Counts, Steps};
 
 use crate::derive::Derived;
-use crate::frame_times::{FrameHistory, Part};
-use crate::panels::look;
+use crate::number::grouped;
+use crate::panels::views::{CAMERA, WORLD};
 
 /// Size of the text, in points: for the back row.
 const TEXT: f32 = 15.0;
 
-/// The counts need no more width than this, in points; times and plot get the rest.
-const COUNTS: f32 = 476.0;
+/// A line: what is counted, what that means, and how to say it of a picture.
+type Line = (&'static str, &'static str, fn(&Counts, &Steps) -> String);
 
-impl Part {
-    /// Its name on the screen.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Part::Plan => "plan",
-            Part::Trace => "trace",
-            Part::Overlay => "overlay",
-            Part::Readouts => "readouts",
-            Part::Interface => "interface",
-            Part::Upload => "upload",
-            Part::Paint => "paint",
-        }
-    }
+const LINES: [Line; 13] = [
+    (
+        "spheres",
+        "All spheres of the scene; the world view draws those around the observer or the camera as \
+         circles and does not trace them",
+        |c, _| grouped(c.spheres),
+    ),
+    ("behind the eye", "Left out: they lie wholly behind the eye", |c, _| grouped(c.behind)),
+    (
+        "beside the picture, or between two rows",
+        "Left out: they lie beside the picture, or are so small that they fall between the centres \
+         of two rows of its pixels",
+        |c, _| grouped(c.outside),
+    ),
+    ("in view", "Their outlines reach rows of the picture, hidden or not", |c, _| {
+        grouped(c.in_view)
+    }),
+    (
+        "passed over as hidden",
+        "Nearer spheres hide all of it in a band of rows. Counted once for each such band, so it can \
+         be more than there are spheres; scenes of fewer than 256 spheres are not tested for it",
+        |c, _| grouped(c.hidden),
+    ),
+    (
+        "index blocks left out",
+        "Many spheres are kept in blocks of neighbours, and of a block left out none is looked at; \
+         a scene of few spheres needs no index",
+        |c, _| match c.blocks {
+            0 => "no index".to_owned(),
+            blocks => share(c.blocks_left_out, blocks),
+        },
+    ),
+    ("planes asked", "A plane that is the same as an earlier one is left out", |c, _| {
+        share(c.planes_asked, c.planes)
+    }),
+    (
+        "bands without a hit",
+        "Threads trace bands of rows; in one that nothing reaches there is background alone",
+        |c, _| share(c.bands_untouched, c.bands),
+    ),
+    ("rows that nothing reaches", "No object's outline reaches them: background alone", |c, _| {
+        share(c.rows_untouched, c.rows)
+    }),
+    (
+        "decided in f64",
+        "Hit or miss, and which is first, settled within f64's error bound",
+        |_, s| grouped(s.f64),
+    ),
+    ("in double-double", "Too close for f64: settled with twice the digits", |_, s| {
+        grouped(s.double_double)
+    }),
+    ("exactly", "Too close for that too: settled in whole numbers, without rounding", |_, s| {
+        grouped(s.exact)
+    }),
+    ("all decisions", "What one ray decides about one object is one", |_, s| grouped(s.total())),
+];
 
-    fn about(self) -> &'static str {
-        match self {
-            Part::Plan => "Deciding what the rows of both pictures can see",
-            Part::Trace => "What each pixel's ray hits first, and its colour, for both pictures",
-            Part::Overlay => {
-                "Showing the camera's pixels as pixels, and drawing basis, viewport, rays and \
-                 marks over both pictures"
+fn share(part: u64, all: u64) -> String {
+    format!("{} of {}", grouped(part), grouped(all))
+}
+
+/// Shows a line a count, a column a picture.
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived) {
+    ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
+    let camera = derived.counts.zip(derived.steps);
+    let world = derived.world_frame.as_ref().map(|frame| (frame.counts, frame.steps));
+    ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+        ui.spacing_mut().interact_size.y = 19.0;
+        Grid::new("counts").striped(true).num_columns(3).spacing([12.0, 3.0]).show(ui, |ui| {
+            ui.strong("Left out, and left to do");
+            for name in [CAMERA, WORLD] {
+                ui.strong(name);
             }
-            Part::Readouts => "The numbers: the selected ray, its hits, the ledger or the plot",
-            Part::Interface => "Panels and layout of the window, with all text set",
-            Part::Upload => "Taking the new pictures over to where the window is drawn",
-            Part::Paint => "Drawing the window and handing it to the display",
-        }
-    }
-
-    /// Told apart by every eye, on light and on dark (Okabe and Ito 2008).
-    fn color(self) -> Color32 {
-        let [r, g, b] = match self {
-            Part::Plan => [0x56, 0xb4, 0xe9],
-            Part::Trace => [0xe6, 0x9f, 0x00],
-            Part::Overlay => [0x00, 0x9e, 0x73],
-            Part::Readouts => [0xf0, 0xe4, 0x42],
-            Part::Interface => [0xcc, 0x79, 0xa7],
-            Part::Upload => [0xd5, 0x5e, 0x00],
-            Part::Paint => [0x00, 0x72, 0xb2],
-        };
-        Color32::from_rgb(r, g, b)
-    }
-}
-
-/// Shows times, their history, and counts.
-pub(crate) fn ui(ui: &mut Ui, frames: &FrameHistory, derived: &Derived) {
-    ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let area = ui.available_rect_before_wrap();
-    let middle = area.right() - COUNTS.min(0.56 * area.width());
-    let left = Rect::from_min_max(area.min, pos2(middle - 8.0, area.bottom() - 4.0));
-    let right = Rect::from_min_max(pos2(middle + 8.0, area.top()), area.max);
-    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
-        times(ui, frames);
-        plot::ui(ui, frames);
-    });
-    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| counts::ui(ui, derived));
-}
-
-/// The last new picture's times; they name the colours of the plot below.
-fn times(ui: &mut Ui, frames: &FrameHistory) {
-    let last = frames.last();
-    let total = match last {
-        Some(last) => format!("Last new picture took {} ms", ms(last.total().as_secs_f64())),
-        None => "No new picture yet: drag something".to_owned(),
-    };
-    ui.label(RichText::new(total).size(TEXT + 3.0).strong()).on_hover_text(
-        "Frames that show a new picture are counted, from input to display without waiting for it",
-    );
-    Grid::new("times").num_columns(3).spacing([14.0, 2.0]).show(ui, |ui| {
-        for (index, part) in Part::ALL.into_iter().enumerate() {
-            let time = last.and_then(|last| last.time(part));
-            let time = time.map_or("-".to_owned(), |time| ms(time.as_secs_f64()));
-            ui.horizontal(|ui| {
-                let (mark, _) = ui.allocate_exact_size(vec2(13.0, 13.0), egui::Sense::hover());
-                let color = look::plotted(ui, part.color(), index);
-                ui.painter().rect_filled(mark, 2.0, color);
-                let label = ui.label(format!("{} {time}", part.name()));
-                label.on_hover_text(format!("{}, in milliseconds", part.about()));
-            });
-            if index % 3 == 2 {
+            ui.end_row();
+            for (name, hint, say) in LINES {
+                ui.label(name).on_hover_text(hint);
+                for (view, counted) in [(CAMERA, camera), (WORLD, world)] {
+                    let text = counted.map_or("-".to_owned(), |(c, s)| say(&c, &s));
+                    let spoken = format!("{view}, {name}: {text}");
+                    let label = ui.label(RichText::new(text).strong());
+                    ui.ctx().accesskit_node_builder(label.id, |node| node.set_value(spoken));
+                    label.on_hover_text(hint);
+                }
                 ui.end_row();
             }
-        }
+        });
     });
-}
-
-/// Seconds as milliseconds, two decimals below ten: as wide on the next frame as on this one.
-fn ms(seconds: f64) -> String {
-    let ms = 1e3 * seconds;
-    if ms < 9.995 { format!("{ms:.2}") } else { format!("{ms:.1}") }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+
+    fn said(counts: &Counts, steps: &Steps) -> Vec<String> {
+        LINES.iter().map(|(name, _, say)| format!("{name}: {}", say(counts, steps))).collect()
+    }
+
     #[test]
-    fn milliseconds() {
-        let cases = [(0.0, "0.00"), (0.00123, "1.23"), (0.009_996, "10.0"), (0.1234, "123.4")];
-        for (seconds, text) in cases {
-            assert_eq!(super::ms(seconds), text);
-        }
+    fn a_large_scene_in_words() {
+        let mut counts = Counts::default();
+        counts.spheres = 1_000_000;
+        counts.behind = 250_000;
+        counts.outside = 738_000;
+        counts.in_view = 12_000;
+        counts.hidden = 4_321;
+        counts.planes = 2;
+        counts.planes_asked = 1;
+        counts.blocks = 62_500;
+        counts.blocks_left_out = 40_000;
+        counts.bands = 34;
+        counts.bands_untouched = 5;
+        counts.rows = 1080;
+        counts.rows_untouched = 163;
+        let mut steps = Steps::default();
+        (steps.f64, steps.double_double, steps.exact) = (2_100_000, 12, 3);
+        let expected = [
+            "spheres: 1,000,000",
+            "behind the eye: 250,000",
+            "beside the picture, or between two rows: 738,000",
+            "in view: 12,000",
+            "passed over as hidden: 4,321",
+            "index blocks left out: 40,000 of 62,500",
+            "planes asked: 1 of 2",
+            "bands without a hit: 5 of 34",
+            "rows that nothing reaches: 163 of 1,080",
+            "decided in f64: 2,100,000",
+            "in double-double: 12",
+            "exactly: 3",
+            "all decisions: 2,100,015",
+        ];
+        assert_eq!(said(&counts, &steps), expected);
+    }
+
+    #[test]
+    fn a_small_scene_has_no_index() {
+        let lines = said(&Counts::default(), &Steps::default());
+        assert!(lines.contains(&"index blocks left out: no index".to_owned()), "{lines:?}");
     }
 }
