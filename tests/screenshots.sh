@@ -21,13 +21,6 @@ shot() {
   close_window
 }
 
-# Orbits the world view, a step a frame.
-orbit() {
-  xdotool mousemove 480 320 mousedown 1
-  for _ in {1..150}; do xdotool mousemove_relative -- 1 0; sleep 0.03; done
-  xdotool mouseup 1
-}
-
 # Grades a picture of the scene in which the viewport's distance was taken as 1.
 check_answers() {
   sed 's/^distance = .*/distance = 1.0/' assets/scenes/distance-two.toml >"$work/one.toml"
@@ -42,7 +35,6 @@ shot planet planet '{}'
 shot translator look-at '{"layout": "Translator"}'
 # Measuring takes its time.
 shot accuracy planet '{"layout": "Accuracy"}' 20
-shot frame look-at '{"layout": "Frame"}' 2 orbit
 shot answers distance-two '{}' 2 check_answers
 shot lesson-7 --lesson=7.3 '{}'
 shot lesson-11 --lesson=11.3 '{}'

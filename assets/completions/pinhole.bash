@@ -16,9 +16,6 @@ _pinhole() {
             ",$1")
                 cmd="pinhole"
                 ;;
-            pinhole,bench)
-                cmd="pinhole__subcmd__bench"
-                ;;
             pinhole,check)
                 cmd="pinhole__subcmd__check"
                 ;;
@@ -53,7 +50,7 @@ _pinhole() {
 
     case "${cmd}" in
         pinhole)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h -V --lesson --renderer --help --version scenes inspect render trace check report bench figure export import"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export import"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -65,28 +62,6 @@ _pinhole() {
                     ;;
                 --renderer)
                     COMPREPLY=($(compgen -W "wgpu cpu" -- "${cur}"))
-                    return 0
-                    ;;
-                *)
-                    COMPREPLY=()
-                    ;;
-            esac
-            COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
-            return 0
-            ;;
-        pinhole__subcmd__bench)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h --json --plot --help"
-            if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
-                COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
-                return 0
-            fi
-            case "${prev}" in
-                --json)
-                    COMPREPLY=($(compgen -f "${cur}"))
-                    return 0
-                    ;;
-                --plot)
-                    COMPREPLY=($(compgen -f "${cur}"))
                     return 0
                     ;;
                 *)

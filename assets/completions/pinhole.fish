@@ -35,7 +35,6 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "render" -d 'Write the 
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Send rays from a CSV file into a scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "check" -d 'Grade a student\'s basis, rays, hits or picture, and name the mistake'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "bench" -d 'Measure this machine\'s speed, with rivals and the limit beside it'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the ledger or the lab of lines as a figure for slides'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene as another program has them'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read another program\'s camera and scene, and write a scene file'
@@ -76,9 +75,6 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l csv -d 'Write
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l plot -d 'Draw error against run time; the ending chooses the format' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Which random rays the stress families hold' -r
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
-complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -l json -d 'Write one JSON object; without a path to standard output, in place of the table' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -l plot -d 'Draw time against the number of objects; the ending chooses the format' -r -F
-complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''
 camera\t''
 ledger\t''
@@ -142,7 +138,6 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand render" -a "canonical di
 complete -c pinhole -n "__fish_pinhole_using_subcommand trace" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand check" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'
-complete -c pinhole -n "__fish_pinhole_using_subcommand bench" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_using_subcommand export" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine" -d 'Built-in scene'

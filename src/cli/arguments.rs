@@ -67,8 +67,6 @@ pub enum Command {
     Check(CheckArguments),
     /// Measure the error of every method against its run time
     Report(ReportArguments),
-    /// Measure this machine's speed, with rivals and the limit beside it
-    Bench(BenchArguments),
     /// Write a view, the ledger or the lab of lines as a figure for slides
     Figure(FigureArguments),
     /// Write the camera and the scene as another program has them
@@ -305,19 +303,6 @@ pub struct ReportArguments {
     /// Which random rays the stress families hold
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub seed: u64,
-}
-
-/// `pinhole bench`
-#[derive(Args, Clone, Debug)]
-pub struct BenchArguments {
-    /// A scene file, or the name of a built-in scene; without one, 1 to 10^6 spheres
-    pub scene: Option<PathBuf>,
-    /// Write one JSON object; without a path to standard output, in place of the table
-    #[arg(long, value_name = "OUT.json", num_args = 0..=1, default_missing_value = "-")]
-    pub json: Option<PathBuf>,
-    /// Draw time against the number of objects; the ending chooses the format
-    #[arg(long, value_name = "OUT.svg|OUT.png")]
-    pub plot: Option<PathBuf>,
 }
 
 fn target() -> impl TypedValueParser<Value = Target> {

@@ -2,7 +2,6 @@
 
 mod animation;
 pub mod arguments;
-mod bench;
 mod check;
 mod export;
 mod figure;
@@ -76,7 +75,6 @@ pub fn run(command: &Command) -> Result<(), CommandError> {
         Command::Trace(arguments) => trace::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Report(arguments) => report::run(arguments),
-        Command::Bench(arguments) => bench::run(arguments),
         Command::Figure(arguments) => figure::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Import(arguments) => import::run(arguments),

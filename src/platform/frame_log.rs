@@ -37,9 +37,8 @@ impl FrameLog {
             let since = since_input.map(ms).unwrap_or_default();
             let times = [*frame, *ui, *upload, *paint, *wait].map(ms).join(",");
             let work = work.map_or(",,,".to_owned(), |work| {
-                let trace = work.plan + work.trace;
-                let own = trace + work.overlay + work.readouts;
-                [trace, work.overlay, work.readouts, own].map(ms).join(",")
+                let own = work.trace + work.overlay + work.readouts;
+                [work.trace, work.overlay, work.readouts, own].map(ms).join(",")
             });
             // Writing to a String cannot fail.
             let _ = writeln!(text, "{since},{times},{work}");

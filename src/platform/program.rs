@@ -111,11 +111,10 @@ impl Program for InWindow {
     }
 
     fn wants_upload_time(&self) -> bool {
-        self.app.times_frames()
+        self.frame_log.is_some()
     }
 
     fn presented(&mut self, times: &FrameTimes) {
-        self.app.presented(times);
         if let Some(log) = &mut self.frame_log {
             log.push(*times, self.app.work_presented());
         }

@@ -1,4 +1,4 @@
-//! The frame view: what a frame takes, and what its pictures leave out.
+//! The frame view: what the pictures leave out.
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
@@ -9,8 +9,6 @@ use pinhole::ui::app::App;
 use pinhole_core::{Counts, Steps};
 
 use super::harness::{assert_says, texts_with, type_into, window, window_with};
-
-const PARTS: [&str; 7] = ["plan", "trace", "overlay", "readouts", "interface", "upload", "paint"];
 
 fn open(window: &mut Harness<'_, App>) {
     window.get_by_role_and_label(Role::Button, "Frame").click();
@@ -35,21 +33,6 @@ fn assert_counts(window: &Harness<'_, App>, view: &str, counts: &Counts, steps: 
     ] {
         assert_says(window, &format!("{view}, {name}: {text}"));
     }
-}
-
-#[test]
-fn a_closed_view_keeps_nothing_and_takes_no_room() {
-    let mut window = window("canonical");
-    assert!(!window.state().times_frames());
-    assert_eq!(texts_with(&window, "new picture"), Vec::<String>::new());
-    type_into(&mut window, "eye x", "0.5");
-    open(&mut window);
-    assert!(window.state().times_frames());
-    assert!(!texts_with(&window, "Last new picture took ").is_empty());
-    window.get_by_role_and_label(Role::Button, "World").click();
-    window.run();
-    assert!(!window.state().times_frames());
-    assert_eq!(texts_with(&window, "new picture"), Vec::<String>::new());
 }
 
 #[test]
@@ -91,34 +74,6 @@ fn the_lectures_balls_are_counted_where_they_are() {
 }
 
 #[test]
-fn an_edit_is_timed_and_rest_stays_rest() {
-    let mut window = window("canonical");
-    open(&mut window);
-    let times = |window: &Harness<'_, App>| -> Vec<String> {
-        PARTS.iter().flat_map(|part| texts_with(window, &format!("{part} "))).collect()
-    };
-    let first = times(&window);
-    for part in ["plan", "trace", "overlay", "interface"] {
-        let timed = |text: &String| {
-            let time = text.strip_prefix(part).and_then(|t| t.trim().parse::<f64>().ok());
-            time.is_some_and(|time| time > 0.0)
-        };
-        assert!(first.iter().any(timed), "{part} in {first:?}");
-    }
-    // Nothing presents this window, so nobody knows what that takes.
-    assert_says(&window, "upload -");
-    assert_says(&window, "paint -");
-    // A frame without a new picture leaves the last one's times, and asks for no other.
-    let traced = window.state().pictures_traced();
-    window.hover_at(egui::pos2(30.0, 400.0));
-    window.run();
-    assert_eq!((window.state().pictures_traced(), times(&window)), (traced, first.clone()));
-    type_into(&mut window, "eye x", "0.25");
-    assert!(window.state().pictures_traced() > traced);
-    assert_ne!(times(&window), first);
-}
-
-#[test]
 fn a_fault_leaves_the_last_counts() {
     let mut window = window("canonical");
     open(&mut window);
@@ -138,5 +93,5 @@ fn the_view_is_remembered() {
     assert_eq!(wild.in_range().frame_height, Settings::default().frame_height);
     let remembered = Remembered { settings, ..Remembered::default() };
     let window = window_with("canonical", remembered, None);
-    assert!(!texts_with(&window, "Last new picture took ").is_empty());
+    assert_eq!(texts_with(&window, "Camera view, all decisions: ").len(), 1);
 }

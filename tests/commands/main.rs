@@ -2,7 +2,6 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod animation;
-mod bench;
 mod check;
 mod exchange;
 mod figure;
@@ -88,8 +87,7 @@ fn entries(folder: &Path) -> Vec<String> {
 fn every_command_is_offered_and_has_a_help() {
     let help = run("--help").done();
     for command in [
-        "scenes", "inspect", "render", "trace", "report", "check", "bench", "figure", "export",
-        "import",
+        "scenes", "inspect", "render", "trace", "report", "check", "figure", "export", "import",
     ] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
         assert!(run(&format!("{command} --help")).done().contains("Usage: pinhole"));

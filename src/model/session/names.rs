@@ -98,7 +98,7 @@ impl ViewLayout {
             ViewLayout::Exercises => "Questions, and what is wrong with an answer",
             ViewLayout::Answers => "A student’s answers, and the mistake that explains them",
             ViewLayout::Accuracy => "How right each method is here, and how fast",
-            ViewLayout::Frame => "What a frame takes, and what it leaves out",
+            ViewLayout::Frame => "What the pictures left out, and what was left to do",
         }
     }
 

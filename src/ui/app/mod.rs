@@ -41,9 +41,8 @@ use crate::ui::action::Action;
 use crate::ui::derivation::LedgerPanel;
 use crate::ui::dialogs::dialog as dialogs;
 use crate::ui::dialogs::dialog::Dialog;
-use crate::ui::frame_times::{FrameHistory, Stopwatch};
+use crate::ui::frame_times::{FrameWork, Stopwatch};
 use crate::ui::panels::{camera, objects, selection, top_bar};
-use crate::ui::program::FrameTimes;
 use crate::ui::ray::plot;
 use crate::ui::scene::handles::HandInput;
 use crate::ui::scene::navigation::Navigation;
@@ -81,8 +80,8 @@ pub struct App {
     /// The error map, or what a wrong camera sees.
     beside_texture: ViewTexture,
     measuring: Measuring,
-    frames: FrameHistory,
-    logs_frame_times: bool,
+    /// What went into the last frame, for those who keep a log.
+    frame_work: Option<FrameWork>,
     governor: Governor,
     hand: HandInput,
     navigation: Navigation,
@@ -126,8 +125,7 @@ impl App {
             translator: TranslatorPanel::default(),
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
-            frames: FrameHistory::default(),
-            logs_frame_times: false,
+            frame_work: None,
             governor: Governor::default(),
             hand: HandInput::default(),
             navigation: Navigation::default(),
@@ -189,15 +187,9 @@ impl App {
         self.deriver.traced()
     }
 
-    /// The last frame was handed to the display.
-    pub fn presented(&mut self, times: &FrameTimes) {
-        self.frames.presented(times);
-    }
-
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        let mut stopwatch = None;
         let mut actions = Vec::new();
         self.hand_inputs(&ctx);
         self.window_inputs(&ctx, &mut actions);
@@ -223,12 +215,15 @@ impl App {
             let sizes = ViewSizes { coarseness, under_hand, ..sizes };
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
-            let stopwatch = stopwatch.insert(Stopwatch::start());
+            let stopwatch = Stopwatch::start();
             let tell = |work| stopwatch.tell(work);
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
-            stopwatch.derived();
-            self.keep_pace(&ctx, coarseness, stopwatch.traced());
+            let times = stopwatch.stop();
+            self.keep_pace(&ctx, coarseness, times.traced());
+            if let Some(frame_work) = &mut self.frame_work {
+                frame_work.add(ctx.cumulative_frame_nr(), times);
+            }
             if self.session.settings.layout == ViewLayout::Accuracy {
                 let name = title_of(self.open.origin());
                 self.measuring.step(&ctx, &name, &self.open.document.camera, &self.derived);
@@ -241,7 +236,6 @@ impl App {
         self.record(&ctx);
         self.window_outputs(&ctx);
         self.draw_again_if_stale(&ctx);
-        self.frames.end(&ctx, stopwatch.filter(|_| self.times_frames()));
     }
 
     /// Panels are drawn from the top while they are edited. Where an edit changed what had already

@@ -89,7 +89,7 @@ impl App {
             ViewLayout::Accuracy => {
                 accuracy::ui(ui, &self.measuring, &self.derived, document, &mut self.session);
             }
-            ViewLayout::Frame => frame::ui(ui, &self.frames, &self.derived),
+            ViewLayout::Frame => frame::ui(ui, &self.derived),
             ViewLayout::Lines => lines::ui(ui, &mut self.session.lines, style.digits),
             ViewLayout::Plot => {
                 plot::ui(ui, &mut self.session, &self.derived, style.digits);

@@ -6,7 +6,7 @@ use egui::{Context, Key, Vec2};
 
 use super::App;
 use crate::model::session::ViewLayout;
-use crate::ui::frame_times::WorkTimes;
+use crate::ui::frame_times::{FrameWork, WorkTimes};
 use crate::view::adaptive_resolution::{Coarseness, Governor, REST};
 
 /// Keys that move the camera, the observer or a handle as long as they are held.
@@ -23,17 +23,12 @@ const STEERING: [Key; 7] = [
 impl App {
     /// Has all frames timed from now on, for those who keep a log.
     pub(crate) fn time_frames(&mut self) {
-        self.logs_frame_times = true;
+        self.frame_work = Some(FrameWork::default());
     }
 
-    /// Whether somebody looks at what frames take.
-    pub fn times_frames(&self) -> bool {
-        self.logs_frame_times || self.session.settings.layout == ViewLayout::Frame
-    }
-
-    /// What went into the frame presented last, if it showed a new picture and is timed.
+    /// The work of the frame presented last, if it showed a new picture and is timed.
     pub(crate) fn work_presented(&self) -> Option<WorkTimes> {
-        self.frames.work_presented()
+        self.frame_work.as_ref()?.work()
     }
 
     /// How long tracing may take while a hand moves what is traced; pictures are coarser where it

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use pinhole_core::{
-    Depth, Frame, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, Shade, Stage, shade, trace,
-    trace_painted,
+    Depth, Frame, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, Shade, shade, trace, trace_painted,
 };
 
 use super::opaque;
@@ -12,9 +11,7 @@ use super::opaque;
 /// What the time since the last thing told was spent on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Work {
-    /// Deciding what a picture's rows can see.
-    Plan,
-    /// Tracing and colouring pixels.
+    /// Planning, tracing and colouring pixels.
     Trace,
     /// Drawing over the pictures.
     Overlay,
@@ -38,12 +35,7 @@ pub(super) fn picture(
     // Zeroed memory costs nothing until a thread fills its part.
     let mut pixels = bytemuck::allocation::zeroed_vec(raster.len());
     let paint = Paint { shade, color_of, to_pixel: opaque };
-    let observe = |stage| {
-        if stage == Stage::Planned {
-            watch(Work::Plan);
-        }
-    };
-    let frame = trace_painted(scene, camera, raster, outputs, &paint, &mut pixels, observe);
+    let frame = trace_painted(scene, camera, raster, outputs, &paint, &mut pixels, |_| ());
     watch(Work::Trace);
     (frame, pixels)
 }

@@ -51,15 +51,6 @@ pub(crate) fn style(ui: &Ui) -> Style {
     Style::of(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
-/// A colour that tells things apart in a plot, as this window has colours: in greys, those of the
-/// things beside each other are far apart.
-pub(crate) fn plotted(ui: &Ui, color: Color32, index: usize) -> Color32 {
-    match installed(ui.ctx()).scheme {
-        Scheme::Grey => Scheme::grey_of(index),
-        Scheme::Standard | Scheme::ColourBlind => color,
-    }
-}
-
 /// A colour as pictures in this window have it: without hue where they have none.
 pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
     let mut dots = [color];

@@ -1,11 +1,14 @@
-//! What the pictures left out, and what was left to do, in plain words.
+//! The frame view: what the pictures left out, and what was left to do, in plain words.
 
-use egui::{Grid, RichText, ScrollArea, Ui};
+use egui::{FontId, Grid, RichText, ScrollArea, Ui};
 use pinhole_core::{Counts, Steps};
 
+use crate::view::derive::Derived;
 use crate::model::number::grouped;
 use crate::ui::scene::views::{CAMERA, WORLD};
-use crate::view::derive::Derived;
+
+/// Size of the text, in points: for the back row.
+const TEXT: f32 = 15.0;
 
 /// A line: what is counted, what that means, and how to say it of a picture.
 type Line = (&'static str, &'static str, fn(&Counts, &Steps) -> String);
@@ -39,19 +42,19 @@ const LINES: [Line; 13] = [
          a scene of few spheres needs no index",
         |c, _| match c.blocks {
             0 => "no index".to_owned(),
-            blocks => of(c.blocks_left_out, blocks),
+            blocks => share(c.blocks_left_out, blocks),
         },
     ),
     ("planes asked", "A plane that is the same as an earlier one is left out", |c, _| {
-        of(c.planes_asked, c.planes)
+        share(c.planes_asked, c.planes)
     }),
     (
         "bands without a hit",
         "Threads trace bands of rows; in one that nothing reaches there is background alone",
-        |c, _| of(c.bands_untouched, c.bands),
+        |c, _| share(c.bands_untouched, c.bands),
     ),
     ("rows that nothing reaches", "No object's outline reaches them: background alone", |c, _| {
-        of(c.rows_untouched, c.rows)
+        share(c.rows_untouched, c.rows)
     }),
     (
         "decided in f64",
@@ -67,12 +70,13 @@ const LINES: [Line; 13] = [
     ("all decisions", "What one ray decides about one object is one", |_, s| grouped(s.total())),
 ];
 
-fn of(part: u64, all: u64) -> String {
+fn share(part: u64, all: u64) -> String {
     format!("{} of {}", grouped(part), grouped(all))
 }
 
 /// Shows a line a count, a column a picture.
-pub(super) fn ui(ui: &mut Ui, derived: &Derived) {
+pub(crate) fn ui(ui: &mut Ui, derived: &Derived) {
+    ui.style_mut().override_font_id = Some(FontId::proportional(TEXT));
     let camera = derived.counts.zip(derived.steps);
     let world = derived.world_frame.as_ref().map(|frame| (frame.counts, frame.steps));
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
