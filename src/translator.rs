@@ -164,20 +164,20 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
             Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
         };
     }
-    let Some(format) = recognised(text) else {
+    let Some(importer) = recognised(text) else {
         return failed("This text is no camera: nothing is changed", unknown());
     };
     let text = Text { path: Path::new("pasted"), text };
-    match format.read(&text, at_hand) {
+    match importer.read(&text, at_hand) {
         Ok(read) => {
             let objects = read.spheres.len() + read.planes.len();
             let notes = read.notes.into_iter();
             let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
-            let title = format!("Camera pasted: {}", format.label);
+            let title = format!("Camera pasted: {}", importer.label);
             taken(title, read.camera, notes.collect(), objects)
         }
         Err(error) => {
-            let title = format!("Not pasted: this camera of {} cannot be read", format.label);
+            let title = format!("Not pasted: this camera of {} cannot be read", importer.label);
             failed(&title, error.to_string())
         }
     }

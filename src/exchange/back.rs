@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use pinhole_core::{
-    Basis, Camera, DVec3, ImageSize, ORTHONORMAL_TOLERANCE, Orientation, Pixel, Plane, PosedCamera,
-    Sphere, Viewport, extent_of_fov, fov_of_extent,
+    Basis, Camera, DVec3, ImageSize, ORTHONORMAL_TOLERANCE, Orientation, Pixel, Plane, Sphere,
+    Viewport, extent_of_fov, fov_of_extent,
 };
 
 use super::affine::Affine;
 use super::sheet::n;
-use super::{Format, Taken, Text, Written};
+use super::{Check, Format, Importer, Subject, Taken, Text, Written};
 use crate::document::Item;
 use crate::formats::FileError;
 
@@ -267,17 +267,22 @@ pub(crate) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
     ImageSize::new(width as u32, height as u32).map_err(|error| error.to_string())
 }
 
-/// Whether what was written, read again, sends out other rays; by how much.
-pub(super) fn difference(
-    format: &Format,
-    written: &Written,
-    posed: &PosedCamera,
-) -> Option<String> {
+/// Whether what was written makes a camera that sends out other rays; by how much.
+pub(super) fn difference(format: &Format, written: &Written, subject: &Subject) -> Option<String> {
     const ENOUGH: f64 = 1e-9;
-    let text = written.joined().text;
-    let at_hand = Camera { viewport: *posed.viewport(), image: posed.image(), ..Camera::CANONICAL };
-    let read = (format.read)(&Text { path: Path::new(""), text: &text }, &at_hand);
-    let Some(back) = read.ok().and_then(|taken| taken.camera.posed().ok()) else {
+    let posed = subject.posed();
+    let camera = match format.check {
+        Check::Numbers(camera) => camera(subject).ok(),
+        Check::Import => {
+            let text = written.joined().text;
+            let (viewport, image) = (*posed.viewport(), posed.image());
+            let at_hand = Camera { viewport, image, ..Camera::CANONICAL };
+            let importer = Importer::named(format.name)?;
+            let read = (importer.read)(&Text { path: Path::new(""), text: &text }, &at_hand);
+            read.ok().map(|taken| taken.camera)
+        }
+    };
+    let Some(back) = camera.and_then(|camera| camera.posed().ok()) else {
         return Some("its numbers make no camera any more when they are read again".to_owned());
     };
     let [height, width] = [posed.image().height(), posed.image().width()].map(|n| n - 1);

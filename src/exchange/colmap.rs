@@ -4,11 +4,10 @@
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
 use super::back::image_of;
-use super::code::error_at;
 use super::opencv::{off_centre, stance, translation, viewport_of};
 use super::sheet::{Sheet, flipped, n};
 use super::terms::{Axis, Pixels, Terms};
-use super::{Format, Subject, Taken, Text, Unsayable, Written};
+use super::{Check, Format, Importer, Subject, Taken, Text, Unsayable, Written};
 use crate::formats::FileError;
 
 pub(super) const FORMAT: Format = Format {
@@ -30,6 +29,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| {
         let lines = Lines::of(text);
@@ -169,7 +174,7 @@ fn intrinsics(
     camera: &Line,
     notes: &mut Vec<String>,
 ) -> Result<(Intrinsics, ImageSize), FileError> {
-    let error = |at: usize, problem: String| error_at(text.path, text.text, at, problem);
+    let error = |at: usize, problem: String| text.error_at(at, problem);
     let model = camera.cells[1];
     let Some((_, two, distortions)) = MODELS.iter().find(|known| known.0 == model) else {
         let known: Vec<&str> = MODELS.iter().map(|known| known.0).collect();
@@ -217,7 +222,7 @@ fn camera_of<'l, 't>(
 ) -> Result<&'l Line<'t>, FileError> {
     let id = image.camera;
     let mut own = cameras.iter().filter(|camera| camera.cells[0].parse() == Ok(id));
-    let error = |at: usize, problem: String| Err(error_at(text.path, text.text, at, problem));
+    let error = |at: usize, problem: String| Err(text.error_at(at, problem));
     match (own.next(), own.next()) {
         (Some(camera), None) => Ok(camera),
         (Some(_), Some(second)) => {
@@ -237,7 +242,7 @@ fn camera_of<'l, 't>(
 }
 
 fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    let error = |at: usize, problem: String| error_at(text.path, text.text, at, problem);
+    let error = |at: usize, problem: String| text.error_at(at, problem);
     let missing = |what: &str| FileError::of_file(text.path, what.to_owned());
     let lines = Lines::of(text.text);
     if lines.cameras.is_empty() {

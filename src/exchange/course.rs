@@ -1,13 +1,13 @@
 //! The course's own camera, a call of Julia: `PerspectiveCamera(eye, view, up, focal, H, W)`, whose
 //! viewport is 1 wide and H / W high.
 
-use pinhole_core::{Camera, DVec3, Orientation, Viewport};
+use pinhole_core::{Camera, Orientation, Viewport};
 
 use super::back::image_of;
-use super::code::{Code, Comments, split};
+use super::literal::{Source, last_part};
 use super::sheet::{Sheet, commas, n, real};
 use super::terms::{Pixels, Terms};
-use super::{Format, Subject, Taken, Text, Unsayable, Written};
+use super::{Check, Format, Importer, Subject, Taken, Text, Unsayable, Written};
 use crate::formats::FileError;
 
 pub(super) const FORMAT: Format = Format {
@@ -26,6 +26,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| {
         text.contains("PerspectiveCamera(")
@@ -65,31 +71,31 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     Ok(Written::of("camera.jl", Sheet::of(&text), notes))
 }
 
+const RIGHT: &str = "it must be one call of PerspectiveCamera(eye, view, up, focal, height, width), given by \
+                     numbers";
+
 fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
-    let code = Code::new(text, Comments::Hash);
-    let calls = code.calls("PerspectiveCamera");
-    // What names its arguments by type is the definition.
-    let calls: Vec<_> = calls.iter().filter(|call| !call.text.contains("::")).collect();
-    let Some(call) = calls.last() else {
-        return Err(code.missing("PerspectiveCamera", "it must be called with its six arguments"));
+    let source = Source::new(text, RIGHT)?;
+    let [call] = &source.statements[..] else {
+        return Err(match source.statements.get(1) {
+            Some(second) => source.refused(second, RIGHT),
+            None => source.missing("PerspectiveCamera", RIGHT),
+        });
     };
-    let mut notes = Vec::new();
-    if calls.iter().any(|other| other.text != call.text) {
-        notes.push(format!("{} calls of PerspectiveCamera: the last is taken", calls.len()));
+    if last_part(call.called) != "PerspectiveCamera" || call.is_new {
+        return Err(source.refused(call, RIGHT));
     }
-    let parts = split(**call);
-    let [eye, view, up, focal, rows, columns] = parts[..] else {
-        let right = "it must have six arguments: eye, view, up, focal, height, width";
-        return Err(code.fault("PerspectiveCamera", **call, right));
+    let [eye, view, up, focal, rows, columns] = &call.arguments[..] else {
+        return Err(source.refused(call, RIGHT));
     };
-    let vector = |name: &str, piece| -> Result<DVec3, FileError> { code.vector(name, piece) };
-    let (eye, view, up) = (vector("eye", eye)?, vector("view", view)?, vector("up", up)?);
-    let distance = code.number("focal", focal)?;
+    let (eye, view) = (source.vector("eye", eye)?, source.vector("view", view)?);
+    let up = source.vector("up", up)?;
+    let distance = source.number("focal", focal)?;
     if distance <= 0.0 {
-        return Err(code.fault("focal", focal, "it must be greater than 0"));
+        return Err(source.fault("focal", focal, "it must be greater than 0"));
     }
-    let image = image_of(code.number("width", columns)?, code.number("height", rows)?)
-        .map_err(|right| code.fault("the image's height", rows, &right))?;
+    let image = image_of(source.number("width", columns)?, source.number("height", rows)?)
+        .map_err(|right| source.fault("the image's height", rows, &right))?;
     let height = f64::from(image.height()) / f64::from(image.width());
     let camera = Camera {
         eye,
@@ -97,5 +103,5 @@ fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
         viewport: Viewport { width: 1.0, height, distance },
         image,
     };
-    Ok(Taken::camera(camera, notes))
+    Ok(Taken::camera(camera, Vec::new()))
 }

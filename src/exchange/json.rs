@@ -3,7 +3,6 @@
 use serde_json::Value;
 
 use super::Text;
-use super::code::error_at;
 use crate::formats::{FileError, Place};
 
 /// A value, and its path: `cameras[0].perspective.yfov`.
@@ -77,7 +76,7 @@ impl<'a> Node<'a> {
         let quoted = format!("\"{}\"", name.split('[').next().unwrap_or_default());
         let mut places = self.text.text.match_indices(&quoted);
         match (places.next(), places.next()) {
-            (Some((at, _)), None) => error_at(self.text.path, self.text.text, at, problem),
+            (Some((at, _)), None) => self.text.error_at(at, problem),
             _ => FileError::of_file(self.text.path, problem),
         }
     }

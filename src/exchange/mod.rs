@@ -11,21 +11,17 @@
 mod affine;
 mod back;
 mod blender;
-mod code;
 mod colmap;
-mod comments;
 mod course;
 mod gltf;
 mod json;
 mod left_out;
-mod matrix;
+mod literal;
 mod mitsuba;
-mod names;
 mod opencv;
 mod opengl;
 mod pbrt;
 mod povray;
-mod python;
 mod sheet;
 mod subject;
 mod terms;
@@ -38,7 +34,7 @@ use std::path::Path;
 use pinhole_core::{Camera, DVec3, Plane, Sphere};
 
 use crate::document::Item;
-use crate::formats::FileError;
+use crate::formats::{FileError, Place};
 
 pub(crate) use back::MIRRORED;
 pub use sheet::Sheet;
@@ -60,11 +56,30 @@ pub struct Format {
     /// Its conventions.
     pub terms: Terms,
     write: fn(&Subject) -> Result<Written, Unsayable>,
+    check: Check,
+}
+
+/// A reader of another program's files, or of numbers that are pasted.
+#[derive(Debug)]
+pub struct Importer {
+    /// What `--from` calls it.
+    pub name: &'static str,
+    /// What people call it.
+    pub label: &'static str,
     read: fn(&Text, &Camera) -> Result<Taken, FileError>,
     claims: fn(&str) -> bool,
 }
 
-/// Every format, in the order in which a text is held against them.
+/// How a camera is made of what was written, to see how well the numbers keep it.
+#[derive(Clone, Copy, Debug)]
+enum Check {
+    /// By the importer of the same name.
+    Import,
+    /// From the numbers that are written: no text of the format is read.
+    Numbers(fn(&Subject) -> Result<Camera, Unsayable>),
+}
+
+/// Every format that a camera is written in.
 pub static FORMATS: [Format; 11] = [
     gltf::FORMAT,
     three::FORMAT,
@@ -77,6 +92,20 @@ pub static FORMATS: [Format; 11] = [
     colmap::FORMAT,
     opencv::FORMAT,
     pbrt::FORMAT,
+];
+
+/// Every importer, in the order in which a text is held against them.
+pub static IMPORTERS: [Importer; 10] = [
+    gltf::IMPORTER,
+    three::IMPORTER,
+    mitsuba::IMPORTER,
+    povray::IMPORTER,
+    opengl::IMPORTER,
+    course::IMPORTER,
+    colmap::IMPORTER,
+    opencv::IMPORTER,
+    pbrt::IMPORTER,
+    literal::IMPORTER,
 ];
 
 /// What was written: one text, or several where the format has several files.
@@ -130,8 +159,8 @@ impl Format {
 
     /// The camera, and what else is asked for, in the format's words.
     ///
-    /// What is written is read again: where the rays that come back differ by more than a billionth,
-    /// be it that the format gives a field of view near 180 degrees, a note says by how much.
+    /// Where the rays that its numbers make differ by more than a billionth, be it that the format gives
+    /// a field of view near 180 degrees, a note says by how much.
     ///
     /// # Errors
     /// What the format cannot say.
@@ -141,8 +170,15 @@ impl Format {
             With::CameraAlone => written.clone(),
             _ => (self.write)(&subject.camera_alone())?,
         };
-        written.notes.extend(back::difference(self, &alone, subject.posed()));
+        written.notes.extend(back::difference(self, &alone, subject));
         Ok(written)
+    }
+}
+
+impl Importer {
+    /// The importer of this name.
+    pub fn named(name: &str) -> Option<&'static Importer> {
+        IMPORTERS.iter().find(|importer| importer.name == name)
     }
 
     /// What the text says. What it leaves open, such as the image's size or the viewport's distance,
@@ -180,42 +216,40 @@ impl Written {
     }
 }
 
-/// The format of a text, by what is in it.
-pub fn recognised(text: &str) -> Option<&'static Format> {
-    FORMATS.iter().find(|format| format.claims(text))
+impl Text<'_> {
+    /// An error at a byte of the text.
+    pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
+        let place = Some(Place::of_byte(self.text.as_bytes(), at));
+        FileError { place, ..FileError::of_file(self.path, problem) }
+    }
 }
 
-/// The format of a file: by what is in it, else by how its name ends where nothing else ends so.
+/// The importer of a text, by what is in it.
+pub fn recognised(text: &str) -> Option<&'static Importer> {
+    IMPORTERS.iter().find(|importer| importer.claims(text))
+}
+
+/// The importer of a file: by what is in it, else by how its name ends where nothing else ends so.
 ///
 /// # Errors
 /// Where it is none of them; with their names.
-pub fn recognised_file(text: &Text) -> Result<&'static Format, FileError> {
-    if let Some(format) = recognised(text.text) {
-        return Ok(format);
+pub fn recognised_file(text: &Text) -> Result<&'static Importer, FileError> {
+    if let Some(importer) = recognised(text.text) {
+        return Ok(importer);
     }
     let ending = text.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    // Other endings are those of a language, and Python's may be anything.
-    let is_blender = BLENDER_SIGNS.iter().any(|sign| text.text.contains(sign));
+    // Other endings are those of a language.
     let name = match ending {
         "gltf" => "gltf",
         "pov" => "povray",
         "pbrt" => "pbrt",
-        "py" if is_blender => "blender",
         _ => "",
     };
-    Format::named(name).ok_or_else(|| FileError::of_file(text.path, unknown()))
+    Importer::named(name).ok_or_else(|| FileError::of_file(text.path, unknown()))
 }
-
-/// What only Blender's cameras and objects have.
-const BLENDER_SIGNS: [&str; 4] =
-    ["rotation_euler", "rotation_quaternion", "sensor_width", "clip_start"];
 
 /// What is said of a text that is no camera.
 pub fn unknown() -> String {
-    let label = |format: &'static Format| match format.name {
-        "three" => "three.js (JSON or code)",
-        _ => format.label,
-    };
-    let labels: Vec<&str> = FORMATS.iter().map(label).collect();
+    let labels: Vec<&str> = IMPORTERS.iter().map(|importer| importer.label).collect();
     format!("no camera of a known form: it may be {}", labels.join(", "))
 }

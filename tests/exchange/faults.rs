@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pinhole::exchange::{FORMATS, Text, recognised, recognised_file};
+use pinhole::exchange::{FORMATS, IMPORTERS, Importer, Text, recognised, recognised_file};
 use pinhole_core::Camera;
 
 use super::read;
@@ -13,7 +13,7 @@ fn faults_name_place_field_and_what_would_be_right() {
         (
             "opengl",
             "gluPerspective(60, 1, 0.1, 9);\ngluLookAt(0,0,0, 0,0,x, 0,1,0);",
-            "in:2:22: gluLookAt is x: it must be a finite number",
+            "in:2:22: gluLookAt is x: it must be given by numbers, without names or calculations",
         ),
         (
             "opengl",
@@ -29,16 +29,6 @@ fn faults_name_place_field_and_what_would_be_right() {
             "opengl",
             "gluPerspective(60, 1, 0.1, 9);\ngluLookAt(1,2,3, 1,2,3, 0,1,0);",
             "in: gluLookAt + gluPerspective: eye and at are the same point (1, 2, 3): move one of them",
-        ),
-        (
-            "weekend",
-            "cam.lookfrom = point3(0,0);\n",
-            "in:1:16: lookfrom is point3(0,0): it must be three numbers",
-        ),
-        (
-            "weekend",
-            "cam.lookfrom = point3(0,0,1);\ncam.image_width = 0;\n",
-            "in:2:19: image_width is 0: it must be whole numbers from 1 to 16384",
         ),
         (
             "course",
@@ -123,12 +113,6 @@ fn faults_name_place_field_and_what_would_be_right() {
             "in:1:1: MODEL is FISHEYE: it must be one of SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, \
              RADIAL, OPENCV, FULL_OPENCV",
         ),
-        (
-            "blender",
-            "import bpy\ncam.matrix_world = ((1, 0, 0, 0), (0, 1, 0, 0))\n",
-            "in:2:20: matrix_world is ((1, 0, 0, 0), (0, 1, 0, 0)): it must be four rows of four \
-             numbers, the last one 0, 0, 0, 1",
-        ),
     ];
     for (format, text, message) in cases {
         let error = read(format, text).map(|taken| taken.camera).unwrap_err();
@@ -151,11 +135,7 @@ fn what_is_no_camera_is_recognised_as_none() {
         let name = format!("a.{ending}");
         let refused = of(&name).unwrap_err();
         assert!(refused.starts_with(&format!("{name}: no camera of a known form: ")), "{refused}");
-        assert!(refused.contains("three.js (JSON or code)"), "{refused}");
     }
-    let turned = "camera.location = (0, -10, 2)\ncamera.rotation_euler[0] = 1.1\n";
-    let turned = Text { path: Path::new("a.py"), text: turned };
-    assert_eq!(recognised_file(&turned).unwrap().name, "blender");
     assert_eq!(of("a.pov"), Ok("povray"));
     assert_eq!(of("a.pbrt"), Ok("pbrt"));
     let refused = of("a.json").unwrap_err();
@@ -163,7 +143,7 @@ fn what_is_no_camera_is_recognised_as_none() {
         refused.starts_with("a.json: no camera of a known form: it may be glTF 2.0, "),
         "{refused}"
     );
-    assert!(FORMATS.iter().all(|format| refused.contains(format.label)), "{refused}");
+    assert!(IMPORTERS.iter().all(|importer| refused.contains(importer.label)), "{refused}");
 }
 
 /// No text makes a reader panic: beginnings of exports, and exports with a byte or a number gone, or
@@ -187,7 +167,9 @@ fn broken_texts_are_errors() {
                     format!("{head} -0 {}", after(1)),
                 ] {
                     let text = Text { path: Path::new("in"), text: &broken };
-                    for reader in [Some(format), recognised(&broken)].into_iter().flatten() {
+                    for reader in
+                        [Importer::named(format.name), recognised(&broken)].into_iter().flatten()
+                    {
                         if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
                             assert!(taken.camera.posed().is_ok());
                         }

@@ -12,7 +12,7 @@ use crate::exchange::back::{Stance, image_of, image_of_aspect, in_ratio, shortes
 use crate::exchange::json::{self, Node};
 use crate::exchange::sheet::{Sheet, n};
 use crate::exchange::terms::{Pixels, Terms};
-use crate::exchange::{Format, Subject, Taken, Text, Unsayable, With, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Taken, Text, Unsayable, With, Written};
 use crate::formats::FileError;
 
 pub(super) const FORMAT: Format = Format {
@@ -31,6 +31,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 in most programs",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| {
         json::looks_like(text) && text.contains("\"asset\"") && text.contains("\"cameras\"")

@@ -8,7 +8,6 @@ use roxmltree::{Document as Xml, Node};
 
 use crate::exchange::Text;
 use crate::exchange::affine::Affine;
-use crate::exchange::code::{error_at, number};
 use crate::formats::FileError;
 
 pub(super) struct File<'a, 'x> {
@@ -130,7 +129,7 @@ impl<'a, 'x> File<'a, 'x> {
 
     pub(super) fn fault(&self, node: Node, field: &str, value: &str, right: &str) -> FileError {
         let problem = format!("{field} is {value}: {right}");
-        error_at(self.text.path, self.text.text, node.range().start, problem)
+        self.text.error_at(node.range().start, problem)
     }
 
     fn quoted(&self, node: Node, attribute: &str, field: &str, right: &str) -> FileError {
@@ -240,4 +239,9 @@ fn snake(name: &str) -> String {
 
 pub(super) fn cells(value: &str) -> impl Iterator<Item = &str> {
     value.split([' ', ',', '\t', '\n', '\r']).filter(|cell| !cell.is_empty())
+}
+
+/// A finite number.
+pub(super) fn number(cell: &str) -> Option<f64> {
+    cell.parse().ok().filter(|number: &f64| number.is_finite())
 }

@@ -10,7 +10,7 @@ use self::read::read;
 use crate::exchange::sheet::{Sheet, commas, light, n, quotable};
 use crate::exchange::subject::square_note;
 use crate::exchange::terms::{Axis, Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "mitsuba",
@@ -28,6 +28,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 in most variants",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| text.contains("<sensor") || (text.contains("<scene") && text.contains("<shape")),
 };

@@ -3,10 +3,9 @@
 use pinhole_core::{Plane, Sphere};
 use roxmltree::{Document as Xml, Node};
 
-use super::file::{File, cells};
+use super::file::{File, cells, number};
 use crate::document::Item;
 use crate::exchange::back::readable;
-use crate::exchange::code::number;
 use crate::exchange::left_out::LeftOut;
 use crate::exchange::sheet::{byte_of_light, n};
 use crate::formats::{FileError, color};

@@ -5,6 +5,7 @@
 //! R = (u, -v, -w) as rows          t = -R eye
 //! ```
 
+mod fields;
 mod read;
 
 use pinhole_core::{DVec3, Intrinsics, Viewport};
@@ -12,7 +13,7 @@ use pinhole_core::{DVec3, Intrinsics, Viewport};
 use crate::exchange::back::{Stance, settled, shortest_where};
 use crate::exchange::sheet::{Sheet, flipped, flipped_all, n};
 use crate::exchange::terms::{Axis, Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "opencv",
@@ -33,9 +34,11 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    read: read::read,
-    claims: read::claims,
+    check: Check::Import,
 };
+
+pub(super) const IMPORTER: Importer =
+    Importer { name: FORMAT.name, label: FORMAT.label, read: read::read, claims: read::claims };
 
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let [width, height] = subject.size();

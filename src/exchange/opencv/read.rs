@@ -1,16 +1,12 @@
-//! OpenCV's K and [R|t] as they are given in JSON, in Python, in C++, as NumPy prints them, or in a
-//! YAML file of `cv::FileStorage`. Whatever has one of the names is understood to its end, or refused.
-
-use std::path::Path;
+//! Reading OpenCV's K and [R|t]: in JSON, in a YAML file of `cv::FileStorage`, or in statements whose
+//! numbers are literal.
 
 use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics};
 
+use super::fields::{Field, fields};
 use super::{off_centre, stance, viewport_of};
 use crate::exchange::affine::Affine;
 use crate::exchange::back::{image_of, size_taken};
-use crate::exchange::code::{Code, Comments};
-use crate::exchange::matrix::Matrix;
-use crate::exchange::matrix::names::{Found, Names};
 use crate::exchange::sheet::n;
 use crate::exchange::{Taken, Text};
 use crate::formats::FileError;
@@ -31,94 +27,93 @@ const RT_NAMES: [&str; 3] = ["Rt", "extrinsics", "extrinsic"];
 const DISTORTION_NAMES: [&str; 6] =
     ["distortion", "dist", "distortion_coefficients", "dist_coeffs", "distCoeffs", "dist_coefs"];
 
-/// Signs of C++, whose comments are others.
-fn comments(text: &str) -> Comments {
-    let is_cpp = ["cv::", "#include", "Mat_<", "Matx33"].iter().any(|sign| text.contains(sign));
-    if is_cpp { Comments::Slashes } else { Comments::Hash }
+/// Names of the image's size: width and height.
+const SIZE_NAMES: [[&str; 2]; 3] =
+    [["image_width", "image_height"], ["imageWidth", "imageHeight"], ["width", "height"]];
+
+fn is_known(name: &str) -> bool {
+    let lists: [&[&str]; 6] =
+        [&K_NAMES, &R_NAMES, &VECTOR_NAMES, &T_NAMES, &RT_NAMES, &DISTORTION_NAMES];
+    lists.iter().any(|list| list.contains(&name)) || SIZE_NAMES.as_flattened().contains(&name)
 }
 
+/// A text with K and a rotation, or with a K that is more than a number.
 pub(super) fn claims(text: &str) -> bool {
-    if !K_NAMES.iter().any(|name| text.contains(name)) {
-        return false;
+    let any = |names: &[&str], fits: &dyn Fn(&str) -> bool| {
+        names.iter().any(|name| given(text, name).any(fits))
+    };
+    let is_list = |value: &str| value.starts_with(['[', '(', '{', '!', 'n', '\n']);
+    any(&K_NAMES, &is_list)
+        || any(&K_NAMES, &|_| true) && (any(&R_NAMES, &|_| true) || any(&VECTOR_NAMES, &|_| true))
+}
+
+/// What stands behind a name and its `=` or `:`.
+fn given<'t>(text: &'t str, name: &str) -> impl Iterator<Item = &'t str> {
+    let is_of_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
+    let length = name.len();
+    text.match_indices(name).map(|(at, _)| at).filter_map(move |at| {
+        if text[..at].ends_with(is_of_name) {
+            return None;
+        }
+        let rest = text[at + length..].trim_start_matches(['"', '\'']).trim_start_matches(' ');
+        Some(rest.strip_prefix(['=', ':'])?.trim_start_matches(' '))
+    })
+}
+
+/// The fields of a text, and how their faults are told.
+struct Reader<'a, 't> {
+    text: &'a Text<'t>,
+    fields: Vec<Field>,
+}
+
+/// A value, and the field that gives it.
+struct Value<'r> {
+    field: &'r Field,
+    numbers: &'r [f64],
+}
+
+impl Reader<'_, '_> {
+    fn fault(&self, field: &Field, right: &str) -> FileError {
+        self.text.error_at(field.at, format!("{} is {}: {right}", field.name, field.shown))
     }
-    let kind = comments(text);
-    let code = Code::new(&Text { path: Path::new(""), text }, kind);
-    let names = Names::new(&code, kind);
-    let is_made = |found: &Found| match &found.value {
-        Ok(value) => !value.is_scalar(),
-        Err(_) => found.piece.text.contains(['(', '[']),
-    };
-    let given =
-        |list: &[&str]| list.iter().any(|name| names.find(name).is_some_and(|f| is_made(&f)));
-    let is_k = |name: &&str| {
-        let value = names.find(name).and_then(|found| found.value.ok());
-        value.is_some_and(|value| value.numbers.len() == 9)
-    };
-    given(&K_NAMES)
-        && (given(&R_NAMES)
-            || given(&VECTOR_NAMES)
-            || given(&RT_NAMES[..2])
-            || K_NAMES.iter().any(is_k))
-}
 
-/// The names of a text, and how its faults are told.
-struct Reader<'c, 't> {
-    code: &'c Code<'t>,
-    names: Names<'c>,
-}
-
-/// A value, and where it is given by which name.
-struct Value<'t> {
-    name: &'static str,
-    found: Found<'t>,
-    numbers: Vec<f64>,
-}
-
-impl<'c> Reader<'c, '_> {
-    fn fault(&self, name: &str, found: &Found, right: &str) -> FileError {
-        self.code.fault(name, found.piece, right)
+    fn missing(&self, name: &str, right: &str) -> FileError {
+        FileError::of_file(self.text.path, format!("{name} is missing: {right}"))
     }
 
     /// What one of these names is given, of one of these counts of numbers.
     ///
     /// # Errors
-    /// Where one is not understood, where none has so many numbers, and where two differ.
+    /// Where one is given by no numbers, where none has so many, and where two are given.
     fn one_of(
         &self,
-        names: &[&'static str],
+        names: &[&str],
         counts: &[usize],
         right: &str,
-    ) -> Result<Option<Value<'c>>, FileError> {
-        let (mut taken, mut other): (Option<Value>, _) = (None, None);
-        for name in names {
-            let Some(found) = self.names.find(name) else { continue };
-            let value = match &found.value {
-                Ok(value) => value,
-                Err(why) => return Err(self.fault(name, &found, &format!("{right}, and {why}"))),
-            };
-            let numbers = value.numbers.clone();
+    ) -> Result<Option<Value<'_>>, FileError> {
+        let (mut taken, mut other): (Option<Value>, Option<&Field>) = (None, None);
+        for field in self.fields.iter().filter(|field| names.contains(&&field.name[..])) {
+            let Some(numbers) = &field.numbers else { return Err(self.fault(field, right)) };
             if !counts.contains(&numbers.len()) {
-                other = other.or(Some((name, found)));
+                other = other.or(Some(field));
                 continue;
             }
-            match &taken {
-                Some(first) if !alike(&first.numbers, &numbers) => {
-                    let right = format!("{} is another: only one of them may be given", first.name);
-                    return Err(self.fault(name, &found, &right));
-                }
-                Some(_) => (),
-                None => taken = Some(Value { name, found, numbers }),
+            if let Some(first) = &taken
+                && (first.field.name == field.name || !alike(first.numbers, numbers))
+            {
+                let right = format!("{} is given too: only one of them may be", first.field.name);
+                return Err(self.fault(field, &right));
             }
+            taken = Some(Value { field, numbers });
         }
         match (taken, other) {
-            (None, Some((name, found))) => Err(self.fault(name, &found, right)),
+            (None, Some(field)) => Err(self.fault(field, right)),
             (taken, _) => Ok(taken),
         }
     }
 
-    /// A number that may be missing, or not be understood.
-    fn number(&self, names: &[&str]) -> Option<f64> {
-        names.iter().find_map(|name| self.names.find(name)?.value.ok()?.number())
+    fn number(&self, name: &str) -> Result<Option<Value<'_>>, FileError> {
+        self.one_of(&[name], &[1], "it must be one number")
     }
 }
 
@@ -129,43 +124,40 @@ fn alike(a: &[f64], b: &[f64]) -> bool {
 }
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    let kind = comments(text.text);
-    let code = Code::new(text, kind);
-    let reader = Reader { code: &code, names: Names::new(&code, kind) };
+    let reader = Reader { text, fields: fields(text, is_known)? };
     let mut notes = Vec::new();
     let intrinsics = intrinsics(&reader)?;
     let image = size(&reader, &intrinsics, at_hand, &mut notes)?;
     off_centre(&intrinsics, image, &mut notes);
     let (rows, t) = pose(&reader, &mut notes)?;
-    for name in DISTORTION_NAMES {
-        let Some(found) = reader.names.find(name) else { continue };
-        let is_none = ["None", "cv::noArray()", "null"].contains(&found.piece.text);
-        let is_zero = found.value.is_ok_and(|value| value.numbers.iter().all(|k| *k == 0.0));
-        if !(is_none || is_zero) {
+    for field in &reader.fields {
+        let is_zero = |numbers: &Vec<f64>| numbers.iter().all(|k| *k == 0.0);
+        if DISTORTION_NAMES.contains(&&field.name[..])
+            && !field.numbers.as_ref().is_some_and(is_zero)
+        {
+            let name = &field.name;
             notes.push(format!("{name} is left out: a pinhole draws straight lines straight"));
             break;
         }
     }
-    let (orientation, eye, _) =
-        stance(rows, t).right_handed(&mut notes).map_err(|right| code.rotation("R", &right))?;
+    let (orientation, eye, _) = stance(rows, t)
+        .right_handed(&mut notes)
+        .map_err(|right| FileError::of_file(text.path, format!("R is no rotation: {right}")))?;
     let viewport = viewport_of(&intrinsics, image, at_hand.viewport.distance);
     Ok(Taken::camera(Camera { eye, orientation, viewport, image }, notes))
 }
 
 fn intrinsics(reader: &Reader) -> Result<Intrinsics, FileError> {
-    let missing = || reader.code.missing("K", "it must be nine numbers");
-    let k = reader.one_of(&K_NAMES, &[9], "it must be 3 × 3 numbers")?.ok_or_else(missing)?;
-    let [fx, skew, cx, zero, fy, cy, p, q, r] = k.numbers[..] else { return Err(missing()) };
+    let k = reader.one_of(&K_NAMES, &[9], "it must be 3 × 3 numbers")?;
+    let k = k.ok_or_else(|| reader.missing("K", "it must be nine numbers"))?;
+    let [fx, skew, cx, zero, fy, cy, p, q, r] = *k.numbers else {
+        return Err(reader.missing("K", "it must be nine numbers"));
+    };
     // A skew of roundings is none.
     let has_skew = skew.abs() > 4.0 * f64::EPSILON * fx;
     if [zero, p, q] != [0.0; 3] || r != 1.0 || has_skew || !(fx > 0.0 && fy > 0.0) {
         let right = "it must be fx 0 cx, 0 fy cy, 0 0 1 with fx and fy greater than 0";
-        let [shown] = [k.numbers.iter().map(|x| n(*x)).collect::<Vec<_>>().join(", ")];
-        let right = match k.found.piece.text.contains(|c: char| c.is_alphabetic()) {
-            true => format!("it comes to {shown}: {right}"),
-            false => right.to_owned(),
-        };
-        return Err(reader.fault(k.name, &k.found, &right));
+        return Err(reader.fault(k.field, right));
     }
     Ok(Intrinsics { fx, fy, cx: cx + 0.5, cy: cy + 0.5 })
 }
@@ -180,29 +172,18 @@ fn size(
     notes: &mut Vec<String>,
 ) -> Result<ImageSize, FileError> {
     let unsaid = "the image's size is not given";
-    for (width_name, height_name, is_sure) in [
-        ("image_width", "image_height", true),
-        ("imageWidth", "imageHeight", true),
-        ("width", "height", true),
-        ("w", "h", false),
-    ] {
-        let given = reader.number(&[width_name]).zip(reader.number(&[height_name]));
-        let Some((width, height)) = given else { continue };
-        match (image_of(width, height), is_sure) {
-            (Ok(image), _) => return Ok(image),
-            (Err(right), true) => {
-                let Some(found) = reader.names.find(width_name) else { continue };
-                return Err(reader.fault(width_name, &found, &right));
-            }
-            // w and h may be anything.
-            (Err(_), false) => (),
-        }
+    for [width, height] in SIZE_NAMES {
+        let (Some(width), Some(height)) = (reader.number(width)?, reader.number(height)?) else {
+            continue;
+        };
+        return image_of(width.numbers[0], height.numbers[0])
+            .map_err(|right| reader.fault(width.field, &right));
     }
     // cx = 320 is meant as half of 640 by those who do not count from centres.
     let doubled = [k.cx, k.cy].map(|c| 2.0 * (c - 0.5));
     let [around_x, around_y] = [k.cx, k.cy].map(|c| (2.0 * c).round());
     if around_x.min(around_y) < SMALLEST {
-        return Err(reader.code.missing(
+        return Err(reader.missing(
             "width",
             &format!(
                 "K's principal point is ({}, {}), which no image has in its middle: width and height \
@@ -228,49 +209,56 @@ fn size(
 
 /// R's rows and t, given apart or as one 3 × 4 or 4 × 4 matrix; R as a matrix or by Rodrigues' vector.
 fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3), FileError> {
-    let whole = reader.one_of(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4");
-    let right = "it must be 3 × 3 numbers";
-    let matrix = reader.one_of(&R_NAMES, &[9], right)?;
+    let whole = reader.one_of(&RT_NAMES, &[12, 16], "it must be [R|t], 3 × 4")?;
+    let matrix = reader.one_of(&R_NAMES, &[9], "it must be 3 × 3 numbers")?;
     let vector = reader.one_of(&VECTOR_NAMES, &[3], "it must be three numbers")?;
     let translation = reader.one_of(&T_NAMES, &[3], "it must be three numbers")?;
-    let is_apart = (matrix.is_some() || vector.is_some()) && translation.is_some();
-    if !is_apart && let Some(whole) = whole? {
-        let affine = Affine::of_rows(&whole.numbers).ok_or_else(|| {
-            reader.fault(whole.name, &whole.found, "its last row must be 0 0 0 1")
-        })?;
-        return Ok((
-            [0, 1, 2].map(|k| DVec3::new(affine.x[k], affine.y[k], affine.z[k])),
-            affine.at,
-        ));
+    if let Some(whole) = whole {
+        if let Some(other) = matrix.or(vector).or(translation) {
+            let right = format!("{} is given too: only one of them may be", whole.field.name);
+            return Err(reader.fault(other.field, &right));
+        }
+        let affine = Affine::of_rows(whole.numbers)
+            .ok_or_else(|| reader.fault(whole.field, "its last row must be 0 0 0 1"))?;
+        return Ok((rows(&affine), affine.at));
     }
-    let turned = |vector: &Value| -> Option<Vec<f64>> {
-        Some(Matrix::vector(vector.numbers.clone()).rodrigues()?.numbers)
+    let by_vector = vector.map(|vector| by_vector(&vector, notes));
+    let rotation = match (&matrix, by_vector) {
+        (Some(matrix), Some((vector, turn))) => {
+            let turned: Vec<f64> = turn.iter().flat_map(|row| row.to_array()).collect();
+            if !alike(matrix.numbers, &turned) {
+                let right = format!(
+                    "{} is another rotation: only one of them may be given",
+                    matrix.field.name
+                );
+                return Err(reader.fault(vector, &right));
+            }
+            turn
+        }
+        (Some(matrix), None) => [0, 3, 6].map(|k| DVec3::from_slice(&matrix.numbers[k..])),
+        (None, Some((_, turn))) => turn,
+        (None, None) => {
+            let right = "the rotation must be nine numbers, or rvec three";
+            return Err(reader.missing("R", right));
+        }
     };
-    let by_vector = vector.as_ref().and_then(turned);
-    if let (Some(matrix), Some(vector), Some(by_vector)) = (&matrix, &vector, &by_vector)
-        && !alike(&matrix.numbers, by_vector)
-    {
-        let right = format!("{} is another rotation: only one of them may be given", matrix.name);
-        return Err(reader.fault(vector.name, &vector.found, &right));
-    }
-    if let (None, Some(vector)) = (&matrix, &vector)
-        && let [x, y, z] = vector.numbers[..]
-        && DVec3::new(x, y, z).length() > std::f64::consts::TAU
-    {
+    let translation =
+        translation.ok_or_else(|| reader.missing("t", "the translation must be three numbers"))?;
+    Ok((rotation, DVec3::from_slice(translation.numbers)))
+}
+
+fn rows(turn: &Affine) -> [DVec3; 3] {
+    [0, 1, 2].map(|k| DVec3::new(turn.x[k], turn.y[k], turn.z[k]))
+}
+
+/// The rows of the rotation that a vector gives as OpenCV has it: about it, by its length in radians.
+fn by_vector<'r>(value: &Value<'r>, notes: &mut Vec<String>) -> (&'r Field, [DVec3; 3]) {
+    let vector = DVec3::from_slice(value.numbers);
+    if vector.length() > std::f64::consts::TAU {
         let note =
             "turns by more than a full turn: its length is taken as radians, as OpenCV has it";
-        notes.push(format!("{} {note}", vector.name));
+        notes.push(format!("{} {note}", value.field.name));
     }
-    let rotation = matrix.map(|matrix| matrix.numbers).or(by_vector).ok_or_else(|| {
-        reader.code.missing("R", "the rotation must be nine numbers, or rvec three")
-    })?;
-    let translation = translation
-        .ok_or_else(|| reader.code.missing("t", "the translation must be three numbers"))?;
-    match (&rotation[..], &translation.numbers[..]) {
-        (&[a, b, c, d, e, f, g, h, i], &[x, y, z]) => {
-            let rows = [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)];
-            Ok((rows, DVec3::new(x, y, z)))
-        }
-        _ => Err(reader.code.missing("R", right)),
-    }
+    let turn = Affine::rotation(vector.length().to_degrees(), vector);
+    (value.field, rows(&turn.unwrap_or(Affine::IDENTITY)))
 }

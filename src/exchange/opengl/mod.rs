@@ -1,11 +1,10 @@
 //! `gluLookAt` and `gluPerspective`, and GLM's `lookAt` and `perspective`, which are the same numbers.
 
-mod moved;
 mod read;
 
 use crate::exchange::sheet::{Sheet, commas, n, real};
 use crate::exchange::terms::{Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "opengl",
@@ -23,10 +22,18 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64; GLM often f32",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read: self::read::read,
     claims: |text| {
         text.contains("gluLookAt")
             || text.contains("gluPerspective")
+            || text.contains("glm::lookAt")
+            || text.contains("glm::perspective")
             || (text.contains("lookAt(") && text.contains("perspective("))
     },
 };

@@ -15,7 +15,7 @@ use self::read::read;
 use crate::exchange::sheet::{Sheet, flipped, light, n, one_line, spaces};
 use crate::exchange::subject::square_note;
 use crate::exchange::terms::{Axis, Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "pbrt",
@@ -33,6 +33,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 as it is usually built",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| {
         let has = |word: &str| text.lines().any(|line| line.trim_start().starts_with(word));

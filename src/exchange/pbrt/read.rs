@@ -8,7 +8,6 @@ use super::shapes::{Paint, Shapes};
 use super::tokens::{Parameters, Reader, Token};
 use crate::exchange::affine::Affine;
 use crate::exchange::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
-use crate::exchange::code::error_at;
 use crate::exchange::sheet::n;
 use crate::exchange::{Taken, Text};
 use crate::formats::FileError;
@@ -318,7 +317,7 @@ impl<'t> Found<'t> {
 
     fn finish(mut self, text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         let at = self.at;
-        let error = |problem: String| error_at(text.path, text.text, at, problem);
+        let error = |problem: String| text.error_at(at, problem);
         let (Some(transform), Some(camera)) = (self.camera_from_world, self.camera.take()) else {
             let missing = "Camera is missing: Camera \"perspective\" must be there";
             return Err(FileError::of_file(text.path, missing));
@@ -346,7 +345,7 @@ impl<'t> Found<'t> {
                 let stance = if mirrored { stance.mirrored() } else { stance };
                 let orientation = stance
                     .orientation(&mut self.notes)
-                    .map_err(|right| error_at(text.path, text.text, self.at, right))?;
+                    .map_err(|right| text.error_at(self.at, right))?;
                 (stance.eye, orientation)
             }
         };

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use pinhole_core::DVec3;
 
 use crate::exchange::Text;
-use crate::exchange::code::error_at;
 use crate::formats::FileError;
 
 /// A word, a string without its quotes, a number, or a bracket.
@@ -63,7 +62,7 @@ impl<'t> Reader<'t> {
     }
 
     pub(super) fn error(&self, at: usize, problem: impl Into<String>) -> FileError {
-        error_at(self.text.path, self.text.text, at, problem)
+        self.text.error_at(at, problem)
     }
 
     pub(super) fn take(&mut self) -> Option<(Token<'t>, usize)> {
@@ -158,7 +157,7 @@ fn tokens<'t>(text: &Text<'t>) -> Result<Vec<(Token<'t>, usize)>, FileError> {
             }
             '"' => {
                 let end = rest[1..].find('"').ok_or_else(|| {
-                    error_at(text.path, source, at, "a string is not closed: its \" is missing")
+                    text.error_at(at, "a string is not closed: its \" is missing")
                 })?;
                 tokens.push((Token::Quoted(rest[1..=end].trim()), at));
                 end + 2

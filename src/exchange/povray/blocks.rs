@@ -1,8 +1,8 @@
 //! A POV-Ray scene's blocks: its camera, and the objects that stand by themselves.
 
 use super::branches::{Branch, Branches};
+use super::source::{Code, Piece, after_spaces, is_of_word, trimmed};
 use super::values::{Values, word_of};
-use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, trimmed};
 use crate::exchange::left_out::LeftOut;
 use crate::formats::FileError;
 

@@ -1,7 +1,7 @@
 //! A POV-Ray scene's directives: which of their branches are taken.
 
+use super::source::{Code, Piece, split};
 use super::values::{OPENING, Values};
-use crate::exchange::code::{Code, Piece, split};
 
 /// What `#if` and the like make of what stands behind them.
 #[derive(Clone, Copy, PartialEq)]

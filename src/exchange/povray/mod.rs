@@ -9,6 +9,7 @@ mod branches;
 mod comments;
 mod objects;
 mod read;
+mod source;
 mod values;
 
 use pinhole_core::{BACKGROUND, Sphere};
@@ -16,7 +17,7 @@ use pinhole_core::{BACKGROUND, Sphere};
 use self::read::read;
 use crate::exchange::sheet::{Sheet, commas, flipped_all, light, n, one_line};
 use crate::exchange::terms::{Axis, Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "povray",
@@ -37,6 +38,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| {
         let mut places = text.match_indices("camera");

@@ -3,11 +3,11 @@
 use pinhole_core::{DVec3, Plane, Sphere};
 
 use super::blocks::Blocks;
+use super::source::{Code, Piece, after_spaces, is_of_word, trimmed, words};
 use super::values::{Value, Values, vector, word_of};
 use crate::document::Item;
 use crate::exchange::affine::Affine;
 use crate::exchange::back::{readable, settled};
-use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, trimmed, words};
 use crate::exchange::sheet::byte_of_light;
 use crate::formats::FileError;
 

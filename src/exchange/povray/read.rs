@@ -3,11 +3,10 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
 use super::blocks::Blocks;
-use super::comments::without_comments;
 use super::objects::Objects;
+use super::source::{Code, Piece, trimmed, words};
 use super::values::{Values, has, word_of};
 use crate::exchange::back::{Mirrored, Stance, image_of, image_of_aspect, settled, size_taken};
-use crate::exchange::code::{Code, Comments, Piece, trimmed, words};
 use crate::exchange::{Taken, Text};
 use crate::formats::FileError;
 
@@ -43,8 +42,7 @@ fn camera_words() -> impl Iterator<Item = &'static str> {
 }
 
 pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    let plain = without_comments(text.text);
-    let code = Code::new(&Text { text: &plain, ..*text }, Comments::SlashesAndAngles);
+    let code = Code::new(text);
     let mut notes = Vec::new();
     let given = size(text);
     let values = Values::of(&code, given.unwrap_or(at_hand.image));

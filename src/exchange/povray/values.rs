@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use pinhole_core::{DVec3, ImageSize};
 
-use crate::exchange::code::{Code, Piece, after_spaces, is_of_word, words};
+use super::source::{Code, Piece, after_spaces, is_of_word, words};
 
 /// The names of `colors.inc` that are read, as light.
 const COLORS: [(&str, [f64; 3]); 9] = [

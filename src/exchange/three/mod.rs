@@ -1,12 +1,8 @@
-//! three.js's JSON Object/Scene format 4: what `Object3D.toJSON` writes and `ObjectLoader` reads. What
-//! a program says to make its camera is read, too (`code`).
+//! three.js's JSON Object/Scene format 4: what `Object3D.toJSON` writes and `ObjectLoader` reads. The
+//! statements that make a camera are read too, where they are given by numbers (`code`).
 //! Cameras look along their own -z with y up; matrices are column after column.
 
 mod code;
-mod handed;
-mod react;
-mod stand;
-mod steps;
 
 use std::collections::HashMap;
 
@@ -20,7 +16,7 @@ use crate::exchange::json::{self, Node};
 use crate::exchange::sheet::{Sheet, n, quotable};
 use crate::exchange::subject::square_note;
 use crate::exchange::terms::{Pixels, Terms};
-use crate::exchange::{Format, Subject, Taken, Text, Unsayable, Written};
+use crate::exchange::{Check, Format, Importer, Subject, Taken, Text, Unsayable, Written};
 use crate::formats::FileError;
 
 pub(super) const FORMAT: Format = Format {
@@ -39,6 +35,12 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64, f32 when drawn",
     },
     write,
+    check: Check::Import,
+};
+
+pub(super) const IMPORTER: Importer = Importer {
+    name: FORMAT.name,
+    label: FORMAT.label,
     read,
     claims: |text| {
         (json::looks_like(text) && text.contains("\"PerspectiveCamera\"")) || code::claims(text)

@@ -1,20 +1,12 @@
 //! Blender by its Python: a camera object with `matrix_world`, whose camera looks along its own -z with
 //! y up. World coordinates are kept: Blender's z up is a habit of its views, not of the camera.
 
-mod aim;
-mod lens;
-mod parts;
-mod passed;
-mod read;
-mod stance;
-mod things;
+use pinhole_core::{Basis, Camera, Orientation, Sphere, Viewport, extent_of_fov};
 
-use pinhole_core::{Basis, Sphere};
-
-use crate::exchange::sheet::{Sheet, commas, light, n, quotable, real};
-use crate::exchange::subject::square_note;
-use crate::exchange::terms::{Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use super::sheet::{Sheet, commas, light, n, quotable, real};
+use super::subject::square_note;
+use super::terms::{Pixels, Terms};
+use super::{Check, Format, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "blender",
@@ -32,8 +24,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32",
     },
     write,
-    read: self::read::read,
-    claims: |text| ["bpy", "matrix_world", "<Matrix 4x4"].iter().any(|word| text.contains(word)),
+    check: Check::Numbers(camera_of_numbers),
 };
 
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
@@ -43,14 +34,12 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let Basis { u, v, w } = *subject.posed().basis();
     let eye = subject.posed().eye();
     let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
-    // Blender takes neither below 1.
-    let shape = subject.pixel_shape();
-    let (aspect_x, aspect_y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
+    let (aspect_x, aspect_y) = pixel_aspects(subject);
     let mut notes = Vec::new();
     if aspect_x.max(aspect_y) > 200.0 {
         return Err(Unsayable(format!(
             "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
-            n(shape)
+            n(subject.pixel_shape())
         )));
     }
     let mut text = format!(
@@ -73,6 +62,27 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     );
     text.push_str(&objects(subject, &mut notes));
     Ok(Written::of("scene.py", Sheet::of(&text), notes))
+}
+
+/// `pixel_aspect_x` and `pixel_aspect_y`, of which Blender takes neither below 1.
+fn pixel_aspects(subject: &Subject) -> (f64, f64) {
+    let shape = subject.pixel_shape();
+    if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) }
+}
+
+/// The camera that Blender makes of the numbers.
+fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
+    let [columns, rows] = subject.size().map(f64::from);
+    let (aspect_x, aspect_y) = pixel_aspects(subject);
+    let distance = subject.viewport().distance;
+    let width = extent_of_fov(subject.viewport().horizontal_fov(), distance);
+    let height = width * (rows * aspect_y) / (columns * aspect_x);
+    Ok(Camera {
+        eye: subject.posed().eye(),
+        orientation: Orientation::Basis(*subject.posed().basis()),
+        viewport: Viewport { width, height, distance },
+        image: subject.posed().image(),
+    })
 }
 
 /// Meshes in the objects' places.

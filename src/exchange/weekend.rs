@@ -1,14 +1,11 @@
 //! *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set
 //! up its `camera`.
 
-mod read;
+use pinhole_core::{Camera, Orientation, Sphere, Viewport, extent_of_fov};
 
-use pinhole_core::Sphere;
-
-use crate::exchange::code::{Piece, is_of_word, split};
-use crate::exchange::sheet::{Sheet, commas, light, n, real};
-use crate::exchange::terms::{Pixels, Terms};
-use crate::exchange::{Format, Subject, Unsayable, Written};
+use super::sheet::{Sheet, commas, light, n, real};
+use super::terms::{Pixels, Terms};
+use super::{Check, Format, Subject, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "weekend",
@@ -26,48 +23,8 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    read: self::read::read,
-    claims,
+    check: Check::Numbers(camera_of_numbers),
 };
-
-fn claims(text: &str) -> bool {
-    // The first chapters' programs leave the camera where it is made.
-    let is_rendered =
-        || [".image_width", ".aspect_ratio", ".render("].iter().all(|w| text.contains(w));
-    text.contains("lookfrom")
-        || text.contains("focus_dist")
-        || is_rendered()
-        || is_constructed(text)
-}
-
-/// `camera cam(vec3(...), vec3(...), vec3(...), 90, ...)` and `Camera::new(Point3::new(...), ...)`: no
-/// other camera is made of three vectors and two numbers.
-fn is_constructed(text: &str) -> bool {
-    /// No call of it is longer.
-    const LONGEST: usize = 2000;
-    const VECTORS: [&str; 4] = ["vec3(", "point3(", "Vec3::new(", "Point3::new("];
-    let found = text.match_indices("amera").map(|(at, _)| at);
-    found.filter(|at| text[..*at].ends_with(['c', 'C'])).any(|at| {
-        let before = text[..at - 1].chars().next_back();
-        let rest = text[at + "amera".len()..].trim_start_matches(' ');
-        let rest = rest.strip_prefix("::new").unwrap_or(rest);
-        let rest = rest.trim_start_matches(is_of_word);
-        let mut depth = 0_usize;
-        let end = rest.char_indices().take(LONGEST).find(|(_, c)| {
-            match c {
-                '(' => depth += 1,
-                ')' => depth = depth.saturating_sub(1),
-                _ => (),
-            }
-            depth == 0
-        });
-        let inside = end.and_then(|(end, _)| rest.get(1..end));
-        let parts = split(Piece { text: inside.unwrap_or_default(), at: 0 });
-        !before.is_some_and(is_of_word)
-            && parts.len() >= 5
-            && parts.iter().take(3).all(|part| VECTORS.iter().any(|v| part.text.starts_with(v)))
-    })
-}
 
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
     subject.square_pixels("Ray Tracing in One Weekend")?;
@@ -108,6 +65,20 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         format!("{} is left out: the book's first volume has spheres only", plane.title)
     }));
     Ok(Written::of("main.cc", Sheet::of(&text), notes))
+}
+
+/// The camera that the book's program makes of the numbers.
+fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
+    let [eye, at, up] = subject.look_at()?;
+    let image = subject.posed().image();
+    let distance = subject.viewport().distance;
+    let height = extent_of_fov(subject.vertical_degrees().to_radians(), distance);
+    Ok(Camera {
+        eye,
+        orientation: Orientation::At { at, up },
+        viewport: Viewport { width: height * image.aspect(), height, distance },
+        image,
+    })
 }
 
 /// The ratio from which `int(image_width / aspect_ratio)` is the height.
