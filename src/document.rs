@@ -93,7 +93,7 @@ pub struct Item<S> {
     pub shape: S,
 }
 
-/// Many spheres from a CSV file, or a molecule's, shared between clones of the document and not edited.
+/// Many spheres from a CSV file, shared between clones of the document and not edited.
 #[derive(Clone, Debug)]
 pub struct CsvSpheres {
     /// The path as the scene file gives it: relative to the scene file.

@@ -105,12 +105,7 @@ fn warn(note: &str) {
 
 /// Reads the scene that an argument means.
 fn load(scene: &Path) -> Result<Document, CommandError> {
-    let source = SceneSource::of(scene)?;
-    let document = source.load()?;
-    if let Some(left_out) = source.left_out() {
-        warn(&format!("{}: {left_out}", scene.display()));
-    }
-    Ok(document)
+    Ok(SceneSource::of(scene)?.load()?)
 }
 
 /// The camera of a scene, ready for its rays.

@@ -10,7 +10,7 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::{CommandError, named, to_stdout};
 use crate::chart::{Figure, PNG_SCALE};
-use crate::formats::{FileError, atomic, builtin, molecule, png};
+use crate::formats::{FileError, atomic, builtin, png};
 
 /// The outputs that were asked for.
 #[derive(Clone, Copy, Default)]
@@ -95,9 +95,7 @@ fn is_stdout(path: &Path) -> bool {
 /// A path that is meant to be read, not written.
 fn is_scene(path: &Path) -> bool {
     let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    ends_as_one
-        || molecule::is_molecule(path)
-        || path.to_str().is_some_and(|name| builtin::find(name).is_some())
+    ends_as_one || path.to_str().is_some_and(|name| builtin::find(name).is_some())
 }
 
 /// What a plot is written as.

@@ -1,4 +1,4 @@
-//! Files: scenes, molecules, the spheres, rays and answers of CSV files, and how outputs reach the disk.
+//! Files: scenes, the spheres, rays and answers of CSV files, and how outputs reach the disk.
 //!
 //! Nothing here knows a window. Whatever is wrong with a file is a [`FileError`], which says where
 //! and what would be right.
@@ -13,7 +13,6 @@ mod csv_table;
 mod error;
 pub mod exr;
 pub(crate) mod fields;
-pub mod molecule;
 pub mod png;
 pub mod rays;
 pub mod scene_argument;

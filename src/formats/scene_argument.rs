@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::builtin::{self, Builtin};
-use super::{FileError, molecule, scene_file};
+use super::{FileError, scene_file};
 use crate::document::Document;
 
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SceneSource {
-    /// A scene file, or a molecule's.
+    /// A scene file.
     File(PathBuf),
     /// A scene that comes with the program.
     Builtin(&'static Builtin),
@@ -17,14 +17,14 @@ pub enum SceneSource {
 
 impl SceneSource {
     /// A path if there is such a file, or if it can only be one (it has a folder, or ends in
-    /// `.toml` or as molecules do); else the name of a built-in scene.
+    /// `.toml`); else the name of a built-in scene.
     ///
     /// # Errors
     /// Where there is no such scene; with the names that are near.
     pub fn of(argument: &Path) -> Result<SceneSource, FileError> {
         let has_folder = argument.components().count() != 1 || argument.is_absolute();
         let is_toml = argument.extension().is_some_and(|extension| extension == "toml");
-        if has_folder || is_toml || molecule::is_molecule(argument) || argument.is_file() {
+        if has_folder || is_toml || argument.is_file() {
             return Ok(SceneSource::File(argument.to_owned()));
         }
         let name = argument.to_string_lossy();
@@ -49,27 +49,16 @@ impl SceneSource {
     /// What is wrong with the file.
     pub fn load(&self) -> Result<Document, FileError> {
         match self {
-            SceneSource::File(path) if molecule::is_molecule(path) => molecule::load(path),
             SceneSource::File(path) => scene_file::load(path),
             SceneSource::Builtin(builtin) => builtin.load(),
         }
     }
 
-    /// What a molecule's file holds and the scene does not, a sentence; the scene's note says it too.
-    pub fn left_out(&self) -> Option<String> {
-        match self {
-            SceneSource::File(path) if molecule::is_molecule(path) => {
-                molecule::left_out(path).ok().flatten()
-            }
-            _ => None,
-        }
-    }
-
-    /// The scene file that it is; a molecule's is none.
+    /// The scene file that it is.
     pub fn scene_file(&self) -> Option<&Path> {
         match self {
-            SceneSource::File(path) if !molecule::is_molecule(path) => Some(path),
-            _ => None,
+            SceneSource::File(path) => Some(path),
+            SceneSource::Builtin(_) => None,
         }
     }
 }

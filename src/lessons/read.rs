@@ -15,7 +15,7 @@ use crate::exercises::LARGEST_SEED;
 use crate::formats::fields::{Field, Section, Source};
 use crate::formats::scene_argument::SceneSource;
 use crate::formats::scene_file::{TABLES, not_toml, tables};
-use crate::formats::{FileError, builtin, molecule};
+use crate::formats::{FileError, builtin};
 use crate::ledger::{LedgerSection, LedgerSections};
 use crate::lines::LinesLab;
 use crate::observer::Observer;
@@ -183,9 +183,7 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
     let name = field.text().map_err(|_| field.error("it must be a scene's name in quotes"))?;
     let source = match (builtin::find(name), base) {
         (Some(scene), _) => SceneSource::Builtin(scene),
-        (None, Some(base)) if name.ends_with(".toml") || molecule::is_molecule(name.as_ref()) => {
-            SceneSource::File(base.join(name))
-        }
+        (None, Some(base)) if name.ends_with(".toml") => SceneSource::File(base.join(name)),
         (None, _) => {
             let near = builtin::nearest(name);
             let hint = near.first().map_or_else(

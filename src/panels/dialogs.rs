@@ -80,8 +80,7 @@ struct Entry {
 impl PathField {
     /// Of a scene to open: starts in the folder of `path`.
     pub(crate) fn to_open(path: Option<&Path>) -> PathField {
-        let hint = "path of a .toml scene, or of a .xyz or .pdb molecule";
-        PathField::of(path, "", &["toml", "xyz", "pdb", "ent"], hint)
+        PathField::of(path, "", &["toml"], "path of a .toml scene")
     }
 
     /// Of a scene to save: starts in the folder of `path`, with a name filled in.

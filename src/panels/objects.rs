@@ -6,7 +6,6 @@ use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use super::look;
 use super::number::{NumberField, error_color, vector_row};
 use crate::document::{Document, Item, Shared};
-use crate::formats::molecule;
 use crate::letters::told;
 
 /// Rows of the list that are visible at once.
@@ -64,12 +63,11 @@ pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String
     Ok(())
 }
 
-/// Where a sphere of the CSV file or an atom of a molecule is edited.
+/// Where a sphere of the CSV file is edited.
 fn row_of_file(document: &Document, index: usize) -> String {
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
-    let kind = if molecule::is_molecule(file.as_ref()) { "atom" } else { "row" };
     let row = index - document.spheres.len() + 1;
-    format!("Sphere {index} is {kind} {row} of {file}: edit it there.")
+    format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
 /// A sphere that the camera sees, in the upper right quarter of the picture.

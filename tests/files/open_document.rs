@@ -87,10 +87,7 @@ fn a_built_in_scene_takes_its_comments_along() {
         let mut open = OpenDocument::new(scene.load().unwrap(), SceneSource::Builtin(scene));
         open.save_to(&path).unwrap();
         let saved = fs::read_to_string(&path).unwrap();
-        match scene.scene_text() {
-            Some(text) => assert_eq!(saved, text),
-            None => assert_eq!(saved, scene_file::to_text(&open.document, None)),
-        }
+        assert_eq!(saved, scene.text);
     }
 }
 

@@ -33,8 +33,7 @@
 //!
 //! Every table but `camera` may be left out; so may each field of `viewport` and `image`. What is
 //! left out is the canonical camera's. A top-level `spheres = "file.csv"`, relative to the scene
-//! file, adds [many spheres](super::csv_spheres); so do a [molecule's](super::molecule) atoms by
-//! `spheres = "file.pdb"`. Unknown fields are errors.
+//! file, adds [many spheres](super::csv_spheres). Unknown fields are errors.
 //!
 //! The comment lines at the very beginning of the file, up to the first line that is none, are the
 //! document's note: what to look for.
@@ -52,7 +51,7 @@ mod write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{FileError, Place, atomic, molecule};
+use super::{FileError, Place, atomic};
 use crate::document::Document;
 
 pub use fault::camera_fault;
@@ -108,18 +107,13 @@ pub fn save(document: &Document, path: &Path) -> Result<Saved, FileError> {
 /// reference to a CSV file is kept, and written so that it means the same file from here.
 ///
 /// # Errors
-/// A document with a value that could not be read back, a molecule's name, or a file that cannot be written; the old
-/// file is then as it was.
+/// A document with a value that could not be read back, or a file that cannot be written; the old file is then as
+/// it was.
 pub fn save_over(
     document: &Document,
     path: &Path,
     previous: Option<&str>,
 ) -> Result<Saved, FileError> {
-    if molecule::is_molecule(path) {
-        let name = path.with_extension("toml");
-        let right = format!("save it as a scene, such as {}", name.display());
-        return Err(FileError::of_file(path, format!("a scene is no molecule: {right}")));
-    }
     let mut document = document.clone();
     if let Some(csv) = &mut document.csv_spheres {
         csv.path = path_from(path.parent().unwrap_or(Path::new("")), &csv.path, &csv.file)

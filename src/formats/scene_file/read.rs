@@ -9,7 +9,7 @@ use toml_edit::Document as Toml;
 use super::{VERSION, note};
 use crate::document::{CsvSpheres, Document, Item};
 use crate::formats::fields::{Field, Section, Source};
-use crate::formats::{FileError, color, csv_spheres, molecule};
+use crate::formats::{FileError, color, csv_spheres};
 
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
@@ -195,21 +195,15 @@ fn read_color(field: &Field) -> Result<Rgb, FileError> {
 }
 
 fn csv(field: &Field, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
-    let path = field
-        .text()
-        .map_err(|_| field.error("it must be the path of a CSV file, or of a molecule"))?;
+    let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
     let file = base.unwrap_or(Path::new("")).join(path);
     let items = match base {
         None => Vec::new(),
-        Some(_) => many_spheres(&file).map_err(|error| match error.place {
+        Some(_) => csv_spheres::load(&file).map_err(|error| match error.place {
             Some(_) => error,
             // The path is at fault, and it stands in the scene file.
             None => field.error(&error.to_string()),
         })?,
     };
     Ok(CsvSpheres { path: path.to_owned(), file, items: Arc::new(items) })
-}
-
-fn many_spheres(file: &Path) -> Result<Vec<Item<Sphere>>, FileError> {
-    if molecule::is_molecule(file) { molecule::spheres(file) } else { csv_spheres::load(file) }
 }
