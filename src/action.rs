@@ -6,15 +6,15 @@ use pinhole_core::DVec2;
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
-use crate::document::Document;
 use crate::figures::{Frames, Order};
-use crate::formats::scene_argument::SceneSource;
 use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::Place;
 use crate::overlay::{Item, Scheme};
 use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]

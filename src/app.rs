@@ -31,7 +31,6 @@ use self::verbs::Sheet;
 use crate::action::Action;
 use crate::coarseness::Governor;
 use crate::derive::{Derived, Deriver, ViewSizes};
-use crate::document::Document;
 use crate::figures::Recorder;
 use crate::files::{OpenDocument, argument_of, remember, title_of};
 use crate::frame_times::{FrameHistory, Stopwatch};
@@ -50,6 +49,7 @@ use crate::session::{Session, Settings, ViewLayout};
 use crate::store::{Remembered, Store};
 use crate::thing::Pointed;
 use crate::view_texture::ViewTexture;
+use pinhole_exchange::document::Document;
 
 /// The open document, how it is looked at, and what is shown of it.
 pub struct App {

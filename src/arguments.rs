@@ -6,7 +6,6 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
-use crate::exchange::{FORMATS, IMPORTERS, Importer};
 use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::lessons::LessonArgument;
@@ -14,6 +13,7 @@ use crate::overlay::Style;
 use crate::play::Kind;
 use crate::present::Renderer;
 use crate::translator::Target;
+use pinhole_exchange::programs::{FORMATS, IMPORTERS, Importer};
 
 /// See what a pinhole camera sees, and why.
 ///

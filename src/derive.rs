@@ -36,7 +36,6 @@ pub use self::watch::{Watch, Work};
 use self::world::{WorldPicture, WorldPictures};
 use self::wrong::{Right, WrongPictures};
 use crate::accuracy;
-use crate::document::Document;
 use crate::handles::{self, Stage};
 use crate::observer::Observer;
 use crate::overlay::{
@@ -44,6 +43,7 @@ use crate::overlay::{
 };
 use crate::session::{Selection, Session};
 use crate::thing::Thing;
+use pinhole_exchange::document::Document;
 
 /// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
 #[derive(Debug, Default)]

@@ -4,11 +4,11 @@ use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::document::Document;
-use crate::exchange::{Sheet, Written};
-use crate::formats::scene_argument::SceneSource;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{Sheet, Written};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
-use crate::formats::{FileError, atomic, scene_file};
+use pinhole_exchange::{FileError, atomic, scene_file};
 
 /// How many files the list of recent ones holds.
 const RECENT: usize = 10;

@@ -1,7 +1,7 @@
 //! Pinhole: what a pinhole camera sees, and why. The program behind `src/main.rs`, as a library so
 //! that its tests can drive it.
 //!
-//! The way of one edit: a panel changes the [`document::Document`] in place; [`app`] runs inputs,
+//! The way of one edit: a panel changes the [`pinhole_exchange::document::Document`] in place; [`app`] runs inputs,
 //! apply, derive, outputs, once; [`mod@derive`] is pure; overlay, readouts and upload get what it made
 //! and nothing else.
 
@@ -12,17 +12,14 @@ pub mod arguments;
 pub mod bench;
 pub mod chart;
 pub mod coarseness;
-pub mod code;
 mod columns;
 pub mod commands;
+pub mod conventions;
 pub mod derive;
-pub mod document;
-pub mod exchange;
 pub mod exercises;
 pub mod expression;
 pub mod figures;
 pub mod files;
-pub mod formats;
 pub mod formula;
 mod frame_log;
 mod frame_times;

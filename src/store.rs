@@ -8,10 +8,10 @@ use pinhole_core::{DVec2, Pixel};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::formats::{FileError, atomic};
 use crate::lessons::{Place, Which};
 use crate::present::WindowGeometry;
 use crate::session::{Selection, Settings};
+use pinhole_exchange::{FileError, atomic};
 
 /// The remembered state, as it is on disk.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

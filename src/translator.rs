@@ -4,13 +4,13 @@ use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
 
-use crate::code::{LANGUAGES, Language};
-use crate::document::Document;
-use crate::exchange::{
-    FIELD_OF_VIEW, FORMATS, Format, MIRRORED, Row, Sheet, Subject, Text, Unsayable, With, Written,
-    recognised, rows, unknown,
+use crate::conventions::{FIELD_OF_VIEW, Row, rows};
+use pinhole_exchange::code::{LANGUAGES, Language};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{
+    FORMATS, Format, MIRRORED, Sheet, Subject, Text, Unsayable, With, Written, recognised, unknown,
 };
-use crate::formats::{FileError, scene_file};
+use pinhole_exchange::{FileError, scene_file};
 
 /// No more objects than this are written under the drag, and shown.
 pub const MOST_OBJECTS: usize = 500;

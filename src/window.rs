@@ -8,14 +8,14 @@ use etcetera::{BaseStrategy as _, choose_base_strategy};
 
 use crate::app::{App, complain};
 use crate::arguments::WindowArguments;
-use crate::document::Document;
 use crate::files::OpenDocument;
-use crate::formats::FileError;
-use crate::formats::builtin;
-use crate::formats::scene_argument::SceneSource;
 use crate::frame_log::{FRAME_TIMES, FrameLog};
 use crate::present::{self, FrameTimes, PresentError, Program, WindowOptions, motion};
 use crate::store::{Remembered, Store};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
 
 /// Why the window did not open, or broke off.
 #[derive(Debug)]

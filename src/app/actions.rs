@@ -10,11 +10,11 @@ use crate::action::{Action, MadeUp, ObjectMove, Observe};
 use crate::derive::Deriver;
 use crate::figures::ledger_of;
 use crate::files::{OpenDocument, remember, title_of};
-use crate::formats::scene_argument::SceneSource;
 use crate::lessons::{self, Place, Which};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::panels::objects;
 use crate::session::{Selection, Session, ViewLayout};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
 /// times nearer.

@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use super::App;
 use crate::action::Action;
-use crate::formats::scene_argument::SceneSource;
-use crate::formats::{FileError, answers};
 use crate::grades::{AnswersAtHand, AnswersFile};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::session::ViewLayout;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::{FileError, answers};
 
 /// No larger file is graded in the window: two million answers, which take some seconds.
 const MOST_BYTES: u64 = 100_000_000;

@@ -6,11 +6,11 @@ use egui::{Context, Event, ViewportCommand};
 
 use super::App;
 use crate::action::Action;
-use crate::exchange::{Subject, Written};
 use crate::files::save_written;
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::panels::translator;
 use crate::translator::{pasted, with};
+use pinhole_exchange::programs::{Subject, Written};
 
 impl App {
     /// A text that was pasted while nothing is typed into.

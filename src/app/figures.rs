@@ -7,12 +7,12 @@ use egui::Context;
 
 use super::App;
 use crate::figures::{Content, MARGIN, Order, Subject, ledger_of};
-use crate::formats::atomic;
 use crate::overlay::Style;
 use crate::panels::dialogs::Dialog;
 use crate::panels::export::{ExportForm, OnScreen};
 use crate::panels::lines;
 use crate::session::{Session, ViewLayout};
+use pinhole_exchange::atomic;
 
 /// The larger side of a view that is not on the screen, and the size of what else is not, in points.
 const VIEW: f32 = 960.0;

@@ -5,11 +5,11 @@ use egui::{Context, Id};
 use super::App;
 use super::lessons::Lessons;
 use crate::derive::Deriver;
-use crate::document::Document;
 use crate::files::{OpenDocument, title_of};
 use crate::handles::Hand;
 use crate::history::{History, StepName, name_of};
 use crate::session::{Selection, Session, Settings};
+use pinhole_exchange::document::Document;
 
 /// Seconds within which more of the same change goes on with a step, where no button is held.
 const PAUSE: f64 = 1.0;

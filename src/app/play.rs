@@ -4,10 +4,10 @@ use egui::{Context, Panel, Ui};
 
 use super::App;
 use crate::action::{Action, GhostMove, PlayMove};
-use crate::document::Document;
 use crate::observer::Observer;
 use crate::panels::play;
 use crate::play::{Kind, Player, Start, Still, walk_end};
+use pinhole_exchange::document::Document;
 
 impl App {
     /// Moves the open animation on, shows its strip, and sets what it shows; before anything else is

@@ -5,7 +5,6 @@ use egui::{Context, ThemePreference, Ui};
 
 use super::App;
 use crate::action::{Action, GhostMove, ObjectMove, PlayMove};
-use crate::document::Document;
 use crate::lessons::Which;
 use crate::mistakes::Gallery;
 use crate::panels::key_sheet;
@@ -14,6 +13,7 @@ use crate::panels::palette::{self, Palette};
 use crate::presenter::{self, Presenting, SMALLEST_TEXT};
 use crate::session::{DIGITS, Settings, ThemeName, ViewLayout};
 use crate::verbs::{self, Group, Verb};
+use pinhole_exchange::document::Document;
 
 /// What lies over the window until it is closed.
 #[derive(Clone, Debug)]
@@ -212,7 +212,7 @@ fn object(document: &Document, index: usize) -> Verb {
 
 /// A file that was opened lately.
 fn recent(path: &std::path::Path) -> Verb {
-    use crate::formats::scene_argument::SceneSource;
+    use pinhole_exchange::scene_file::argument::SceneSource;
     Verb {
         group: Group::File,
         name: format!("open {}", path.display()).into(),

@@ -4,11 +4,11 @@ use super::progress::Progress;
 use super::{CommandError, figure, load};
 use crate::arguments::FigureArguments;
 use crate::derive::{Deriver, ViewSizes};
-use crate::document::Document;
 use crate::figures::{Animation, Frames, Recorder, Reel, Subject, check_name};
-use crate::formats::atomic;
 use crate::play::{Kind, Start};
 use crate::session::Session;
+use pinhole_exchange::atomic;
+use pinhole_exchange::document::Document;
 
 pub(super) fn run(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));

@@ -12,8 +12,9 @@ use pinhole_core::grading::{Grade, Kind, Truth, grade};
 
 use super::{CommandError, load, named, of_scene, pose, to_stdout};
 use crate::arguments::CheckArguments;
-use crate::formats::{FileError, answers, atomic, png};
 use crate::grades::Graded;
+use pinhole_exchange::images::png;
+use pinhole_exchange::{FileError, answers, atomic};
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {

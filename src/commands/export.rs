@@ -2,8 +2,8 @@
 
 use super::{CommandError, load, of_scene, pose, to_stdout, warn};
 use crate::arguments::ExportArguments;
-use crate::exchange::{Subject, With};
 use crate::files::save_written;
+use pinhole_exchange::programs::{Subject, With};
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;

@@ -9,12 +9,12 @@ use super::outputs::unmade;
 use super::progress::Progress;
 use super::{CommandError, animation, load, of_scene, pose, selection_of};
 use crate::arguments::FigureArguments;
-use crate::document::Document;
 use crate::figures::{self, Content, Order, Subject};
-use crate::formats::atomic;
 use crate::observer::Observer;
 use crate::overlay::Item;
 use crate::session::{Selection, Session};
+use pinhole_exchange::atomic;
+use pinhole_exchange::document::Document;
 
 /// The sizes of the world view and of the lab of lines, in dots, and the ledger's width,
 /// unless others are asked for.

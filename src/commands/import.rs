@@ -8,9 +8,9 @@ use pinhole_core::Camera;
 
 use super::{CommandError, to_stdout, warn};
 use crate::arguments::ImportArguments;
-use crate::document::Document;
-use crate::exchange::{Text, recognised_file};
-use crate::formats::{FileError, atomic, scene_file};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{Text, recognised_file};
+use pinhole_exchange::{FileError, atomic, scene_file};
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;

@@ -7,8 +7,8 @@ use pinhole_core::{PosedCamera, UpAngle};
 
 use super::{CommandError, load, of_scene, pose, selection_of, to_stdout};
 use crate::arguments::{InspectArguments, RayArguments};
-use crate::document::Document;
 use crate::inspection::Inspection;
+use pinhole_exchange::document::Document;
 
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {

@@ -23,10 +23,10 @@ use std::process::ExitCode;
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, PosedCamera};
 
 use crate::arguments::Command;
-use crate::document::Document;
-use crate::formats::scene_argument::SceneSource;
-use crate::formats::{FileError, scene_file};
 use crate::session::Selection;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::{FileError, scene_file};
 
 /// Why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,7 +6,8 @@ use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
 use super::{CommandError, load, named, of_scene, pose};
 use crate::arguments::{RenderArguments, View};
-use crate::formats::{atomic, exr, png};
+use pinhole_exchange::atomic;
+use pinhole_exchange::images::{exr, png};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {

@@ -5,11 +5,11 @@ use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace
 use super::CommandError;
 use crate::arguments::View;
 use crate::derive::Fault;
-use crate::document::Document;
 use crate::figures::{self, Look};
 use crate::observer::Observer;
 use crate::overlay::{Item, OverlayItems, Style};
 use crate::session::{Session, Settings};
+use pinhole_exchange::document::Document;
 
 /// What to draw, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,8 @@ use rayon::prelude::*;
 
 use super::{CommandError, load, of_scene, to_stdout};
 use crate::arguments::TraceArguments;
-use crate::formats::{FileError, atomic, rays};
+use pinhole_exchange::csv::rays;
+use pinhole_exchange::{FileError, atomic};
 
 /// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
 const CHUNK: usize = 1 << 16;

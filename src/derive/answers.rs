@@ -12,11 +12,11 @@ use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
 use super::{Derived, Shown, ViewSizes};
-use crate::document::Document;
-use crate::formats::answers;
 use crate::grades::{AnswersAtHand, Cell, Graded};
 use crate::overlay::{OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
+use pinhole_exchange::answers;
+use pinhole_exchange::document::Document;
 
 /// What a grade is made of: the camera, the objects and their colours by number, and the answers.
 type Key = (Camera, u64, u64, AnswersAtHand);

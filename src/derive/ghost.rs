@@ -9,10 +9,10 @@ use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
 use super::{Derived, Shown, ViewSizes};
-use crate::document::Document;
 use crate::ghost::{AgainstGhost, Beside, Ghost, difference_map, posed};
 use crate::overlay::{Item, OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
+use pinhole_exchange::document::Document;
 
 /// What is compared: both cameras, the objects and colours by number, the pixels, and the ray.
 type Key = (Camera, Camera, u64, u64, Raster, Shade, Selection);

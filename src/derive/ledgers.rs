@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::{Derived, Fault};
-use crate::document::Document;
 use crate::ledger::{Ledger, LedgerSections, Sources, ledger};
 use crate::session::{Selection, Session};
+use pinhole_exchange::document::Document;
 
 /// The last ledger, and what it was made of.
 #[derive(Debug, Default)]

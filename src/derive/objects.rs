@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use pinhole_core::{Object, Rgb, Scene, SceneError};
 
-use crate::document::{CsvSpheres, Document, Item};
 use crate::observer::{hidden, seen_scene};
 use crate::overlay::Scheme;
+use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 /// The objects of a document, all of which are some.
 #[derive(Clone, Debug)]

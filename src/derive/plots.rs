@@ -6,10 +6,10 @@ use pinhole_core::PosedCamera;
 
 use super::Derived;
 use super::memo::Memo;
-use crate::document::Document;
 use crate::overlay::Scheme;
 use crate::plot::{Curve, Heights, Named, Plot, Samples, curves, range, samples, shown, values};
 use crate::session::{Selection, Session, ViewLayout};
+use pinhole_exchange::document::Document;
 
 /// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
 type Key = (PosedCamera, u64, Selection, Vec<Named>);

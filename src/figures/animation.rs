@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 use super::{Figure, Format, Order};
-use crate::document::Document;
-use crate::formats::atomic::Draft;
-use crate::formats::png::Animated;
 use crate::play::{Kind, Start};
 use crate::session::Session;
+use pinhole_exchange::atomic::Draft;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::images::png::Animated;
 
 /// What the frames become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,10 +7,10 @@ use pinhole_core::ImageSize;
 
 use super::{Figure, Format, Look, View, of_view, sheets};
 use crate::derive::{Deriver, ViewSizes};
-use crate::document::Document;
 use crate::ledger::{Ledger, Markup, Section};
 use crate::overlay::Style;
 use crate::session::{Session, ViewLayout};
+use pinhole_exchange::document::Document;
 
 /// What a figure shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,12 +8,12 @@ use pinhole_core::ImageSize;
 use super::{Figure, Look};
 use crate::coarseness::Coarseness;
 use crate::derive::{Deriver, Fault, Purpose, ViewSizes};
-use crate::document::Document;
 use crate::label_text;
 use crate::overlay::Drawing;
 use crate::present::headless::Sheet;
 use crate::present::look;
 use crate::session::Session;
+use pinhole_exchange::document::Document;
 
 /// Which of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use pinhole_core::{Camera, Plane, Sphere};
 
 use super::Handle;
-use crate::document::Document;
 use crate::session::Selection;
+use pinhole_exchange::document::Document;
 
 /// The part of document and session that a handle can change: as it was before, or as it is after.
 #[derive(Clone, Copy, Debug, PartialEq)]

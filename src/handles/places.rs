@@ -4,9 +4,9 @@ use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
 
 use super::{Grasp, Hand, Handle};
-use crate::document::Document;
 use crate::overlay::{self, Item, OverlayItems};
 use crate::session::Selection;
+use pinhole_exchange::document::Document;
 
 /// On a viewport that is seen smaller than this, in points, handles would lie over each other.
 const LEAST_VIEWPORT: f64 = 52.0;

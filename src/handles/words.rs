@@ -4,9 +4,9 @@ use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, Orientation};
 
 use super::{Handle, Part};
-use crate::document::Document;
 use crate::number::written;
 use crate::session::Selection;
+use pinhole_exchange::document::Document;
 
 /// What a handle is: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {

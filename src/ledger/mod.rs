@@ -22,12 +22,12 @@ use pinhole_core::{ExactRay, PosedCamera, Scene};
 
 use self::numbers::Numbers;
 use crate::derive::Fault;
-use crate::document::Document;
 use crate::formula::{Formula, word};
 use crate::inspection::Inspection;
 use crate::letters;
 use crate::session::Selection;
 use crate::thing::Thing;
+use pinhole_exchange::document::Document;
 
 pub use export::Markup;
 pub use sections::{LedgerSection, LedgerSections};

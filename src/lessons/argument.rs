@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::lesson::Lesson;
 use super::open::{Place, Which};
 use super::{builtin, read};
-use crate::formats::FileError;
+use pinhole_exchange::FileError;
 
 /// A lesson named on the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]

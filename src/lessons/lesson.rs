@@ -3,7 +3,6 @@
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
-use crate::document::Document;
 use crate::ledger::LedgerSections;
 use crate::lines::LinesLab;
 use crate::observer::Observer;
@@ -11,6 +10,7 @@ use crate::overlay::OverlayItems;
 use crate::play::Kind;
 use crate::session::{Selection, ShadeName, ViewLayout};
 use crate::thing::Thing;
+use pinhole_exchange::document::Document;
 
 /// A lesson: steps to go through.
 #[derive(Clone, Debug, PartialEq)]

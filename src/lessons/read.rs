@@ -10,12 +10,7 @@ use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Looks, Step};
-use crate::document::Document;
 use crate::exercises::LARGEST_SEED;
-use crate::formats::fields::{Field, Section, Source};
-use crate::formats::scene_argument::SceneSource;
-use crate::formats::scene_file::{TABLES, not_toml, tables};
-use crate::formats::{FileError, builtin};
 use crate::ledger::{LedgerSection, LedgerSections};
 use crate::lines::LinesLab;
 use crate::observer::Observer;
@@ -23,6 +18,12 @@ use crate::overlay::{Item, OverlayItems};
 use crate::play::Kind;
 use crate::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
 use crate::thing::Thing;
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::fields::{Field, Section, Source};
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scene_file::{TABLES, not_toml, tables};
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;

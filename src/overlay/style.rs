@@ -8,7 +8,7 @@ use egui::Color32;
 use pinhole_core::Rgb;
 use serde::{Deserialize, Serialize};
 
-use crate::document::default_color;
+use pinhole_exchange::document::default_color;
 
 /// Which colours things are told apart by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

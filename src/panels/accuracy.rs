@@ -14,10 +14,10 @@ use super::readouts;
 use super::views::MAP;
 use crate::accuracy::{self, Comparison, PixelError};
 use crate::derive::{Compared, Derived, TooMany};
-use crate::document::Document;
 use crate::measuring::Measuring;
 use crate::number::short;
 use crate::session::{MethodName, Selection, Session, Settings};
+use pinhole_exchange::document::Document;
 
 /// Room for the map's legend below it, in points.
 pub(crate) const LEGEND: f32 = 44.0;

@@ -10,10 +10,10 @@ use super::readouts::NumberStyle;
 use super::views;
 use crate::action::{Action, GhostMove};
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::ghost::{AgainstGhost, Beside, Ghost};
 use crate::inspection::Inspection;
 use crate::number::grouped;
+use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;

@@ -6,11 +6,11 @@ use pinhole_core::DVec2;
 
 use crate::action::{Action, Observe};
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::handles::{Stage, grips};
 use crate::overlay::Item;
 use crate::session::Session;
 use crate::verbs::shortcut;
+use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

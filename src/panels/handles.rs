@@ -8,12 +8,12 @@ use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
 use pinhole_core::{DVec2, PosedCamera};
 
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::handles::{
     Along, Axis, Grip, Handle, How, Part, Pull, Pulled, Stage, Start, grips, hit, keeps_of,
 };
 use crate::overlay;
 use crate::session::Session;
+use pinhole_exchange::document::Document;
 
 pub(super) use self::tell::say;
 

@@ -6,10 +6,10 @@ use egui::{
 };
 use pinhole_core::Rgb;
 
-use crate::document::Document;
 use crate::overlay::{Scheme, Style};
 use crate::presenter::WRITTEN;
 use crate::session::Settings;
+use pinhole_exchange::document::Document;
 
 /// What the window's look depends on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -13,10 +13,10 @@ use super::readouts::NumberStyle;
 use super::sign::sign;
 use super::views;
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::mistakes::{Gallery, Wrong};
 use crate::number::grouped;
 use crate::session::Session;
+use pinhole_exchange::document::Document;
 
 /// Size of what is taught, in points.
 const TEXT: f32 = 15.0;

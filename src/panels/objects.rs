@@ -5,8 +5,8 @@ use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
 use super::look;
 use super::number::{NumberField, error_color, vector_row};
-use crate::document::{Document, Item, Shared};
 use crate::letters::told;
+use pinhole_exchange::document::{Document, Item, Shared};
 
 /// Rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;

@@ -8,12 +8,12 @@ use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 use super::notation::{self, formula};
 use super::number::{error_color, vector_color};
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::letters::told;
 use crate::number::{grouped, written};
 use crate::present::fonts;
 use crate::symbols::words_of_readout;
+use pinhole_exchange::document::Document;
 
 /// How numbers are written.
 #[derive(Clone, Copy)]

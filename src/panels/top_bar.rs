@@ -7,8 +7,6 @@ use pinhole_core::methods::Method;
 
 use crate::action::{Action, Observe};
 use crate::files::{OpenDocument, title_of};
-use crate::formats::builtin;
-use crate::formats::scene_argument::SceneSource;
 use crate::ledger::Markup;
 use crate::lessons::{self, Place, Which};
 use crate::overlay::{Item, Scheme};
@@ -16,6 +14,8 @@ use crate::panels::{compare, play};
 use crate::presenter::{Range, SMALLEST_TEXT};
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 use crate::verbs::shortcut;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
 
 /// What the history would undo and redo.
 pub(crate) struct Steps<'a> {

@@ -10,11 +10,12 @@ use pinhole_core::Pixel;
 
 use super::number::error_color;
 use crate::action::Action;
-use crate::document::Document;
-use crate::exchange::{Row, Sheet};
+use crate::conventions::Row;
 use crate::letters::told;
 use crate::session::{Selection, Session};
 use crate::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::Sheet;
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;

@@ -7,7 +7,6 @@ use pinhole_core::{ImageSize, NO_OBJECT};
 
 use crate::action::Action;
 use crate::derive::{Derived, Shown, ViewSizes};
-use crate::document::Document;
 use crate::label_text;
 use crate::letters::told;
 use crate::overlay;
@@ -18,6 +17,7 @@ use crate::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::thing::{Pointed, Pointing, Thing};
 use crate::verbs::{self, When};
 use crate::view_texture::ViewTexture;
+use pinhole_exchange::document::Document;
 
 /// The world view's name, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";

@@ -12,9 +12,9 @@ use pinhole_core::{Camera, Pixel};
 pub use player::Player;
 
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::inspection::Inspection;
 use crate::session::{Selection, Session};
+use pinhole_exchange::document::Document;
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -26,8 +26,6 @@ use pinhole_core::methods::Method;
 use super::{Group, Keys, Verb, When};
 use crate::action::{Action, GhostMove, PlayMove, Switch};
 use crate::exercises;
-use crate::formats::builtin;
-use crate::formats::scene_argument::SceneSource;
 use crate::ledger::{LedgerSection, Markup};
 use crate::lessons::{self, Lesson, Place, Which, title_of};
 use crate::overlay::{Item, Scheme};
@@ -35,6 +33,8 @@ use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 use crate::translator::Target;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
 
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]

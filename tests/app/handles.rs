@@ -8,11 +8,11 @@ use egui::{
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
-use pinhole::document::Document;
 use pinhole::handles::Handle;
 use pinhole::session::{Selection, Settings};
 use pinhole::store::Remembered;
 use pinhole_core::{Camera, DVec3, Orientation};
+use pinhole_exchange::document::Document;
 
 use crate::harness::{assert_says, says, window, window_with};
 

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use pinhole::coarseness::Coarseness;
 use pinhole::derive::{Derived, Deriver, Purpose, ViewSizes};
-use pinhole::document::{CsvSpheres, Document, Item};
 use pinhole::observer::Observer;
 use pinhole::overlay::Style;
 use pinhole::session::{Session, Settings, ShadeName};
 use pinhole_core::{Camera, DVec3, Plane, Scene, Sphere};
+use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 const SIZES: ViewSizes = ViewSizes {
     world: Some([120, 90]),

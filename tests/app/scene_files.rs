@@ -4,9 +4,9 @@ use std::fs;
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::document::Document;
-use pinhole::formats::scene_file;
 use pinhole::store::{Remembered, Store};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file;
 
 use super::harness::{assert_says, type_into, window, window_with};
 

@@ -6,10 +6,10 @@ use egui::{Event, Key, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
-use pinhole::code::LANGUAGES;
-use pinhole::document::Document;
-use pinhole::exchange::{FORMATS, Format, IMPORTERS, Importer, Subject, With};
 use pinhole_core::{Camera, DVec3, Orientation};
+use pinhole_exchange::code::LANGUAGES;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{FORMATS, Format, IMPORTERS, Importer, Subject, With};
 
 use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
 

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use pinhole::exchange::{FORMATS, IMPORTERS, Importer, Text, recognised, recognised_file};
 use pinhole_core::Camera;
+use pinhole_exchange::programs::{
+    Axis, FORMATS, IMPORTERS, Importer, Text, recognised, recognised_file,
+};
 
 use super::read;
 
@@ -152,7 +154,8 @@ fn what_is_no_camera_is_recognised_as_none() {
 fn broken_texts_are_errors() {
     for (_, document) in super::proofs() {
         for format in &FORMATS {
-            let subject = pinhole::exchange::Subject::new(&document, Default::default()).unwrap();
+            let subject =
+                pinhole_exchange::programs::Subject::new(&document, Default::default()).unwrap();
             let Ok(written) = format.write(&subject) else { continue };
             let text = written.joined().text;
             for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)).step_by(5) {
@@ -186,10 +189,7 @@ fn the_readme_s_table_is_the_table() {
     let readme = include_str!("../../README.md");
     for format in &FORMATS {
         let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` | ", format.name)));
-        let axes = format.terms.axes.map(|axis| {
-            let letter = axis.letter();
-            letter.replace('𝐮', "u").replace('𝐯', "v").replace('𝐰', "w")
-        });
+        let axes = format.terms.axes.map(Axis::name);
         let axes = format!("| {} |", axes.join(", "));
         assert!(row.is_some_and(|row| row.contains(&axes)), "{}: {row:?} {axes}", format.name);
     }

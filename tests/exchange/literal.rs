@@ -1,7 +1,7 @@
 //! Cameras of pasted text: taken where every number is literal, refused at the line at fault else.
 
-use pinhole::exchange::recognised;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
+use pinhole_exchange::programs::recognised;
 
 use super::read;
 

@@ -17,10 +17,10 @@ mod trees;
 
 use std::path::Path;
 
-use pinhole::document::{Document, Item};
-use pinhole::exchange::{Format, Importer, Subject, Taken, Text, With, Written};
-use pinhole::formats::FileError;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::programs::{Format, Importer, Subject, Taken, Text, With, Written};
 
 fn format(name: &str) -> &'static Format {
     Format::named(name).unwrap()

@@ -1,7 +1,7 @@
 //! OpenCV's K, R and t in JSON and in YAML.
 
-use pinhole::exchange::recognised;
 use pinhole_core::{Camera, DVec3, ImageSize};
+use pinhole_exchange::programs::recognised;
 
 use super::read;
 

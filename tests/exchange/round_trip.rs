@@ -1,10 +1,10 @@
 //! Out and back: the same camera, to the last digits.
 
-use pinhole::document::{Document, Item};
-use pinhole::exchange::{FORMATS, Format, Importer, Subject, Text, With, recognised};
 use pinhole_core::{
     Basis, Camera, DVec3, ImageSize, Orientation, OrientationKind, Pixel, Plane, Sphere, Viewport,
 };
+use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::programs::{FORMATS, Format, Importer, Subject, Text, With, recognised};
 use proptest::prelude::*;
 
 use super::{marker, read, scene_of, text_of};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pinhole::formats::scene_file;
+use pinhole_exchange::scene_file;
 
 /// What is at fault, behind what [`check`] puts before it, and the message behind `scene.toml:`.
 type Cases = &'static [(&'static str, &'static str)];

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use pinhole::document::Document;
-use pinhole::formats::scene_argument::SceneSource;
-use pinhole::formats::{builtin, scene_file};
 use pinhole::inspection::Inspection;
 use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Viewport};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::{self, builtin};
 
 fn read(text: &str) -> Document {
     scene_file::parse(text, Path::new("scene.toml"), Path::new("")).unwrap()

@@ -11,9 +11,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::app::App;
 use pinhole::files::OpenDocument;
-use pinhole::formats::scene_argument::SceneSource;
 use pinhole::store::Remembered;
 use pinhole_core::{ImageSize, Pixel};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 use crate::screen::{Running, Screen, wait_for};
 use crate::whole_window;

@@ -10,13 +10,13 @@ use pinhole_core::steering::Keep;
 
 use super::{HandInput, View, id_of, keys};
 use crate::derive::Derived;
-use crate::document::Document;
 use crate::handles::{Along, Axis, Handle, Part, grips, label, value};
 use crate::letters::{bold, told};
 use crate::number::written;
 use crate::panels::number::error_color;
 use crate::session::Session;
 use crate::thing::{Pointed, Pointing};
+use pinhole_exchange::document::Document;
 
 /// Sizes of what is said, in points: the value, and the rest.
 const VALUE: f32 = 19.0;

@@ -5,10 +5,10 @@ use std::path::Path;
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::formats::scene_file;
 use pinhole::lessons::{Place, Which};
 use pinhole::session::{Settings, ViewLayout};
 use pinhole::store::{Remembered, Store};
+use pinhole_exchange::scene_file;
 
 use super::{Window, at_step, key, place, press};
 use crate::harness::{assert_says, type_into, window, window_with};
