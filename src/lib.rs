@@ -1,18 +1,15 @@
 //! Pinhole: what a pinhole camera sees, and why. The program behind `src/main.rs`, as a library so
 //! that its tests can drive it.
 //!
-//! The way of one edit: a panel changes the [`document::Document`] in place; [`ui::app`] runs inputs,
+//! The way of one edit: a panel changes the [`pinhole_exchange::document::Document`] in place; [`ui::app`] runs inputs,
 //! apply, derive, outputs, once; [`view::derive`] is pure; overlay, readouts and upload get what it
 //! made and nothing else.
 
 pub mod chart;
 pub mod cli;
-pub mod code;
-pub mod document;
-pub mod exchange;
+pub mod conventions;
 pub mod exercises;
 pub mod figures;
-pub mod formats;
 pub mod grades;
 pub mod mistakes;
 pub mod model;

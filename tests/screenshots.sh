@@ -39,4 +39,3 @@ shot answers distance-two '{}' 2 check_answers
 shot lesson-7 --lesson=7.3 '{}'
 shot lesson-11 --lesson=11.3 '{}'
 shot lesson-12 --lesson=12.2 '{}'
-target/release/pinhole render caffeine --width 640 --height 480 -o "$out/caffeine.png"

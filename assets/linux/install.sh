@@ -1,6 +1,6 @@
 #!/bin/sh
 # From an unpacked archive it brings the program; from the sources, what cargo install leaves out:
-# desktop entry, icon, file types, man pages and completions.
+# desktop entry, icon, man pages and completions.
 set -eu
 usage='usage: install.sh [--remove] [PREFIX]
 
@@ -85,17 +85,7 @@ put_desktop_entry() {
 
 # What desktops look up by, made anew; where nothing but it is left, it goes too.
 update() {
-  mime=$prefix/share/mime applications=$prefix/share/applications
-  if [ -d "$mime" ] && [ ! -d "$mime/packages" ]; then
-    for made in XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses \
-      treemagic types version chemical/x-pdb.xml chemical/x-xyz.xml; do
-      rm -f "$mime/$made"
-      tidy "$mime/$made"
-    done
-  elif [ -d "$mime" ] && command -v update-mime-database >/dev/null; then
-    # It warns of places that desktops do not look into, which is told below.
-    XDG_DATA_HOME=$prefix/share update-mime-database "$mime"
-  fi
+  applications=$prefix/share/applications
   if [ -z "$(find "$applications" ! -type d ! -name mimeinfo.cache 2>/dev/null)" ]; then
     rm -f "$applications/mimeinfo.cache"
     tidy "$applications/mimeinfo.cache"
@@ -114,7 +104,6 @@ if [ "$assets" = "$here" ]; then put "$here/pinhole" bin/pinhole 755; fi
 icon_file=share/icons/hicolor/128x128/apps/pinhole.png
 put "$assets/icon.png" "$icon_file" 644
 put_desktop_entry
-put "$here/pinhole.xml" share/mime/packages/pinhole.xml 644
 for page in "$assets"/man/*.1; do
   put "$page" "share/man/man1/$(basename "$page")" 644
 done

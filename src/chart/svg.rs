@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::figure::{Align, DASH, Figure, Shape};
-use crate::formats::svg::{SANS, chain, escaped, hex};
+use pinhole_exchange::images::svg::{SANS, chain, escaped, hex};
 
 /// From the middle of a line of text down to its baseline, as a share of the font's size: half the
 /// height of a digit.

@@ -5,12 +5,12 @@ use super::figure;
 use super::load;
 use super::progress::Progress;
 use crate::cli::arguments::FigureArguments;
-use crate::document::Document;
 use crate::figures::{Animation, Frames, Recorder, Reel, Subject, check_name};
-use crate::formats::atomic;
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 use crate::view::derive::{Deriver, ViewSizes};
+use pinhole_exchange::atomic;
+use pinhole_exchange::document::Document;
 
 pub(super) fn run(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
     let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));

@@ -6,13 +6,13 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
-use crate::exchange::{FORMATS, Format};
 use crate::figures::Subject;
 pub use crate::figures::View;
 use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::model::translator::Target;
 use crate::view::overlay::Style;
+use pinhole_exchange::programs::{FORMATS, IMPORTERS, Importer};
 
 /// See what a pinhole camera sees, and why.
 ///
@@ -22,8 +22,7 @@ use crate::view::overlay::Style;
     version,
     long_version = env!("PINHOLE_VERSION"),
     args_conflicts_with_subcommands = true,
-    after_help = "SCENE is the path of a scene file or of a molecule (.xyz, .pdb), or the name of a built-in \
-                  scene."
+    after_help = "SCENE is the path of a scene file, or the name of a built-in scene."
 )]
 pub struct Arguments {
     /// What to do instead of opening the window.
@@ -244,8 +243,8 @@ pub struct ImportArguments {
     #[arg(short, long, value_name = "SCENE.toml")]
     pub output: Option<PathBuf>,
     /// Read it as this, whatever it looks like
-    #[arg(long, value_name = "NAME", value_parser = exchange_format())]
-    pub from: Option<&'static Format>,
+    #[arg(long, value_name = "NAME", value_parser = importer())]
+    pub from: Option<&'static Importer>,
 }
 
 /// `pinhole check`
@@ -311,11 +310,11 @@ fn target() -> impl TypedValueParser<Value = Target> {
         .map(|name| Target::named(&name).unwrap_or(Target::Format(&FORMATS[0])))
 }
 
-fn exchange_format() -> impl TypedValueParser<Value = &'static Format> {
+fn importer() -> impl TypedValueParser<Value = &'static Importer> {
     PossibleValuesParser::new(
-        FORMATS.iter().map(|format| PossibleValue::new(format.name).help(format.label)),
+        IMPORTERS.iter().map(|format| PossibleValue::new(format.name).help(format.label)),
     )
-    .map(|name| Format::named(&name).unwrap_or(&FORMATS[0]))
+    .map(|name| Importer::named(&name).unwrap_or(&IMPORTERS[0]))
 }
 
 fn view() -> impl TypedValueParser<Value = View> {

@@ -17,8 +17,9 @@ use super::of_scene;
 use super::pose;
 use super::to_stdout;
 use crate::cli::arguments::CheckArguments;
-use crate::formats::{FileError, answers, atomic, png};
 use crate::grades::Graded;
+use pinhole_exchange::images::png;
+use pinhole_exchange::{FileError, answers, atomic};
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {

@@ -7,8 +7,8 @@ use super::pose;
 use super::to_stdout;
 use super::warn;
 use crate::cli::arguments::ExportArguments;
-use crate::exchange::{Subject, With};
 use crate::model::files::save_written;
+use pinhole_exchange::programs::{Subject, With};
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;

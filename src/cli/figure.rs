@@ -14,12 +14,12 @@ use super::pose;
 use super::progress::Progress;
 use super::selection_of;
 use crate::cli::arguments::FigureArguments;
-use crate::document::Document;
 use crate::figures::{self, Content, Order, Subject};
-use crate::formats::atomic;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
 use crate::model::session::{Selection, Session};
+use pinhole_exchange::atomic;
+use pinhole_exchange::document::Document;
 
 /// The sizes of the world view and of the lab of lines, in dots, and the ledger's width,
 /// unless others are asked for.

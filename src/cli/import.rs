@@ -10,22 +10,22 @@ use super::CommandError;
 use super::to_stdout;
 use super::warn;
 use crate::cli::arguments::ImportArguments;
-use crate::document::Document;
-use crate::exchange::{Text, recognised_file};
-use crate::formats::{FileError, atomic, scene_file};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{Text, recognised_file};
+use pinhole_exchange::{FileError, atomic, scene_file};
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;
     let source = read(path)?;
     let text = Text { path, text: &source.text };
-    let format = match arguments.from {
-        Some(format) => format,
+    let importer = match arguments.from {
+        Some(importer) => importer,
         None => recognised_file(&text)?,
     };
     let taken =
-        format.read(&text, &Camera::CANONICAL).map_err(|error| source.in_its_file(error))?;
+        importer.read(&text, &Camera::CANONICAL).map_err(|error| source.in_its_file(error))?;
     let document = Document {
-        note: format!("From {}.", format.label),
+        note: format!("From {}.", importer.label),
         camera: taken.camera,
         spheres: taken.spheres.into(),
         csv_spheres: None,

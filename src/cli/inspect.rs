@@ -12,8 +12,8 @@ use super::pose;
 use super::selection_of;
 use super::to_stdout;
 use crate::cli::arguments::{InspectArguments, RayArguments};
-use crate::document::Document;
 use crate::model::inspection::Inspection;
+use pinhole_exchange::document::Document;
 
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {

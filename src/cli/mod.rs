@@ -23,10 +23,10 @@ use std::process::ExitCode;
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, PosedCamera};
 
 use crate::cli::arguments::Command;
-use crate::document::Document;
-use crate::formats::scene_argument::SceneSource;
-use crate::formats::{FileError, scene_file};
 use crate::model::session::Selection;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::{FileError, scene_file};
 
 /// Why a command did not do what it was asked to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -104,12 +104,7 @@ fn warn(note: &str) {
 
 /// Reads the scene that an argument means.
 fn load(scene: &Path) -> Result<Document, CommandError> {
-    let source = SceneSource::of(scene)?;
-    let document = source.load()?;
-    if let Some(left_out) = source.left_out() {
-        warn(&format!("{}: {left_out}", scene.display()));
-    }
-    Ok(document)
+    Ok(SceneSource::of(scene)?.load()?)
 }
 
 /// The camera of a scene, ready for its rays.

@@ -12,7 +12,9 @@ use super::CommandError;
 use super::named;
 use super::to_stdout;
 use crate::chart::{Figure, PNG_SCALE};
-use crate::formats::{FileError, atomic, builtin, molecule, png};
+use pinhole_exchange::images::png;
+use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::{FileError, atomic};
 
 /// The outputs that were asked for.
 #[derive(Clone, Copy, Default)]
@@ -97,9 +99,7 @@ fn is_stdout(path: &Path) -> bool {
 /// A path that is meant to be read, not written.
 fn is_scene(path: &Path) -> bool {
     let ends_as_one = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
-    ends_as_one
-        || molecule::is_molecule(path)
-        || path.to_str().is_some_and(|name| builtin::find(name).is_some())
+    ends_as_one || path.to_str().is_some_and(|name| builtin::find(name).is_some())
 }
 
 /// What a plot is written as.

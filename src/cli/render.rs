@@ -10,7 +10,8 @@ use super::pose;
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
 use crate::cli::arguments::{RenderArguments, View};
-use crate::formats::{atomic, exr, png};
+use pinhole_exchange::atomic;
+use pinhole_exchange::images::{exr, png};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {

@@ -4,13 +4,13 @@ use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace
 
 use super::CommandError;
 use crate::cli::arguments::View;
-use crate::document::Document;
 use crate::figures::{self, Look};
 use crate::model::fault::Fault;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Session, Settings};
 use crate::view::overlay::Style;
+use pinhole_exchange::document::Document;
 
 /// What to draw, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::CommandError;
 use super::to_stdout;
-use crate::formats::builtin;
+use pinhole_exchange::scene_file::builtin;
 
 pub(super) fn run() -> Result<(), CommandError> {
     let scenes = builtin::all();

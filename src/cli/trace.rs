@@ -11,7 +11,8 @@ use super::load;
 use super::of_scene;
 use super::to_stdout;
 use crate::cli::arguments::TraceArguments;
-use crate::formats::{FileError, atomic, rays};
+use pinhole_exchange::csv::rays;
+use pinhole_exchange::{FileError, atomic};
 
 /// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
 const CHUNK: usize = 1 << 16;

@@ -11,8 +11,8 @@ pub use answers::solution;
 pub use texts::{asked, question, title};
 pub(crate) use verdicts::{is_good, said};
 
-use crate::document::{Document, Item};
 use crate::model::expression::evaluate;
+use pinhole_exchange::document::{Document, Item};
 
 /// The largest seed of a question. The field calculates in `f64`: it would show another number for
 /// some above 2^53.

@@ -9,11 +9,11 @@ use tempfile::TempDir;
 use super::Figure;
 use super::Format;
 use super::Order;
-use crate::document::Document;
-use crate::formats::atomic::Draft;
-use crate::formats::png::Animated;
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
+use pinhole_exchange::atomic::Draft;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::images::png::Animated;
 
 /// What the frames become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -27,9 +27,9 @@ mod views;
 use egui::{Color32, ColorImage};
 
 use self::part::{Part, Picture};
-use crate::formats::png;
 use crate::view::headless::Sheet;
 use crate::view::overlay::{Drawing, Style};
+use pinhole_exchange::images::png;
 
 pub use self::animation::{Animation, Frames, Recorder, Reel, check_name};
 pub use self::order::{Content, Order, Subject, ledger_of};

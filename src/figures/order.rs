@@ -11,11 +11,11 @@ use super::Look;
 use super::View;
 use super::of_view;
 use super::sheets;
-use crate::document::Document;
 use crate::model::session::{Session, ViewLayout};
 use crate::view::derivation::{Ledger, Markup, Section};
 use crate::view::derive::{Deriver, ViewSizes};
 use crate::view::overlay::Style;
+use pinhole_exchange::document::Document;
 
 /// What a figure shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -11,9 +11,9 @@ use super::Figure;
 use super::part::{Part, Picture, Run, Text};
 use super::subset::subset;
 use super::typeface::Face;
-use crate::formats::png;
-use crate::formats::svg::{SANS, chain, escaped, hex};
 use crate::view::overlay::{Ink, Outline, Path};
+use pinhole_exchange::images::png;
+use pinhole_exchange::images::svg::{SANS, chain, escaped, hex};
 
 /// The whole file.
 pub(super) fn write(figure: &Figure) -> Result<String, String> {

@@ -7,8 +7,8 @@ use egui::FontFamily;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, GlyphId, MetadataProvider as _};
 
-use crate::formats::svg::SANS;
 use crate::view::typesetting::fonts;
+use pinhole_exchange::images::svg::SANS;
 
 /// One of the fonts: a number that stands for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -7,7 +7,6 @@ use pinhole_core::ImageSize;
 
 use super::Figure;
 use super::Look;
-use crate::document::Document;
 use crate::model::fault::Fault;
 use crate::model::session::Session;
 use crate::view::adaptive_resolution::Coarseness;
@@ -16,6 +15,7 @@ use crate::view::headless::Sheet;
 use crate::view::overlay::Drawing;
 use crate::view::typesetting::label_text;
 use crate::view::typesetting::theme;
+use pinhole_exchange::document::Document;
 
 /// Which of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use egui::Color32;
 use pinhole_core::Rgb;
 use serde::{Deserialize, Serialize};
 
-use crate::document::default_color;
+use pinhole_exchange::document::default_color;
 
 /// Greys of objects, neighbours far apart.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];

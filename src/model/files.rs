@@ -4,11 +4,11 @@ use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::document::Document;
-use crate::exchange::{Sheet, Written};
-use crate::formats::scene_argument::SceneSource;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{Sheet, Written};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
-use crate::formats::{FileError, atomic, molecule, scene_file};
+use pinhole_exchange::{FileError, atomic, scene_file};
 
 /// How many files the list of recent ones holds.
 const RECENT: usize = 10;
@@ -64,7 +64,7 @@ impl OpenDocument {
     /// A document just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
         let text = match &source {
-            SceneSource::Builtin(scene) => scene.scene_text().map(str::to_owned),
+            SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
             file => file.scene_file().and_then(|path| fs::read_to_string(path).ok()),
         };
         let origin = Origin::Scene(source);
@@ -114,9 +114,6 @@ impl OpenDocument {
         match &self.origin {
             Origin::Scene(SceneSource::Builtin(scene)) => format!("{}.toml", scene.name),
             Origin::Step(_) => "scene.toml".to_owned(),
-            Origin::Scene(SceneSource::File(path)) if molecule::is_molecule(path) => {
-                title_of(&Origin::Scene(SceneSource::File(path.with_extension("toml"))))
-            }
             file => title_of(file),
         }
     }

@@ -1,6 +1,6 @@
 //! What is edited and remembered: the session around a document, its history, lessons and play.
 //!
-//! A document ([`crate::document::Document`]) is what a scene file holds; the
+//! A document ([`pinhole_exchange::document::Document`]) is what a scene file holds; the
 //! [`session::Session`] is how it is looked at. Nothing here draws.
 
 pub mod color_scheme;

@@ -8,10 +8,10 @@ use pinhole_core::{DVec2, Pixel};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::formats::{FileError, atomic};
 use crate::model::lessons::{Place, Which};
 use crate::model::session::{Selection, Settings};
 use crate::model::window_geometry::WindowGeometry;
+use pinhole_exchange::{FileError, atomic};
 
 /// The remembered state, as it is on disk.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

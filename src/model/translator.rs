@@ -4,13 +4,13 @@ use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
 
-use crate::code::{LANGUAGES, Language};
-use crate::document::Document;
-use crate::exchange::{
-    FIELD_OF_VIEW, FORMATS, Format, MIRRORED, Row, Sheet, Subject, Text, Unsayable, With, Written,
-    recognised, rows, unknown,
+use crate::conventions::{FIELD_OF_VIEW, Row, rows};
+use pinhole_exchange::code::{LANGUAGES, Language};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::{
+    FORMATS, Format, MIRRORED, Sheet, Subject, Text, Unsayable, With, Written, recognised, unknown,
 };
-use crate::formats::{FileError, scene_file};
+use pinhole_exchange::{FileError, scene_file};
 
 /// No more objects than this are written under the drag, and shown.
 pub const MOST_OBJECTS: usize = 500;
@@ -164,20 +164,20 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
             Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
         };
     }
-    let Some(format) = recognised(text) else {
+    let Some(importer) = recognised(text) else {
         return failed("This text is no camera: nothing is changed", unknown());
     };
     let text = Text { path: Path::new("pasted"), text };
-    match format.read(&text, at_hand) {
+    match importer.read(&text, at_hand) {
         Ok(read) => {
             let objects = read.spheres.len() + read.planes.len();
             let notes = read.notes.into_iter();
             let notes = notes.map(|note| if note == MIRRORED { ALONE.to_owned() } else { note });
-            let title = format!("Camera pasted: {}", format.label);
+            let title = format!("Camera pasted: {}", importer.label);
             taken(title, read.camera, notes.collect(), objects)
         }
         Err(error) => {
-            let title = format!("Not pasted: this camera of {} cannot be read", format.label);
+            let title = format!("Not pasted: this camera of {} cannot be read", importer.label);
             failed(&title, error.to_string())
         }
     }

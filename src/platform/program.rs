@@ -7,10 +7,6 @@ use std::path::Path;
 use etcetera::{BaseStrategy as _, choose_base_strategy};
 
 use crate::cli::arguments::WindowArguments;
-use crate::document::Document;
-use crate::formats::FileError;
-use crate::formats::builtin;
-use crate::formats::scene_argument::SceneSource;
 use crate::model::files::OpenDocument;
 use crate::model::store::{Remembered, Store};
 use crate::platform;
@@ -19,6 +15,10 @@ use crate::platform::{PresentError, WindowOptions};
 use crate::ui::app::{App, complain};
 use crate::ui::motion;
 use crate::ui::program::{FrameTimes, Program};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
 
 /// Why the window did not open, or broke off.
 #[derive(Debug)]

@@ -6,9 +6,7 @@ use pinhole_core::DVec2;
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
-use crate::document::Document;
 use crate::figures::{Frames, Order};
-use crate::formats::scene_argument::SceneSource;
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::LedgerSection;
 use crate::model::lessons::Place;
@@ -17,6 +15,8 @@ use crate::model::play::Kind;
 use crate::model::presenting::Full;
 use crate::model::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,12 +7,12 @@ use egui::{
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::document::Document;
 use pinhole::model::hand::Handle;
 use pinhole::model::session::{Selection, Settings};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
+use pinhole_exchange::document::Document;
 
 use crate::harness::{assert_says, says, window, window_with};
 

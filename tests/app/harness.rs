@@ -9,9 +9,9 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::ui::app::App;
 
 use crate::support::{self, whole_window};
-use pinhole::formats::scene_argument::SceneSource;
 use pinhole::model::files::OpenDocument;
 use pinhole::model::store::{Remembered, Store};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// The window is this large, in points, unless a test says otherwise.
 pub(crate) const SIZE: egui::Vec2 = vec2(1280.0, 1000.0);

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole::document::{CsvSpheres, Document, Item};
 use pinhole::model::observer::Observer;
 use pinhole::model::session::{Session, Settings, ShadeName};
 use pinhole::view::adaptive_resolution::Coarseness;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::view::overlay::Style;
 use pinhole_core::{Camera, DVec3, Plane, Scene, Sphere};
+use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 const SIZES: ViewSizes = ViewSizes {
     world: Some([120, 90]),

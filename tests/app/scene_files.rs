@@ -4,9 +4,9 @@ use std::fs;
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::document::Document;
-use pinhole::formats::scene_file;
 use pinhole::model::store::{Remembered, Store};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file;
 
 use super::harness::{assert_says, type_into, window, window_with};
 
@@ -86,26 +86,6 @@ fn a_dropped_file_opens_and_a_bad_one_says_what_is_wrong() {
     window.run();
     drop_file(&mut window, &good);
     assert_eq!(*window.state().document(), Document::default());
-}
-
-#[test]
-fn a_dropped_molecule_is_saved_as_a_scene_beside_it() {
-    let folder = tempfile::tempdir().unwrap();
-    let water = folder.path().join("water.xyz");
-    fs::write(&water, "3\nWater\nO 0 0 0.1\nH 0 0.8 -0.5\nH 0 -0.8 -0.5\n").unwrap();
-    let mut window = window("canonical");
-    drop_file(&mut window, &water);
-    assert_says(&window, "sphere 0 “O1”");
-    assert_says(&window, "water.xyz");
-    type_into(&mut window, "eye y", "0.25");
-    ctrl(&mut window, egui::Key::S);
-    let path = window.get_by_role_and_label(Role::TextInput, "path").value();
-    assert_eq!(path.as_deref(), folder.path().join("water.toml").to_str());
-    window.key_press(egui::Key::Enter);
-    window.run();
-    let saved = scene_file::load(&folder.path().join("water.toml")).unwrap();
-    assert_eq!(saved, *window.state().document());
-    assert!(fs::read_to_string(&water).unwrap().starts_with("3\nWater\n"));
 }
 
 pub(crate) fn drop_file(

@@ -97,7 +97,7 @@ fn colmap_is_a_folder_of_files() {
 }
 
 #[test]
-fn every_format_goes_out_and_comes_back() {
+fn every_format_that_is_read_goes_out_and_comes_back() {
     let folder = tempfile::tempdir().unwrap();
     let run = |line: &str| run_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
     let ray = |scene: &str| -> Vec<f64> {
@@ -109,6 +109,12 @@ fn every_format_goes_out_and_comes_back() {
     let before = ray("look-at");
     for name in NAMES {
         assert_eq!(run(&format!("export look-at --to {name} -o out.{name}")).status, 0, "{name}");
+        if ["blender", "weekend"].contains(&name) {
+            let refused = run(&format!("import out.{name}"));
+            assert_eq!(refused.status, 1, "{name}");
+            assert!(refused.stderr.contains("no camera of a known form"), "{}", refused.stderr);
+            continue;
+        }
         assert_eq!(run(&format!("import out.{name} -o {name}.toml")).status, 0, "{name}");
         for (a, b) in before.iter().zip(ray(&format!("{name}.toml"))) {
             assert!((a - b).abs() < 1e-12, "{name}: {a} {b}");
@@ -164,7 +170,7 @@ fn what_cannot_be_said_or_read_is_an_error() {
         unknown.stderr.starts_with("pinhole: a.dat: no camera of a known form: it may be glTF")
     );
     fs::write(folder.path().join("b.c"), "gluPerspective(60, 1, 1, 2);\ngluLookAt(1, 2);").unwrap();
-    run("import b.c").failed(1, "b.c:2:11: gluLookAt is 1, 2: it must have 9 numbers");
+    run("import b.c").failed(1, "b.c:2:1: gluLookAt(1, 2): it must have 9 numbers");
     run("import b.c --from pbrt").failed(1, "b.c:1:1: gluPerspective(60,: no directive of pbrt");
     assert_eq!(entries(folder.path()), ["a.dat", "a.txt", "b.c"]);
     fs::write(folder.path().join("c.c"), [0xff, 0xfe]).unwrap();

@@ -84,7 +84,6 @@ fn what_is_installed_is_found_by_its_path_and_goes_without_a_trace() {
         assert_eq!(value(&prefix, "Icon"), icon);
         let started = Command::new(prefix.join("bin/pinhole")).output().unwrap();
         assert_eq!(started.stdout, b"started\n");
-        assert!(prefix.join("share/mime/packages/pinhole.xml").exists());
         unpacked.done(&[name, "--remove"]);
         assert!(!prefix.exists(), "{name}");
     }
@@ -101,7 +100,7 @@ fn without_a_prefix_it_is_the_users_own_and_others_files_stay() {
     assert!(prefix.join("bin/pinhole").exists());
     assert_eq!(value(&prefix, "Icon"), "pinhole");
     unpacked.done(&["--remove"]);
-    assert!(other.exists() && !prefix.join("bin").exists() && !prefix.join("share/mime").exists());
+    assert!(other.exists() && !prefix.join("bin").exists());
 }
 
 #[test]

@@ -10,7 +10,6 @@ mod generated;
 mod inspect;
 mod install;
 mod lesson;
-mod molecule;
 mod render;
 mod report;
 mod scenes;

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use pinhole::exchange::{FORMATS, Text, recognised, recognised_file};
 use pinhole_core::Camera;
+use pinhole_exchange::programs::{
+    Axis, FORMATS, IMPORTERS, Importer, Text, recognised, recognised_file,
+};
 
 use super::read;
 
@@ -13,7 +15,7 @@ fn faults_name_place_field_and_what_would_be_right() {
         (
             "opengl",
             "gluPerspective(60, 1, 0.1, 9);\ngluLookAt(0,0,0, 0,0,x, 0,1,0);",
-            "in:2:22: gluLookAt is x: it must be a finite number",
+            "in:2:22: gluLookAt is x: it must be given by numbers, without names or calculations",
         ),
         (
             "opengl",
@@ -29,16 +31,6 @@ fn faults_name_place_field_and_what_would_be_right() {
             "opengl",
             "gluPerspective(60, 1, 0.1, 9);\ngluLookAt(1,2,3, 1,2,3, 0,1,0);",
             "in: gluLookAt + gluPerspective: eye and at are the same point (1, 2, 3): move one of them",
-        ),
-        (
-            "weekend",
-            "cam.lookfrom = point3(0,0);\n",
-            "in:1:16: lookfrom is point3(0,0): it must be three numbers",
-        ),
-        (
-            "weekend",
-            "cam.lookfrom = point3(0,0,1);\ncam.image_width = 0;\n",
-            "in:2:19: image_width is 0: it must be whole numbers from 1 to 16384",
         ),
         (
             "course",
@@ -123,12 +115,6 @@ fn faults_name_place_field_and_what_would_be_right() {
             "in:1:1: MODEL is FISHEYE: it must be one of SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, \
              RADIAL, OPENCV, FULL_OPENCV",
         ),
-        (
-            "blender",
-            "import bpy\ncam.matrix_world = ((1, 0, 0, 0), (0, 1, 0, 0))\n",
-            "in:2:20: matrix_world is ((1, 0, 0, 0), (0, 1, 0, 0)): it must be four rows of four \
-             numbers, the last one 0, 0, 0, 1",
-        ),
     ];
     for (format, text, message) in cases {
         let error = read(format, text).map(|taken| taken.camera).unwrap_err();
@@ -151,11 +137,7 @@ fn what_is_no_camera_is_recognised_as_none() {
         let name = format!("a.{ending}");
         let refused = of(&name).unwrap_err();
         assert!(refused.starts_with(&format!("{name}: no camera of a known form: ")), "{refused}");
-        assert!(refused.contains("three.js (JSON or code)"), "{refused}");
     }
-    let turned = "camera.location = (0, -10, 2)\ncamera.rotation_euler[0] = 1.1\n";
-    let turned = Text { path: Path::new("a.py"), text: turned };
-    assert_eq!(recognised_file(&turned).unwrap().name, "blender");
     assert_eq!(of("a.pov"), Ok("povray"));
     assert_eq!(of("a.pbrt"), Ok("pbrt"));
     let refused = of("a.json").unwrap_err();
@@ -163,7 +145,7 @@ fn what_is_no_camera_is_recognised_as_none() {
         refused.starts_with("a.json: no camera of a known form: it may be glTF 2.0, "),
         "{refused}"
     );
-    assert!(FORMATS.iter().all(|format| refused.contains(format.label)), "{refused}");
+    assert!(IMPORTERS.iter().all(|importer| refused.contains(importer.label)), "{refused}");
 }
 
 /// No text makes a reader panic: beginnings of exports, and exports with a byte or a number gone, or
@@ -172,7 +154,8 @@ fn what_is_no_camera_is_recognised_as_none() {
 fn broken_texts_are_errors() {
     for (_, document) in super::proofs() {
         for format in &FORMATS {
-            let subject = pinhole::exchange::Subject::new(&document, Default::default()).unwrap();
+            let subject =
+                pinhole_exchange::programs::Subject::new(&document, Default::default()).unwrap();
             let Ok(written) = format.write(&subject) else { continue };
             let text = written.joined().text;
             for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)).step_by(5) {
@@ -187,7 +170,9 @@ fn broken_texts_are_errors() {
                     format!("{head} -0 {}", after(1)),
                 ] {
                     let text = Text { path: Path::new("in"), text: &broken };
-                    for reader in [Some(format), recognised(&broken)].into_iter().flatten() {
+                    for reader in
+                        [Importer::named(format.name), recognised(&broken)].into_iter().flatten()
+                    {
                         if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
                             assert!(taken.camera.posed().is_ok());
                         }
@@ -204,10 +189,7 @@ fn the_readme_s_table_is_the_table() {
     let readme = include_str!("../../README.md");
     for format in &FORMATS {
         let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` | ", format.name)));
-        let axes = format.terms.axes.map(|axis| {
-            let letter = axis.letter();
-            letter.replace('𝐮', "u").replace('𝐯', "v").replace('𝐰', "w")
-        });
+        let axes = format.terms.axes.map(Axis::name);
         let axes = format!("| {} |", axes.join(", "));
         assert!(row.is_some_and(|row| row.contains(&axes)), "{}: {row:?} {axes}", format.name);
     }

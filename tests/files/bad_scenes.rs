@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use pinhole::formats::scene_file;
+use pinhole_exchange::scene_file;
 
 /// What is at fault, behind what [`check`] puts before it, and the message behind `scene.toml:`.
 type Cases = &'static [(&'static str, &'static str)];
@@ -41,7 +41,7 @@ const WHOLE_FILES: Cases = &[
     ),
     (
         "pinhole = 1\nspheres = 5\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",
-        "2:11: spheres is 5: it must be the path of a CSV file, or of a molecule",
+        "2:11: spheres is 5: it must be the path of a CSV file",
     ),
     (
         "pinhole = 1\nspheres = \"no-such.csv\"\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n",

@@ -11,9 +11,9 @@ use std::path::Path;
 use std::process::Command;
 
 use expect_test::expect_file;
-use pinhole::code::{LANGUAGES, Language};
-use pinhole::formats::scene_argument::SceneSource;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel, PosedCamera, Viewport};
+use pinhole_exchange::code::{LANGUAGES, Language};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// The Rust of two cameras, as a part of this program.
 mod glam_look_at {

@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole::document::Item;
-use pinhole::formats::{FileError, csv_spheres, rays, scene_file};
 use pinhole_core::{DVec3, Sphere};
+use pinhole_exchange::csv::{rays, spheres};
+use pinhole_exchange::document::Item;
+use pinhole_exchange::{FileError, scene_file};
 
 fn parse(text: &str) -> Result<Vec<Item<Sphere>>, FileError> {
     csv_spheres::parse(Path::new("balls.csv"), text.as_bytes())

@@ -6,7 +6,6 @@ mod code;
 mod csv;
 mod good_scenes;
 mod lessons;
-mod molecules;
 mod open_document;
 mod round_trip;
 mod saving;

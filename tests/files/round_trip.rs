@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use pinhole::document::{CsvSpheres, Document, Item};
-use pinhole::formats::scene_file::{self, to_text};
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sphere, Viewport};
+use pinhole_exchange::document::{CsvSpheres, Document, Item};
+use pinhole_exchange::scene_file::{self, to_text};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;

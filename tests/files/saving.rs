@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole::document::{Document, Item};
-use pinhole::formats::{atomic, scene_file};
 use pinhole_core::{Basis, DVec3, ImageSize, Orientation, Plane, Sphere};
+use pinhole_exchange::document::{Document, Item};
+use pinhole_exchange::{atomic, scene_file};
 
 const COMMENTED: &str = r##"# Look at the ball.
 

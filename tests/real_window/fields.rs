@@ -8,9 +8,9 @@ use std::time::Duration;
 
 use egui::accesskit::Role;
 use egui::vec2;
-use pinhole::formats::{builtin, scene_file};
 use pinhole::model::store::{RememberedRay, Store};
 use pinhole_core::{Pixel, shortest};
+use pinhole_exchange::scene_file::{self, builtin};
 
 use crate::screen::{Screen, wait_for};
 use crate::window::{Setting, Window, binary};
@@ -54,7 +54,7 @@ pub(crate) fn drive(setting: &Setting) {
 }
 
 /// What the program says of the pixel that was clicked, in the scene that was saved.
-fn inspected(scene: &Path, pixel: Pixel, saved: &pinhole::document::Document) {
+fn inspected(scene: &Path, pixel: Pixel, saved: &pinhole_exchange::document::Document) {
     let place = format!("{},{}", pixel.row, pixel.column);
     let output = Command::new(binary())
         .arg("inspect")

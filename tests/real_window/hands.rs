@@ -10,10 +10,10 @@ use std::time::Duration;
 use egui::accesskit::Role;
 use egui::{Vec2, vec2};
 use egui_kittest::kittest::Queryable as _;
-use pinhole::document::Document;
-use pinhole::formats::{builtin, scene_file};
 use pinhole::model::store::Store;
 use pinhole_core::Orientation;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file::{self, builtin};
 
 use crate::screen::{Screen, wait_for};
 use crate::window::{Setting, Window};

@@ -9,11 +9,11 @@ use egui::accesskit::Role;
 use egui::{Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::formats::scene_argument::SceneSource;
 use pinhole::model::files::OpenDocument;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{ImageSize, Pixel};
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 use crate::screen::{Running, Screen, wait_for};
 use crate::whole_window;

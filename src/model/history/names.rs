@@ -2,7 +2,7 @@
 
 use pinhole_core::{Camera, Orientation, Plane, Sphere, Viewport};
 
-use crate::document::{Document, Item};
+use pinhole_exchange::document::{Document, Item};
 
 /// A step's name.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,12 +2,12 @@
 //! the window's.
 
 use super::lesson::Step;
-use crate::document::Document;
 use crate::exercises::Exercises;
 use crate::mistakes::Gallery;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
 use crate::model::session::Session;
+use pinhole_exchange::document::Document;
 
 /// Sets what the step says and leaves alone what it does not, and what was typed in answer to its
 /// question.

@@ -7,7 +7,7 @@ use super::builtin;
 use super::lesson::Lesson;
 use super::open::{Place, Which};
 use super::read;
-use crate::formats::FileError;
+use pinhole_exchange::FileError;
 
 /// A lesson named on the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,8 +5,17 @@ use std::sync::{Arc, LazyLock};
 
 use super::lesson::Lesson;
 use super::read;
-use crate::formats::FileError;
-use crate::formats::assets::embedded;
+use pinhole_exchange::FileError;
+
+/// A list of the files `assets/lessons/NAME.toml`.
+macro_rules! lessons {
+    [$($name:literal),* $(,)?] => {
+        &[$(Builtin {
+            name: $name,
+            text: include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/assets/lessons/", $name, ".toml")),
+        }),*]
+    };
+}
 
 /// A lesson that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,25 +27,21 @@ pub struct Builtin {
 }
 
 /// The lessons' files, in the lecture's order.
-pub const FILES: &[Builtin] = embedded!(
-    Builtin,
-    "lessons",
-    [
-        "01-canonical-camera",
-        "02-warm-up",
-        "03-viewport-and-distance",
-        "04-eye-moved",
-        "05-orientation",
-        "06-forty-five-degrees",
-        "07-view-and-up",
-        "08-eye-at-up",
-        "09-when-it-breaks",
-        "10-as-printed",
-        "11-parametric-and-implicit",
-        "12-ray-and-objects",
-        "13-many-rays",
-    ]
-);
+pub const FILES: &[Builtin] = lessons![
+    "01-canonical-camera",
+    "02-warm-up",
+    "03-viewport-and-distance",
+    "04-eye-moved",
+    "05-orientation",
+    "06-forty-five-degrees",
+    "07-view-and-up",
+    "08-eye-at-up",
+    "09-when-it-breaks",
+    "10-as-printed",
+    "11-parametric-and-implicit",
+    "12-ray-and-objects",
+    "13-many-rays",
+];
 
 impl Builtin {
     /// The lesson.

@@ -3,7 +3,6 @@
 use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::lecture::mistakes::Mistake;
 
-use crate::document::Document;
 use crate::model::concept::Thing;
 use crate::model::derivation_sections::LedgerSections;
 use crate::model::lines::LinesLab;
@@ -11,6 +10,7 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::play::Kind;
 use crate::model::session::{Selection, ShadeName, ViewLayout};
+use pinhole_exchange::document::Document;
 
 /// A lesson: steps to go through.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,12 +10,7 @@ use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Looks, Step};
-use crate::document::Document;
 use crate::exercises::LARGEST_SEED;
-use crate::formats::fields::{Field, Section, Source};
-use crate::formats::scene_argument::SceneSource;
-use crate::formats::scene_file::{TABLES, not_toml, tables};
-use crate::formats::{FileError, builtin, molecule};
 use crate::model::concept::Thing;
 use crate::model::derivation_sections::{LedgerSection, LedgerSections};
 use crate::model::lines::LinesLab;
@@ -23,6 +18,12 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
 use crate::model::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::fields::{Field, Section, Source};
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scene_file::{TABLES, not_toml, tables};
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;
@@ -183,9 +184,7 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
     let name = field.text().map_err(|_| field.error("it must be a scene's name in quotes"))?;
     let source = match (builtin::find(name), base) {
         (Some(scene), _) => SceneSource::Builtin(scene),
-        (None, Some(base)) if name.ends_with(".toml") || molecule::is_molecule(name.as_ref()) => {
-            SceneSource::File(base.join(name))
-        }
+        (None, Some(base)) if name.ends_with(".toml") => SceneSource::File(base.join(name)),
         (None, _) => {
             let near = builtin::nearest(name);
             let hint = near.first().map_or_else(

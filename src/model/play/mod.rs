@@ -11,9 +11,9 @@ use pinhole_core::{Camera, Pixel};
 
 pub use player::Player;
 
-use crate::document::Document;
 use crate::model::inspection::Inspection;
 use crate::model::session::{Selection, Session};
+use pinhole_exchange::document::Document;
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

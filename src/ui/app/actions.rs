@@ -7,7 +7,6 @@ use egui::{Context, ViewportCommand};
 
 use super::App;
 use crate::figures::ledger_of;
-use crate::formats::scene_argument::SceneSource;
 use crate::model::files::{OpenDocument, remember, title_of};
 use crate::model::lessons::{self, Place, Which};
 use crate::model::session::{Selection, Session, ViewLayout};
@@ -15,6 +14,7 @@ use crate::ui::action::{Action, MadeUp, ObjectMove, Observe};
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::panels::objects;
 use crate::view::derive::Deriver;
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
 /// times nearer.

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::App;
-use crate::formats::scene_argument::SceneSource;
-use crate::formats::{FileError, answers};
 use crate::grades::{AnswersAtHand, AnswersFile};
 use crate::model::session::ViewLayout;
 use crate::ui::action::Action;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::{FileError, answers};
 
 /// No larger file is graded in the window: two million answers, which take some seconds.
 const MOST_BYTES: u64 = 100_000_000;

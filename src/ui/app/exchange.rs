@@ -5,12 +5,12 @@ use std::path::Path;
 use egui::{Context, Event, ViewportCommand};
 
 use super::App;
-use crate::exchange::{Subject, Written};
 use crate::model::files::save_written;
 use crate::model::translator::{pasted, with};
 use crate::ui::action::Action;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::tools::translator;
+use pinhole_exchange::programs::{Subject, Written};
 
 impl App {
     /// A text that was pasted while nothing is typed into.

@@ -7,12 +7,12 @@ use egui::Context;
 
 use super::App;
 use crate::figures::{Content, MARGIN, Order, Subject, ledger_of};
-use crate::formats::atomic;
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::export::{ExportForm, OnScreen};
 use crate::ui::ray::lines;
 use crate::view::overlay::Style;
+use pinhole_exchange::atomic;
 
 /// The larger side of a view that is not on the screen, and the size of what else is not, in points.
 const VIEW: f32 = 960.0;

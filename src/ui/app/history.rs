@@ -4,12 +4,12 @@ use egui::{Context, Id};
 
 use super::App;
 use super::lessons::Lessons;
-use crate::document::Document;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::hand::Hand;
 use crate::model::history::{History, StepName, name_of};
 use crate::model::session::{Selection, Session, Settings};
 use crate::view::derive::Deriver;
+use pinhole_exchange::document::Document;
 
 /// Seconds within which more of the same change goes on with a step, where no button is held.
 const PAUSE: f64 = 1.0;

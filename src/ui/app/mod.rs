@@ -28,7 +28,6 @@ use egui::{CentralPanel, Context, Panel, ScrollArea, Ui};
 use self::history::Changes;
 use self::lessons::Lessons;
 use self::verbs::Sheet;
-use crate::document::Document;
 use crate::figures::Recorder;
 use crate::model::concept::Pointed;
 use crate::model::files::{OpenDocument, argument_of, remember, title_of};
@@ -53,6 +52,7 @@ use crate::ui::view_texture::ViewTexture;
 use crate::view::adaptive_resolution::Governor;
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::typesetting::theme::{self, Look};
+use pinhole_exchange::document::Document;
 
 /// The open document, how it is looked at, and what is shown of it.
 pub struct App {

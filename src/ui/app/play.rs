@@ -3,11 +3,11 @@
 use egui::{Context, Panel, Ui};
 
 use super::App;
-use crate::document::Document;
 use crate::model::observer::Observer;
 use crate::model::play::{Kind, Player, Start, Still, walk_end};
 use crate::ui::action::{Action, GhostMove, PlayMove};
 use crate::ui::panels::play;
+use pinhole_exchange::document::Document;
 
 impl App {
     /// Moves the open animation on, shows its strip, and sets what it shows; before anything else is

@@ -4,7 +4,6 @@
 use egui::{Context, ThemePreference, Ui};
 
 use super::App;
-use crate::document::Document;
 use crate::mistakes::Gallery;
 use crate::model::lessons::Which;
 use crate::model::presenting::{self, Presenting, SMALLEST_TEXT};
@@ -14,6 +13,7 @@ use crate::ui::commands_table::{self, Group, Verb};
 use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
 use crate::view::typesetting::theme::{self, Look};
+use pinhole_exchange::document::Document;
 
 /// What lies over the window until it is closed.
 #[derive(Clone, Debug)]
@@ -212,7 +212,7 @@ fn object(document: &Document, index: usize) -> Verb {
 
 /// A file that was opened lately.
 fn recent(path: &std::path::Path) -> Verb {
-    use crate::formats::scene_argument::SceneSource;
+    use pinhole_exchange::scene_file::argument::SceneSource;
     Verb {
         group: Group::File,
         name: format!("open {}", path.display()).into(),

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
 
 use super::export::ExportForm;
-use crate::formats::scene_argument::SceneSource;
 use crate::ui::action::Action;
 use crate::view::typesetting::theme::error_color;
+use pinhole_exchange::scene_file::argument::SceneSource;
 
 /// The dialog that is open.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,8 +80,7 @@ struct Entry {
 impl PathField {
     /// Of a scene to open: starts in the folder of `path`.
     pub(crate) fn to_open(path: Option<&Path>) -> PathField {
-        let hint = "path of a .toml scene, or of a .xyz or .pdb molecule";
-        PathField::of(path, "", &["toml", "xyz", "pdb", "ent"], hint)
+        PathField::of(path, "", &["toml"], "path of a .toml scene")
     }
 
     /// Of a scene to save: starts in the folder of `path`, with a name filled in.

@@ -3,12 +3,11 @@
 use egui::{Button, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
-use crate::document::{Document, Item, Shared};
-use crate::formats::molecule;
 use crate::model::letters::told;
 use crate::ui::widgets::number::{NumberField, vector_row};
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
+use pinhole_exchange::document::{Document, Item, Shared};
 
 /// Rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
@@ -65,12 +64,11 @@ pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String
     Ok(())
 }
 
-/// Where a sphere of the CSV file or an atom of a molecule is edited.
+/// Where a sphere of the CSV file is edited.
 fn row_of_file(document: &Document, index: usize) -> String {
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
-    let kind = if molecule::is_molecule(file.as_ref()) { "atom" } else { "row" };
     let row = index - document.spheres.len() + 1;
-    format!("Sphere {index} is {kind} {row} of {file}: edit it there.")
+    format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
 /// A sphere that the camera sees, in the upper right quarter of the picture.

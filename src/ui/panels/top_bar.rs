@@ -5,8 +5,6 @@ use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
 
-use crate::formats::builtin;
-use crate::formats::scene_argument::SceneSource;
 use crate::model::color_scheme::Scheme;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, Place, Which};
@@ -18,6 +16,8 @@ use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
 use crate::ui::scene::compare;
 use crate::view::derivation::Markup;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
 
 /// What the history would undo and redo.
 pub(crate) struct Steps<'a> {

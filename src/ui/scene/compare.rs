@@ -7,7 +7,6 @@ use pinhole_core::{DVec3, Orientation, PosedCamera, Root};
 use super::places::STRIP;
 use super::readouts::NumberStyle;
 use super::views;
-use crate::document::Document;
 use crate::model::ghost::{Beside, Ghost};
 use crate::model::inspection::Inspection;
 use crate::model::number::grouped;
@@ -15,6 +14,7 @@ use crate::ui::action::{Action, GhostMove};
 use crate::ui::widgets::number::vector_color;
 use crate::view::derive::Derived;
 use crate::view::ghost::AgainstGhost;
+use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;

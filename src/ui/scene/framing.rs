@@ -4,13 +4,13 @@
 use egui::{Align2, Button, FontId, Rect, RichText, Ui, vec2};
 use pinhole_core::DVec2;
 
-use crate::document::Document;
 use crate::model::overlay_items::Item;
 use crate::model::session::Session;
 use crate::ui::action::{Action, Observe};
 use crate::ui::commands_table::shortcut;
 use crate::view::derive::Derived;
 use crate::view::handles::{Stage, grips};
+use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

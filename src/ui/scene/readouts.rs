@@ -5,7 +5,6 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 
-use crate::document::Document;
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::model::letters::told;
 use crate::model::number::{grouped, written};
@@ -15,6 +14,7 @@ use crate::view::derive::Derived;
 use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme::error_color;
+use pinhole_exchange::document::Document;
 
 /// How numbers are written.
 #[derive(Clone, Copy)]

@@ -5,7 +5,6 @@ use egui::{
 };
 use pinhole_core::{ImageSize, NO_OBJECT};
 
-use crate::document::Document;
 use crate::model::concept::{Pointed, Pointing, Thing};
 use crate::model::letters::told;
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
@@ -18,6 +17,7 @@ use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::label_text;
 use crate::view::typesetting::theme;
+use pinhole_exchange::document::Document;
 
 /// The world view's name, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";

@@ -8,13 +8,14 @@ use egui::{
 };
 use pinhole_core::Pixel;
 
-use crate::document::Document;
-use crate::exchange::{Row, Sheet};
+use crate::conventions::Row;
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::Action;
 use crate::view::typesetting::theme::error_color;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::programs::Sheet;
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;

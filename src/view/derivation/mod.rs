@@ -20,13 +20,13 @@ use pinhole_core::lecture::{ObjectDerivation, RayDerivation};
 use pinhole_core::{ExactRay, PosedCamera, Scene};
 
 use self::numbers::Numbers;
-use crate::document::Document;
 use crate::model::concept::Thing;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
 use crate::model::session::Selection;
 use crate::view::formula::{Formula, word};
+use pinhole_exchange::document::Document;
 
 use crate::model::derivation_sections::{LedgerSection, LedgerSections};
 pub use export::Markup;

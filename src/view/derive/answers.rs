@@ -14,12 +14,12 @@ use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
-use crate::document::Document;
-use crate::formats::answers;
 use crate::grades::{AnswersAtHand, Cell, Graded};
 use crate::model::overlay_items::OverlayItems;
 use crate::model::session::{Selection, Session};
 use crate::view::overlay::{Picture, Style};
+use pinhole_exchange::answers;
+use pinhole_exchange::document::Document;
 
 /// What a grade is made of: the camera, the objects and their colours by number, and the answers.
 type Key = (Camera, u64, u64, AnswersAtHand);

@@ -11,12 +11,12 @@ use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
-use crate::document::Document;
 use crate::model::ghost::{Beside, Ghost, posed};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};
 use crate::view::ghost::{AgainstGhost, difference_map};
 use crate::view::overlay::{Picture, Style};
+use pinhole_exchange::document::Document;
 
 /// What is compared: both cameras, the objects and colours by number, the pixels, and the ray.
 type Key = (Camera, Camera, u64, u64, Raster, Shade, Selection);

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::Derived;
-use crate::document::Document;
 use crate::model::derivation_sections::LedgerSections;
 use crate::model::fault::Fault;
 use crate::model::session::{Selection, Session};
 use crate::view::derivation::{Ledger, Sources, ledger};
+use pinhole_exchange::document::Document;
 
 /// The last ledger, and what it was made of.
 #[derive(Debug, Default)]

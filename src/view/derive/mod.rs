@@ -35,7 +35,6 @@ use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::{WorldPicture, WorldPictures};
 use self::wrong::{Right, WrongPictures};
-use crate::document::Document;
 use crate::model::concept::Thing;
 use crate::model::fault::Fault;
 use crate::model::observer::Observer;
@@ -45,6 +44,7 @@ use crate::view::accuracy;
 use crate::view::handles::{self, Stage};
 use crate::view::overlay;
 use crate::view::overlay::{Backdrop, CameraView, Handles, Lit, Loupe, Picture, Style, WorldView};
+use pinhole_exchange::document::Document;
 
 /// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
 #[derive(Debug, Default)]

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use pinhole_core::{Object, Rgb, Scene, SceneError};
 
-use crate::document::{CsvSpheres, Document, Item};
 use crate::model::color_scheme::Scheme;
 use crate::model::observer::{hidden, seen_scene};
+use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 /// The objects of a document, all of which are some.
 #[derive(Clone, Debug)]

@@ -6,11 +6,11 @@ use pinhole_core::PosedCamera;
 
 use super::Derived;
 use super::memo::Memo;
-use crate::document::Document;
 use crate::model::color_scheme::Scheme;
 use crate::model::session::Heights;
 use crate::model::session::{Selection, Session, ViewLayout};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
+use pinhole_exchange::document::Document;
 
 /// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
 type Key = (PosedCamera, u64, Selection, Vec<Named>);

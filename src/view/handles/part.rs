@@ -2,9 +2,9 @@
 
 use pinhole_core::{Camera, Plane, Sphere};
 
-use crate::document::Document;
 use crate::model::hand::Handle;
 use crate::model::session::Selection;
+use pinhole_exchange::document::Document;
 
 /// The part of document and session that a handle can change: as it was before, or as it is after.
 #[derive(Clone, Copy, Debug, PartialEq)]

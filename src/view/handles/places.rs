@@ -3,13 +3,13 @@
 use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
 
-use crate::document::Document;
 use crate::model::hand::Grasp;
 use crate::model::hand::Hand;
 use crate::model::hand::Handle;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::Selection;
 use crate::view::overlay;
+use pinhole_exchange::document::Document;
 
 /// On a viewport that is seen smaller than this, in points, handles would lie over each other.
 const LEAST_VIEWPORT: f64 = 52.0;

@@ -4,10 +4,10 @@ use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, Orientation};
 
 use super::Part;
-use crate::document::Document;
 use crate::model::hand::Handle;
 use crate::model::number::written;
 use crate::model::session::Selection;
+use pinhole_exchange::document::Document;
 
 /// What a handle is: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {

@@ -6,12 +6,12 @@ use egui::{
 };
 use pinhole_core::Rgb;
 
-use crate::document::Document;
 use crate::model::color_scheme::Scheme;
 use crate::model::presenting::WRITTEN;
 use crate::model::session::Settings;
 use crate::view::overlay::Style;
 use crate::view::typesetting::fonts;
+use pinhole_exchange::document::Document;
 
 /// What the window's look depends on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

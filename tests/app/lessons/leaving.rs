@@ -5,10 +5,10 @@ use std::path::Path;
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::formats::scene_file;
 use pinhole::model::lessons::{Place, Which};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
+use pinhole_exchange::scene_file;
 
 use super::Window;
 use super::at_step;

@@ -28,8 +28,6 @@ use super::Keys;
 use super::Verb;
 use super::When;
 use crate::exercises;
-use crate::formats::builtin;
-use crate::formats::scene_argument::SceneSource;
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::LedgerSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
@@ -40,6 +38,8 @@ use crate::model::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 use crate::model::translator::Target;
 use crate::ui::action::{Action, GhostMove, PlayMove, Switch};
 use crate::view::derivation::Markup;
+use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scene_file::builtin;
 
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,6 @@ mod guess;
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
 
-use crate::document::Document;
 use crate::mistakes::{Gallery, Wrong};
 use crate::model::number::grouped;
 use crate::model::session::Session;
@@ -18,6 +17,7 @@ use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
+use pinhole_exchange::document::Document;
 
 /// Size of what is taught, in points.
 const TEXT: f32 = 15.0;

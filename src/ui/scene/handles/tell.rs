@@ -12,7 +12,6 @@ use super::HandInput;
 use super::View;
 use super::id_of;
 use super::keys;
-use crate::document::Document;
 use crate::model::concept::{Pointed, Pointing};
 use crate::model::hand::{Along, Axis, Handle};
 use crate::model::letters::{bold, told};
@@ -21,6 +20,7 @@ use crate::model::session::Session;
 use crate::view::derive::Derived;
 use crate::view::handles::{Part, grips, label, value};
 use crate::view::typesetting::theme::error_color;
+use pinhole_exchange::document::Document;
 
 /// Sizes of what is said, in points: the value, and the rest.
 const VALUE: f32 = 19.0;

@@ -8,7 +8,6 @@ use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBui
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, trace};
 
-use crate::document::Document;
 use crate::model::number::short;
 use crate::model::session::{MethodName, Selection, Session, Settings};
 use crate::ui::scene::places::STRIP;
@@ -18,6 +17,7 @@ use crate::ui::tools::measuring::Measuring;
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived, TooMany};
 use crate::view::typesetting::theme;
+use pinhole_exchange::document::Document;
 
 /// Room for the map's legend below it, in points.
 pub(crate) const LEGEND: f32 = 44.0;

@@ -42,7 +42,7 @@ fn opaque([r, g, b]: Rgb) -> Color32 {
 }
 
 fn color_of(index: u32) -> Rgb {
-    crate::document::default_color(index as usize)
+    pinhole_exchange::document::default_color(index as usize)
 }
 
 fn sphere(x: f64, y: f64, z: f64, radius: f64) -> Sphere {

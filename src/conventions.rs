@@ -1,0 +1,157 @@
+//! The table of conventions: how a camera is given here, and in another program.
+
+use pinhole_core::{DVec3, Pixel, shortest};
+use pinhole_exchange::programs::{Axis, Format, Pixels, Subject, Terms};
+
+use crate::model::letters::{bold, italic};
+
+/// A line of the table: one thing, here and there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Name of the thing.
+    pub about: &'static str,
+    /// Its form here.
+    pub ours: String,
+    /// Its form there.
+    pub theirs: String,
+    /// True where a sign is turned.
+    pub flipped: bool,
+    /// True where it differs from here.
+    pub differs: bool,
+}
+
+/// An axis as a bold letter with its sign.
+fn letter(axis: Axis) -> String {
+    axis.name().chars().map(bold).collect()
+}
+
+/// The rule by which pixels are counted, and which pixel (0, 0) is.
+fn rule(pixels: Pixels) -> String {
+    let (i, j) = (italic('i'), italic('j'));
+    match pixels {
+        Pixels::Corner => format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
+        Pixels::AtCentre => format!("x = {j}, y = {i}: from the centre of the first pixel"),
+        Pixels::FromBottom => {
+            format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up")
+        }
+        Pixels::FromOne => format!("{i} + 1, {j} + 1: counted from 1"),
+        Pixels::ColumnFirst => format!("get_ray({j}, {i}): the column first"),
+        Pixels::Device => {
+            format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up")
+        }
+    }
+}
+
+/// The centre of a pixel as it is counted of an image of W x H.
+fn centre(pixels: Pixels, Pixel { row, column }: Pixel, [width, height]: [u32; 2]) -> String {
+    let (i, j) = (f64::from(row), f64::from(column));
+    let (w, h) = (f64::from(width), f64::from(height));
+    let pair = |a: f64, b: f64| format!("({}, {})", shortest(a), shortest(b));
+    match pixels {
+        Pixels::Corner => pair(j + 0.5, i + 0.5),
+        Pixels::AtCentre => pair(j, i),
+        Pixels::FromBottom => pair(j + 0.5, h - i - 0.5),
+        Pixels::FromOne => pair(i + 1.0, j + 1.0),
+        Pixels::ColumnFirst => pair(j, i),
+        Pixels::Device => {
+            let short = |x: f64| (x * 1e4).round() / 1e4;
+            pair(short((2.0 * j + 1.0 - w) / w), short((h - 2.0 * i - 1.0) / h))
+        }
+    }
+}
+
+fn flips(pixels: Pixels) -> bool {
+    matches!(pixels, Pixels::FromBottom | Pixels::Device)
+}
+
+/// Name of the line on the field of view.
+pub(crate) const FIELD_OF_VIEW: &str = "field of view";
+
+/// The table for a camera: the format's terms beside those here. The pixel is what the numbers of the
+/// line on pixels are about; numbers have that many significant digits.
+pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
+    let terms = &format.terms;
+    let image = subject.posed().image();
+    let size = [image.width(), image.height()];
+    let mut table = axes(terms, subject, digits);
+    let hand = |right| if right { "right-handed" } else { "left-handed" };
+    let mut line = |about, ours: String, theirs: String, flipped, differs| {
+        table.push(Row { about, ours, theirs, flipped, differs });
+    };
+    let right_handed = terms.is_right_handed();
+    line(
+        "its axes are",
+        hand(true).into(),
+        hand(right_handed).into(),
+        !right_handed,
+        !right_handed,
+    );
+    let looks = |axis: Axis| match axis {
+        Axis::MinusW => "along +z",
+        _ => "along −z",
+    };
+    let forward = terms.axes[2] == Axis::MinusW;
+    line("it looks", looks(Axis::W).into(), looks(terms.axes[2]).into(), forward, forward);
+    let at_or = match subject.document.camera.orientation {
+        pinhole_core::Orientation::At { .. } => "eye, at, up",
+        pinhole_core::Orientation::View { .. } => "eye, view, up",
+        pinhole_core::Orientation::Basis(_) => "eye and u, v, w",
+    };
+    line("given by", at_or.into(), terms.given_by.into(), false, true);
+    let pixels = terms.pixels;
+    line(
+        "centre of a pixel",
+        rule(Pixels::Corner),
+        rule(pixels),
+        flips(pixels),
+        pixels != Pixels::Corner,
+    );
+    let spoken = format!("({}, {})", pixel.row, pixel.column);
+    line(
+        "in numbers",
+        format!("row, column {spoken}, centre {}", centre(Pixels::Corner, pixel, size)),
+        centre(pixels, pixel, size),
+        flips(pixels),
+        pixels != Pixels::Corner,
+    );
+    let viewport = subject.posed().viewport();
+    line(
+        FIELD_OF_VIEW,
+        format!(
+            "width {} × height {} at distance {}",
+            shortest(viewport.width),
+            shortest(viewport.height),
+            shortest(viewport.distance)
+        ),
+        format!("{}: {}", terms.view, terms.field_of_view(subject)),
+        false,
+        true,
+    );
+    line("distance", "t = 1 is the viewport".into(), terms.distance.into(), false, true);
+    line("pixels' shape", "any".into(), terms.shape.into(), false, !terms.shape.starts_with("any"));
+    line("reckons in", "f64, exact where it matters".into(), terms.lengths.into(), false, false);
+    table
+}
+
+/// The lines on the camera's axes, with their vectors.
+fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
+    let basis = subject.posed().basis();
+    let text = |axis: Axis| {
+        let v = basis.to_world_from_camera(axis.direction());
+        // 0 has no sign to read.
+        let [x, y, z] =
+            (v + DVec3::ZERO).to_array().map(|x| crate::model::number::written(x, digits));
+        format!("{} {} = ({x}, {y}, {z})", axis.meaning(), letter(axis))
+    };
+    let names = ["x of the camera", "y of the camera", "z of the camera"];
+    let pairs = names.into_iter().zip(Terms::OURS.into_iter().zip(terms.axes));
+    pairs
+        .map(|(about, (ours, theirs))| Row {
+            about,
+            ours: text(ours),
+            theirs: text(theirs),
+            flipped: theirs.is_flipped(),
+            differs: ours != theirs,
+        })
+        .collect()
+}

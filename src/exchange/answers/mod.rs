@@ -1,0 +1,347 @@
+//! A student's answers from a file: a CSV whose header tells what they are, or a picture as PNG.
+//!
+//! ```text
+//! basis   ux,uy,uz,vx,vy,vz,wx,wy,wz           one row
+//! rays    row,column,ox,oy,oz,dx,dy,dz          a row a ray
+//! hits    row,column and t, or x,y,z, or object, or several of them
+//! ```
+//!
+//! A miss leaves them all empty, or has inf or nan in their place, or object -1. Capitals and blanks in
+//! the first line do not matter.
+
+mod pixels;
+
+use std::borrow::Cow;
+use std::path::Path;
+
+use pinhole_core::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
+use pinhole_core::{DVec3, ImageSize};
+
+use self::pixels::Pixels;
+use crate::csv::table::{CsvTable, Row};
+use crate::images::png;
+use crate::{FileError, Place};
+
+const BASIS: &[&str] = &["ux", "uy", "uz", "vx", "vy", "vz", "wx", "wy", "wz"];
+const RAYS: &[&str] = &["row", "column", "ox", "oy", "oz", "dx", "dy", "dz"];
+const HITS: &[&str] = &["row", "column", "t", "x", "y", "z", "object"];
+const ROW: usize = 0;
+const COLUMN: usize = 1;
+const T: usize = 2;
+const X: usize = 3;
+const Z: usize = 5;
+const OBJECT: usize = 6;
+
+/// The columns that are asked for and are not in the first line.
+pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
+    let names = header(bytes);
+    asked
+        .iter()
+        .map(String::as_str)
+        .filter(|name| !names.iter().any(|known| known == name))
+        .collect()
+}
+
+/// What kind of answers a file holds, by its first bytes; `None` of one that holds none.
+pub fn kind_of(bytes: &[u8]) -> Option<Kind> {
+    if png::is_png(bytes) {
+        return Some(Kind::Picture);
+    }
+    let names = header(bytes);
+    let has = |known: &[&str]| names.iter().any(|name| known.contains(&name.as_str()));
+    if has(BASIS) {
+        Some(Kind::Basis)
+    } else if has(&RAYS[2..]) && has(&RAYS[..2]) {
+        Some(Kind::Rays)
+    } else if has(&HITS[..2]) {
+        Some(Kind::Hits)
+    } else {
+        None
+    }
+}
+
+/// Whether a file that is dropped on the window is meant as answers: it holds some, or is a table
+/// that is none of spheres either.
+pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
+    let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    let is_of_spheres = || header(bytes).iter().any(|name| name == "r");
+    kind_of(bytes).is_some() || is_table && !is_of_spheres()
+}
+
+/// The names in the first line.
+fn header(bytes: &[u8]) -> Vec<String> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let line = bytes.split(|byte| matches!(byte, b'\r' | b'\n')).find(|line| !line.is_empty());
+    let line = String::from_utf8_lossy(line.unwrap_or_default());
+    let name = |name: &str| name.trim().trim_matches('"').trim().to_ascii_lowercase();
+    line.split(',').map(name).collect()
+}
+
+/// The file with a first line in small letters, every byte in its place.
+fn in_small_letters(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
+    let start = bytes.iter().position(|byte| !is_end(byte)).unwrap_or(bytes.len());
+    let end = bytes[start..].iter().position(is_end).map_or(bytes.len(), |length| start + length);
+    if !bytes[..end].iter().any(u8::is_ascii_uppercase) {
+        return Cow::Borrowed(bytes);
+    }
+    let mut small = bytes.to_owned();
+    small[..end].make_ascii_lowercase();
+    Cow::Owned(small)
+}
+
+/// Reads the answers of a file's content; `path` is for the messages. `image` is that of the scene
+/// they are about, and `count_from` where their rows and columns begin, 0 or 1.
+///
+/// # Errors
+/// The first row at fault with its line, column and value; a file that holds no answers.
+pub fn parse(
+    path: &Path,
+    bytes: &[u8],
+    image: ImageSize,
+    count_from: u32,
+) -> Result<Answers, FileError> {
+    let kind = kind_of(bytes);
+    if kind == Some(Kind::Picture) {
+        return picture(path, bytes, image);
+    }
+    let bytes = &in_small_letters(bytes)[..];
+    let answers = match kind {
+        None | Some(Kind::Picture) => return Err(no_answers(path, bytes)),
+        Some(Kind::Basis) => return basis(path, bytes),
+        Some(Kind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
+        Some(Kind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,
+    };
+    if answers.is_empty() {
+        return Err(FileError::of_file(path, "there is no answer: a row an answer must follow"));
+    }
+    Ok(answers)
+}
+
+fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
+    let names = header(bytes);
+    let separator = [(';', "semicolons"), ('\t', "tabs")];
+    let separator = separator.iter().find(|(c, _)| names.iter().any(|name| name.contains(*c)));
+    if let Some((_, separator)) = separator {
+        let problem = format!(
+            "the first line has {separator}: commas must stand between cells, and a point in a number"
+        );
+        return FileError {
+            file: path.display().to_string(),
+            place: Some(Place { line: 1, column: 1 }),
+            problem,
+        };
+    }
+    if bytes.trim_ascii().is_empty() {
+        return FileError::of_file(
+            path,
+            "the file is empty: did the program that writes it end well?",
+        );
+    }
+    let first: String = names.join(",").chars().filter(|c| !c.is_control()).take(40).collect();
+    let problem = format!(
+        "the first line is {first:?}: it must name the columns {}, or {}, or row,column with t or x,y,z or object; or \
+         the file must be a picture in PNG",
+        BASIS.join(","),
+        RAYS.join(",")
+    );
+    let place = (!bytes.is_empty()).then_some(Place { line: 1, column: 1 });
+    FileError { file: path.display().to_string(), place, problem }
+}
+
+fn picture(path: &Path, bytes: &[u8], image: ImageSize) -> Result<Answers, FileError> {
+    let picture = png::decode(path, bytes)?;
+    let (width, height) = (image.width(), image.height());
+    if picture.size != [width, height] {
+        let [columns, rows] = picture.size;
+        let problem = format!(
+            "the picture has {columns} x {rows} pixels: it must have {width} x {height}, as the \
+             scene's image has"
+        );
+        return Err(FileError::of_file(path, problem));
+    }
+    Ok(Answers::Picture(picture.over(pinhole_core::BACKGROUND)))
+}
+
+fn basis(path: &Path, bytes: &[u8]) -> Result<Answers, FileError> {
+    let mut vectors = None;
+    CsvTable::new(path, bytes, BASIS, BASIS.len())?.for_each(|row| {
+        if vectors.is_some() {
+            return Err(row.error(0, "a camera has one basis: there must be one row"));
+        }
+        vectors = Some([vector(row, 0)?, vector(row, 3)?, vector(row, 6)?]);
+        Ok(())
+    })?;
+    let none = || FileError::of_file(path, "there is no basis: a row of nine numbers must follow");
+    vectors.map(Answers::Basis).ok_or_else(none)
+}
+
+fn rays(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileError> {
+    let mut rays = Vec::new();
+    CsvTable::new(path, bytes, RAYS, RAYS.len())?.for_each(|row| {
+        let pixel = pixels.read(row)?;
+        let (origin, direction) = (vector(row, 2)?, relative(vector(row, 5)?));
+        if direction.value == DVec3::ZERO {
+            return Err(row.error(5, "the direction (dx, dy, dz) is zero: it must point somewhere"));
+        }
+        rays.push(RayAnswer { pixel, origin, direction });
+        Ok(())
+    })?;
+    pixels.finish()?;
+    Ok(Answers::Rays(rays))
+}
+
+fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileError> {
+    let mut hits = Vec::new();
+    let names = header(bytes);
+    let has = |column: usize| names.iter().any(|name| name == HITS[column]);
+    let problem = |problem: &str| FileError {
+        file: path.display().to_string(),
+        place: Some(Place { line: 1, column: 1 }),
+        problem: problem.to_owned(),
+    };
+    let table = CsvTable::new(path, bytes, HITS, 2)?;
+    let coordinates = (X..=Z).filter(|column| has(*column)).count();
+    if coordinates != 0 && coordinates != 3 {
+        return Err(problem("a point needs all of the columns x,y,z"));
+    }
+    if coordinates == 0 && !has(T) && !has(OBJECT) {
+        return Err(problem("nothing is answered: there must be a column t, or x,y,z, or object"));
+    }
+    table.for_each(|row| {
+        let pixel = pixels.read(row)?;
+        let answered: Vec<usize> = (T..=OBJECT).filter(|column| has(*column)).collect();
+        let is_empty = |column: &usize| row.cell(*column).is_empty();
+        let is_infinite = |column: &usize| stands_for_a_miss(row.cell(*column));
+        let is_none = has(OBJECT) && number_in(row, OBJECT) == Some(-1.0);
+        if is_none || answered.iter().all(|column| is_empty(column) || is_infinite(column)) {
+            hits.push(HitAnswer { pixel, hit: None });
+            return Ok(());
+        }
+        if let Some(empty) = answered.iter().copied().find(|column| is_empty(column)) {
+            return Err(row.error(
+                empty,
+                "a miss leaves all cells behind row and column empty, and a hit none",
+            ));
+        }
+        if let Some(infinite) = answered.iter().copied().find(is_infinite) {
+            let right = "it must be a finite number, as the row's other cells tell of a hit";
+            return Err(row.error(infinite, right));
+        }
+        let mut hit = GivenHit::default();
+        if has(T) {
+            hit.t = Some(number(row, T).map_err(|_| row.error(T, NO_NUMBER))?);
+        }
+        if coordinates == 3 {
+            hit.point = Some(vector(row, X)?);
+        }
+        if has(OBJECT) {
+            hit.object = Some(whole(row, OBJECT)?);
+        }
+        hits.push(HitAnswer { pixel, hit: Some(hit) });
+        Ok(())
+    })?;
+    pixels.finish()?;
+    Ok(Answers::Hits(hits))
+}
+
+/// What a cell of a hit must be.
+const NO_NUMBER: &str =
+    "it must be a finite number; a miss leaves its cells empty, or has inf in them";
+
+/// What languages print where nothing is hit: `inf` and `nan`, C's `-nan(ind)` too. A number too large
+/// for a double is none.
+fn stands_for_a_miss(cell: &[u8]) -> bool {
+    let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
+    let word = text.trim_start_matches(['+', '-']);
+    !text.starts_with("-inf") && ["inf", "infinity", "nan", "nan(ind)"].contains(&word)
+}
+
+/// The number in a cell, `inf` and `nan` among them, as C's `-nan(ind)` too.
+fn number_in(row: &Row, column: usize) -> Option<f64> {
+    let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
+    text.trim_end_matches("(ind)").parse().ok()
+}
+
+/// A whole number, as such or as NumPy writes it: `12`, `1.2e+01`.
+fn whole(row: &Row, column: usize) -> Result<u32, FileError> {
+    match number_in(row, column) {
+        Some(number) if number >= 0.0 && number.fract() == 0.0 && number <= f64::from(u32::MAX) => {
+            Ok(number as u32)
+        }
+        _ => Err(row.error(column, "it must be a whole number, 0 or more")),
+    }
+}
+
+fn number(row: &Row, column: usize) -> Result<Written<f64>, FileError> {
+    let value = row.number(column)?;
+    let text = std::str::from_utf8(row.cell(column)).unwrap_or_default();
+    Ok(Written { value, rounding: rounding_of(text, value) })
+}
+
+fn vector(row: &Row, first: usize) -> Result<Measured, FileError> {
+    let [x, y, z] = [number(row, first)?, number(row, first + 1)?, number(row, first + 2)?];
+    let rounding = x.rounding.max(y.rounding).max(z.rounding);
+    Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
+}
+
+/// Half a unit of the sixth digit of a number that begins with 1, as a share of it: no more than this
+/// is a number of six digits off.
+const ROUNDING_SHARE: f64 = 0.5e-5;
+
+/// Of a vector whose length is its own affair, digits count as a share of it: a tiny one written to six
+/// decimals says nothing of where it points.
+fn relative(vector: Measured) -> Measured {
+    let most = ROUNDING_SHARE * vector.value.abs().max_element();
+    Written { rounding: vector.rounding.min(most), ..vector }
+}
+
+/// Half a unit of the last digit that was written: of the sixth where there are fewer, as `%g` and
+/// C++ streams leave zeros at the end away, but not of a number written to six decimals. It is no more
+/// than [`ROUNDING_SHARE`] of the number; near 0, six decimals are enough.
+fn rounding_of(text: &str, value: f64) -> f64 {
+    const DIGITS: usize = 6;
+    let (mantissa, exponent) = match text.split_once(['e', 'E']) {
+        Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().unwrap_or(0)),
+        None => (text, 0),
+    };
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let digits = mantissa.bytes().filter(u8::is_ascii_digit).skip_while(|d| *d == b'0').count();
+    if digits >= DIGITS || decimals >= DIGITS {
+        let half_unit = 0.5 * 10f64.powi(exponent.saturating_sub(decimals.min(400) as i32));
+        let least = if exponent <= 0 { ROUNDING_SHARE } else { 0.0 };
+        return half_unit.min(least.max(ROUNDING_SHARE * value.abs()));
+    }
+    match value.abs() {
+        0.0 => 0.0,
+        size => 0.5 * 10f64.powi(size.log10().floor() as i32 + 1 - DIGITS as i32),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounding_of;
+
+    #[test]
+    fn the_last_digit_is_half_a_unit_off_at_most() {
+        let cases = [
+            ("0.70710678118654757", 0.5e-17),
+            ("0.707107", 0.5e-6),
+            ("-1234.5678", 0.5e-4),
+            ("7.07106781e-01", 0.5e-9),
+            ("0.000000", 0.5e-6),
+            ("0.25", 0.5e-6),
+            ("4", 0.5e-5),
+            ("1e+06", 5.0),
+            ("0", 0.0),
+            ("160000", 0.5),
+            ("0.000000e300", 0.0),
+            ("0.0000001e8", 0.5e-4),
+            ("0.000000e-2", 0.5e-8),
+        ];
+        for (text, expected) in cases {
+            let rounding = rounding_of(text, text.parse().expect("a number"));
+            assert!((rounding - expected).abs() <= 1e-9 * expected, "{text}: {rounding}");
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Rays from a CSV file: header `ox,oy,oz,dx,dy,dz`, a row a ray.
+
+use std::fs;
+use std::path::Path;
+
+use pinhole_core::{DVec3, Ray};
+
+use super::table::CsvTable;
+use crate::FileError;
+
+const COLUMNS: &[&str] = &["ox", "oy", "oz", "dx", "dy", "dz"];
+
+/// Reads the rays of a file.
+///
+/// # Errors
+/// A file that cannot be read, or the first row at fault with its line, column and value.
+pub fn load(path: &Path) -> Result<Vec<Ray>, FileError> {
+    let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
+    parse(path, &bytes)
+}
+
+/// Reads the rays of a file's content; `path` is for the messages.
+///
+/// # Errors
+/// The first row at fault with its line, column and value: a number that is none or not finite, or
+/// a direction of zero.
+pub fn parse(path: &Path, bytes: &[u8]) -> Result<Vec<Ray>, FileError> {
+    let mut rays = Vec::new();
+    CsvTable::new(path, bytes, COLUMNS, COLUMNS.len())?.for_each(|row| {
+        let vector = |x: usize| {
+            Ok::<_, FileError>(DVec3::new(row.number(x)?, row.number(x + 1)?, row.number(x + 2)?))
+        };
+        let (origin, direction) = (vector(0)?, vector(3)?);
+        if direction == DVec3::ZERO {
+            return Err(row.error(3, "the direction (dx, dy, dz) is zero: it must point somewhere"));
+        }
+        rays.push(Ray { origin, direction });
+        Ok(())
+    })?;
+    Ok(rays)
+}

@@ -1,0 +1,210 @@
+//! What is edited and saved: plain data, compared and cloned as a whole.
+
+use std::ops::{Deref, DerefMut};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
+
+/// A scene file's contents: one camera and the objects it looks at.
+///
+/// Objects are counted from 0: the spheres, then those of the CSV file, then the planes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// What to look for in this scene: the comment at the head of its file, without the `#`s.
+    pub note: String,
+    /// The edited camera.
+    pub camera: Camera,
+    /// The `[[sphere]]`s.
+    pub spheres: Shared<Item<Sphere>>,
+    /// The spheres of the file that `spheres = "..."` names.
+    pub csv_spheres: Option<CsvSpheres>,
+    /// The `[[plane]]`s.
+    pub planes: Shared<Item<Plane>>,
+}
+
+/// A list that clones of the document share until one of them writes to it: every step of the history
+/// holds a document.
+#[derive(Clone, Debug)]
+pub struct Shared<T>(Arc<Vec<T>>);
+
+impl<T> Shared<T> {
+    /// Whether both are one list, and not only alike.
+    pub fn is_same(&self, other: &Shared<T>) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl<T> Default for Shared<T> {
+    fn default() -> Self {
+        Shared(Arc::default())
+    }
+}
+
+impl<T> From<Vec<T>> for Shared<T> {
+    fn from(items: Vec<T>) -> Self {
+        Shared(Arc::new(items))
+    }
+}
+
+impl<T> FromIterator<T> for Shared<T> {
+    fn from_iter<I: IntoIterator<Item = T>>(items: I) -> Self {
+        items.into_iter().collect::<Vec<T>>().into()
+    }
+}
+
+impl<'a, T> IntoIterator for &'a Shared<T> {
+    type Item = &'a T;
+    type IntoIter = std::slice::Iter<'a, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
+impl<T: PartialEq> PartialEq for Shared<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_same(other) || self.0 == other.0
+    }
+}
+
+impl<T> Deref for Shared<T> {
+    type Target = Vec<T>;
+
+    fn deref(&self) -> &Vec<T> {
+        &self.0
+    }
+}
+
+impl<T: Clone> DerefMut for Shared<T> {
+    fn deref_mut(&mut self) -> &mut Vec<T> {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+/// An object with what only people need: its name and colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item<S> {
+    /// What it is called, if anything.
+    pub name: Option<String>,
+    /// Its own colour; without one it has its kind's [`default_color`].
+    pub color: Option<Rgb>,
+    /// The sphere or plane.
+    pub shape: S,
+}
+
+/// Many spheres from a CSV file, shared between clones of the document and not edited.
+#[derive(Clone, Debug)]
+pub struct CsvSpheres {
+    /// The path as the scene file gives it: relative to the scene file.
+    pub path: String,
+    /// Where the file was found.
+    pub file: PathBuf,
+    /// In the file's order.
+    pub items: Arc<Vec<Item<Sphere>>>,
+}
+
+impl PartialEq for CsvSpheres {
+    fn eq(&self, other: &Self) -> bool {
+        // A million spheres are compared only where they are not the same ones.
+        self.path == other.path
+            && (Arc::ptr_eq(&self.items, &other.items) || self.items == other.items)
+    }
+}
+
+impl<S> Item<S> {
+    /// An object without a name or colour of its own.
+    pub fn plain(shape: S) -> Self {
+        Item { name: None, color: None, shape }
+    }
+}
+
+/// Okabe and Ito's palette, told apart by colour-blind viewers (*Color Universal Design*, 2008),
+/// without its black and the yellow that is lost on a projector.
+const PALETTE: [Rgb; 6] = [
+    [0xe6, 0x9f, 0x00],
+    [0x56, 0xb4, 0xe9],
+    [0x00, 0x9e, 0x73],
+    [0xcc, 0x79, 0xa7],
+    [0xd5, 0x5e, 0x00],
+    [0x00, 0x72, 0xb2],
+];
+
+/// The colour of the sphere, or plane, that has this place among its kind and no colour of its own.
+pub fn default_color(index: usize) -> Rgb {
+    PALETTE[index % PALETTE.len()]
+}
+
+impl Default for Document {
+    /// The canonical camera and nothing to see.
+    fn default() -> Self {
+        Document {
+            note: String::new(),
+            camera: Camera::CANONICAL,
+            spheres: Shared::default(),
+            csv_spheres: None,
+            planes: Shared::default(),
+        }
+    }
+}
+
+impl Document {
+    /// The CSV file's spheres; none without one.
+    fn csv_items(&self) -> &[Item<Sphere>] {
+        self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
+    }
+
+    /// How many spheres there are, the CSV file's included: the index of the first plane.
+    pub fn sphere_count(&self) -> usize {
+        self.spheres.len() + self.csv_items().len()
+    }
+
+    /// How many objects there are.
+    pub fn object_count(&self) -> usize {
+        self.sphere_count() + self.planes.len()
+    }
+
+    /// What lists and readouts call an object: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
+    pub fn title_of(&self, index: usize) -> String {
+        let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
+        match self.name_of(index as u32) {
+            Some(name) => format!("{kind} {index} “{name}”"),
+            None => format!("{kind} {index}"),
+        }
+    }
+
+    /// The objects without names and colours, checked.
+    ///
+    /// # Errors
+    /// The first object that is none.
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        let spheres = self.spheres.iter().chain(self.csv_items()).map(|item| item.shape).collect();
+        Scene::new(spheres, self.planes.iter().map(|item| item.shape).collect())
+    }
+
+    /// The name of the object with this index, if it has one.
+    pub fn name_of(&self, index: u32) -> Option<&str> {
+        self.look_of(index).0
+    }
+
+    /// The colour of the object with this index.
+    pub fn color_of(&self, index: u32) -> Rgb {
+        // Planes have their own count: a new sphere does not turn them into other colours.
+        let place = index as usize;
+        let place = place.checked_sub(self.sphere_count()).unwrap_or(place);
+        self.look_of(index).1.unwrap_or_else(|| default_color(place))
+    }
+
+    fn look_of(&self, index: u32) -> (Option<&str>, Option<Rgb>) {
+        fn look<S>(item: &Item<S>) -> (Option<&str>, Option<Rgb>) {
+            (item.name.as_deref(), item.color)
+        }
+        let index = index as usize;
+        let csv = self.csv_items();
+        let sphere = self.spheres.get(index).or_else(|| csv.get(index - self.spheres.len()));
+        match sphere {
+            Some(sphere) => look(sphere),
+            None => self.planes.get(index - self.sphere_count()).map_or((None, None), look),
+        }
+    }
+}

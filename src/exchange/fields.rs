@@ -1,0 +1,279 @@
+//! The fields of a TOML file's tables, each with the name and place that messages give it.
+
+use std::ops::{Range, RangeInclusive};
+use std::path::Path;
+
+use pinhole_core::DVec3;
+use toml_edit::{ArrayOfTables, Item, TableLike, Value};
+
+use crate::{FileError, Place, suggest};
+
+/// The text that is read, and what messages call it.
+pub struct Source<'a> {
+    pub text: &'a str,
+    pub path: &'a Path,
+}
+
+/// A table: `camera`, `sphere[3]`, or the file itself, whose name is empty.
+pub struct Section<'a> {
+    source: &'a Source<'a>,
+    name: String,
+    table: &'a dyn TableLike,
+    span: Range<usize>,
+}
+
+/// A field with a value.
+pub struct Field<'a> {
+    source: &'a Source<'a>,
+    name: String,
+    item: Entry<'a>,
+    span: Range<usize>,
+}
+
+#[derive(Clone, Copy)]
+enum Entry<'a> {
+    Value(&'a Value),
+    Table(&'a dyn TableLike),
+    Tables(&'a ArrayOfTables),
+}
+
+impl Source<'_> {
+    pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
+        FileError {
+            file: self.path.display().to_string(),
+            place: Some(Place::of_byte(self.text.as_bytes(), span.start)),
+            problem: problem.into(),
+        }
+    }
+}
+
+impl<'a> Section<'a> {
+    /// The file itself.
+    pub fn root(source: &'a Source<'a>, table: &'a dyn TableLike) -> Section<'a> {
+        Section { source, name: String::new(), table, span: 0..0 }
+    }
+
+    /// What messages call a field of this table.
+    pub fn path_of(&self, key: &str) -> String {
+        if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
+    }
+
+    /// Refuses the first field that is none of the `known`; `top` are those of the file itself.
+    pub fn only(&self, known: &[&'static str], top: &[&str]) -> Result<(), FileError> {
+        let Some((key, _)) = self.table.iter().find(|(key, _)| !known.contains(key)) else {
+            return Ok(());
+        };
+        let span = self.table.key(key).and_then(|key| key.span()).unwrap_or(self.span.clone());
+        let near = suggest::nearest(key, known.iter().copied());
+        let hint = if !self.name.is_empty() && top.contains(&key) {
+            "it belongs at the top of the file, before the first [table]".to_owned()
+        } else if let Some(near) = near.first() {
+            format!("did you mean {near}?")
+        } else {
+            format!("the fields here are {}", known.join(", "))
+        };
+        Err(self.source.error(&span, format!("{} is unknown: {hint}", self.path_of(key))))
+    }
+
+    /// A field, if it is there.
+    pub fn get(&self, key: &str) -> Option<Field<'a>> {
+        let item = self.table.get(key)?;
+        let entry = match item {
+            Item::Value(Value::InlineTable(table)) => Entry::Table(table),
+            Item::Value(value) => Entry::Value(value),
+            Item::Table(table) => Entry::Table(table),
+            Item::ArrayOfTables(tables) => Entry::Tables(tables),
+            Item::None => return None,
+        };
+        let key_span = || self.table.key(key).and_then(|key| key.span());
+        let span = item.span().or_else(key_span).unwrap_or(self.span.clone());
+        Some(Field { source: self.source, name: self.path_of(key), item: entry, span })
+    }
+
+    /// A field that must be there; `such_as` is a line that would do.
+    pub fn need(&self, key: &str, such_as: &str) -> Result<Field<'a>, FileError> {
+        self.get(key).ok_or_else(|| self.missing(&self.path_of(key), such_as))
+    }
+
+    /// The error that something is missing in this table.
+    pub fn missing(&self, what: &str, such_as: &str) -> FileError {
+        self.source.error(&self.span, format!("{what} is missing: write {such_as}"))
+    }
+}
+
+impl<'a> Field<'a> {
+    /// `camera.eye[2] is nan: ` and what would be right.
+    pub fn error(&self, right: &str) -> FileError {
+        let value = match self.item {
+            Entry::Value(_) => shown(&self.source.text[self.span.clone()]),
+            Entry::Table(_) => "a table".to_owned(),
+            Entry::Tables(_) => "a list of tables".to_owned(),
+        };
+        self.source.error(&self.span, format!("{} is {value}: {right}", self.name))
+    }
+
+    /// The error that this field is at fault, in words that say its value themselves.
+    pub fn fault(&self, problem: impl std::fmt::Display) -> FileError {
+        self.source.error(&self.span, format!("{}: {problem}", self.name))
+    }
+
+    /// The error that this field is there at all.
+    pub fn refuse(&self, why: &str) -> FileError {
+        self.source.error(&self.span, format!("{} is there {why}", self.name))
+    }
+
+    /// A finite number; an integer will do.
+    pub fn number(&self) -> Result<f64, FileError> {
+        match self.item {
+            Entry::Value(Value::Integer(integer)) => Ok(*integer.value() as f64),
+            Entry::Value(Value::Float(float)) if float.value().is_finite() => Ok(*float.value()),
+            Entry::Value(Value::Float(_)) => Err(self.error("it must be a finite number")),
+            _ => Err(self.error("it must be a number")),
+        }
+    }
+
+    /// A finite number greater than 0.
+    pub fn positive(&self) -> Result<f64, FileError> {
+        let number = self.number()?;
+        if number > 0.0 { Ok(number) } else { Err(self.error("it must be greater than 0")) }
+    }
+
+    /// An integer as it stands.
+    pub fn integer(&self) -> Option<i64> {
+        match self.item {
+            Entry::Value(value) => value.as_integer(),
+            _ => None,
+        }
+    }
+
+    /// A whole number from `range`; `what` says what it is in the message.
+    pub fn whole(&self, range: RangeInclusive<i64>, what: &str) -> Result<i64, FileError> {
+        self.integer().filter(|number| range.contains(number)).ok_or_else(|| {
+            self.error(&format!("it must be {what}, {} to {}", range.start(), range.end()))
+        })
+    }
+
+    /// Yes or no.
+    pub fn boolean(&self) -> Result<bool, FileError> {
+        match self.item {
+            Entry::Value(Value::Boolean(value)) => Ok(*value.value()),
+            _ => Err(self.error("it must be true or false")),
+        }
+    }
+
+    /// Three finite numbers.
+    pub fn vector(&self) -> Result<DVec3, FileError> {
+        self.numbers("three numbers, such as [0.0, 1.0, 0.0]").map(DVec3::from_array)
+    }
+
+    /// `N` finite numbers; `such_as` says how many and what they look like.
+    pub fn numbers<const N: usize>(&self, such_as: &str) -> Result<[f64; N], FileError> {
+        let elements = self.elements().filter(|elements| elements.len() == N);
+        let elements = elements.ok_or_else(|| self.error(&format!("it must be {such_as}")))?;
+        let mut numbers = [0.0; N];
+        for (number, element) in numbers.iter_mut().zip(&elements) {
+            *number = element.number()?;
+        }
+        Ok(numbers)
+    }
+
+    /// The elements of a list of values; `None` where this is none.
+    pub fn elements(&self) -> Option<Vec<Field<'a>>> {
+        let Entry::Value(Value::Array(array)) = self.item else { return None };
+        Some(array.iter().enumerate().map(|(k, value)| self.element(k, value)).collect())
+    }
+
+    fn element(&self, k: usize, value: &'a Value) -> Field<'a> {
+        let item = match value {
+            Value::InlineTable(table) => Entry::Table(table),
+            value => Entry::Value(value),
+        };
+        let span = value.span().unwrap_or(self.span.clone());
+        Field { source: self.source, name: format!("{}[{k}]", self.name), item, span }
+    }
+
+    /// A string.
+    pub fn text(&self) -> Result<&'a str, FileError> {
+        match self.item {
+            Entry::Value(Value::String(text)) => Ok(text.value()),
+            _ => Err(self.error("it must be text in quotes")),
+        }
+    }
+
+    /// One of these names; what it may be a slip for is said.
+    pub fn one_of(&self, known: &[&'static str]) -> Result<&'static str, FileError> {
+        let choices = || format!("it must be one of {}", known.join(", "));
+        let text = self.text().map_err(|_| self.error(&choices()))?;
+        if let Some(name) = known.iter().find(|name| **name == text) {
+            return Ok(name);
+        }
+        Err(match suggest::nearest(text, known.iter().copied()).first() {
+            Some(near) => self.error(&format!("did you mean \"{near}\"?")),
+            None => self.error(&choices()),
+        })
+    }
+
+    /// One table.
+    pub fn section(&self) -> Result<Section<'a>, FileError> {
+        match self.item {
+            Entry::Table(table) => Ok(self.section_of(self.name.clone(), table, self.span.clone())),
+            _ => Err(self.error(&format!("it must be one table, [{}]", self.name))),
+        }
+    }
+
+    /// A list of tables.
+    pub fn sections(&self) -> Result<Vec<Section<'a>>, FileError> {
+        self.sections_named(|k| format!("{}[{k}]", self.name))
+    }
+
+    /// The same; errors count them from 1, as people do.
+    ///
+    /// # Errors
+    /// Where it is no array of tables.
+    pub fn sections_from_one(&self) -> Result<Vec<Section<'a>>, FileError> {
+        self.sections_named(|k| format!("{} {}", self.name, k + 1))
+    }
+
+    fn sections_named(
+        &self,
+        name: impl Fn(usize) -> String,
+    ) -> Result<Vec<Section<'a>>, FileError> {
+        let right = format!("each one must be a table that begins with [[{}]]", self.name);
+        match self.item {
+            Entry::Tables(tables) => {
+                let section = |(k, table): (usize, &'a toml_edit::Table)| {
+                    self.section_of(name(k), table, table.span().unwrap_or(self.span.clone()))
+                };
+                Ok(tables.iter().enumerate().map(section).collect())
+            }
+            Entry::Value(Value::Array(array)) => array
+                .iter()
+                .enumerate()
+                .map(|(k, value)| {
+                    let element = self.element(k, value);
+                    element.section().map_err(|_| element.error(&right))
+                })
+                .collect(),
+            _ => Err(self.error(&right)),
+        }
+    }
+
+    fn section_of(
+        &self,
+        name: String,
+        table: &'a dyn TableLike,
+        span: Range<usize>,
+    ) -> Section<'a> {
+        Section { source: self.source, name, table, span }
+    }
+}
+
+/// A value as it is written, cut to a length that a message can carry.
+fn shown(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    if line.chars().count() <= LONGEST {
+        return line;
+    }
+    line.chars().take(LONGEST).chain("...".chars()).collect()
+}

@@ -1,0 +1,55 @@
+//! What the camera's rays meet, pixel by pixel, as OpenEXR.
+
+use std::io::{self, BufWriter};
+use std::path::Path;
+
+use exr::prelude::*;
+use pinhole_core::{DVec3, Frame};
+
+use crate::{FileError, atomic};
+
+/// Writes the float channels `t`, `N.X`, `N.Y`, `N.Z`, `u`, `v` and the uint channel `object` of a
+/// frame that was traced with normals, as a whole or not at all.
+///
+/// (u, v) is the pixel's centre. Where nothing is hit, `t` is infinite, the normal is zero and
+/// `object` is [`pinhole_core::NO_OBJECT`], 4294967295.
+///
+/// # Errors
+/// Where the file cannot be written.
+pub fn save(path: &Path, frame: &Frame<f32>) -> std::result::Result<(), FileError> {
+    let (rows, columns) = (frame.raster().rows(), frame.raster().columns());
+    let camera = frame.camera();
+    let floats = |name: &str, samples: Vec<f32>| AnyChannel::new(name, FlatSamples::F32(samples));
+    let normals = |part: fn(&DVec3) -> f64| frame.normal.iter().map(|n| part(n) as f32).collect();
+    let u: Vec<f32> = columns.iter().map(|column| camera.u_of_column(*column) as f32).collect();
+    let v = rows.iter().map(|row| camera.v_of_row(*row) as f32);
+    let channels = AnyChannels::sort(
+        [
+            floats("t", frame.t.clone()),
+            floats("N.X", normals(|n| n.x)),
+            floats("N.Y", normals(|n| n.y)),
+            floats("N.Z", normals(|n| n.z)),
+            floats("u", rows.iter().flat_map(|_| u.iter().copied()).collect()),
+            floats("v", v.flat_map(|v| std::iter::repeat_n(v, columns.len())).collect()),
+            AnyChannel::new("object", FlatSamples::U32(frame.object.clone())),
+        ]
+        .into_iter()
+        .collect(),
+    );
+    let layer = Layer::new(
+        (columns.len(), rows.len()),
+        LayerAttributes::default(),
+        Encoding::FAST_LOSSLESS,
+        channels,
+    );
+    atomic::write(path, |file| {
+        Image::from_layer(layer).write().to_buffered(BufWriter::new(file)).map_err(to_io)
+    })
+}
+
+fn to_io(error: Error) -> io::Error {
+    match error {
+        Error::Io(error) => error,
+        other => io::Error::other(other),
+    }
+}

@@ -1,0 +1,179 @@
+//! Pictures as PNG.
+
+use std::io::{self, BufWriter, Cursor, Write};
+use std::path::Path;
+
+use pinhole_core::{ImageSize, Rgb};
+use png::{
+    BitDepth, ColorType, Decoder, Encoder, EncodingError, SrgbRenderingIntent, Transformations,
+    Writer,
+};
+
+use crate::{FileError, atomic};
+
+/// Writes a picture of `width` x `height` opaque sRGB pixels, row by row from the top, as a whole
+/// or not at all.
+///
+/// # Errors
+/// Where the file cannot be written.
+pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<(), FileError> {
+    atomic::write(path, |file| encode(BufWriter::new(file), width, height, pixels))
+}
+
+/// Writes the bytes of such a file.
+///
+/// # Errors
+/// Where `out` does not take them.
+pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> io::Result<()> {
+    encode_as::<3>(ColorType::Rgb, out, width, height, pixels)
+}
+
+/// The same with the pixels' opacity; their colours are not premultiplied.
+///
+/// # Errors
+/// Where `out` does not take them.
+pub fn encode_transparent(
+    out: impl Write,
+    width: u32,
+    height: u32,
+    pixels: &[[u8; 4]],
+) -> io::Result<()> {
+    encode_as::<4>(ColorType::Rgba, out, width, height, pixels)
+}
+
+/// The first `CHANNELS` of each pixel.
+fn encode_as<const CHANNELS: usize>(
+    color: ColorType,
+    out: impl Write,
+    width: u32,
+    height: u32,
+    pixels: &[[u8; 4]],
+) -> io::Result<()> {
+    let mut encoder = Encoder::new(out, width, height);
+    encoder.set_color(color);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header().map_err(to_io)?;
+    let mut stream = writer.stream_writer().map_err(to_io)?;
+    let mut bytes = Vec::new();
+    for row in pixels.chunks(width as usize) {
+        bytes.clear();
+        bytes.extend(row.iter().flat_map(|pixel| &pixel[..CHANNELS]));
+        stream.write_all(&bytes)?;
+    }
+    stream.finish().map_err(to_io)?;
+    writer.finish().map_err(to_io)
+}
+
+/// An animated PNG (APNG, of the PNG specification's third edition) in the making.
+pub struct Animated<W: Write> {
+    writer: Writer<W>,
+    transparent: bool,
+}
+
+impl<W: Write> Animated<W> {
+    /// Of so many frames of `width` x `height` sRGB pixels, so many a second; shown over and over, or
+    /// once.
+    ///
+    /// # Errors
+    /// Where `out` does not take the header; of no frames.
+    pub fn new(
+        out: W,
+        [width, height]: [u32; 2],
+        (frames, per_second): (u32, u16),
+        repeats: bool,
+        transparent: bool,
+    ) -> io::Result<Self> {
+        let mut encoder = Encoder::new(out, width, height);
+        encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
+        encoder.set_depth(BitDepth::Eight);
+        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        // Zero times is for ever.
+        encoder.set_animated(frames, u32::from(!repeats)).map_err(to_io)?;
+        encoder.set_frame_delay(1, per_second).map_err(to_io)?;
+        Ok(Animated { writer: encoder.write_header().map_err(to_io)?, transparent })
+    }
+
+    /// The next frame, its colours not premultiplied.
+    ///
+    /// # Errors
+    /// Where it is not as large as the header says, or one too many, or not taken.
+    pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
+        let channels = if self.transparent { 4 } else { 3 };
+        let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
+        self.writer.write_image_data(&bytes).map_err(to_io)
+    }
+
+    /// The end, after the last frame.
+    ///
+    /// # Errors
+    /// Where frames are missing, or it is not taken.
+    pub fn finish(self) -> io::Result<()> {
+        self.writer.finish().map_err(to_io)
+    }
+}
+
+/// A picture that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decoded {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Row by row from the top, with opacity; colours are not premultiplied.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl Decoded {
+    /// The colours over a background, opacity gone.
+    pub fn over(&self, background: Rgb) -> Vec<Rgb> {
+        let mix = |front: u8, back: u8, alpha: u8| {
+            let (front, back, alpha) = (u32::from(front), u32::from(back), u32::from(alpha));
+            ((front * alpha + back * (255 - alpha) + 127) / 255) as u8
+        };
+        let over = |[r, g, b, alpha]: &[u8; 4]| {
+            let [back_r, back_g, back_b] = background;
+            [mix(*r, back_r, *alpha), mix(*g, back_g, *alpha), mix(*b, back_b, *alpha)]
+        };
+        self.pixels.iter().map(over).collect()
+    }
+}
+
+/// Whether bytes begin as a PNG does.
+pub fn is_png(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\x89PNG\r\n\x1a\n")
+}
+
+/// Reads a PNG of any kind as eight bits a channel; `path` is for the messages. Colours are taken to
+/// be sRGB.
+///
+/// # Errors
+/// What is none, is damaged, or is larger than any image.
+pub fn decode(path: &Path, bytes: &[u8]) -> Result<Decoded, FileError> {
+    let at_fault = |error: &dyn std::fmt::Display| {
+        FileError::of_file(path, format!("cannot be read as PNG: {error}"))
+    };
+    let mut decoder = Decoder::new(Cursor::new(bytes));
+    decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
+    let mut reader = decoder.read_info().map_err(|error| at_fault(&error))?;
+    let size = [reader.info().width, reader.info().height];
+    ImageSize::new(size[0], size[1]).map_err(|error| at_fault(&error))?;
+    let length = reader.output_buffer_size().ok_or_else(|| at_fault(&"it is too large"))?;
+    let mut buffer = vec![0; length];
+    let info = reader.next_frame(&mut buffer).map_err(|error| at_fault(&error))?;
+    let bytes = &buffer[..info.buffer_size()];
+    let pixels = match info.color_type {
+        ColorType::Rgba => bytes.chunks_exact(4).map(|p| [p[0], p[1], p[2], p[3]]).collect(),
+        ColorType::Rgb => bytes.chunks_exact(3).map(|p| [p[0], p[1], p[2], 255]).collect(),
+        ColorType::GrayscaleAlpha => {
+            bytes.chunks_exact(2).map(|p| [p[0], p[0], p[0], p[1]]).collect()
+        }
+        _ => bytes.iter().map(|grey| [*grey, *grey, *grey, 255]).collect(),
+    };
+    Ok(Decoded { size, pixels })
+}
+
+fn to_io(error: EncodingError) -> io::Error {
+    match error {
+        EncodingError::IoError(error) => error,
+        other => io::Error::other(other),
+    }
+}

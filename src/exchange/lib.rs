@@ -1,0 +1,28 @@
+//! A scene on disk, in this program's form and in those of others.
+//!
+//! - [`document`]: [`document::Document`], which is what a scene file holds: a camera, named and coloured
+//!   objects, and a note.
+//! - [`scene_file`]: reads and writes it as TOML; the scenes that come with the program.
+//! - [`csv`]: tables of spheres and of rays.
+//! - [`answers`]: a student's basis, rays, hits or picture.
+//! - [`images`]: PNG, OpenEXR and what every SVG has in common.
+//! - [`programs`]: other programs' cameras and scenes, written, and read where they are files or literal
+//!   numbers.
+//! - [`code`]: the camera at hand as a short program in six languages.
+//!
+//! Whatever is wrong with a file is a [`FileError`], which says where and what would be right. A file is
+//! written as a whole or not at all ([`atomic`]). Nothing here knows a window.
+
+pub mod answers;
+pub mod atomic;
+pub mod code;
+pub mod csv;
+pub mod document;
+mod error;
+pub mod fields;
+pub mod images;
+pub mod programs;
+pub mod scene_file;
+mod suggest;
+
+pub use error::{FileError, Place};

@@ -1,0 +1,129 @@
+//! Blender by its Python: a camera object with `matrix_world`, whose camera looks along its own -z with
+//! y up. World coordinates are kept: Blender's z up is a habit of its views, not of the camera.
+
+use pinhole_core::{Basis, Camera, Orientation, Sphere, Viewport, extent_of_fov};
+
+use super::sheet::{Sheet, commas, light, n, quotable, real};
+use super::subject::square_note;
+use super::terms::{Pixels, Terms};
+use super::{Check, Format, Subject, Unsayable, Written};
+
+pub(super) const FORMAT: Format = Format {
+    name: "blender",
+    label: "Blender Python",
+    short: "Blender",
+    ending: "py",
+    terms: Terms {
+        axes: Terms::OURS,
+        given_by: "matrix_world: u, v, w, eye as columns",
+        pixels: Pixels::Corner,
+        view: "angle_x: horizontal, in radians, with sensor_fit HORIZONTAL",
+        field: |subject| n(subject.viewport().horizontal_fov()),
+        distance: "none: clip_start and clip_end cut, and change no ray",
+        shape: "any: pixel_aspect_x and pixel_aspect_y",
+        lengths: "f32",
+    },
+    write,
+    check: Check::Numbers(camera_of_numbers),
+};
+
+fn write(subject: &Subject) -> Result<Written, Unsayable> {
+    let [width, height] = subject.size();
+    let (near, far) = subject.clip();
+    let viewport = subject.viewport();
+    let Basis { u, v, w } = *subject.posed().basis();
+    let eye = subject.posed().eye();
+    let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
+    let (aspect_x, aspect_y) = pixel_aspects(subject);
+    let mut notes = Vec::new();
+    if aspect_x.max(aspect_y) > 200.0 {
+        return Err(Unsayable(format!(
+            "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
+            n(subject.pixel_shape())
+        )));
+    }
+    let mut text = format!(
+        "import bpy\nfrom mathutils import Matrix\n\nscene = bpy.context.scene\n\
+         data = bpy.data.cameras.new(\"pinhole\")\ncamera = bpy.data.objects.new(\"pinhole\", data)\n\
+         scene.collection.objects.link(camera)\nscene.camera = camera\n\n\
+         camera.matrix_world = Matrix((\n    {},\n    {},\n    {},\n    (0, 0, 0, 1)))\n\n\
+         data.sensor_fit = 'HORIZONTAL'\ndata.angle_x = {}\ndata.clip_start = {}\n\
+         data.clip_end = {}\n\nscene.render.resolution_x = {width}\n\
+         scene.render.resolution_y = {height}\nscene.render.resolution_percentage = 100\n\
+         scene.render.pixel_aspect_x = {}\nscene.render.pixel_aspect_y = {}\n",
+        row(0),
+        row(1),
+        row(2),
+        real(viewport.horizontal_fov()),
+        real(near),
+        real(far),
+        real(aspect_x),
+        real(aspect_y),
+    );
+    text.push_str(&objects(subject, &mut notes));
+    Ok(Written::of("scene.py", Sheet::of(&text), notes))
+}
+
+/// `pixel_aspect_x` and `pixel_aspect_y`, of which Blender takes neither below 1.
+fn pixel_aspects(subject: &Subject) -> (f64, f64) {
+    let shape = subject.pixel_shape();
+    if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) }
+}
+
+/// The camera that Blender makes of the numbers.
+fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
+    let [columns, rows] = subject.size().map(f64::from);
+    let (aspect_x, aspect_y) = pixel_aspects(subject);
+    let distance = subject.viewport().distance;
+    let width = extent_of_fov(subject.viewport().horizontal_fov(), distance);
+    let height = width * (rows * aspect_y) / (columns * aspect_x);
+    Ok(Camera {
+        eye: subject.posed().eye(),
+        orientation: Orientation::Basis(*subject.posed().basis()),
+        viewport: Viewport { width, height, distance },
+        image: subject.posed().image(),
+    })
+}
+
+/// Meshes in the objects' places.
+fn objects(subject: &Subject, notes: &mut Vec<String>) -> String {
+    let mut text = String::new();
+    let (spheres, planes) = (subject.spheres(), subject.planes());
+    if !(spheres.is_empty() && planes.is_empty()) {
+        text.push_str(
+            "\n\ndef looks(name, color):\n    thing = bpy.context.object\n    thing.name = name\n    \
+             material = bpy.data.materials.new(name)\n    material.diffuse_color = (*color, 1)\n    \
+             thing.data.materials.append(material)\n\n\n",
+        );
+    }
+    for sphere in spheres {
+        let Sphere { center, radius } = sphere.shape;
+        text.push_str(&format!(
+            "bpy.ops.mesh.primitive_uv_sphere_add(radius={}, location=({}), segments=64, ring_count=32)\n\
+             looks(\"{}\", ({}))\n",
+            n(radius),
+            commas(center),
+            quotable(&sphere.title),
+            light(sphere.color).join(", ")
+        ));
+    }
+    for plane in planes {
+        let (middle, half, [a, b]) = subject.square_of(&plane.shape);
+        let c = a.cross(b);
+        let row = |k: usize| {
+            let [x, y, z] = [half * a[k], half * b[k], c[k]].map(n);
+            format!("({x}, {y}, {z}, {})", n(middle[k]))
+        };
+        text.push_str(&format!(
+            "bpy.ops.mesh.primitive_plane_add(size=2)\nbpy.context.object.matrix_world = Matrix((\n    \
+             {},\n    {},\n    {},\n    (0, 0, 0, 1)))\nlooks(\"{}\", ({}))\n",
+            row(0),
+            row(1),
+            row(2),
+            quotable(&plane.title),
+            light(plane.color).join(", ")
+        ));
+        notes.push(square_note(&plane.title, "Blender", half));
+    }
+    text
+}

@@ -1,0 +1,118 @@
+//! Cameras of pasted text, where every number is literal: `gluLookAt(0, 0, 5, 0, 0, 0, 0, 1, 0)`.
+//!
+//! No name is followed and nothing is worked out but a quotient such as 4.0 / 3.0 and an angle's
+//! `radians(45)`. A text is understood to its end or refused at the line at fault: each statement must be
+//! one that gives the camera.
+
+mod numbers;
+mod statements;
+mod tokens;
+
+use pinhole_core::DVec3;
+
+use super::Text;
+use crate::FileError;
+
+pub(super) use numbers::IMPORTER;
+pub(crate) use statements::{Argument, Statement, last_part};
+
+/// The statements of a text, and how its faults are told.
+pub(crate) struct Source<'a, 't> {
+    text: &'a Text<'t>,
+    pub(crate) statements: Vec<Statement<'t>>,
+}
+
+impl<'a, 't> Source<'a, 't> {
+    /// Splits a text into its statements; `right` is what each of them must be.
+    ///
+    /// # Errors
+    /// The first place that is no statement.
+    pub(crate) fn new(text: &'a Text<'t>, right: &str) -> Result<Self, FileError> {
+        let tokens = tokens::tokens(text.text).map_err(|(at, right)| {
+            let shown: String =
+                text.text[at..].chars().take_while(|c| *c != '\n').take(40).collect();
+            text.error_at(at, format!("{shown}: {right}"))
+        })?;
+        let statements = statements::statements(text.text, &tokens)
+            .map_err(|(at, shown)| text.error_at(at, format!("{}: {right}", one_line(shown))))?;
+        Ok(Source { text, statements })
+    }
+
+    /// `statement: right`, at its place.
+    pub(crate) fn refused(&self, statement: &Statement, right: &str) -> FileError {
+        self.text.error_at(statement.at, format!("{}: {right}", one_line(statement.text)))
+    }
+
+    /// `field is value: right`, at the value's place.
+    pub(crate) fn fault(&self, field: &str, argument: &Argument, right: &str) -> FileError {
+        self.text.error_at(argument.at, format!("{field} is {}: {right}", one_line(argument.text)))
+    }
+
+    pub(crate) fn missing(&self, field: &str, right: &str) -> FileError {
+        FileError::of_file(self.text.path, format!("{field} is missing: {right}"))
+    }
+
+    /// Refuses what is given a second time.
+    pub(crate) fn once<T>(
+        &self,
+        given: &mut Option<T>,
+        value: T,
+        statement: &Statement,
+    ) -> Result<(), FileError> {
+        match given.replace(value) {
+            None => Ok(()),
+            Some(_) => Err(self.refused(statement, "it is given twice: leave in the camera's")),
+        }
+    }
+
+    pub(crate) fn numbers(&self, field: &str, argument: &Argument) -> Result<Vec<f64>, FileError> {
+        argument.numbers.clone().ok_or_else(|| {
+            self.fault(
+                field,
+                argument,
+                "it must be given by numbers, without names or calculations",
+            )
+        })
+    }
+
+    pub(crate) fn number(&self, field: &str, argument: &Argument) -> Result<f64, FileError> {
+        match self.numbers(field, argument)?[..] {
+            [number] => Ok(number),
+            _ => Err(self.fault(field, argument, "it must be one number")),
+        }
+    }
+
+    pub(crate) fn vector(&self, field: &str, argument: &Argument) -> Result<DVec3, FileError> {
+        match self.numbers(field, argument)?[..] {
+            [x, y, z] => Ok(DVec3::new(x, y, z)),
+            _ => Err(self.fault(field, argument, "it must be three numbers")),
+        }
+    }
+
+    /// The numbers of all arguments together.
+    pub(crate) fn all_numbers<const N: usize>(
+        &self,
+        statement: &Statement,
+    ) -> Result<[f64; N], FileError> {
+        let mut all = Vec::new();
+        for argument in &statement.arguments {
+            all.extend(self.numbers(statement.called, argument)?);
+        }
+        all.try_into().map_err(|_| self.refused(statement, &format!("it must have {N} numbers")))
+    }
+}
+
+/// Three vectors of nine numbers.
+pub(crate) fn three([a, b, c, d, e, f, g, h, i]: [f64; 9]) -> [DVec3; 3] {
+    [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)]
+}
+
+/// A text on one line, and no longer than a message may be.
+pub(crate) fn one_line(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let line = text.split_whitespace().take(LONGEST).collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &line[..end]),
+        None => line,
+    }
+}

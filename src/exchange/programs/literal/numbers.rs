@@ -1,0 +1,125 @@
+//! Numbers alone: eye, at and up, or a matrix from camera to world.
+
+use pinhole_core::{Camera, Orientation, fov_of_extent};
+
+use super::{Source, last_part, three};
+use crate::FileError;
+use crate::programs::affine::Affine;
+use crate::programs::back::{Stance, upright};
+use crate::programs::sheet::n;
+use crate::programs::{Importer, Taken, Text};
+
+pub(crate) const IMPORTER: Importer =
+    Importer { name: "numbers", label: "numbers alone (eye, at, up, or a matrix)", read, claims };
+
+/// Names of a matrix from camera to world whose camera looks along its own -z with y up.
+const MATRICES: [&str; 6] =
+    ["matrix_world", "matrixWorld", "camera_to_world", "cameraToWorld", "c2w", "cam2world"];
+
+const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), or a \
+                     3 × 4 or 4 × 4 matrix from camera to world";
+
+fn claims(text: &str) -> bool {
+    let text = text.trim_start();
+    let is_named = MATRICES.iter().any(|name| {
+        let places = text.match_indices(name);
+        places.into_iter().any(|(at, name)| text[at + name.len()..].trim_start().starts_with('='))
+    });
+    let of_numbers =
+        |c: char| c.is_ascii_digit() || c.is_whitespace() || "()[],.;+-eE\u{feff}".contains(c);
+    let is_numbers =
+        text.chars().all(of_numbers) && text.matches(|c: char| c.is_ascii_digit()).nth(8).is_some();
+    is_named || is_numbers
+}
+
+fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    let source = Source::new(text, RIGHT)?;
+    let mut numbers = Vec::new();
+    for statement in &source.statements {
+        let is_matrix = MATRICES.contains(&last_part(statement.target));
+        let is_alone = is_matrix && source.statements.len() == 1;
+        if !(statement.called.is_empty() && (statement.target.is_empty() || is_alone)) {
+            return Err(source.refused(statement, RIGHT));
+        }
+        for argument in &statement.arguments {
+            numbers.extend(source.numbers("this", argument)?);
+        }
+    }
+    let Some(first) = source.statements.first() else {
+        return Err(source.missing("a number", RIGHT));
+    };
+    let is_matrix = !first.target.is_empty();
+    match numbers[..] {
+        [ref points @ .., degrees] if numbers.len() == 10 && !is_matrix => {
+            let points = points.try_into().map_err(|_| source.refused(first, RIGHT))?;
+            let is_angle = degrees > 0.0 && degrees < 180.0;
+            let right =
+                "the tenth number is the vertical angle: it must be between 0 and 180 degrees";
+            is_angle
+                .then(|| look_at(points, Some(degrees), at_hand))
+                .ok_or_else(|| source.refused(first, right))
+        }
+        ref points if numbers.len() == 9 && !is_matrix => {
+            let points = points.try_into().map_err(|_| source.refused(first, RIGHT))?;
+            // A rotation alone is no camera.
+            let open: String = first.text.chars().filter(|c| !c.is_whitespace()).take(2).collect();
+            if source.statements.len() == 1
+                && first.arguments.len() == 1
+                && open != "["
+                && open.chars().all(|c| "([{".contains(c))
+            {
+                return Err(source.refused(first, RIGHT));
+            }
+            Ok(look_at(points, None, at_hand))
+        }
+        ref m => {
+            let is_of_columns = m.len() == 16 && [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
+            let affine = match Affine::of_rows(m) {
+                None if is_of_columns => Affine::of_columns(m),
+                affine => affine,
+            };
+            let affine = affine.ok_or_else(|| source.refused(first, RIGHT))?;
+            matrix(&affine, at_hand).map_err(|right| source.refused(first, &right))
+        }
+    }
+}
+
+fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Taken {
+    let [eye, at, up] = three(points);
+    let orientation = Orientation::At { at, up };
+    let viewport = match degrees {
+        Some(degrees) => upright(
+            degrees,
+            at_hand.viewport.width / at_hand.viewport.height,
+            at_hand.viewport.distance,
+        ),
+        None => at_hand.viewport,
+    };
+    let mut notes = vec!["taken as eye, at and up, in this order".to_owned()];
+    if degrees.is_none() {
+        notes.push(unsaid(at_hand));
+    }
+    Taken::camera(Camera { eye, orientation, viewport, image: at_hand.image }, notes)
+}
+
+fn matrix(affine: &Affine, at_hand: &Camera) -> Result<Taken, String> {
+    let mut notes = vec![
+        "taken as the matrix from camera to world: its columns are right, up, backwards and eye"
+            .to_owned(),
+        unsaid(at_hand),
+    ];
+    let (orientation, eye, _) = Stance::of(affine)
+        .right_handed(&mut notes)
+        .map_err(|right| format!("it is no rotation: {right}"))?;
+    Ok(Taken::camera(Camera { eye, orientation, ..*at_hand }, notes))
+}
+
+/// Note on a field of view that no number gives.
+fn unsaid(at_hand: &Camera) -> String {
+    let viewport = &at_hand.viewport;
+    let degrees = fov_of_extent(viewport.height, viewport.distance).to_degrees();
+    format!(
+        "the field of view is not given: {} degrees from bottom to top kept",
+        n((degrees * 1e4).round() / 1e4)
+    )
+}

@@ -1,0 +1,149 @@
+//! Reading a scene of Mitsuba, 3 or an older one: its sensor and film.
+
+use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
+use roxmltree::{Document as Xml, Node};
+
+use super::file::File;
+use super::shapes::{Shapes, shapes};
+use crate::FileError;
+use crate::programs::back::{Mirrored, Stance, extent, image_of, in_ratio};
+use crate::programs::sheet::n;
+use crate::programs::{Taken, Text};
+
+pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    let xml = Xml::parse(text.text).map_err(|error| {
+        let pos = error.pos();
+        let place = crate::Place { line: pos.row as usize, column: pos.col as usize };
+        let problem = format!("no XML: {error}");
+        FileError { place: Some(place), ..FileError::of_file(text.path, problem) }
+    })?;
+    let file = File::of(text, &xml)?;
+    let mut notes = Vec::new();
+    let mut sensors = xml.descendants().filter(|node| node.has_tag_name("sensor"));
+    let sensor = sensors.next().ok_or_else(|| {
+        file.missing("sensor is missing: <sensor type=\"perspective\"> must be there")
+    })?;
+    let others = sensors.count();
+    if others > 0 {
+        notes.push(format!("{others} of sensor left out: the first is taken"));
+    }
+    let kind = file.attribute(sensor, "type")?;
+    if !["perspective", "thinlens"].contains(&&*kind) {
+        return Err(file.fault(sensor, "sensor's type", &kind, "it must be perspective"));
+    }
+    if kind == "thinlens" {
+        notes.push("the lens's aperture is left out: a pinhole is sharp everywhere".to_owned());
+    }
+    let image = image(&file, sensor, &mut notes)?;
+    let viewport = viewport(&file, sensor, image, at_hand.viewport.distance)?;
+    for name in ["principal_point_offset_x", "principal_point_offset_y"] {
+        if let Some(node) = file.named(sensor, name)
+            && file.number(node)? != 0.0
+        {
+            notes.push(format!("{name} is left out: the principal point is in the middle here"));
+        }
+    }
+    let (orientation, eye, mirrored) = pose(&file, sensor, &mut notes)?;
+    let Shapes { mut spheres, mut planes, .. } = shapes(&file, &xml, &mut notes);
+    if mirrored {
+        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
+    }
+    Ok(Taken { camera: Camera { eye, orientation, viewport, image }, spheres, planes, notes })
+}
+
+/// The film's size; a part of it that is rendered alone is told in a note.
+fn image<'x>(
+    file: &File<'_, 'x>,
+    sensor: Node<'x, 'x>,
+    notes: &mut Vec<String>,
+) -> Result<ImageSize, FileError> {
+    let film = file.parts(sensor).find(|node| node.has_tag_name("film"));
+    let given = |name: &str, or: f64| {
+        film.and_then(|film| file.named(film, name)).map_or(Ok(or), |node| file.number(node))
+    };
+    let (width, height) = (given("width", 768.0)?, given("height", 576.0)?);
+    let image = image_of(width, height)
+        .map_err(|right| file.fault(film.unwrap_or(sensor), "film's width", &n(width), &right))?;
+    let crop = [
+        given("crop_width", width)?,
+        given("crop_height", height)?,
+        given("crop_offset_x", 0.0)?,
+        given("crop_offset_y", 0.0)?,
+    ];
+    if crop != [width, height, 0.0, 0.0] {
+        let (w, h) = (image.width(), image.height());
+        notes.push(format!("the film's crop is left out: the whole image, {w} × {h}, is taken"));
+    }
+    Ok(image)
+}
+
+fn pose<'x>(
+    file: &File<'_, 'x>,
+    sensor: Node<'x, 'x>,
+    notes: &mut Vec<String>,
+) -> Result<(Orientation, DVec3, bool), FileError> {
+    let transform = file.named(sensor, "to_world");
+    let steps: Vec<Node> =
+        transform.iter().flat_map(Node::children).filter(Node::is_element).collect();
+    if let [only] = steps[..]
+        && file.is_look_at(only)
+    {
+        let part = |name: &str| file.vector(only, name);
+        let (eye, at) = (part("origin")?, part("target")?);
+        return Ok((Orientation::At { at, up: part("up")? }, eye, false));
+    }
+    let to_world = file.transform(transform)?;
+    let stance =
+        Stance { eye: to_world.at, right: -to_world.x, up: to_world.y, backwards: -to_world.z };
+    let node = transform.unwrap_or(sensor);
+    stance.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
+}
+
+fn viewport<'x>(
+    file: &File<'_, 'x>,
+    sensor: Node<'x, 'x>,
+    image: ImageSize,
+    distance: f64,
+) -> Result<Viewport, FileError> {
+    if let Some(node) = file.named(sensor, "focal_length") {
+        let value = node.attribute("value").unwrap_or_default();
+        return Err(file.fault(
+            node,
+            "focal_length",
+            value,
+            "the field of view must be given by fov",
+        ));
+    }
+    let node = file
+        .named(sensor, "fov")
+        .ok_or_else(|| file.missing("fov is missing: the field of view must be given by it"))?;
+    let fov = file.number(node)?;
+    if !(fov > 0.0 && fov < 180.0) {
+        return Err(file.fault(node, "fov", &n(fov), "it must be between 0 and 180 degrees"));
+    }
+    let axis = file.named(sensor, "fov_axis").map(|node| file.attribute(node, "value"));
+    let axis = axis.transpose()?;
+    let axis = axis.as_deref().unwrap_or("x");
+    let aspect = image.aspect();
+    let across = extent(fov, distance);
+    let is_wide = aspect >= 1.0;
+    let horizontal = match axis {
+        "x" => true,
+        "y" => false,
+        "smaller" => !is_wide,
+        "larger" => is_wide,
+        "diagonal" => {
+            let height = across / aspect.hypot(1.0);
+            return Ok(Viewport { width: aspect * height, height, distance });
+        }
+        other => {
+            let right = "it must be x, y, smaller, larger or diagonal";
+            return Err(file.fault(sensor, "fov_axis", other, right));
+        }
+    };
+    let (width, height) = match horizontal {
+        true => (across, in_ratio(across, 1.0 / aspect)),
+        false => (in_ratio(across, aspect), across),
+    };
+    Ok(Viewport { width, height, distance })
+}

@@ -1,0 +1,165 @@
+//! `gluLookAt` and `gluPerspective`, or GLM's `lookAt` and `perspective`, given by numbers.
+
+use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
+
+use crate::FileError;
+use crate::programs::back::{image_of, image_of_aspect, upright};
+use crate::programs::literal::{Argument, Source, Statement, one_line, three};
+use crate::programs::sheet::n;
+use crate::programs::{Taken, Text};
+
+const RIGHT: &str = "only gluLookAt, gluPerspective, glViewport, glMatrixMode and glLoadIdentity, or \
+                     glm::lookAt and glm::perspective, may stand beside the camera's, each given by numbers";
+
+/// Calls of the camera.
+#[derive(Default)]
+struct Calls {
+    points: Option<[DVec3; 3]>,
+    /// fovy in degrees, and aspect.
+    lens: Option<(f64, f64)>,
+    lens_name: &'static str,
+    size: Option<ImageSize>,
+    matrix: Option<Matrix>,
+}
+
+/// The matrix that `glMatrixMode` chooses.
+#[derive(Clone, Copy, PartialEq)]
+enum Matrix {
+    Projection,
+    ModelView,
+}
+
+pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    let source = Source::new(text, RIGHT)?;
+    let mut calls = Calls::default();
+    for statement in &source.statements {
+        calls.take(&source, statement)?;
+    }
+    let [eye, at, up] = calls.points.ok_or_else(|| {
+        source.missing("gluLookAt", "the camera's eye, center and up must be given by it")
+    })?;
+    let (fovy, aspect) = calls.lens.ok_or_else(|| {
+        source.missing("gluPerspective", "fovy, aspect, zNear and zFar must be given by it")
+    })?;
+    let mut notes = Vec::new();
+    let image = calls
+        .size
+        .unwrap_or_else(|| image_of_aspect(at_hand.image, aspect, calls.lens_name, &mut notes));
+    let camera = Camera {
+        eye,
+        orientation: Orientation::At { at, up },
+        viewport: upright(fovy, aspect, at_hand.viewport.distance),
+        image,
+    };
+    Ok(Taken::camera(camera, notes))
+}
+
+impl Calls {
+    fn take(&mut self, source: &Source, statement: &Statement) -> Result<(), FileError> {
+        match statement.called {
+            "gluLookAt" => {
+                self.must_not_be(source, statement, Matrix::Projection)?;
+                let points = three(source.all_numbers(statement)?);
+                source.once(&mut self.points, points, statement)
+            }
+            "lookAt" | "glm::lookAt" => {
+                let [eye, center, up] = &statement.arguments[..] else {
+                    return Err(source.refused(statement, "it must be eye, center, up"));
+                };
+                let point = |argument| source.vector(statement.called, argument);
+                let points = [point(eye)?, point(center)?, point(up)?];
+                source.once(&mut self.points, points, statement)
+            }
+            "gluPerspective" => {
+                self.must_not_be(source, statement, Matrix::ModelView)?;
+                self.lens_name = "gluPerspective";
+                source.once(&mut self.lens, lens(source, statement, true)?, statement)
+            }
+            "perspective" | "glm::perspective" => {
+                self.lens_name = "perspective";
+                source.once(&mut self.lens, lens(source, statement, false)?, statement)
+            }
+            "glViewport" => {
+                let [_, _, width, height] = source.all_numbers(statement)?;
+                let size =
+                    image_of(width, height).map_err(|right| source.refused(statement, &right))?;
+                source.once(&mut self.size, size, statement)
+            }
+            "glMatrixMode" => {
+                let mode = statement.arguments.first().map(|argument| argument.text);
+                self.matrix = match mode {
+                    Some("GL_PROJECTION") => Some(Matrix::Projection),
+                    Some("GL_MODELVIEW") => Some(Matrix::ModelView),
+                    _ => return Err(source.refused(statement, RIGHT)),
+                };
+                Ok(())
+            }
+            "glLoadIdentity" => {
+                let is_lost = match self.matrix {
+                    Some(Matrix::Projection) => self.lens.is_some(),
+                    Some(Matrix::ModelView) => self.points.is_some(),
+                    None => self.lens.is_some() || self.points.is_some(),
+                };
+                let right = "it must stand before the camera's call, which it undoes";
+                if is_lost { Err(source.refused(statement, right)) } else { Ok(()) }
+            }
+            _ => Err(source.refused(statement, RIGHT)),
+        }
+    }
+
+    fn must_not_be(
+        &self,
+        source: &Source,
+        statement: &Statement,
+        matrix: Matrix,
+    ) -> Result<(), FileError> {
+        if self.matrix != Some(matrix) {
+            return Ok(());
+        }
+        Err(source.refused(statement, "glMatrixMode before it must choose its own matrix"))
+    }
+}
+
+/// fovy in degrees, and aspect.
+fn lens(source: &Source, statement: &Statement, is_glu: bool) -> Result<(f64, f64), FileError> {
+    let [fovy, aspect, near, far] = &statement.arguments[..] else {
+        return Err(source.refused(statement, "it must be fovy, aspect, zNear, zFar"));
+    };
+    source.number("zNear", near)?;
+    source.number("zFar", far)?;
+    let degrees = degrees(source, fovy, is_glu)?;
+    if aspect.divides_whole {
+        let right =
+            "C divides whole numbers without a fraction: write it with a point, as 4.0 / 3.0";
+        return Err(source.fault("aspect", aspect, right));
+    }
+    let ratio = source.number("aspect", aspect)?;
+    let right = "it must be greater than 0";
+    (ratio > 0.0).then_some((degrees, ratio)).ok_or_else(|| source.fault("aspect", aspect, right))
+}
+
+/// GLU counts in degrees; GLM in radians, which are mostly written as radians(45).
+fn degrees(source: &Source, fovy: &Argument, is_glu: bool) -> Result<f64, FileError> {
+    let given = source.number("fovy", fovy)?;
+    let degrees = match (is_glu, fovy.degrees) {
+        (true, Some(_)) => {
+            return Err(source.fault("fovy", fovy, "gluPerspective counts in degrees"));
+        }
+        (true, None) => given,
+        (false, Some(degrees)) => degrees,
+        (false, None) if (std::f64::consts::PI..180.0).contains(&given) => {
+            let right = format!(
+                "GLM counts in radians, and {} radians are {} degrees: write glm::radians({})",
+                n(given),
+                n(given.to_degrees().round()),
+                one_line(fovy.text)
+            );
+            return Err(source.fault("fovy", fovy, &right));
+        }
+        (false, None) => given.to_degrees(),
+    };
+    if fovy.divides_whole || !(degrees > 0.0 && degrees < 180.0) {
+        return Err(source.fault("fovy", fovy, "it must be between 0 and 180 degrees"));
+    }
+    Ok(degrees)
+}

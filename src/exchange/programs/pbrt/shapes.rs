@@ -1,0 +1,115 @@
+//! A pbrt scene's spheres and the colours of their materials, and what is left out.
+
+use std::collections::HashMap;
+
+use pinhole_core::Sphere;
+
+use super::tokens::{Parameters, Reader};
+use crate::document::Item;
+use crate::programs::affine::Affine;
+use crate::programs::left_out::LeftOut;
+use crate::programs::sheet::{byte_of_light, n};
+
+/// What a material says of its colour.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Paint {
+    /// No material was given.
+    Unsaid,
+    Plain([u8; 3]),
+    /// A texture, a spectrum, a metal.
+    Unread,
+}
+
+impl Paint {
+    pub(super) fn of(parameters: &Parameters) -> Paint {
+        // Kd is what pbrt-v3 calls it.
+        let light = parameters.color("reflectance").or_else(|| parameters.color("Kd"));
+        light.map_or(Paint::Unread, |light| Paint::Plain(light.map(byte_of_light)))
+    }
+}
+
+#[derive(Default)]
+pub(super) struct Shapes<'t> {
+    pub(super) spheres: Vec<Item<Sphere>>,
+    pub(super) left: LeftOut,
+    materials: HashMap<&'t str, Paint>,
+    /// Spheres whose numbers are wrong, and what is wrong with the first.
+    faults: (usize, String),
+    unpainted: usize,
+}
+
+impl<'t> Shapes<'t> {
+    pub(super) fn name_material(&mut self, parameters: &Parameters<'t>) {
+        if let Some(name) = parameters.kind {
+            self.materials.insert(name, Paint::of(parameters));
+        }
+    }
+
+    pub(super) fn material(&self, name: Option<&str>) -> Paint {
+        name.and_then(|name| self.materials.get(name)).copied().unwrap_or(Paint::Unread)
+    }
+
+    /// Takes a sphere, and counts any other shape.
+    pub(super) fn take(
+        &mut self,
+        reader: &Reader,
+        at: usize,
+        parameters: &Parameters,
+        place: &Affine,
+        paint: Paint,
+    ) {
+        let kind = parameters.kind.unwrap_or("shape");
+        if kind != "sphere" {
+            return self.left.add(kind, "left out: Pinhole has spheres and planes");
+        }
+        let radius = parameters.number("radius").unwrap_or(1.0);
+        let given = |name: &str, or: f64| parameters.number(name).unwrap_or(or);
+        let is_whole = given("zmin", -radius) <= -radius
+            && given("zmax", radius) >= radius
+            && given("phimax", 360.0) >= 360.0;
+        if !is_whole {
+            let said = "left out with zmin, zmax or phimax: Pinhole has whole spheres";
+            return self.left.add(kind, said);
+        }
+        let Some(scale) = place.scale() else {
+            return self.left.add(kind, "left out: scaled to an ellipsoid");
+        };
+        let radius = radius * scale;
+        if !(radius > 0.0 && radius.is_finite() && place.at.is_finite()) {
+            if self.faults.0 == 0 {
+                let line = reader.error(at, "").place.map(|place| format!("line {}: ", place.line));
+                let line = line.unwrap_or_default();
+                self.faults.1 = match radius > 0.0 {
+                    true => format!("{line}its numbers must be finite"),
+                    false => format!("{line}radius is {}: it must be greater than 0", n(radius)),
+                };
+            }
+            self.faults.0 += 1;
+            return;
+        }
+        let color = match paint {
+            Paint::Plain(color) => Some(color),
+            Paint::Unsaid => None,
+            Paint::Unread => {
+                self.unpainted += 1;
+                None
+            }
+        };
+        let shape = Sphere { center: place.at, radius };
+        self.spheres.push(Item { name: None, color, shape });
+    }
+
+    /// What was left out.
+    pub(super) fn tell(&self, notes: &mut Vec<String>) {
+        if self.faults.0 > 0 {
+            notes.push(format!("{} of sphere left out: {}", self.faults.0, self.faults.1));
+        }
+        self.left.tell(notes);
+        if self.unpainted > 0 {
+            notes.push(format!(
+                "{} of Material left out: a colour must be \"rgb reflectance\"",
+                self.unpainted
+            ));
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! A POV-Ray scene's directives: which of their branches are taken.
+
+use super::source::{Code, Piece, split};
+use super::values::{OPENING, Values};
+
+/// What `#if` and the like make of what stands behind them.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Branch {
+    Taken,
+    Skipped,
+    /// By what is not worked out here.
+    Open,
+}
+
+/// A directive that is not ended.
+struct Begun<'t> {
+    branch: Branch,
+    /// Whether this branch or one before it is taken.
+    was_taken: bool,
+    /// What is in its brackets, or its word where it has none.
+    condition: Piece<'t>,
+    /// What a `#switch` is on, where it is one.
+    switch: Option<Option<f64>>,
+}
+
+/// The directives that are not ended.
+#[derive(Default)]
+pub(super) struct Branches<'t> {
+    begun: Vec<Begun<'t>>,
+    skipped: usize,
+    open: Vec<Piece<'t>>,
+    /// Which of them `#break` leaves.
+    left_by_break: Vec<usize>,
+}
+
+impl<'t> Branches<'t> {
+    pub(super) fn now(&self) -> Branch {
+        match (self.skipped, self.open.is_empty()) {
+            (0, true) => Branch::Taken,
+            (0, false) => Branch::Open,
+            _ => Branch::Skipped,
+        }
+    }
+
+    /// The innermost condition that is not worked out.
+    pub(super) fn undecided(&self) -> Option<Piece<'t>> {
+        self.open.last().copied()
+    }
+
+    fn begin(&mut self, begun: Begun<'t>) {
+        match begun.branch {
+            Branch::Taken => (),
+            Branch::Skipped => self.skipped += 1,
+            Branch::Open => self.open.push(begun.condition),
+        }
+        let was_taken = begun.was_taken || begun.branch == Branch::Taken;
+        self.begun.push(Begun { was_taken, ..begun });
+    }
+
+    fn end(&mut self) -> Option<Begun<'t>> {
+        let ended = self.begun.pop()?;
+        match ended.branch {
+            Branch::Taken => (),
+            Branch::Skipped => self.skipped = self.skipped.saturating_sub(1),
+            Branch::Open => drop(self.open.pop()),
+        }
+        Some(ended)
+    }
+
+    /// `#else`, `#elseif`, `#case` and their like, of which some have a condition of their own.
+    fn turn(&mut self, next: Branch, condition: Option<Piece<'t>>) {
+        if let Some(begun) = self.end() {
+            let branch = match begun.branch {
+                Branch::Open => Branch::Open,
+                // A case goes on into the next one.
+                Branch::Taken if begun.switch.is_some() => Branch::Taken,
+                _ if begun.was_taken => Branch::Skipped,
+                _ => next,
+            };
+            let condition = condition.filter(|_| begun.branch != Branch::Open);
+            self.begin(Begun { branch, condition: condition.unwrap_or(begun.condition), ..begun });
+        }
+    }
+
+    /// `#break` leaves a case for good; where it stands under a condition in it, it is not known what
+    /// is left.
+    fn leave(&mut self) {
+        let last = self.begun.len().checked_sub(1);
+        let left = self.left_by_break.last().copied();
+        if self.now() == Branch::Skipped {
+            return;
+        }
+        if left == last {
+            if let Some(begun) = self.end() {
+                let branch = match begun.branch {
+                    Branch::Taken => Branch::Skipped,
+                    other => other,
+                };
+                self.begin(Begun { branch, ..begun });
+            }
+        } else if let Some(begun) = left.and_then(|left| self.begun.get_mut(left))
+            && begun.branch == Branch::Taken
+        {
+            begun.branch = Branch::Open;
+            self.open.push(begun.condition);
+        }
+    }
+
+    /// Takes a directive's word; `behind` is what follows it.
+    pub(super) fn take(
+        &mut self,
+        code: &'t Code,
+        values: &Values,
+        word: Piece<'t>,
+        behind: Piece<'t>,
+    ) {
+        let inside = code.bracketed(behind);
+        let condition = inside.unwrap_or(word);
+        let begun = |branch| Begun { branch, was_taken: false, condition, switch: None };
+        let of = |holds: Option<bool>| match holds {
+            Some(true) => Branch::Taken,
+            Some(false) => Branch::Skipped,
+            None => Branch::Open,
+        };
+        let decided = || of(inside.and_then(|inside| values.condition(inside)));
+        match word.text {
+            "if" => self.begin(begun(decided())),
+            "elseif" => self.turn(decided(), Some(condition)),
+            "else" => self.turn(Branch::Taken, None),
+            "switch" => {
+                let on = inside.and_then(|inside| values.number(inside));
+                self.left_by_break.push(self.begun.len());
+                let branch = if on.is_some() { Branch::Skipped } else { Branch::Open };
+                self.begin(Begun { switch: Some(on), ..begun(branch) });
+            }
+            "case" | "range" | "default" => {
+                let Some(on) = self.begun.last().and_then(|begun| begun.switch) else { return };
+                let among = || {
+                    let parts = split(inside?).into_iter().map(|part| values.number(part));
+                    match parts.collect::<Option<Vec<_>>>()?[..] {
+                        [one] if word.text == "case" => Some(one == on?),
+                        [from, to] if word.text == "range" => Some((from..=to).contains(&on?)),
+                        _ => None,
+                    }
+                };
+                match word.text {
+                    "default" => self.turn(Branch::Taken, None),
+                    _ => self.turn(of(among()), Some(condition)),
+                }
+            }
+            "break" => self.leave(),
+            "end" => {
+                self.end();
+                self.left_by_break.pop_if(|left| *left >= self.begun.len());
+            }
+            word if OPENING.contains(&word) => {
+                if ["while", "for"].contains(&word) {
+                    self.left_by_break.push(self.begun.len());
+                }
+                self.begin(begun(Branch::Open));
+            }
+            _ => (),
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! The spheres and planes of a POV-Ray scene that stand by themselves.
+
+use pinhole_core::{DVec3, Plane, Sphere};
+
+use super::blocks::Blocks;
+use super::source::{Code, Piece, after_spaces, is_of_word, trimmed, words};
+use super::values::{Value, Values, vector, word_of};
+use crate::FileError;
+use crate::document::Item;
+use crate::programs::affine::Affine;
+use crate::programs::back::{readable, settled};
+use crate::programs::sheet::byte_of_light;
+
+/// What is read of a scene's objects.
+pub(super) struct Objects<'c, 't> {
+    code: &'c Code<'c>,
+    values: &'c Values<'t>,
+    /// Colours that are there and could not be read.
+    unpainted: usize,
+}
+
+impl<'c, 't> Objects<'c, 't> {
+    pub(super) fn of(code: &'c Code<'c>, values: &'c Values<'t>) -> Objects<'c, 't> {
+        Objects { code, values, unpainted: 0 }
+    }
+
+    pub(super) fn spheres(
+        &mut self,
+        blocks: &Blocks,
+        notes: &mut Vec<String>,
+    ) -> Vec<Item<Sphere>> {
+        let spheres = blocks.spheres.iter().map(|block| self.sphere(*block));
+        let spheres = readable(spheres, "sphere", notes);
+        let ellipsoids = spheres.iter().filter(|sphere| sphere.is_none()).count();
+        if ellipsoids > 0 {
+            notes.push(format!("{ellipsoids} of sphere left out: scaled to an ellipsoid"));
+        }
+        spheres.into_iter().flatten().collect()
+    }
+
+    pub(super) fn planes(&mut self, blocks: &Blocks, notes: &mut Vec<String>) -> Vec<Item<Plane>> {
+        readable(blocks.planes.iter().map(|block| self.plane(*block)), "plane", notes)
+    }
+
+    /// What is said of colours that are there and could not be read.
+    pub(super) fn colors(&self, notes: &mut Vec<String>) {
+        if self.unpainted > 0 {
+            notes.push(format!(
+                "{} of pigment or texture left out: a colour must be rgb <1, 0.5, 0> or a name such as Red",
+                self.unpainted
+            ));
+        }
+    }
+
+    /// `None` of an ellipsoid.
+    fn sphere(&mut self, block: Piece) -> Result<Option<Item<Sphere>>, FileError> {
+        let (center, rest) = self.beginning("sphere", "sphere centre", block)?;
+        let right = "it must have a radius greater than 0, as sphere { <0, 0, 0>, 1 }";
+        let (radius, modifiers) = self
+            .number(rest)
+            .filter(|(radius, _)| *radius > 0.0)
+            .ok_or_else(|| self.code.fault("sphere", block, right))?;
+        let placed = self.steps(modifiers, 0)?;
+        let Some(scale) = placed.scale() else { return Ok(None) };
+        let (center, radius) = match placed == Affine::IDENTITY {
+            true => (center, radius),
+            false => {
+                (plain(placed.point(center)), settled(radius * scale, 4.0 * f64::EPSILON * scale))
+            }
+        };
+        if !(center.is_finite() && radius.is_finite()) {
+            return Err(self.code.fault("sphere", block, "its numbers must be finite"));
+        }
+        Ok(Some(Item { name: None, color: self.color(block), shape: Sphere { center, radius } }))
+    }
+
+    fn plane(&mut self, block: Piece) -> Result<Item<Plane>, FileError> {
+        let (normal, rest) = self.beginning("plane", "plane's normal", block)?;
+        let right = "it must have a normal and a distance, as plane { <0, 1, 0>, -1 }";
+        let (distance, modifiers) = self
+            .number(rest)
+            .filter(|_| normal.try_normalize().is_some())
+            .ok_or_else(|| self.code.fault("plane", block, right))?;
+        let mut shape = Plane { point: normal.normalize() * distance + DVec3::ZERO, normal };
+        let placed = self.steps(modifiers, 0)?;
+        if placed != Affine::IDENTITY {
+            // A normal goes by the inverse transposed: here times the determinant.
+            let Affine { x, y, z, .. } = placed;
+            let turned = normal.x * y.cross(z) + normal.y * z.cross(x) + normal.z * x.cross(y);
+            let turned = turned * x.dot(y.cross(z)).signum();
+            let right = "it must not be scaled to nothing";
+            let turned =
+                turned.try_normalize().ok_or_else(|| self.code.fault("plane", block, right))?;
+            shape = Plane { point: plain(placed.point(shape.point)), normal: plain(turned) };
+        }
+        if !shape.point.is_finite() {
+            return Err(self.code.fault("plane", block, "its numbers must be finite"));
+        }
+        Ok(Item { name: None, color: self.color(block), shape })
+    }
+
+    /// The vector with which an object begins, and what follows it and its comma.
+    fn beginning<'p>(
+        &self,
+        name: &str,
+        field: &str,
+        block: Piece<'p>,
+    ) -> Result<(DVec3, Piece<'p>), FileError> {
+        let code = self.code;
+        if let Some(piece) = words(block, "clipped_by").first() {
+            let piece = Piece { text: "clipped_by", at: block.at + piece };
+            return Err(code.fault(name, piece, "Pinhole has whole spheres and planes"));
+        }
+        let found =
+            self.values.prefix(block).and_then(|(value, rest)| Some((vector(&value)?, rest)));
+        let Some((value, rest)) = found else {
+            let right = "it must be a vector of numbers, as <1, 2, 3>";
+            return Err(code.fault(field, given(code, trimmed(block)), right));
+        };
+        let rest = after_spaces(rest);
+        Ok((value, if rest.text.starts_with(',') { rest.from(1) } else { rest }))
+    }
+
+    /// The number with which a piece begins, and what follows.
+    fn number<'p>(&self, piece: Piece<'p>) -> Option<(f64, Piece<'p>)> {
+        match self.values.prefix(piece)? {
+            (value, rest) if value.len() == 1 => Some((value[0], rest)),
+            _ => None,
+        }
+    }
+
+    /// Where what follows an object's numbers puts it, one step after the other; of what stands in so many
+    /// `transform { ... }`.
+    fn steps(&self, modifiers: Piece, depth: usize) -> Result<Affine, FileError> {
+        const DEEPEST: usize = 8;
+        const RIGHT: &str = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix \
+                         in transform";
+        let code = self.code;
+        let mut placed = Affine::IDENTITY;
+        let mut rest = modifiers;
+        while let Some(c) = rest.text.chars().next() {
+            if !is_of_word(c) {
+                if c == '#' {
+                    return Err(code.fault(
+                        "object",
+                        word_of(rest.from(1)),
+                        "no directive must stand in it",
+                    ));
+                }
+                // What is in the braces of a texture moves the texture.
+                let inside = code.bracketed(rest).filter(|_| c == '{');
+                rest = rest.from(inside.map_or(c.len_utf8(), |inside| inside.text.len() + 2));
+                continue;
+            }
+            let word = word_of(rest);
+            let open = after_spaces(rest.from(word.text.len()));
+            let (step, after) = match word.text {
+                "translate" | "scale" | "rotate" | "matrix" => {
+                    let found = self.values.prefix(open);
+                    let found =
+                        found.and_then(|(value, after)| Some((step_of(word.text, &value)?, after)));
+                    let right = match word.text {
+                        "matrix" => RIGHT,
+                        _ => "it must be a vector of numbers, as <1, 2, 3>",
+                    };
+                    found.ok_or_else(|| code.fault(word.text, given(code, open), right))?
+                }
+                "transform" => {
+                    let inside = code.bracketed(open).filter(|_| open.text.starts_with('{'));
+                    let Some(inside) = inside else {
+                        // The name of one that is declared.
+                        return Err(code.fault("transform", word_of(open), RIGHT));
+                    };
+                    if depth == DEEPEST {
+                        return Err(code.fault("transform", inside, RIGHT));
+                    }
+                    (self.steps(inside, depth + 1)?, open.from(inside.text.len() + 2))
+                }
+                _ if depth > 0 => return Err(code.fault("transform", word, RIGHT)),
+                _ => {
+                    rest = open;
+                    continue;
+                }
+            };
+            placed = step.of(&placed);
+            rest = after;
+        }
+        Ok(placed)
+    }
+
+    /// The colour of the first pigment.
+    fn color(&mut self, block: Piece) -> Option<[u8; 3]> {
+        let pigment = words(block, "pigment").first().map(|at| at + "pigment".len());
+        if pigment.is_none() && words(block, "texture").is_empty() {
+            return None;
+        }
+        let pigment = pigment.map(|at| after_spaces(block.from(at)));
+        let inside = pigment.and_then(|open| self.code.bracketed(open));
+        let light = inside
+            .and_then(|inside| self.values.prefix(inside))
+            .and_then(|(value, _)| light(&value));
+        self.unpainted += usize::from(light.is_none());
+        light.map(|light| light.map(byte_of_light))
+    }
+}
+
+fn light(value: &Value) -> Option<[f64; 3]> {
+    match value[..] {
+        [grey] => Some([grey; 3]),
+        [r, g, b, ..] if value.len() <= 5 => Some([r, g, b]),
+        _ => None,
+    }
+}
+
+/// What stands behind a word, up to the next one.
+fn given<'p>(code: &Code, open: Piece<'p>) -> Piece<'p> {
+    let end = match code.bracketed(open) {
+        Some(inside) => inside.text.len() + 2,
+        None => open.text.find([',', '{', '}', '\n']).unwrap_or(open.text.len()),
+    };
+    Piece { text: &open.text[..end], ..open }
+}
+
+fn step_of(word: &str, value: &Value) -> Option<Affine> {
+    match word {
+        "matrix" => matrix(value),
+        "translate" => vector(value).map(Affine::translation),
+        "scale" => vector(value).map(Affine::scaling),
+        _ => vector(value).map(rotation),
+    }
+}
+
+/// About x, then y, then z.
+fn rotation(degrees: DVec3) -> Affine {
+    [(degrees.x, DVec3::X), (degrees.y, DVec3::Y), (degrees.z, DVec3::Z)]
+        .into_iter()
+        .filter_map(|(degrees, axis)| Affine::rotation(degrees, axis))
+        .fold(Affine::IDENTITY, |before, turn| turn.of(&before))
+}
+
+/// Where x, y, z and the origin come to lie.
+fn matrix(m: &[f64]) -> Option<Affine> {
+    let row = |k: usize| DVec3::new(m[k], m[k + 1], m[k + 2]);
+    (m.len() == 12).then(|| Affine { x: row(0), y: row(3), z: row(6), at: row(9) })
+}
+
+/// Without the digits that the sines and cosines of right angles leave.
+fn plain(v: DVec3) -> DVec3 {
+    let roundings = 4.0 * f64::EPSILON * v.length();
+    DVec3::from_array(v.to_array().map(|x| settled(x, roundings)))
+}

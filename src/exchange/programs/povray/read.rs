@@ -1,0 +1,223 @@
+//! Reading a POV-Ray scene: its camera, spheres and planes, where they are given by plain numbers.
+
+use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
+
+use super::blocks::Blocks;
+use super::objects::Objects;
+use super::source::{Code, Piece, trimmed, words};
+use super::values::{Values, has, word_of};
+use crate::FileError;
+use crate::programs::back::{Mirrored, Stance, image_of, image_of_aspect, settled, size_taken};
+use crate::programs::{Taken, Text};
+
+/// What a camera of ours has.
+const OWN: [&str; 8] =
+    ["perspective", "location", "right", "up", "direction", "sky", "look_at", "angle"];
+
+/// The projections that are none of a pinhole camera.
+const OTHER_PROJECTIONS: [&str; 7] = [
+    "orthographic",
+    "fisheye",
+    "ultra_wide_angle",
+    "omnimax",
+    "panoramic",
+    "cylinder",
+    "spherical",
+];
+
+/// What moves a camera as a whole.
+const MOVES: [&str; 5] = ["rotate", "translate", "scale", "matrix", "transform"];
+
+/// What blurs, as a lens does.
+const BLUR: [&str; 6] =
+    ["aperture", "focal_point", "blur_samples", "confidence", "variance", "bokeh"];
+
+/// What bends the rays.
+const BENT: &str = "normal";
+
+/// What may stand in a camera, after whose value the next one begins.
+fn camera_words() -> impl Iterator<Item = &'static str> {
+    let lists: [&[&str]; 5] = [&OWN, &OTHER_PROJECTIONS, &MOVES, &BLUR, &[BENT]];
+    lists.into_iter().flatten().copied()
+}
+
+pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    let code = Code::new(text);
+    let mut notes = Vec::new();
+    let given = size(text);
+    let values = Values::of(&code, given.unwrap_or(at_hand.image));
+    let blocks = Blocks::of(&code, &values);
+    let camera = blocks.camera(&code, &mut notes)?;
+    let (view, image, values) = match given {
+        Some(image) => (View::read(&code, &values, camera)?, image, values),
+        None => by_ratio(&code, values, camera, at_hand.image, &mut notes)?,
+    };
+    let Frame { right, up, direction } = view.frame();
+    let viewport = Viewport {
+        width: tidy(right.length()),
+        height: tidy(up.length()),
+        distance: tidy(direction.length()),
+    };
+    if BLUR.iter().any(|word| value(camera, word).is_some()) {
+        notes.push("lens blur is left out: a pinhole is sharp everywhere".to_owned());
+    }
+    if value(camera, BENT).is_some() {
+        notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
+    }
+    let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
+    let (orientation, eye, mirrored) =
+        stance.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
+    blocks.left_out(&mut notes);
+    let mut objects = Objects::of(&code, &values);
+    let mut spheres = objects.spheres(&blocks, &mut notes);
+    let mut planes = objects.planes(&blocks, &mut notes);
+    objects.colors(&mut notes);
+    if mirrored {
+        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
+    }
+    let camera = Camera { eye, orientation, viewport, image };
+    Ok(Taken { camera, spheres, planes, notes })
+}
+
+/// A length without the digits that a square root adds to a short number.
+fn tidy(length: f64) -> f64 {
+    settled(length, 4.0 * f64::EPSILON * length)
+}
+
+/// `+W400 +H300` wherever it stands, the comment at the head included.
+fn size(text: &Text) -> Option<ImageSize> {
+    let option = |name: &str| {
+        let mut words = text.text.split_whitespace();
+        words.find_map(|word| word.strip_prefix(name)?.parse::<f64>().ok())
+    };
+    option("+W").zip(option("+H")).and_then(|(w, h)| image_of(w, h).ok())
+}
+
+/// The camera and an image whose sides have the ratio of right and up, so that pixels are square, as
+/// POV-Ray's are meant to be: that at hand where right follows the image.
+fn by_ratio<'t>(
+    code: &'t Code,
+    values: Values<'t>,
+    camera: Piece,
+    at_hand: ImageSize,
+    notes: &mut Vec<String>,
+) -> Result<(View, ImageSize, Values<'t>), FileError> {
+    let view = View::read(code, &values, camera)?;
+    let (aspect, mut said) = (view.aspect(), Vec::new());
+    if aspect.is_finite() && aspect > 0.0 {
+        let image = image_of_aspect(at_hand, aspect, "the scene", &mut said);
+        let values = values.with_image(image);
+        let other = View::read(code, &values, camera)?;
+        if image == at_hand || other.aspect() == aspect {
+            notes.append(&mut said);
+            return Ok((other, image, values));
+        }
+    }
+    let unsaid = "the scene does not say how many pixels there are";
+    notes.push(size_taken(unsaid, at_hand, " taken"));
+    let values = Values::of(code, at_hand);
+    Ok((view, at_hand, values))
+}
+
+/// What follows a word of a camera, up to the next one.
+fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
+    let at = *words(camera, word).last()?;
+    let rest = camera.from(at + word.len());
+    let next = camera_words().flat_map(|word| words(rest, word)).min();
+    Some(trimmed(Piece { text: &rest.text[..next.unwrap_or(rest.text.len())], ..rest }))
+}
+
+/// What a camera says.
+struct View {
+    location: DVec3,
+    right: DVec3,
+    up: DVec3,
+    direction: DVec3,
+    sky: DVec3,
+    look_at: Option<DVec3>,
+}
+
+struct Frame {
+    right: DVec3,
+    up: DVec3,
+    direction: DVec3,
+}
+
+impl View {
+    fn read(code: &Code, values: &Values, camera: Piece) -> Result<View, FileError> {
+        let first = word_of(trimmed(camera));
+        if !trimmed(camera).text.is_empty() && !camera_words().any(|word| word == first.text) {
+            let right = "it must begin with a word such as location, or be declared in this file";
+            return Err(code.fault("camera", trimmed(camera), right));
+        }
+        if let Some(at) = camera.text.find('#') {
+            let piece = word_of(camera.from(at + 1));
+            return Err(code.fault("camera", piece, "no directive must stand in it"));
+        }
+        if let Some(other) = OTHER_PROJECTIONS.iter().find(|other| has(camera, other)) {
+            let piece = Piece { text: other, at: camera.at + words(camera, other)[0] };
+            return Err(code.fault("the projection", piece, "it must be perspective"));
+        }
+        for moved in MOVES {
+            if let Some(piece) = value(camera, moved) {
+                return Err(code.fault(moved, piece, "the camera must be given without it"));
+            }
+        }
+        let given = |word: &str| {
+            let Some(piece) = value(camera, word) else { return Ok(None) };
+            if let Some(vector) = values.vector(piece) {
+                return Ok(Some(vector));
+            }
+            // Which of its numbers is none.
+            let part = code.vector(word, piece).err().filter(|_| piece.text.starts_with('['));
+            let right = match values.is_changed(piece.text) {
+                true => {
+                    "it is declared more than once, or under a condition: here it must be numbers"
+                }
+                false => "it must be a vector of numbers, as <1, 2, 3>",
+            };
+            Err(part.unwrap_or_else(|| code.fault(word, piece, right)))
+        };
+        let or = |word: &str, or: DVec3| Ok::<_, FileError>(given(word)?.unwrap_or(or));
+        let mut view = View {
+            location: or("location", DVec3::ZERO)?,
+            right: or("right", DVec3::new(1.33, 0.0, 0.0))?,
+            up: or("up", DVec3::Y)?,
+            direction: or("direction", DVec3::Z)?,
+            sky: or("sky", DVec3::Y)?,
+            look_at: given("look_at")?,
+        };
+        if let Some(piece) = value(camera, "angle") {
+            let angle = values.number(piece).filter(|angle| *angle > 0.0 && *angle < 180.0);
+            let angle = angle.ok_or_else(|| {
+                code.fault("angle", piece, "it must be between 0 and 180 degrees")
+            })?;
+            // The horizontal field of view, which sets direction's length.
+            let length = 0.5 * view.right.length() / (0.5 * angle.to_radians()).tan();
+            view.direction = view.direction.normalize_or_zero() * length;
+        }
+        Ok(view)
+    }
+
+    /// Width by height.
+    fn aspect(&self) -> f64 {
+        self.right.length() / self.up.length()
+    }
+
+    /// As POV-Ray turns the camera towards `look_at`: right, up and direction keep their lengths, and
+    /// the camera its handedness.
+    fn frame(&self) -> Frame {
+        let View { right, up, direction, .. } = *self;
+        let Some(at) = self.look_at else { return Frame { right, up, direction } };
+        let left_handed = up.cross(direction).dot(right) > 0.0;
+        let ahead = (at - self.location).normalize_or_zero();
+        let side = self.sky.cross(ahead).normalize_or_zero();
+        let above = ahead.cross(side);
+        let side = if left_handed { side } else { -side };
+        Frame {
+            right: side * right.length(),
+            up: above * up.length(),
+            direction: ahead * direction.length(),
+        }
+    }
+}

@@ -1,0 +1,114 @@
+//! How a format's conventions differ from those here.
+
+use pinhole_core::DVec3;
+
+use super::Subject;
+
+/// What an axis of a format's camera points along.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "u, v, w of the camera, and their opposites")]
+pub enum Axis {
+    U,
+    V,
+    W,
+    MinusU,
+    MinusV,
+    MinusW,
+}
+
+/// How a format counts pixels, and where it has their centres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pixels {
+    /// x right, y down from the image's corner: centres at halves. As here.
+    Corner,
+    /// The same with centres at whole numbers.
+    AtCentre,
+    /// y up from the lower left corner, centres at halves.
+    FromBottom,
+    /// Rows and columns from 1.
+    FromOne,
+    /// As here, but the column comes first.
+    ColumnFirst,
+    /// From -1 to 1 across the image, y up.
+    Device,
+}
+
+/// A format's conventions.
+#[derive(Debug)]
+pub struct Terms {
+    /// What its camera's x, y and z point along.
+    pub axes: [Axis; 3],
+    /// What the camera is given by.
+    pub given_by: &'static str,
+    /// Where its pixels are.
+    pub pixels: Pixels,
+    /// How the field of view is given.
+    pub view: &'static str,
+    /// Its number for a camera.
+    pub(super) field: fn(&Subject) -> String,
+    /// What becomes of the viewport's distance.
+    pub distance: &'static str,
+    /// Which pixels it can have.
+    pub shape: &'static str,
+    /// What it reckons in.
+    pub lengths: &'static str,
+}
+
+impl Axis {
+    /// Its letter with its sign: `u`, `−w`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Axis::U => "u",
+            Axis::V => "v",
+            Axis::W => "w",
+            Axis::MinusU => "−u",
+            Axis::MinusV => "−v",
+            Axis::MinusW => "−w",
+        }
+    }
+
+    /// Whether it is the opposite of u, v or w.
+    pub fn is_flipped(self) -> bool {
+        matches!(self, Axis::MinusU | Axis::MinusV | Axis::MinusW)
+    }
+
+    /// Its vector, in coordinates (u, v, w).
+    pub fn direction(self) -> DVec3 {
+        match self {
+            Axis::U => DVec3::X,
+            Axis::V => DVec3::Y,
+            Axis::W => DVec3::Z,
+            Axis::MinusU => DVec3::NEG_X,
+            Axis::MinusV => DVec3::NEG_Y,
+            Axis::MinusW => DVec3::NEG_Z,
+        }
+    }
+
+    /// What lies there: `right`, `up`, `backwards` and their opposites.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Axis::U => "right",
+            Axis::V => "up",
+            Axis::W => "backwards",
+            Axis::MinusU => "left",
+            Axis::MinusV => "down",
+            Axis::MinusW => "forwards",
+        }
+    }
+}
+
+impl Terms {
+    /// The axes of a camera here.
+    pub const OURS: [Axis; 3] = [Axis::U, Axis::V, Axis::W];
+
+    /// Whether its camera's axes are right-handed.
+    pub fn is_right_handed(&self) -> bool {
+        let [x, y, z] = self.axes.map(Axis::direction);
+        x.cross(y).dot(z) > 0.0
+    }
+
+    /// The number of the field of view for a camera, or several.
+    pub fn field_of_view(&self, subject: &Subject) -> String {
+        (self.field)(subject)
+    }
+}

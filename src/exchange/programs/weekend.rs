@@ -1,0 +1,93 @@
+//! *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set
+//! up its `camera`.
+
+use pinhole_core::{Camera, Orientation, Sphere, Viewport, extent_of_fov};
+
+use super::sheet::{Sheet, commas, light, n, real};
+use super::terms::{Pixels, Terms};
+use super::{Check, Format, Subject, Unsayable, Written};
+
+pub(super) const FORMAT: Format = Format {
+    name: "weekend",
+    label: "Ray Tracing in One Weekend",
+    short: "One Weekend",
+    ending: "cc",
+    terms: Terms {
+        axes: Terms::OURS,
+        given_by: "lookfrom, lookat, vup",
+        pixels: Pixels::ColumnFirst,
+        view: "vfov: vertical, in degrees",
+        field: |subject| n(subject.vertical_degrees()),
+        distance: "focus_dist: the viewport is there, t = 1 too",
+        shape: "square only; image_height = int(image_width / aspect_ratio)",
+        lengths: "f64",
+    },
+    write,
+    check: Check::Numbers(camera_of_numbers),
+};
+
+fn write(subject: &Subject) -> Result<Written, Unsayable> {
+    subject.square_pixels("Ray Tracing in One Weekend")?;
+    let [eye, at, up] = subject.look_at()?;
+    let [width, height] = subject.size();
+    let mut text = format!(
+        "camera cam;\n\n\
+         cam.aspect_ratio  = {};\n\
+         cam.image_width   = {width};\n\n\
+         cam.vfov          = {};\n\
+         cam.lookfrom      = point3({});\n\
+         cam.lookat        = point3({});\n\
+         cam.vup           = vec3({});\n\n\
+         cam.defocus_angle = 0;\n\
+         cam.focus_dist    = {};\n",
+        aspect_ratio(width, height),
+        real(subject.vertical_degrees()),
+        commas(eye),
+        commas(at),
+        commas(up),
+        n(subject.viewport().distance),
+    );
+    let mut notes = Vec::new();
+    let spheres = subject.spheres();
+    if !spheres.is_empty() {
+        text.push_str("\nhittable_list world;\n");
+    }
+    for sphere in spheres {
+        let Sphere { center, radius } = sphere.shape;
+        let color = light(sphere.color).join(", ");
+        text.push_str(&format!(
+            "world.add(make_shared<sphere>(point3({}), {}, make_shared<lambertian>(color({color}))));\n",
+            commas(center),
+            n(radius),
+        ));
+    }
+    notes.extend(subject.planes().iter().map(|plane| {
+        format!("{} is left out: the book's first volume has spheres only", plane.title)
+    }));
+    Ok(Written::of("main.cc", Sheet::of(&text), notes))
+}
+
+/// The camera that the book's program makes of the numbers.
+fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
+    let [eye, at, up] = subject.look_at()?;
+    let image = subject.posed().image();
+    let distance = subject.viewport().distance;
+    let height = extent_of_fov(subject.vertical_degrees().to_radians(), distance);
+    Ok(Camera {
+        eye,
+        orientation: Orientation::At { at, up },
+        viewport: Viewport { width: height * image.aspect(), height, distance },
+        image,
+    })
+}
+
+/// The ratio from which `int(image_width / aspect_ratio)` is the height.
+fn aspect_ratio(width: u32, height: u32) -> String {
+    let (w, h) = (f64::from(width), f64::from(height));
+    let rows = |ratio: f64| (w / ratio) as u32;
+    if rows(w / h) == height {
+        return format!("{} / {}", real(w), real(h));
+    }
+    // The quotient is rounded up, and a row is lost: a little less keeps it.
+    real((w / h).next_down())
+}

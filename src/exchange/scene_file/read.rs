@@ -1,0 +1,211 @@
+//! From a scene file's text to a document.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Plane, Rgb, Sphere, Viewport};
+use toml_edit::Document as Toml;
+
+use super::{VERSION, note};
+use crate::FileError;
+use crate::csv::spheres;
+use crate::document::{CsvSpheres, Document, Item};
+use crate::fields::{Field, Section, Source};
+use crate::images::color;
+
+const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
+/// The tables of a scene.
+pub(crate) const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
+/// Those of [`TOP`] that must stand before the first table.
+const BEFORE_TABLES: &[&str] = &["pinhole", "spheres"];
+
+/// Reads a document; without a `base` folder, the CSV file is named but not read.
+pub(super) fn document(
+    text: &str,
+    path: &Path,
+    base: Option<&Path>,
+) -> Result<Document, FileError> {
+    let source = Source { text, path };
+    let toml = Toml::parse(text).map_err(|error| not_toml(&source, &error))?;
+    let root = Section::root(&source, toml.as_table());
+    version(&root)?;
+    root.only(TOP, &[])?;
+    root.need("camera", "[camera] with eye, at and up")?;
+    let mut document = Document {
+        note: note::of_block(note::split(text.trim_start_matches('\u{feff}')).0),
+        ..Document::default()
+    };
+    tables(&root, &mut document)?;
+    document.csv_spheres = root.get("spheres").map(|field| csv(&field, base)).transpose()?;
+    Ok(document)
+}
+
+/// Reads the tables [`TABLES`] that are there; each replaces what the document has for it.
+pub(crate) fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
+    let camera = &mut document.camera;
+    if let Some(section) = root.get("camera") {
+        let Camera { viewport, image, .. } = *camera;
+        *camera = Camera { viewport, image, ..read_camera(&section.section()?)? };
+    }
+    if let Some(section) = root.get("viewport") {
+        camera.viewport = viewport(&section.section()?)?;
+    }
+    if let Some(section) = root.get("image") {
+        camera.image = image(&section.section()?)?;
+    }
+    if let Some(field) = root.get("sphere") {
+        document.spheres = objects(&field, sphere)?.into();
+    }
+    if let Some(field) = root.get("plane") {
+        document.planes = objects(&field, plane)?.into();
+    }
+    Ok(())
+}
+
+/// Says a syntax error in the words of someone who does not know the grammar, where that is common.
+pub(crate) fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
+    let span = error.span().unwrap_or(0..0);
+    let found = source.text.get(span.clone()).unwrap_or_default();
+    let message = match error.message() {
+        "duplicate key" => format!("{found} is given twice"),
+        message if message.starts_with("string values must be quoted") => match found {
+            "" => "the value after = is missing".to_owned(),
+            word => format!("{word} is no value: write a number, or text in quotes"),
+        },
+        message if message.ends_with("overflowed") => format!("{found} is too large a number"),
+        message => message.trim_end_matches(", expected nothing").to_owned(),
+    };
+    source.error(&span, format!("not TOML: {message}"))
+}
+
+fn version(root: &Section) -> Result<(), FileError> {
+    let field = root.need("pinhole", "pinhole = 1 (the format version) at the top")?;
+    match field.integer() {
+        Some(VERSION) => Ok(()),
+        Some(newer) if newer > VERSION => Err(field.error(&format!(
+            "this scene format is newer than this program, which reads {VERSION}: get a newer Pinhole"
+        ))),
+        _ => Err(field.error(&format!("the format version must be {VERSION}"))),
+    }
+}
+
+fn read_camera(section: &Section) -> Result<Camera, FileError> {
+    section.only(&["eye", "at", "view", "up", "basis"], BEFORE_TABLES)?;
+    let eye = section.need("eye", "eye = [0.0, 0.0, 0.0]")?.vector()?;
+    let ways: Vec<(&str, Field)> = ["at", "view", "basis"]
+        .into_iter()
+        .filter_map(|way| Some((way, section.get(way)?)))
+        .collect();
+    if let [(first, _), (_, second), ..] = &ways[..] {
+        let first = section.path_of(first);
+        let why = format!("beside {first}: keep exactly one of at, view and basis");
+        return Err(second.refuse(&why));
+    }
+    let up = || section.need("up", "up = [0.0, 1.0, 0.0]")?.vector();
+    let orientation = match ways.into_iter().next() {
+        Some(("at", at)) => Orientation::At { at: at.vector()?, up: up()? },
+        Some(("view", view)) => Orientation::View { view: view.vector()?, up: up()? },
+        Some((_, basis)) => {
+            if let Some(up) = section.get("up") {
+                let basis = section.path_of("basis");
+                let why = format!("beside {basis}: a basis needs no up, leave it out");
+                return Err(up.refuse(&why));
+            }
+            Orientation::Basis(read_basis(&basis.section()?)?)
+        }
+        None => {
+            let what = format!("{} (or view, or basis)", section.path_of("at"));
+            return Err(section.missing(&what, "at = [0.0, 0.0, -1.0]"));
+        }
+    };
+    Ok(Camera { eye, orientation, ..Camera::CANONICAL })
+}
+
+fn read_basis(section: &Section) -> Result<Basis, FileError> {
+    section.only(&["u", "v", "w"], BEFORE_TABLES)?;
+    Ok(Basis {
+        u: section.need("u", "u = [1.0, 0.0, 0.0]")?.vector()?,
+        v: section.need("v", "v = [0.0, 1.0, 0.0]")?.vector()?,
+        w: section.need("w", "w = [0.0, 0.0, 1.0]")?.vector()?,
+    })
+}
+
+fn viewport(section: &Section) -> Result<Viewport, FileError> {
+    section.only(&["width", "height", "distance"], BEFORE_TABLES)?;
+    let measure = |key: &str, default: f64| section.get(key).map_or(Ok(default), |f| f.positive());
+    let Viewport { width, height, distance } = Viewport::CANONICAL;
+    Ok(Viewport {
+        width: measure("width", width)?,
+        height: measure("height", height)?,
+        distance: measure("distance", distance)?,
+    })
+}
+
+fn image(section: &Section) -> Result<ImageSize, FileError> {
+    section.only(&["width", "height"], BEFORE_TABLES)?;
+    let default = Camera::CANONICAL.image;
+    let right = format!("it must be a whole number of pixels, 1 to {}", ImageSize::MAX);
+    let measure = |key: &str, default: u32| match section.get(key) {
+        None => Ok(default),
+        Some(field) => field
+            .integer()
+            .and_then(|pixels| u32::try_from(pixels).ok())
+            .filter(|pixels| (1..=ImageSize::MAX).contains(pixels))
+            .ok_or_else(|| field.error(&right)),
+    };
+    let (width, height) =
+        (measure("width", default.width())?, measure("height", default.height())?);
+    ImageSize::new(width, height).map_err(|_| section.missing("a size", &right))
+}
+
+fn objects<S>(
+    field: &Field,
+    read: impl Fn(&Section) -> Result<S, FileError>,
+) -> Result<Vec<Item<S>>, FileError> {
+    let item = |section: &Section| {
+        let shape = read(section)?;
+        let name = section.get("name").map(|name| name.text()).transpose()?;
+        let color = section.get("color").map(|color| read_color(&color)).transpose()?;
+        Ok(Item { name: name.map(str::to_owned), color, shape })
+    };
+    field.sections()?.iter().map(item).collect()
+}
+
+fn sphere(section: &Section) -> Result<Sphere, FileError> {
+    section.only(&["name", "center", "radius", "color"], BEFORE_TABLES)?;
+    Ok(Sphere {
+        center: section.need("center", "center = [0.0, 0.0, -5.0]")?.vector()?,
+        radius: section.need("radius", "radius = 1.0")?.positive()?,
+    })
+}
+
+fn plane(section: &Section) -> Result<Plane, FileError> {
+    section.only(&["name", "point", "normal", "color"], BEFORE_TABLES)?;
+    let point = section.need("point", "point = [0.0, 0.0, -6.0]")?.vector()?;
+    let field = section.need("normal", "normal = [0.0, 0.0, 1.0]")?;
+    let normal = field.vector()?;
+    if normal == DVec3::ZERO {
+        return Err(field.error("it must point somewhere"));
+    }
+    Ok(Plane { point, normal })
+}
+
+fn read_color(field: &Field) -> Result<Rgb, FileError> {
+    const RIGHT: &str = "it must be a colour such as \"#e69f00\"";
+    let text = field.text().map_err(|_| field.error(RIGHT))?;
+    color::parse(text).ok_or_else(|| field.error(RIGHT))
+}
+
+fn csv(field: &Field, base: Option<&Path>) -> Result<CsvSpheres, FileError> {
+    let path = field.text().map_err(|_| field.error("it must be the path of a CSV file"))?;
+    let file = base.unwrap_or(Path::new("")).join(path);
+    let items = match base {
+        None => Vec::new(),
+        Some(_) => spheres::load(&file).map_err(|error| match error.place {
+            Some(_) => error,
+            // The path is at fault, and it stands in the scene file.
+            None => field.error(&error.to_string()),
+        })?,
+    };
+    Ok(CsvSpheres { path: path.to_owned(), file, items: Arc::new(items) })
+}

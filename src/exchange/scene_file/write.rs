@@ -1,0 +1,112 @@
+//! From a document to a scene file's text.
+
+use std::path::Path;
+
+use pinhole_core::{Basis, Camera, DVec3, Orientation, Plane, Sphere};
+
+use super::{VERSION, edit, note, read};
+use crate::document::{Document, Item};
+use crate::images::color;
+
+/// The text of a scene file; where there is a previous one, its comments and layout stay as far as
+/// the values have not changed.
+///
+/// Reading the text gives the document again, to the bit of every number.
+pub fn to_text(document: &Document, previous: Option<&str>) -> String {
+    let fresh = fresh(document);
+    let edited = previous.and_then(|previous| edit::edited(document, previous));
+    // The layouts that TOML allows are many. Should one be met that an edit cannot keep, its loss
+    // is the lesser evil.
+    edited.filter(|text| reads_back_as(text, &fresh)).unwrap_or(fresh)
+}
+
+fn reads_back_as(text: &str, fresh_text: &str) -> bool {
+    read::document(text, Path::new(""), None).is_ok_and(|read| fresh(&read) == fresh_text)
+}
+
+/// The text without regard to a previous one: the same for documents that are the same to the bit.
+fn fresh(document: &Document) -> String {
+    let mut text = note::to_block(&document.note);
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    text.push_str(&format!("pinhole = {VERSION}\n"));
+    if let Some(csv) = &document.csv_spheres {
+        text.push_str(&format!("spheres = {}\n", string(&csv.path)));
+    }
+    let Camera { viewport, image, .. } = &document.camera;
+    text.push_str(&format!("\n[camera]\n{}", camera_fields(&document.camera)));
+    text.push_str(&format!(
+        "\n[viewport]\nwidth = {}\nheight = {}\ndistance = {}\n",
+        number(viewport.width),
+        number(viewport.height),
+        number(viewport.distance)
+    ));
+    text.push_str(&format!("\n[image]\nwidth = {}\nheight = {}\n", image.width(), image.height()));
+    for sphere in &document.spheres {
+        text.push_str(&format!("\n[[sphere]]\n{}", sphere_fields(sphere)));
+    }
+    for plane in &document.planes {
+        text.push_str(&format!("\n[[plane]]\n{}", plane_fields(plane)));
+    }
+    text
+}
+
+fn camera_fields(camera: &Camera) -> String {
+    let way = match camera.orientation {
+        Orientation::At { at, up } => format!("at = {}\nup = {}\n", vector(at), vector(up)),
+        Orientation::View { view, up } => format!("view = {}\nup = {}\n", vector(view), vector(up)),
+        Orientation::Basis(basis) => format!("basis = {}\n", basis_table(&basis)),
+    };
+    format!("eye = {}\n{way}", vector(camera.eye))
+}
+
+pub(super) fn basis_table(basis: &Basis) -> String {
+    let Basis { u, v, w } = basis;
+    format!("{{ u = {}, v = {}, w = {} }}", vector(*u), vector(*v), vector(*w))
+}
+
+pub(super) fn sphere_fields(item: &Item<Sphere>) -> String {
+    let Sphere { center, radius } = item.shape;
+    fields(item, format!("center = {}\nradius = {}\n", vector(center), number(radius)))
+}
+
+pub(super) fn plane_fields(item: &Item<Plane>) -> String {
+    let Plane { point, normal } = item.shape;
+    fields(item, format!("point = {}\nnormal = {}\n", vector(point), vector(normal)))
+}
+
+fn fields<S>(item: &Item<S>, shape: String) -> String {
+    let name = item.name.as_ref().map(|name| format!("name = {}\n", string(name)));
+    let color = item.color.map(|rgb| format!("color = \"{}\"\n", color::to_text(rgb)));
+    [name, Some(shape), color].into_iter().flatten().collect()
+}
+
+pub(super) fn vector(v: DVec3) -> String {
+    format!("[{}, {}, {}]", number(v.x), number(v.y), number(v.z))
+}
+
+/// The shortest float of TOML that reads back to the same `f64`, the sign of a zero included.
+pub(super) fn number(x: f64) -> String {
+    let text = format!("{x:?}");
+    // Rust's word for it is no TOML.
+    if x.is_nan() { "nan".to_owned() } else { text }
+}
+
+/// A basic string of TOML, on one line whatever it contains.
+pub(super) fn string(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            '\n' => quoted.push_str("\\n"),
+            '\r' => quoted.push_str("\\r"),
+            '\t' => quoted.push_str("\\t"),
+            c if c.is_control() => quoted.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
