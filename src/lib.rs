@@ -7,7 +7,6 @@
 
 pub mod chart;
 pub mod cli;
-pub mod conventions;
 pub mod exercises;
 pub mod figures;
 pub mod grades;

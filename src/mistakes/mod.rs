@@ -1,10 +1,10 @@
 //! The gallery of wrong cameras: which one is looked at, and which one is to be guessed. Pure.
 
 use egui::Color32;
-use pinhole_core::lecture::mistakes::{Checked, Mistake, NoWrongCamera, WrongCamera, WrongPicture};
 use pinhole_core::{
     Camera, CameraError, Outputs, PosedCamera, Raster, Rgb, Scene, Shade, trace_as,
 };
+use pinhole_lecture::mistakes::{Checked, Mistake, NoWrongCamera, WrongCamera, WrongPicture};
 
 /// What the mistakes view shows. A lesson's step sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +84,7 @@ pub fn visible(camera: &Camera, posed: &PosedCamera, scene: &Scene) -> Vec<Mista
         let picture = wrong.and_then(|wrong| WrongPicture::trace(scene, &wrong, &raster).ok());
         picture.is_some_and(|picture| picture.differing(&right) * SHOWS_FROM >= right.len())
     };
-    Mistake::ALL.iter().copied().filter(shows).collect()
+    Mistake::GALLERY.iter().copied().filter(shows).collect()
 }
 
 fn right_objects(posed: &PosedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {

@@ -5,6 +5,7 @@
 
 pub mod color_scheme;
 pub mod concept;
+pub mod conventions;
 pub mod derivation_sections;
 pub mod expression;
 pub mod fault;

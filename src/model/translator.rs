@@ -4,7 +4,7 @@ use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
 
-use crate::conventions::{FIELD_OF_VIEW, Row, rows};
+use crate::model::conventions::{FIELD_OF_VIEW, Row, rows};
 use pinhole_exchange::code::{LANGUAGES, Language};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::programs::{

@@ -6,8 +6,8 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::exercises::{LARGEST_SEED, title};
 use pinhole::model::session::{Selection, ViewLayout};
 use pinhole::ui::app::App;
-use pinhole_core::lecture::exercises::{Exercise, Given, Question};
 use pinhole_core::{DVec2, Orientation};
+use pinhole_lecture::exercises::{Exercise, Given, Question};
 
 use super::harness::{assert_reads, assert_says, texts_with, type_into, window};
 

@@ -9,8 +9,8 @@ use pinhole::model::overlay_items::Item;
 use pinhole::model::session::{ShadeName, ViewLayout};
 use pinhole::ui::app::App;
 use pinhole::ui::commands_table;
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::mistakes::Mistake;
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::mistakes::Mistake;
 
 use crate::harness::{type_into, window};
 

@@ -8,8 +8,8 @@ use pinhole::model::concept::Thing;
 use pinhole::model::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::session::{Selection, ViewLayout};
-use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
+use pinhole_lecture::exercises::Exercise;
 
 #[test]
 fn every_lesson_is_read_and_says_how_it_begins() {

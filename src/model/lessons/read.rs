@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
-use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
+use pinhole_lecture::mistakes::Mistake;
 use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Looks, Step};
@@ -256,7 +256,7 @@ fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<()
     say(section, "ledger", &mut looks.ledger, ledger)?;
     say(section, "lit", &mut looks.lit, |field| lit(field, objects))?;
     say(section, "mistake", &mut looks.mistake, |field| {
-        let ids: Vec<_> = Mistake::ALL.iter().map(|mistake| mistake.id()).collect();
+        let ids: Vec<_> = Mistake::GALLERY.iter().map(|mistake| mistake.id()).collect();
         let id = field.one_of(&ids)?;
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
     })?;

@@ -3,7 +3,7 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_core::lecture::exercises::{Exercise, Part};
+use pinhole_lecture::exercises::{Exercise, Part};
 
 use crate::exercises::{self, Exercises, LARGEST_SEED, Said, Typed};
 use crate::ui::action::{Action, MadeUp};

@@ -8,7 +8,7 @@ use egui::{
 };
 use pinhole_core::Pixel;
 
-use crate::conventions::Row;
+use crate::model::conventions::Row;
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};

@@ -19,9 +19,9 @@ use std::borrow::Cow;
 
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::methods::Method;
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::mistakes::Mistake;
 
 use super::Group;
 use super::Keys;
@@ -313,7 +313,7 @@ fn places() -> Vec<Verb> {
         let name = exercises::title(exercise);
         verbs.push(verb(Group::Exercise, name, "Asks this.", Action::Exercise(exercise)));
     }
-    for &mistake in Mistake::ALL {
+    for &mistake in Mistake::GALLERY {
         let action = Action::Mistake(mistake);
         verbs.push(verb(Group::Mistake, mistake.name(), mistake.shows(), action));
     }

@@ -5,7 +5,7 @@ mod checks;
 mod guess;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
 use crate::mistakes::{Gallery, Wrong};
 use crate::model::number::grouped;
@@ -141,7 +141,7 @@ fn list(ui: &mut Ui, gallery: &mut Gallery) {
         None => Some(gallery.chosen),
     };
     ui.spacing_mut().item_spacing.y = 1.0;
-    for &mistake in Mistake::ALL {
+    for &mistake in Mistake::GALLERY {
         let text = RichText::new(mistake.name()).size(TEXT);
         let response = ui.selectable_label(chosen == Some(mistake), text);
         if response.clicked() {

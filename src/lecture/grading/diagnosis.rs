@@ -1,0 +1,166 @@
+//! Which mistakes explain the answers.
+
+use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
+use rayon::prelude::*;
+
+/// The mistakes that explain wrong answers.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Diagnosis {
+    /// The smallest set of known mistakes with which a program gives all of these answers, the right
+    /// ones too: one, or two. Of several such sets, the first in the order of
+    /// [`Mistake::GRADED`], in which `v = u x w` comes last unless a basis is answered: rays cannot
+    /// tell it from rows that count from the bottom. Empty where there is none, and where nothing is
+    /// wrong.
+    pub mistakes: Vec<Mistake>,
+    /// Other sets of as many that give the same answers here, in the same order.
+    pub alternatives: Vec<Vec<Mistake>>,
+    /// One slip that gives these answers, where none of [`Mistake::GRADED`] alone does.
+    pub other: Option<Mistake>,
+    /// Whether all answers would be right if rows and columns counted from 1.
+    pub counted_from_one: bool,
+    /// Whether objects are counted from 1.
+    pub objects_from_one: bool,
+    /// Every how many answers were held against the program that is named: all, 1, unless they are so
+    /// many, and spheres too, that it would take minutes.
+    pub of_every: usize,
+}
+
+/// Answers of some kind, held against a program.
+pub(super) trait Fits: Sync {
+    /// How many there are.
+    fn len(&self) -> usize;
+
+    /// Whether u, v and w themselves are answered.
+    fn shows_basis(&self) -> bool {
+        false
+    }
+
+    /// What has to be known before the first answer is looked at.
+    fn prepare(&self, _camera: &mut PipelineCamera) {}
+
+    /// How many spheres one answer is held against, about.
+    fn work(&self, _program: &Pipeline) -> usize {
+        1
+    }
+
+    /// Whether the program may have given this answer.
+    fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
+}
+
+/// Answers that are looked at before all others are.
+const FIRST_LOOKS: usize = 64;
+
+/// So many spheres a program's rays are held against at most, some seconds' work.
+const MOST_WORK: usize = 50_000_000;
+
+/// Finds the smallest set of mistakes; `is_right` says which answers need none, of which not all do.
+pub(super) fn diagnose(
+    given: &GivenCamera,
+    answers: &dyn Fits,
+    is_right: &[bool],
+    may_be_single: bool,
+) -> Diagnosis {
+    let looks = first_looks(is_right);
+    let mut known = Mistake::GRADED.to_vec();
+    known.retain(|mistake| may_be_single || *mistake != Mistake::SinglePrecision);
+    if !answers.shows_basis() {
+        // Both turn the picture upside down, and no ray tells them apart. A basis does.
+        known.sort_by_key(|mistake| *mistake == Mistake::VIsUCrossW);
+    }
+    let mut sets: Vec<(Vec<Mistake>, Vec<Pipeline>)> =
+        known.iter().map(|mistake| (vec![*mistake], mistake.pipelines().collect())).collect();
+    let found = explaining(given, answers, &looks, &sets);
+    if !found.is_empty() {
+        let is_found = |way: Way| {
+            found[0].0 == [Mistake::CountedFromOne]
+                && explains(given, answers, &looks, &Pipeline::RIGHT.with(way))
+        };
+        let counted_from_one = is_found(Pipeline::count_pixels_from_one);
+        let objects_from_one = !counted_from_one
+            && (is_found(Pipeline::count_objects_from_one)
+                || is_found(Pipeline::count_all_from_one));
+        return Diagnosis { counted_from_one, objects_from_one, ..Diagnosis::new(found) };
+    }
+    sets.clear();
+    for (place, first) in known.iter().enumerate() {
+        for second in &known[place + 1..] {
+            let pipelines = first.pipelines().flat_map(|pipeline| second.pipelines_from(pipeline));
+            let mut both = vec![*first, *second];
+            both.sort_unstable();
+            sets.push((both, pipelines.collect()));
+        }
+    }
+    let explains_all = |mistake: &&Mistake| {
+        mistake.pipelines().any(|pipeline| explains(given, answers, &looks, &pipeline))
+    };
+    let other = OTHERS.iter().find(explains_all).copied();
+    Diagnosis { other, ..Diagnosis::new(explaining(given, answers, &looks, &sets)) }
+}
+
+/// Mistakes that rays show as two of [`Mistake::GRADED`].
+const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
+
+impl Default for Diagnosis {
+    /// Nothing is wrong, or nothing explains it.
+    fn default() -> Diagnosis {
+        Diagnosis::new(Vec::new())
+    }
+}
+
+impl Diagnosis {
+    fn new(found: Vec<(Vec<Mistake>, usize)>) -> Diagnosis {
+        let of_every = found.first().map_or(1, |(_, of_every)| *of_every);
+        let mut sets = found.into_iter().map(|(mistakes, _)| mistakes);
+        let mistakes = sets.next().unwrap_or_default();
+        Diagnosis {
+            mistakes,
+            alternatives: sets.collect(),
+            other: None,
+            counted_from_one: false,
+            objects_from_one: false,
+            of_every,
+        }
+    }
+}
+
+/// The sets of which a program gives all the answers, and every how many of them were looked at.
+fn explaining(
+    given: &GivenCamera,
+    answers: &dyn Fits,
+    looks: &[usize],
+    sets: &[(Vec<Mistake>, Vec<Pipeline>)],
+) -> Vec<(Vec<Mistake>, usize)> {
+    let explains = |program: &&Pipeline| explains(given, answers, looks, program);
+    let found = sets.iter().filter_map(|(mistakes, programs)| {
+        let program = programs.iter().find(explains)?;
+        Some((mistakes.clone(), step(answers, program)))
+    });
+    found.collect()
+}
+
+/// Whether the program gives all the answers.
+fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], program: &Pipeline) -> bool {
+    let mut camera = given.camera_of(*program);
+    answers.prepare(&mut camera);
+    let step = step(answers, program);
+    looks.iter().all(|index| answers.fits(&camera, *index))
+        && (0..answers.len()).into_par_iter().step_by(step).all(|k| answers.fits(&camera, k))
+}
+
+/// Every how many answers are held against a program.
+fn step(answers: &dyn Fits, program: &Pipeline) -> usize {
+    answers.len().saturating_mul(answers.work(program)).div_ceil(MOST_WORK).max(1)
+}
+
+/// Some wrong answers and some right ones, from all over: a program that did not give them is found
+/// out at once.
+fn first_looks(is_right: &[bool]) -> Vec<usize> {
+    let some = |wanted: bool| {
+        let all: Vec<usize> =
+            (0..is_right.len()).filter(|index| is_right[*index] == wanted).collect();
+        let step = (all.len() / FIRST_LOOKS).max(1);
+        all.into_iter().step_by(step).take(FIRST_LOOKS).collect::<Vec<_>>()
+    };
+    [some(false), some(true)].concat()
+}

@@ -1,0 +1,21 @@
+//! The classic mistakes: each one as a change to a student's pipeline, the camera that it makes, what
+//! that sees, and the checks that find it.
+//!
+//! ```text
+//! w = -view/|view|    u = up x w / |up x w|    v = w x u
+//! pixel (row, column) -> (u, v) -> direction = u*U + v*V - distance*W -> roots -> hit
+//! ```
+
+mod checks;
+mod pipeline;
+mod pipeline_camera;
+mod table;
+mod wrong_camera;
+mod wrong_picture;
+
+pub use checks::{Check, Checked, Value, Wanted};
+pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, Way, WhichRoot};
+pub(crate) use pipeline_camera::{GivenCamera, PipelineCamera};
+pub use table::Mistake;
+pub use wrong_camera::{NoWrongCamera, WrongCamera};
+pub use wrong_picture::WrongPicture;
