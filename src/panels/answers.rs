@@ -12,7 +12,7 @@ use super::sign::sign;
 use super::views;
 use crate::action::Action;
 use crate::derive::Derived;
-use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::grades::AnswersAtHand;
 use crate::letters::told;
 use crate::session::{Selection, Session};
 

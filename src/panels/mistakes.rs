@@ -5,7 +5,7 @@ mod checks;
 mod guess;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use pinhole_lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use super::number::{error_color, vector_color};
 use super::places::STRIP;
@@ -14,7 +14,7 @@ use super::sign::sign;
 use super::views;
 use crate::derive::Derived;
 use crate::document::Document;
-use crate::mistakes::{Gallery, Wrong};
+use crate::mistakes::Gallery;
 use crate::number::grouped;
 use crate::session::Session;
 

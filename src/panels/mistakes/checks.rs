@@ -1,13 +1,12 @@
 //! What each check says of the wrong camera: which ones find the mistake, and which do not.
 
 use egui::{RichText, Ui};
-use pinhole_lecture::mistakes::{Checked, Value, Wanted};
+use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
 use super::super::number::error_color;
 use super::super::readouts::NumberStyle;
 use super::super::sign::sign;
 use super::{TEXT, cell};
-use crate::mistakes::Wrong;
 
 /// Widths of the verdict and of what is checked, in points.
 const VERDICT: f32 = 58.0;

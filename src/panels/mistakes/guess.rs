@@ -2,12 +2,12 @@
 
 use egui::{RichText, Ui};
 use pinhole_core::{Camera, PosedCamera, Scene};
-use pinhole_lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::super::number::error_color;
 use super::super::sign::sign;
 use super::checks;
-use crate::mistakes::{Gallery, Wrong, visible};
+use crate::mistakes::Gallery;
 
 /// Starts a riddle, goes to the next one, or back to the gallery.
 pub(super) fn buttons(
