@@ -8,7 +8,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use pinhole_core::ImageSize;
-use pinhole_lecture::grading::{Grade, Kind, Truth, grade};
+use pinhole_lecture::grading::{Grade, Graded, Kind, Truth, grade};
 
 use super::CommandError;
 use super::load;
@@ -17,7 +17,6 @@ use super::of_scene;
 use super::pose;
 use super::to_stdout;
 use crate::cli::arguments::CheckArguments;
-use crate::grades::Graded;
 use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, answers, atomic};
 

@@ -3,7 +3,7 @@
 use egui::Color32;
 use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, PosedCamera, Scene};
 
-use crate::mistakes::Seen;
+use pinhole_lecture::mistakes::Seen;
 use crate::model::inspection::Inspection;
 use crate::model::session::Selection;
 

@@ -12,7 +12,7 @@ use super::hits::{Hits, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
 use super::vectors::{Rays, Vectors};
 use super::{
-    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, Mistake, RELATIVE_TOLERANCE, Right, Truth, Worst,
+    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
     digits_wanted,
 };
 use crate::mistakes::{GivenCamera, Mistake};

@@ -9,6 +9,8 @@ use pinhole_core::DVec2;
 use pinhole_lecture::lines::*;
 use proptest::prelude::*;
 
+use crate::config;
+
 fn implicit(a: f64, b: f64, c: f64) -> ImplicitLine {
     ImplicitLine { a, b, c }
 }

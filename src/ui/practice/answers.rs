@@ -6,7 +6,7 @@ use egui::{
     pos2, vec2,
 };
 
-use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::grades::AnswersAtHand;
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};
 use crate::ui::action::Action;

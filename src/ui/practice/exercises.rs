@@ -3,9 +3,9 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_lecture::exercises::{Exercise, Part};
+use pinhole_lecture::exercises::{Exercise, Part, asked, question, solution, title};
 
-use crate::exercises::{self, Exercises, LARGEST_SEED, Said, Typed};
+use crate::exercises::{Exercises, LARGEST_SEED, Said, Typed};
 use crate::ui::action::{Action, MadeUp};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::marked_text;
@@ -55,7 +55,7 @@ pub(crate) fn ui(
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     let chosen = exercises.question().exercise;
     for &exercise in Exercise::ALL {
-        let text = RichText::new(exercises::title(exercise)).size(15.0);
+        let text = RichText::new(title(exercise)).size(15.0);
         let response = ui.add(egui::Button::selectable(exercise == chosen, text).wrap());
         if response.clicked() && exercise != chosen {
             *exercises = Exercises::open(exercise, None);
@@ -65,10 +65,10 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
 
 fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions: &mut Vec<Action>) {
     let question = exercises.question().clone();
-    ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
+    ui.heading(RichText::new(title(question.exercise)).size(22.0).strong());
     source(ui, exercises);
     ui.add_space(8.0);
-    for paragraph in exercises::question(&question.given) {
+    for paragraph in question(&question.given) {
         marked_text::label(ui, &paragraph, TEXT);
     }
     ui.add_space(10.0);
@@ -90,7 +90,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
         if let Some(document) = exercises.document() {
             let hint = "Makes this question's camera, and what its ray meets, the open scene";
             if ui.button("Open its camera").on_hover_text(hint).clicked() {
-                let title = exercises::title(question.exercise).to_owned();
+                let title = title(question.exercise).to_owned();
                 let made_up = MadeUp { document, title, uv: question.uv() };
                 actions.push(Action::Show(Box::new(made_up)));
                 ui.ctx().request_repaint();
@@ -156,9 +156,9 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
     ui.horizontal_wrapped(|ui| {
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
         let wide = egui::vec2(90.0, 30.0);
-        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
+        let text = RichText::new(format!("{} =", asked(part))).size(TEXT + 1.0);
         let text = if part.count() == 0 {
-            RichText::new(exercises::asked(part)).size(TEXT)
+            RichText::new(asked(part)).size(TEXT)
         } else {
             text.color(color)
         };
@@ -202,7 +202,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
 
 /// The right answer, below the fields.
 fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
-    let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
+    let text = format!("{} {}", asked(part), solution(part, style.digits));
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
         ui.add(egui::Label::new(RichText::new(text).strong()).wrap());
@@ -212,16 +212,16 @@ fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
 /// What is said of a part, once it was checked.
 fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let Some(said) = &typed.said else { return };
-    let text = RichText::new(exercises::said(said, part)).size(TEXT - 1.0).strong();
-    let is_wrong = !exercises::is_good(said) && !matches!(said, Said::NotAnswered | Said::Missing);
+    let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();
+    let is_wrong = !said.is_good() && !matches!(said, Said::NotAnswered | Said::Missing);
     let text = if is_wrong { text.color(error_color(ui)) } else { text };
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
         if let Said::Judged(_) | Said::Follows(_) = said {
-            sign(ui, exercises::is_good(said));
+            sign(ui, said.is_good());
         }
         let response = ui.add(egui::Label::new(text).wrap());
-        let spoken = format!("{}: {}", part.asked.id(), exercises::said(said, part));
+        let spoken = format!("{}: {}", part.asked.id(), said.sentence(part));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
     });
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{Camera, ImageSize, Raster};
-use pinhole_lecture::grading::{Truth, grade};
+use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 
 use super::Derived;
 use super::Shown;
@@ -14,7 +14,7 @@ use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
-use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::grades::AnswersAtHand;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::session::{Selection, Session};
 use crate::view::overlay::{Picture, Style};

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use egui::ColorImage;
 use pinhole_core::{Counts, Frame, PosedCamera, Scene, Steps, UpAngle};
+use pinhole_lecture::mistakes::ComparedCamera;
 
 use super::answers::Grading;
 use super::picture::{Compared, TooMany};
-use crate::mistakes::Wrong;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::view::adaptive_resolution::Coarseness;
@@ -102,7 +102,7 @@ pub struct Derived {
     /// Every object's f(p + t d), where the layout shows it.
     pub plot: Option<Plot>,
     /// The wrong camera beside the right one, or why there is none.
-    pub wrong: Option<Arc<Wrong>>,
+    pub wrong: Option<Arc<ComparedCamera>>,
     /// What it sees.
     pub wrong_view: Option<Shown>,
     /// The ghost, with the image that the camera has.

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, PosedCamera, Raster, Shade};
-use pinhole_lecture::mistakes::Mistake;
+use egui::Color32;
+use pinhole_core::{Camera, Paint, PosedCamera, Raster, Rgb, Shade};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::Derived;
 use super::Shown;
@@ -12,7 +13,6 @@ use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
-use crate::mistakes::Wrong;
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};
@@ -28,9 +28,9 @@ type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
 /// Remembers the wrong camera and its picture; the last ones stay while the camera has a fault.
 #[derive(Debug, Default)]
 pub(super) struct WrongPictures {
-    made: Memo<Key, (Arc<Wrong>, Option<Arc<Picture>>)>,
+    made: Memo<Key, (Arc<ComparedCamera>, Option<Arc<Picture>>)>,
     view: Memo<ViewKey, Shown>,
-    last: Option<(Arc<Wrong>, Option<Shown>)>,
+    last: Option<(Arc<ComparedCamera>, Option<Shown>)>,
     count: u64,
 }
 
@@ -79,7 +79,7 @@ impl WrongPictures {
         size: [u32; 2],
         sizes: &ViewSizes,
         watch: Watch<'_>,
-    ) -> (Arc<Wrong>, Option<Shown>) {
+    ) -> (Arc<ComparedCamera>, Option<Shown>) {
         let image = right.posed.image();
         let raster = right.coarseness.raster(image, size);
         let mode = Shade::from(session.settings.shade);
@@ -89,9 +89,13 @@ impl WrongPictures {
         let (wrong, picture) = self.made.get(key, |(camera, _, _, raster, mode, mistake)| {
             *count += 1;
             watched(watch, Work::Trace, || {
-                let colors = (*mode, |i: u32| world.colors[i as usize]);
+                let paint = Paint {
+                    shade: *mode,
+                    color_of: |i: u32| world.colors[i as usize],
+                    to_pixel: |[r, g, b]: Rgb| Color32::from_rgb(r, g, b),
+                };
                 let (wrong, pixels) =
-                    Wrong::new(camera, right.posed, &world.scene, *mistake, raster, colors);
+                    ComparedCamera::new(camera, right.posed, &world.scene, *mistake, raster, paint);
                 let picture = |pixels| Picture { raster: raster.clone(), image, pixels };
                 (Arc::new(wrong), pixels.map(|pixels| Arc::new(picture(pixels))))
             })

@@ -7,7 +7,7 @@ pub(crate) mod handles;
 pub(crate) mod steps;
 
 use egui::{Rect, RichText, Ui, UiBuilder, Vec2, pos2};
-use pinhole_core::lecture::lines::{LineError, Substitution};
+use pinhole_lecture::lines::{LineError, Substitution};
 
 use self::steps::{number, steps, verdict};
 use crate::model::letters::told;

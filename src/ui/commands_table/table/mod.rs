@@ -20,14 +20,13 @@ use std::borrow::Cow;
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
-use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::exercises::{Exercise, title};
 use pinhole_lecture::mistakes::Mistake;
 
 use super::Group;
 use super::Keys;
 use super::Verb;
 use super::When;
-use crate::exercises;
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::LedgerSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
@@ -310,7 +309,7 @@ fn places() -> Vec<Verb> {
         verbs.extend(of_lesson(Which::Builtin(index), lesson));
     }
     for &exercise in Exercise::ALL {
-        let name = exercises::title(exercise);
+        let name = title(exercise);
         verbs.push(verb(Group::Exercise, name, "Asks this.", Action::Exercise(exercise)));
     }
     for &mistake in Mistake::GALLERY {

@@ -1,11 +1,10 @@
 //! What each check says of the wrong camera: which ones find the mistake, and which do not.
 
 use egui::{RichText, Ui};
-use pinhole_lecture::mistakes::{Checked, Value, Wanted};
+use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
 use super::TEXT;
 use super::cell;
-use crate::mistakes::Wrong;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;

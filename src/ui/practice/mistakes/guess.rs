@@ -2,10 +2,10 @@
 
 use egui::{RichText, Ui};
 use pinhole_core::{Camera, PosedCamera, Scene};
-use pinhole_lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::checks;
-use crate::mistakes::{Gallery, Wrong, visible};
+use crate::mistakes::Gallery;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 

@@ -5,9 +5,9 @@ mod checks;
 mod guess;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use pinhole_lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
-use crate::mistakes::{Gallery, Wrong};
+use crate::mistakes::Gallery;
 use crate::model::number::grouped;
 use crate::model::session::Session;
 use crate::ui::scene::places::STRIP;
