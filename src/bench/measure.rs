@@ -12,8 +12,8 @@ use crate::machine;
 pub const MOST: usize = 1_000_000;
 
 /// What is compared.
-const METHODS: [Method; 5] =
-    [Method::Ladder, Method::Uncertified, Method::Textbook, Method::TextbookBvh, Method::Stores];
+const METHODS: [Method; 4] =
+    [Method::Ladder, Method::Textbook, Method::TextbookBvh, Method::Stores];
 
 /// What each method may spend on a scene, so that the built-in series takes less than a minute.
 const SHARE: Duration = Duration::from_millis(600);

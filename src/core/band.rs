@@ -1,13 +1,11 @@
 //! Some rows of a frame, and the objects that are added to them one after the other.
 
 use std::cmp::Ordering;
-use std::marker::PhantomData;
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
-use crate::certainty::{Carries, Certain, Certainty, Uncertain};
 use crate::conic::{Conic, Patch};
 use crate::counts::Counts;
 use crate::crowd_draw::{CrowdDrawn, draw_crowd};
@@ -139,11 +137,7 @@ impl<'a, T: Depth> Band<'a, T> {
         let mut drawn = CrowdDrawn::default();
         let (mut doubts, mut next) = (Vec::new(), Some((0, 0)));
         while let Some(from) = next {
-            next = if self.plan.is_certain {
-                self.draw_spans(from, &mut doubts, &mut drawn, PhantomData::<Certain>)
-            } else {
-                self.draw_spans(from, &mut doubts, &mut drawn, PhantomData::<Uncertain>)
-            };
+            next = self.draw_spans(from, &mut doubts, &mut drawn);
             for doubt in doubts.drain(..) {
                 self.settle_doubt(&doubt);
             }
@@ -153,12 +147,11 @@ impl<'a, T: Depth> Band<'a, T> {
     }
 
     /// Draws spheres until all are, or too many pixels are in doubt: then, from where to go on.
-    fn draw_spans<C: Certainty>(
+    fn draw_spans(
         &mut self,
         from: (usize, usize),
         doubts: &mut Vec<Doubt>,
         drawn: &mut CrowdDrawn,
-        certainty: Carries<C>,
     ) -> Option<(usize, usize)> {
         let plan = self.plan;
         let mut target = SpanTarget {
@@ -170,7 +163,6 @@ impl<'a, T: Depth> Band<'a, T> {
             spheres: plan.scene.spheres(),
             is_reached: &mut self.is_reached,
             decided: 0,
-            certainty,
         };
         let next = dispatch!(plan.level, simd => draw(simd, plan, from, &mut target, drawn));
         self.steps.f64 += target.decided;
@@ -332,11 +324,11 @@ fn clear<S: Simd>(simd: S, t: &mut [f32]) {
 }
 
 #[inline(always)]
-fn draw<S: Simd, C: Certainty>(
+fn draw<S: Simd>(
     simd: S,
     plan: &Plan,
     from: (usize, usize),
-    target: &mut SpanTarget<C>,
+    target: &mut SpanTarget,
     drawn: &mut CrowdDrawn,
 ) -> Option<(usize, usize)> {
     if let Some(crowd) = &plan.crowd {

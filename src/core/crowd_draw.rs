@@ -5,7 +5,6 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::certainty::Certainty;
 use crate::counts::Counts;
 use crate::crowd::{BoxSeen, Crowd};
 use crate::outline::Outlines;
@@ -25,11 +24,11 @@ pub(crate) struct CrowdDrawn {
 /// Draws what the target's rows see of the crowd, near to far, from a block of a group on. Stops before
 /// the end, and tells before which block, where too many pixels are in doubt.
 #[inline(always)]
-pub(crate) fn draw_crowd<S: Simd, C: Certainty>(
+pub(crate) fn draw_crowd<S: Simd>(
     simd: S,
     crowd: &Crowd,
     (first_group, mut first_block): (usize, usize),
-    target: &mut SpanTarget<C>,
+    target: &mut SpanTarget,
     drawn: &mut CrowdDrawn,
 ) -> Option<(usize, usize)> {
     let is_drawn = !crowd.others.is_empty() || first_group + first_block > 0;
@@ -84,13 +83,13 @@ struct Drawing<'a> {
 
 /// What is found of a block's spheres is counted once: by the first band that the block reaches.
 #[inline(always)]
-fn is_first_band<C: Certainty>(target: &SpanTarget<C>, block: &BoxSeen) -> bool {
+fn is_first_band(target: &SpanTarget, block: &BoxSeen) -> bool {
     block.rows().start >= target.rows.start
 }
 
 /// Rows of the raster that lie in the target, as rows of the target.
 #[inline(always)]
-fn own_rows<C: Certainty>(target: &SpanTarget<C>, rows: &Range<usize>) -> Range<usize> {
+fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
     let (start, end) = (rows.start.max(target.rows.start), rows.end.min(target.rows.end));
     start - target.rows.start..end.max(start) - target.rows.start
 }
@@ -98,13 +97,13 @@ fn own_rows<C: Certainty>(target: &SpanTarget<C>, rows: &Range<usize>) -> Range<
 impl Drawing<'_> {
     /// Whether all pixels that a group or block has in the target are covered by what is nearer.
     #[inline(always)]
-    fn is_hidden<C: Certainty>(&mut self, target: &SpanTarget<C>, bounds: &BoxSeen) -> bool {
+    fn is_hidden(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
         let rows = own_rows(target, &bounds.rows());
         self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
     }
 
     /// Counts the spheres of a block that is passed over.
-    fn count_hidden<C: Certainty>(&mut self, target: &SpanTarget<C>, block: &BoxSeen) {
+    fn count_hidden(&mut self, target: &SpanTarget, block: &BoxSeen) {
         if own_rows(target, &block.rows()).is_empty() {
             return;
         }
@@ -117,10 +116,10 @@ impl Drawing<'_> {
 
     /// Draws the spheres of a block, whose outlines may be known.
     #[inline(always)]
-    fn block<S: Simd, C: Certainty>(
+    fn block<S: Simd>(
         &mut self,
         simd: S,
-        target: &mut SpanTarget<C>,
+        target: &mut SpanTarget,
         (block, has_others): (&BoxSeen, bool),
         kept: Option<&[Outlines]>,
     ) {
@@ -145,10 +144,10 @@ impl Drawing<'_> {
 
     /// Draws the spheres of one vector.
     #[inline(always)]
-    fn vector<S: Simd, C: Certainty>(
+    fn vector<S: Simd>(
         &mut self,
         simd: S,
-        target: &mut SpanTarget<C>,
+        target: &mut SpanTarget,
         outlines: &Outlines,
         ids: &[u32],
         (counts_here, has_others): (bool, bool),
@@ -192,10 +191,10 @@ impl Drawing<'_> {
 
     /// Draws one sphere by rows.
     #[inline(always)]
-    fn sphere<S: Simd, C: Certainty>(
+    fn sphere<S: Simd>(
         &mut self,
         simd: S,
-        target: &mut SpanTarget<C>,
+        target: &mut SpanTarget,
         outlines: &Outlines,
         lane: usize,
         id: u32,
@@ -221,12 +220,7 @@ impl Drawing<'_> {
 
 /// Which spheres of a vector reach rows of the raster.
 #[inline(always)]
-fn rows_meet<S: Simd, C: Certainty>(
-    simd: S,
-    of: &Outlines,
-    target: &SpanTarget<C>,
-    rows: Range<usize>,
-) -> u64 {
+fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget, rows: Range<usize>) -> u64 {
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
     let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
     let (first, last) = (number(rows.start), number(rows.end - 1));
@@ -237,11 +231,7 @@ fn rows_meet<S: Simd, C: Certainty>(
 
 /// Rows of the target and columns that a sphere can cover.
 #[inline(always)]
-fn extent<C: Certainty>(
-    target: &SpanTarget<C>,
-    of: &Outlines,
-    lane: usize,
-) -> (Range<usize>, Range<usize>) {
+fn extent(target: &SpanTarget, of: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
     let rows = target.axes.rows_between(of.first_row[lane], of.last_row[lane]);
     // The middle moves by the shear, the half width is at most that of the widest row.
     let (above, below) = (of.row[lane] - of.first_row[lane], of.last_row[lane] - of.row[lane]);

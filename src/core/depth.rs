@@ -1,11 +1,10 @@
 //! What a frame keeps `t` in, and how a row's answers go into it.
 
-use fearless_simd::Simd;
 use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd};
 
 use crate::frame::Frame;
 use crate::kernel::MISS;
-use crate::plan::Tuning;
 use crate::scene::Scene;
 use crate::trace::{Finish, Stage, fill};
 
@@ -65,7 +64,7 @@ mod sealed {
         /// again with each crate that calls what is generic over [`Depth`].
         fn fill(
             frame: &mut Frame<Self>,
-            tuning: &Tuning,
+            level: Level,
             scene: &Scene,
             finish: Option<Finish<'_, Self>>,
             observe: &(dyn Fn(Stage) + Sync),
@@ -83,12 +82,12 @@ macro_rules! depth {
             #[inline(never)]
             fn fill(
                 frame: &mut Frame<$real>,
-                tuning: &Tuning,
+                level: Level,
                 scene: &Scene,
                 finish: Option<Finish<'_, $real>>,
                 observe: &(dyn Fn(Stage) + Sync),
             ) {
-                fill(frame, tuning, scene, finish, observe);
+                fill(frame, level, scene, finish, observe);
             }
         }
 

@@ -196,7 +196,6 @@ mod bounds;
 mod boxes;
 mod camera;
 mod camera_space;
-mod certainty;
 mod checks;
 mod conic;
 mod counts;
@@ -339,8 +338,6 @@ pub use intrinsics::Intrinsics;
 #[doc(hidden)]
 pub use lane::Lane;
 pub use number::shortest;
-#[doc(hidden)]
-pub use plan::Tuning;
 pub use plane::{Plane, PlaneTerms};
 pub use posed::{PixelOfUv, PosedCamera, Projection};
 pub use ray::{Ray, RayError};
@@ -350,7 +347,7 @@ pub use shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixe
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
 pub use trace::{
-    Stage, retrace, retrace_tuned, trace, trace_as, trace_at_level, trace_painted,
-    trace_painted_at_level, trace_reporting,
+    Stage, retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
+    trace_reporting,
 };
 pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};

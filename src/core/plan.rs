@@ -26,25 +26,6 @@ use crate::sphere_seen::SphereSeen;
 /// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
-/// What of a frame's tracing changes its speed and, but for the last, not one bit of it.
-#[derive(Clone, Copy, Debug)]
-pub struct Tuning {
-    /// The instructions.
-    pub level: Level,
-    /// How many rows a thread traces at a time; a whole number of slices of 32 is made of it.
-    pub band_rows: Option<usize>,
-    /// Whether decisions in doubt go up the ladder, of spheres that are drawn by rows. Without it, what
-    /// certainty costs can be measured.
-    pub is_certain: bool,
-}
-
-impl Tuning {
-    /// As frames are usually traced.
-    pub fn new(level: Level) -> Tuning {
-        Tuning { level, band_rows: None, is_certain: true }
-    }
-}
-
 /// What all bands of a frame share.
 pub(crate) struct Plan<'a> {
     pub(crate) level: Level,
@@ -60,8 +41,6 @@ pub(crate) struct Plan<'a> {
     pub(crate) counts: Counts,
     /// How many rows a thread traces at a time.
     pub(crate) band_rows: usize,
-    /// Whether decisions in doubt go up the ladder.
-    pub(crate) is_certain: bool,
     /// Whether the frame is done before another thread would have begun.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
@@ -83,12 +62,11 @@ const SPHERES_PER_RUN: usize = 8192;
 
 impl<'a> Plan<'a> {
     pub(crate) fn new<T: Depth>(
-        tuning: &Tuning,
+        level: Level,
         scene: &'a Scene,
         camera: &'a PosedCamera,
         raster: &'a Raster,
     ) -> Self {
-        let level = tuning.level;
         let rays = FrameRays::new(camera, raster, T::IS_FINE);
         let axes = RasterAxes::new(raster);
         let space = CameraSpace::new(camera);
@@ -129,10 +107,6 @@ impl<'a> Plan<'a> {
         let large = HashMap::new();
         let keeps_outlines = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
         let band_rows = if keeps_outlines { SLICE_ROWS } else { 2 * SLICE_ROWS };
-        let band_rows = match tuning.band_rows {
-            Some(rows) if !T::IS_FINE => rows.max(1).next_multiple_of(SLICE_ROWS),
-            _ => band_rows,
-        };
         let mut plan = Plan {
             level,
             scene,
@@ -143,7 +117,6 @@ impl<'a> Plan<'a> {
             crowd,
             counts,
             band_rows,
-            is_certain: tuning.is_certain,
             is_quick: false,
             extents,
             planes,

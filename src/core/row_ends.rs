@@ -3,7 +3,6 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::certainty::Certainty;
 use crate::span::MARGIN;
 
 /// A vector of rows, each with `w^2` and the column of its middle known; see
@@ -21,19 +20,10 @@ pub(crate) struct RowEnds<S: Simd> {
 
 impl<S: Simd> RowEnds<S> {
     #[inline(always)]
-    pub(crate) fn new<C: Certainty>(
-        simd: S,
-        middle: S::f64s,
-        squared: S::f64s,
-        thin: S::f64s,
-    ) -> RowEnds<S> {
+    pub(crate) fn new(simd: S, middle: S::f64s, squared: S::f64s, thin: S::f64s) -> RowEnds<S> {
         let zero = S::f64s::splat(simd, 0.0);
         let half = squared.max(zero).sqrt();
         let (start, end) = (middle - half, middle + half);
-        if !C::IS_CERTAIN {
-            let is_sure = squared.simd_ge(zero);
-            return RowEnds { start, end, first: start.ceil(), last: end.floor(), is_sure };
-        }
         let margin = S::f64s::splat(simd, MARGIN);
         let (first, last) = ((start + margin).ceil(), (end - margin).floor());
         let same_first = first.simd_eq((start - margin).ceil());

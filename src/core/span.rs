@@ -6,7 +6,6 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::certainty::{Carries, Certainty};
 use crate::crowd_draw::lanes_of;
 use crate::outline::Outlines;
 use crate::raster_axes::RasterAxes;
@@ -114,7 +113,7 @@ fn two_parts(x: f64) -> [f32; 2] {
 }
 
 /// Where spans are drawn: some rows of the raster.
-pub(crate) struct SpanTarget<'a, C> {
+pub(crate) struct SpanTarget<'a> {
     pub(crate) axes: &'a RasterAxes,
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
@@ -126,10 +125,9 @@ pub(crate) struct SpanTarget<'a, C> {
     pub(crate) is_reached: &'a mut [bool],
     /// How many pixels were decided.
     pub(crate) decided: u64,
-    pub(crate) certainty: Carries<C>,
 }
 
-impl<C> SpanTarget<'_, C> {
+impl SpanTarget<'_> {
     /// Whether the sphere is the one that the pixel shows, given twice: then the one that is listed
     /// first is shown, and nothing is in doubt.
     pub(crate) fn is_same_as_known(&mut self, place: usize, index: u32) -> bool {
@@ -151,12 +149,12 @@ impl<C> SpanTarget<'_, C> {
 impl Span {
     /// Draws the rows that it has in the target.
     #[inline(always)]
-    pub(crate) fn draw<S: Simd, C: Certainty>(&self, simd: S, target: &mut SpanTarget<C>) {
+    pub(crate) fn draw<S: Simd>(&self, simd: S, target: &mut SpanTarget) {
         let own = self.rows(target.axes);
         let rows = own.start.max(target.rows.start)..own.end.min(target.rows.end);
         let mut base = rows.start;
         while base < rows.end {
-            let ends = SpanRows::find::<S, C>(simd, self, target.axes, base);
+            let ends = SpanRows::find::<S>(simd, self, target.axes, base);
             let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
             for lane in lanes_of(ends.is_drawn & there) {
                 let (row, columns) = (base + lane, ends.columns(lane));
@@ -174,10 +172,10 @@ impl Span {
     /// Draws a row from one column of the raster to another; tells whether a pixel is too close to
     /// what is there.
     #[inline(always)]
-    fn draw_row<S: Simd, C: Certainty>(
+    fn draw_row<S: Simd>(
         &self,
         simd: S,
-        target: &mut SpanTarget<C>,
+        target: &mut SpanTarget,
         row: usize,
         span_row: &SpanRow,
         columns: (usize, usize),
@@ -193,19 +191,19 @@ impl Span {
         target.decided += (columns.1 - columns.0 + 1) as u64;
         target.is_reached[row - target.rows.start] = true;
         if self.shape.is_wide {
-            draw_row::<S, C>(simd, &mut buffers, columns, own, &Wide(&lanes))
+            draw_row::<S>(simd, &mut buffers, columns, own, &Wide(&lanes))
         } else {
-            draw_row::<S, C>(simd, &mut buffers, columns, own, &Narrow(&lanes))
+            draw_row::<S>(simd, &mut buffers, columns, own, &Narrow(&lanes))
         }
     }
 
     /// Notes which pixels of a row are too close to what is there.
     #[cold]
     #[inline(never)]
-    fn find_doubts<S: Simd, C: Certainty>(
+    fn find_doubts<S: Simd>(
         &self,
         simd: S,
-        target: &mut SpanTarget<C>,
+        target: &mut SpanTarget,
         row: usize,
         (from, to): (usize, usize),
         span_row: &SpanRow,
@@ -234,7 +232,7 @@ impl Span {
     /// A row of which not all pixels are beyond doubt: those that are get drawn, the others noted.
     #[cold]
     #[inline(never)]
-    fn doubtful_row<S: Simd, C: Certainty>(&self, simd: S, target: &mut SpanTarget<C>, row: usize) {
+    fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
         let Outline { column, row: center, shear, square, .. } = self.outline;
         let j = target.axes.row_numbers[row] - center;
         let middle = column + shear * j;

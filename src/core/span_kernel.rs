@@ -3,7 +3,6 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::certainty::Certainty;
 use crate::lane::Lane;
 use crate::single_lanes::SingleLanes;
 
@@ -162,7 +161,7 @@ struct Drawing<S: Simd> {
 impl<S: Simd> Drawing<S> {
     /// One vector: which lanes are in doubt.
     #[inline(always)]
-    fn draw<C: Certainty>(
+    fn draw(
         &self,
         columns: &[f32],
         t: &mut [f32],
@@ -184,9 +183,6 @@ impl<S: Simd> Drawing<S> {
         let objects = S::u32s::from_slice(self.simd, object);
         let is_changed = is_nearer.select(self.own ^ objects, S::u32s::splat(self.simd, 0));
         (objects ^ is_changed).store_slice(object);
-        if !C::IS_CERTAIN {
-            return self.none.simd_lt(self.none);
-        }
         let is_farther = found.simd_gt(known * self.above);
         is_inside & !(is_nearer | is_farther)
     }
@@ -221,7 +217,7 @@ impl<S: Simd> RowOfT<S> for Wide<'_, S> {
 /// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too close to it to tell; those stay as they
 /// are.
 #[inline(always)]
-pub(crate) fn draw_row<S: Simd, C: Certainty>(
+pub(crate) fn draw_row<S: Simd>(
     simd: S,
     buffers: &mut RowBuffers,
     (from, to): (usize, usize),
@@ -231,7 +227,7 @@ pub(crate) fn draw_row<S: Simd, C: Certainty>(
     let n = S::f32s::LEN;
     let drawing = Drawing {
         simd,
-        below: S::f32s::splat(simd, if C::IS_CERTAIN { 1.0 - TIE } else { 1.0 }),
+        below: S::f32s::splat(simd, 1.0 - TIE),
         above: S::f32s::splat(simd, 1.0 + TIE),
         none: S::f32s::splat(simd, f32::INFINITY),
         nearest: S::f32s::splat(simd, nearest),
@@ -245,7 +241,7 @@ pub(crate) fn draw_row<S: Simd, C: Certainty>(
     let mut at = from;
     while at < whole {
         let (t, object) = (&mut buffers.t[at..at + n], &mut buffers.object[at..at + n]);
-        in_doubt |= drawing.draw::<C>(&buffers.columns[at..at + n], t, object, t_of);
+        in_doubt |= drawing.draw(&buffers.columns[at..at + n], t, object, t_of);
         at += n;
     }
     if at <= to {
@@ -255,7 +251,7 @@ pub(crate) fn draw_row<S: Simd, C: Certainty>(
         t[..left].copy_from_slice(&buffers.t[at..]);
         object[..left].copy_from_slice(&buffers.object[at..]);
         let columns = &buffers.columns[at..at + n];
-        in_doubt |= drawing.draw::<C>(columns, &mut t[..n], &mut object[..n], t_of);
+        in_doubt |= drawing.draw(columns, &mut t[..n], &mut object[..n], t_of);
         buffers.t[at..].copy_from_slice(&t[..left]);
         buffers.object[at..].copy_from_slice(&object[..left]);
     }

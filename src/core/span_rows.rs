@@ -4,7 +4,6 @@
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::certainty::Certainty;
 use crate::outline::MOST_LANES;
 use crate::raster_axes::RasterAxes;
 use crate::row_ends::RowEnds;
@@ -49,12 +48,7 @@ fn store_narrow<S: Simd>(x: S::f64s) -> Singles {
 impl SpanRows {
     /// The sphere's rows from the raster's row `base` on.
     #[inline(always)]
-    pub(crate) fn find<S: Simd, C: Certainty>(
-        simd: S,
-        span: &Span,
-        axes: &RasterAxes,
-        base: usize,
-    ) -> SpanRows {
+    pub(crate) fn find<S: Simd>(simd: S, span: &Span, axes: &RasterAxes, base: usize) -> SpanRows {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let Outline { column, row, shear, square, square_doubt, .. } = span.outline;
         let Outline { b0, b_column, b_row, .. } = span.outline;
@@ -62,7 +56,7 @@ impl SpanRows {
         let j = S::f64s::from_slice(simd, numbers) - splat(row);
         let middle = splat(column) + splat(shear) * j;
         let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
-        let ends = RowEnds::<S>::new::<C>(simd, middle, squared, splat(span.outline.thin));
+        let ends = RowEnds::<S>::new(simd, middle, squared, splat(span.outline.thin));
         let RowEnds { start, end, first, last, is_sure } = ends;
         let (from, to, is_there) = axes.clip(simd, first, last);
         let is_wide = span.shape.is_wide;
@@ -71,11 +65,8 @@ impl SpanRows {
         let high = b.narrow(b);
         let (left, right) = (first - start, end - last);
         let offset = if is_wide { store_narrow::<S>(left * right) } else { [0.0; 2 * MOST_LANES] };
-        let is_doubtful = if C::IS_CERTAIN {
-            squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask()
-        } else {
-            0
-        };
+        let is_doubtful =
+            squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask();
         SpanRows {
             first: store_narrow::<S>(first),
             last: store_narrow::<S>(last),

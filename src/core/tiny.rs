@@ -4,7 +4,6 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
 
-use crate::certainty::Certainty;
 use crate::crowd_draw::lanes_of;
 use crate::outline::{MOST_LANES, Outlines};
 use crate::row_ends::RowEnds;
@@ -70,19 +69,19 @@ fn whole(sum: f64) -> usize {
 
 /// Draws those spheres of a vector whose bits are set.
 #[inline(always)]
-pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
+pub(crate) fn draw_tiny<S: Simd>(
     simd: S,
     outlines: &Outlines,
     tiny: u64,
     ids: &[u32],
     runs: &mut Runs,
-    target: &mut SpanTarget<C>,
+    target: &mut SpanTarget,
 ) {
     let (spheres, anchor) = TinySpheres::new(simd, outlines);
     // Listed without a branch, which no processor could foresee.
     let mut count = 0;
     for number in 0..TINY_ROWS {
-        let step = runs.find::<S, C>(simd, (outlines, &spheres, anchor), number, target);
+        let step = runs.find::<S>(simd, (outlines, &spheres, anchor), number, target);
         // A row between two others may pass no pixel's centre, where the outline leans.
         if tiny & step.is_left == 0 {
             break;
@@ -99,7 +98,7 @@ pub(crate) fn draw_tiny<S: Simd, C: Certainty>(
     for place in 0..count {
         let run = usize::from(runs.listed[place]);
         let lane = run % S::f64s::LEN;
-        runs.draw::<S, C>(simd, run, (&spheres, lane, ids[lane]), target);
+        runs.draw::<S>(simd, run, (&spheres, lane, ids[lane]), target);
     }
 }
 
@@ -174,12 +173,12 @@ impl Runs {
 
     /// The row of each sphere that is so many below its first.
     #[inline(always)]
-    fn find<S: Simd, C: Certainty>(
+    fn find<S: Simd>(
         &mut self,
         simd: S,
         (of, spheres, anchor): (&Outlines, &TinySpheres, S::f64s),
         step: usize,
-        target: &SpanTarget<C>,
+        target: &SpanTarget,
     ) -> Step {
         let n = S::f64s::LEN;
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -189,7 +188,7 @@ impl Runs {
         let middle = load(&of.column) + load(&of.shear) * j;
         let squared = load(&of.square[0]) + (load(&of.square[1]) + load(&of.square[2]) * j) * j;
         let RowEnds { start, end, first, last, is_sure } =
-            RowEnds::<S>::new::<C>(simd, middle, squared, load(&of.thin));
+            RowEnds::<S>::new(simd, middle, squared, load(&of.thin));
         let is_left = number.simd_le(load(&of.last_row)).to_bitmask();
         let is_near = squared.simd_ge(-load(&of.square_doubt)).to_bitmask();
         let (row, is_here) = target.axes.place_rows(simd, number, &target.rows);
@@ -218,12 +217,12 @@ impl Runs {
 
     /// Takes over the pixels of a row that are nearer than what is there.
     #[inline(always)]
-    fn draw<S: Simd, C: Certainty>(
+    fn draw<S: Simd>(
         &self,
         simd: S,
         run: usize,
         (spheres, lane, index): (&TinySpheres, usize, u32),
-        target: &mut SpanTarget<C>,
+        target: &mut SpanTarget,
     ) {
         let (row, from) = (whole(self.row[run]), whole(self.from[run]));
         let place = row * target.axes.width() + from;
@@ -239,13 +238,13 @@ impl Runs {
         let pixels = Pixels { simd, found, is_inside, index };
         if target.t.len() - place >= PIXELS {
             let (t, object) = (&mut target.t[place..], &mut target.object[place..]);
-            doubtful = pixels.take_over::<C>(&mut t[..PIXELS], &mut object[..PIXELS]);
+            doubtful = pixels.take_over(&mut t[..PIXELS], &mut object[..PIXELS]);
         } else {
             let left = target.t.len() - place;
             let (mut t, mut object) = ([0.0; PIXELS], [0; PIXELS]);
             t[..left].copy_from_slice(&target.t[place..]);
             object[..left].copy_from_slice(&target.object[place..]);
-            doubtful |= pixels.take_over::<C>(&mut t, &mut object);
+            doubtful |= pixels.take_over(&mut t, &mut object);
             target.t[place..].copy_from_slice(&t[..left]);
             target.object[place..].copy_from_slice(&object[..left]);
         }
@@ -267,17 +266,13 @@ struct Pixels<S: Simd> {
 impl<S: Simd> Pixels<S> {
     /// Takes over those that are nearer than what is known; tells which are too close to it to tell.
     #[inline(always)]
-    fn take_over<C: Certainty>(&self, t: &mut [f32], object: &mut [u32]) -> u64 {
+    fn take_over(&self, t: &mut [f32], object: &mut [u32]) -> u64 {
         let Pixels { simd, found, is_inside, index } = *self;
         let known = f32x8::from_slice(simd, t);
-        let below = if C::IS_CERTAIN { 1.0 - TIE } else { 1.0 };
-        let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, below));
+        let is_nearer = is_inside & found.simd_lt(known * f32x8::splat(simd, 1.0 - TIE));
         is_nearer.select(found, known).store_slice(t);
         let objects = u32x8::from_slice(simd, object);
         is_nearer.select(u32x8::splat(simd, index), objects).store_slice(object);
-        if !C::IS_CERTAIN {
-            return 0;
-        }
         let is_farther = found.simd_gt(known * f32x8::splat(simd, 1.0 + TIE));
         (is_inside & !(is_nearer | is_farther)).to_bitmask()
     }
@@ -287,8 +282,8 @@ impl<S: Simd> Pixels<S> {
 /// known.
 #[cold]
 #[inline(never)]
-fn note_ties<C: Certainty>(
-    target: &mut SpanTarget<C>,
+fn note_ties(
+    target: &mut SpanTarget,
     (place, doubtful): (usize, u64),
     found: [f32; PIXELS],
     index: u32,
@@ -310,13 +305,7 @@ fn note_ties<C: Certainty>(
 /// Leaves all pixels that a row, so many below the first, may cover to the ladder.
 #[cold]
 #[inline(never)]
-fn note_doubts<C: Certainty>(
-    of: &Outlines,
-    lane: usize,
-    index: u32,
-    step: usize,
-    target: &mut SpanTarget<C>,
-) {
+fn note_doubts(of: &Outlines, lane: usize, index: u32, step: usize, target: &mut SpanTarget) {
     let number = of.first_row[lane] + step as f64;
     let Some(row) = target.axes.row_at(number) else { return };
     let j = number - of.row[lane];

@@ -12,7 +12,7 @@ use crate::counts::Counts;
 use crate::depth::Depth;
 use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::painter::Painter;
-use crate::plan::{Plan, SLICE_ROWS, Tuning};
+use crate::plan::{Plan, SLICE_ROWS};
 use crate::posed::PosedCamera;
 use crate::scene::Scene;
 use crate::seen::{ObjectSeen, plane_normal};
@@ -78,7 +78,7 @@ pub fn trace_at_level<T: Depth>(
             done(rows);
         }
     };
-    T::fill(&mut frame, &Tuning::new(level), scene, None, &observe);
+    T::fill(&mut frame, level, scene, None, &observe);
     frame
 }
 
@@ -129,11 +129,11 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
                 painter.rows(start..start + SLICE_ROWS, t, object, &mut pixels);
             }
         };
-        T::fill(&mut frame, &Tuning::new(level), scene, Some(&finish), &observe);
+        T::fill(&mut frame, level, scene, Some(&finish), &observe);
         return frame;
     }
     let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
-    T::fill(&mut frame, &Tuning::new(level), scene, None, &observe);
+    T::fill(&mut frame, level, scene, None, &observe);
     paint_frame(level, &frame, scene, paint, pixels);
     if !outputs.t {
         frame.t = Vec::new();
@@ -147,19 +147,8 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
 /// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
 /// new memory.
 pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, camera: &PosedCamera) {
-    retrace_tuned(frame, &Tuning::new(level), scene, camera);
-}
-
-/// [`retrace`] with all that can be tuned.
-#[doc(hidden)]
-pub fn retrace_tuned<T: Depth>(
-    frame: &mut Frame<T>,
-    tuning: &Tuning,
-    scene: &Scene,
-    camera: &PosedCamera,
-) {
     frame.camera = *camera;
-    T::fill(frame, tuning, scene, None, &|_| ());
+    T::fill(frame, level, scene, None, &|_| ());
 }
 
 /// A frame with room for what is asked for.
@@ -205,7 +194,7 @@ fn or_own<'a, T: Copy>(part: &'a mut [T], own: &'a mut Vec<T>, len: usize, zero:
 /// of which is finished while it is in the cache.
 pub(crate) fn fill<T: Depth>(
     frame: &mut Frame<T>,
-    tuning: &Tuning,
+    level: Level,
     scene: &Scene,
     finish: Option<Finish<'_, T>>,
     observe: &(dyn Fn(Stage) + Sync),
@@ -215,7 +204,7 @@ pub(crate) fn fill<T: Depth>(
         return;
     }
     let (width, rows) = (raster.columns().len(), raster.rows().len());
-    let plan = Plan::new::<T>(tuning, scene, camera, raster);
+    let plan = Plan::new::<T>(level, scene, camera, raster);
     observe(Stage::Planned);
     *counts = plan.counts;
     let is_quick = plan.is_quick && finish.is_none() && normal.is_empty();
