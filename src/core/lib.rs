@@ -188,85 +188,14 @@
 //!   major version of either is one of this crate.
 //! - What the documentation does not show is nobody's to use.
 
-mod band;
-mod basis;
-mod big_conic;
-mod big_ray;
-mod bounds;
-mod boxes;
 mod camera;
-mod camera_space;
-mod checks;
-mod conic;
-mod counts;
-mod crowd;
-mod crowd_draw;
-mod depth;
-mod difference;
-mod double_double;
-mod error_free;
 mod exact;
-mod exact_ray;
-mod extent;
-mod fine_basis;
-mod frame;
-mod frame_rays;
 pub mod grading;
-mod image;
-mod intrinsics;
-mod kernel;
-mod lane;
-mod lanes;
 pub mod lecture;
-mod line;
-mod method_kernel;
-mod method_real;
-mod method_sphere;
-mod method_trace;
 pub mod methods;
-mod normals;
-mod number;
-mod object_kernel;
-mod outline;
-mod painter;
-mod plan;
-mod plane;
-mod plane_seen;
-mod posed;
-mod power;
-mod precise;
-mod raster_axes;
-mod ray;
-mod roots;
-mod rotation;
-mod row_ends;
-mod scale;
+mod render;
 mod scene;
-mod seen;
-mod settle;
-mod shade;
-mod single_lanes;
-mod small;
-mod sorter;
-mod span;
-mod span_kernel;
-mod span_rows;
-mod sphere;
-mod sphere_index;
-mod sphere_order;
-mod sphere_seen;
-mod spheres;
-mod srgb;
 pub mod steering;
-mod steps;
-mod surd;
-mod surface;
-mod terms;
-mod tiny;
-mod tones;
-mod trace;
-mod veil;
-mod viewport;
 
 /// The README's example is run with the others.
 #[cfg(doctest)]
@@ -323,31 +252,31 @@ mod sphere_index_tests;
 
 pub use fearless_simd::Level;
 
-pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
+pub use camera::basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
+pub use camera::difference::CameraDifference;
+pub use camera::exact_ray::ExactRay;
+pub use camera::image::{ImageError, ImageSize, Pixel};
+pub use camera::intrinsics::Intrinsics;
+pub use camera::ray::{Ray, RayError};
+pub use camera::resolved::{PixelOfUv, PosedCamera, Projection};
+pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
-pub use checks::{ObjectError, SceneError};
-pub use counts::Counts;
-pub use depth::Depth;
-pub use difference::CameraDifference;
-pub use double_double::DoubleDouble;
-pub use exact_ray::ExactRay;
-pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
-pub use glam::{self, DVec2, DVec3};
-pub use image::{ImageError, ImageSize, Pixel};
-pub use intrinsics::Intrinsics;
+pub use exact::decimal::shortest;
+pub use exact::double_double::DoubleDouble;
 #[doc(hidden)]
-pub use lane::Lane;
-pub use number::shortest;
-pub use plane::{Plane, PlaneTerms};
-pub use posed::{PixelOfUv, PosedCamera, Projection};
-pub use ray::{Ray, RayError};
-pub use roots::Roots;
-pub use scene::{Object, Root, Scene};
-pub use shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixel};
-pub use sphere::{Sphere, SphereQuadratic};
-pub use steps::{Step, Steps};
-pub use trace::{
+pub use exact::lane::Lane;
+pub use exact::steps::{Step, Steps};
+pub use glam::{self, DVec2, DVec3};
+pub use render::frame::counts::Counts;
+pub use render::frame::depth::Depth;
+pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
+pub use render::shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixel};
+pub use render::{
     Stage, retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
     trace_reporting,
 };
-pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
+pub use scene::error::{ObjectError, SceneError};
+pub use scene::plane::{Plane, PlaneTerms};
+pub use scene::roots::Roots;
+pub use scene::sphere::{Sphere, SphereQuadratic};
+pub use scene::{Object, Root, Scene};

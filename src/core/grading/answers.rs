@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::image::Pixel;
-use crate::shade::Rgb;
+use crate::camera::image::Pixel;
+use crate::render::shade::Rgb;
 
 /// A student's answers, of one kind.
 ///

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::camera::CameraError;
-use crate::image::ImageSize;
+use crate::camera::image::ImageSize;
 
 /// Why answers cannot be graded.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::program::{Bottom, Distance, Extent, Place, Program, Swap};
-use crate::basis::Basis;
+use crate::camera::basis::Basis;
+use crate::camera::image::Pixel;
+use crate::camera::resolved::PosedCamera;
 use crate::camera::{Camera, CameraError, Orientation};
-use crate::image::Pixel;
-use crate::posed::PosedCamera;
-use crate::scale::{length, unit};
+use crate::exact::scale::{length, unit};
 
 /// The camera that answers are about, with what wrong programs make of it.
 #[derive(Clone, Copy, Debug)]

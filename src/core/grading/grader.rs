@@ -14,8 +14,8 @@ use super::{
     Digits, Grade, Hit, Judged, KnownMistake, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth,
     Worst, digits_wanted,
 };
-use crate::image::Pixel;
-use crate::shade::{Rgb, Shade};
+use crate::camera::image::Pixel;
+use crate::render::shade::{Rgb, Shade};
 
 /// Answers, and what they are graded by.
 pub(super) struct Grader<'a> {

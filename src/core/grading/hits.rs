@@ -9,12 +9,12 @@ use super::given::{Given, ProgramCamera};
 use super::meetings::{FirstMeetings, Meeting, work};
 use super::program::{Measure, Program};
 use super::{Digits, Hit, Judged, Truth};
-use crate::frame::{NO_OBJECT, Outputs, Raster};
-use crate::image::Pixel;
-use crate::posed::PosedCamera;
-use crate::scale::length;
+use crate::camera::image::Pixel;
+use crate::camera::resolved::PosedCamera;
+use crate::exact::scale::length;
+use crate::render::frame::{NO_OBJECT, Outputs, Raster};
+use crate::render::trace;
 use crate::scene::Scene;
-use crate::trace::trace;
 
 pub(super) struct Hits<'a> {
     pub(super) answers: &'a [HitAnswer],

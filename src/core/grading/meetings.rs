@@ -9,13 +9,13 @@ use glam::DVec3;
 
 use super::given::ProgramCamera;
 use super::program::{Program, Quadratic, Sign, WhichRoot};
-use crate::exact_ray::ExactRay;
-use crate::line::Line;
-use crate::plane::Plane;
-use crate::ray::Ray;
-use crate::scale::{length, unit};
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
+use crate::exact::scale::{length, unit};
+use crate::scene::line::Line;
+use crate::scene::plane::Plane;
+use crate::scene::sphere::Sphere;
 use crate::scene::{Object, Scene};
-use crate::sphere::Sphere;
 
 /// A place where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]

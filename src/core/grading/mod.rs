@@ -47,10 +47,10 @@ pub use self::error::GradeError;
 use self::grader::Grader;
 pub use self::known::KnownMistake;
 use crate::camera::Camera;
-use crate::number::shortest;
-use crate::ray::Ray;
+use crate::camera::ray::Ray;
+use crate::exact::decimal::shortest;
+use crate::render::shade::{Rgb, Shade};
 use crate::scene::Scene;
-use crate::shade::{Rgb, Shade};
 
 /// How far numbers may be off, as a share, unless another tolerance is given: twice what a number of
 /// six significant digits is off at most, which is what `%g` and C++ streams print; and 80 times the

@@ -10,13 +10,13 @@ use super::given::{Given, ProgramCamera};
 use super::meetings::{FirstMeetings, normal_at, work};
 use super::program::Program;
 use super::{Judged, RELATIVE_TOLERANCE, Truth};
-use crate::frame::{Outputs, Raster};
-use crate::image::{ImageSize, Pixel};
-use crate::scale::length;
+use crate::camera::image::{ImageSize, Pixel};
+use crate::exact::scale::length;
+use crate::render::frame::{Outputs, Raster};
+use crate::render::shade::srgb::Srgb;
+use crate::render::shade::{BACKGROUND, Rgb, Shade, shade};
+use crate::render::trace_as;
 use crate::scene::Scene;
-use crate::shade::{BACKGROUND, Rgb, Shade, shade};
-use crate::srgb::Srgb;
-use crate::trace::trace_as;
 
 /// A picture that is taken to be shaded in one way.
 pub(super) struct Picture<'a> {

@@ -8,8 +8,8 @@ use super::diagnosis::Fits;
 use super::given::{Given, ProgramCamera};
 use super::program::Program;
 use super::{Digits, Judged};
-use crate::image::ImageSize;
-use crate::scale::{length, unit};
+use crate::camera::image::ImageSize;
+use crate::exact::scale::{length, unit};
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [Measured; 3],

@@ -1,15 +1,15 @@
 //! An object's implicit function along a ray: what is 0 at the roots.
 
-use crate::checks::ObjectError;
-use crate::double_double::DoubleDouble;
-use crate::exact_ray::ExactRay;
-use crate::plane_seen::PlaneSeen;
-use crate::precise::Precise;
-use crate::scale::{exponent, ldexp};
+use crate::camera::exact_ray::ExactRay;
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::precise::Precise;
+use crate::exact::quadratic::{Number, Vector, dot, length, near};
+use crate::exact::scale::{exponent, ldexp};
 use crate::scene::Object;
-use crate::seen::ObjectSeen;
-use crate::sphere_seen::SphereSeen;
-use crate::terms::{Number, Vector, dot, length, near};
+use crate::scene::error::ObjectError;
+use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::sphere_predicates::SphereSeen;
 
 /// The implicit function of an object at the point `p + t d` of a ray, as a function of t:
 ///

@@ -4,11 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::DVec3;
 
-use crate::basis::{Basis, BasisError, BasisVector, is_orthogonal, is_unit};
+use crate::camera::basis::{Basis, BasisError, BasisVector, is_orthogonal, is_unit};
+use crate::camera::fine_basis::{ViewGiven, over_root};
 use crate::camera::{Camera, Orientation};
-use crate::exact::{Dyadic, Exact3, cross, dot, exact3};
-use crate::fine_basis::{ViewGiven, over_root};
-use crate::scale::ldexp;
+use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3};
+use crate::exact::scale::ldexp;
 
 /// How a camera comes by its basis.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,12 +16,12 @@ pub use judge::Verdict;
 pub use slips::Slip;
 pub use wanted::Finding;
 
-use crate::basis::Basis;
+use crate::camera::basis::Basis;
+use crate::camera::ray::Ray;
+use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
-use crate::plane::Plane;
-use crate::ray::Ray;
-use crate::sphere::Sphere;
-use crate::viewport::Viewport;
+use crate::scene::plane::Plane;
+use crate::scene::sphere::Sphere;
 
 /// A kind of question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

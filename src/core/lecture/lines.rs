@@ -10,8 +10,8 @@ use std::fmt;
 
 use glam::DVec2;
 
-use crate::exact::{Dyadic, rounded_quotient};
-use crate::number::shortest;
+use crate::exact::decimal::shortest;
+use crate::exact::dyadic::{Dyadic, rounded_quotient};
 
 /// `a x + b y + c = 0`: all points at which `f(x, y) = a x + b y + c` is 0.
 ///

@@ -4,17 +4,17 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::checks::ObjectError;
-use crate::error_free::difference_with_rest;
-use crate::exact_ray::ExactRay;
-use crate::plane::{Plane, PlaneTerms};
-use crate::plane_seen::PlaneSeen;
-use crate::scale::{ldexp, ldexp3};
+use crate::camera::exact_ray::ExactRay;
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::scale::{ldexp, ldexp3};
+use crate::exact::steps::Steps;
+use crate::scene::error::ObjectError;
+use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::plane::{Plane, PlaneTerms};
+use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::sphere::{Sphere, SphereQuadratic};
+use crate::scene::sphere_predicates::{Meets, SphereSeen};
 use crate::scene::{Object, Root};
-use crate::seen::ObjectSeen;
-use crate::sphere::{Sphere, SphereQuadratic};
-use crate::sphere_seen::{Meets, SphereSeen};
-use crate::steps::Steps;
 
 /// How one ray meets one object, with every value on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]

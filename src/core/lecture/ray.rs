@@ -2,10 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::image::Pixel;
-use crate::posed::{PosedCamera, ViewPlace};
-use crate::ray::{Ray, RayError};
-use crate::scale::length;
+use crate::camera::image::Pixel;
+use crate::camera::ray::{Ray, RayError};
+use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::exact::scale::length;
 
 /// A view ray with every value on the way to it:
 ///

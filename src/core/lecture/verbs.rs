@@ -5,11 +5,11 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::basis::{Basis, BasisError, UpAngle};
+use crate::camera::basis::{Basis, BasisError, UpAngle};
+use crate::camera::viewport::{Viewport, ViewportError};
 use crate::camera::{Camera, CameraError, Orientation};
-use crate::number::shortest;
-use crate::scale::{ldexp3, length, split};
-use crate::viewport::{Viewport, ViewportError};
+use crate::exact::decimal::shortest;
+use crate::exact::scale::{ldexp3, length, split};
 
 /// Why a camera cannot be changed so.
 #[derive(Clone, Copy, Debug, PartialEq)]

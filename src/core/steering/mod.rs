@@ -48,11 +48,11 @@ pub use handles::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
 pub use pointer::{Drag, DragAlong, DragError, FARTHEST, LEAST_ANGLE, pixel_in_world};
 pub use snap::{nice_step, rounded_point, rounded_to, snapped};
 
-use crate::basis::{Basis, BasisError};
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::viewport::ViewportError;
 use crate::camera::{Camera, CameraError};
-use crate::number::shortest;
-use crate::scale::unit;
-use crate::viewport::ViewportError;
+use crate::exact::decimal::shortest;
+use crate::exact::scale::unit;
 
 /// The smallest angle between up, or -up, and the view that [`Camera::orbited`] and
 /// [`Camera::looked_round`] go to, in radians: 1 degree.

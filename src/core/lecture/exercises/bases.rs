@@ -6,7 +6,7 @@ use super::rays::wrong_t_of_wall;
 use super::solve::{Parts, Wrong, camera, number, part, t_of_wall, vector, view_ray, wanting};
 use super::wanted::{Surface, Wanted};
 use super::{Asked, Given, Part, Slip, turned};
-use crate::basis::Basis;
+use crate::camera::basis::Basis;
 use crate::camera::{Camera, Orientation};
 use crate::lecture::mistakes::{Mistake, WrongCamera};
 

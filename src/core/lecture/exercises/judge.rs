@@ -1,7 +1,7 @@
 //! What is to be said of an answer.
 
 use super::{Answer, Finding, Part, Slip};
-use crate::number::shortest;
+use crate::exact::decimal::shortest;
 use glam::DVec3;
 
 /// How far an answer may be from the truth, relative to it.

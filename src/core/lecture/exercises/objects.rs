@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 use super::solve::{Parts, Wrong, number, one, part, place, vector, wanting, wrong_t};
 use super::wanted::{Surface, Wanted};
 use super::{Answer, Asked, Slip};
-use crate::ray::Ray;
-use crate::roots::Roots;
-use crate::sphere::Sphere;
+use crate::camera::ray::Ray;
+use crate::scene::roots::Roots;
+use crate::scene::sphere::Sphere;
 
 /// Nothing where the ray's line misses the sphere.
 pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {

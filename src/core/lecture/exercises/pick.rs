@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use glam::{DVec2, DVec3};
 
 use super::{Exercise, Given};
-use crate::ray::Ray;
-use crate::sphere::Sphere;
+use crate::camera::ray::Ray;
+use crate::scene::sphere::Sphere;
 
 /// The lecture's numbers. Its view and up are twice as long here, which changes no answer, so that
 /// it shows who normalizes.

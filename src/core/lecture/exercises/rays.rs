@@ -5,8 +5,8 @@ use glam::{DVec2, DVec3};
 use super::solve::{Parts, Wrong, number, one, t_of_wall, vector, view_ray, wanting, wrong_t};
 use super::wanted::{Surface, Wanted};
 use super::{Asked, Part, Slip};
-use crate::basis::Basis;
-use crate::ray::Ray;
+use crate::camera::basis::Basis;
+use crate::camera::ray::Ray;
 
 pub(super) fn of_uv(uv: DVec2) -> Parts {
     let ray = view_ray(Basis::CANONICAL, 1.0, uv);

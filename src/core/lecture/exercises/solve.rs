@@ -6,10 +6,10 @@ use super::judge::is_near;
 use super::wanted::Wanted;
 use super::{Answer, Asked, Given, Part, Slip, camera as camera_of, turned};
 use super::{bases, objects, rays};
-use crate::basis::Basis;
+use crate::camera::basis::Basis;
+use crate::camera::ray::Ray;
 use crate::camera::{Camera, Orientation};
-use crate::plane::Plane;
-use crate::ray::Ray;
+use crate::scene::plane::Plane;
 
 /// A wrong answer: each of the things asked for that a mistake changes.
 pub(super) struct Wrong {

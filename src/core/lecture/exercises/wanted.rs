@@ -3,9 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::judge::TOLERANCE;
-use crate::basis::Basis;
-use crate::ray::Ray;
-use crate::sphere::Sphere;
+use crate::camera::basis::Basis;
+use crate::camera::ray::Ray;
+use crate::scene::sphere::Sphere;
 
 /// Something that is wrong with an answer.
 #[derive(Clone, Debug, PartialEq)]

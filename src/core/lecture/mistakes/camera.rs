@@ -5,11 +5,11 @@ use std::fmt;
 use glam::{DVec2, DVec3};
 
 use super::Mistake;
+use crate::camera::image::{ImageSize, Pixel};
+use crate::camera::ray::{Ray, RayError};
+use crate::camera::resolved::PosedCamera;
 use crate::camera::{Camera, CameraError, Orientation};
-use crate::image::{ImageSize, Pixel};
-use crate::posed::PosedCamera;
-use crate::ray::{Ray, RayError};
-use crate::scale::{length, unit};
+use crate::exact::scale::{length, unit};
 
 /// How u, v and w are made, where not as they should be.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

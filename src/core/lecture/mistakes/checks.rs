@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::WrongCamera;
-use crate::basis::ORTHONORMAL_TOLERANCE;
-use crate::scale::{length, unit};
+use crate::camera::basis::ORTHONORMAL_TOLERANCE;
+use crate::exact::scale::{length, unit};
 
 /// Something that is so of every right camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

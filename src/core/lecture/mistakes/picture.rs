@@ -8,16 +8,16 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::WrongCamera;
-use crate::basis::Basis;
+use crate::camera::basis::Basis;
+use crate::camera::image::{ImageError, ImageSize, Pixel};
+use crate::camera::resolved::PosedCamera;
+use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, CameraError, Orientation};
-use crate::frame::{Frame, NO_OBJECT, Outputs, Raster};
-use crate::image::{ImageError, ImageSize, Pixel};
-use crate::posed::PosedCamera;
+use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
+use crate::render::shade::shade_rows::Toner;
+use crate::render::shade::{BACKGROUND, Rgb, Shade};
+use crate::render::trace_as;
 use crate::scene::Scene;
-use crate::shade::{BACKGROUND, Rgb, Shade};
-use crate::tones::Toner;
-use crate::trace::trace_as;
-use crate::viewport::Viewport;
 
 /// The first hits of a wrong camera's rays.
 #[derive(Clone, Debug, PartialEq)]

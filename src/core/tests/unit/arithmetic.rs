@@ -9,12 +9,12 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
-use crate::double_double::DoubleDouble;
-use crate::error_free::{dekker_product, fast_two_sum, two_sum};
-use crate::exact::{Dyadic, big_of};
-use crate::lane::Lane;
-use crate::lanes::Lanes;
-use crate::scale::{exponent, ldexp};
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::dyadic::{Dyadic, big_of};
+use crate::exact::error_free::{dekker_product, fast_two_sum, two_sum};
+use crate::exact::lane::Lane;
+use crate::exact::lanes::Lanes;
+use crate::exact::scale::{exponent, ldexp};
 
 #[path = "../common/levels.rs"]
 mod levels;

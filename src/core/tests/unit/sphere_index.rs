@@ -5,16 +5,16 @@
 use glam::DVec3;
 use proptest::prelude::*;
 
-use crate::boxes::{BOX_LANES, Boxes};
-use crate::checks::SceneError;
-use crate::exact::{Dyadic, big_of};
-use crate::ray::Ray;
-use crate::roots::Roots;
-use crate::scale::exponent;
+use crate::camera::ray::Ray;
+use crate::exact::dyadic::{Dyadic, big_of};
+use crate::exact::scale::exponent;
 use crate::scene::Scene;
-use crate::sphere::Sphere;
-use crate::sphere_index::{BLOCK, GROUP, NO_SPHERE, SphereIndex};
-use crate::spheres::INDEX_FROM;
+use crate::scene::boxes::{BOX_LANES, Boxes};
+use crate::scene::error::SceneError;
+use crate::scene::roots::Roots;
+use crate::scene::sphere::Sphere;
+use crate::scene::sphere_index::{BLOCK, GROUP, NO_SPHERE, SphereIndex};
+use crate::scene::spheres::INDEX_FROM;
 
 /// A coordinate: ordinary, or anything finite.
 fn coordinate() -> impl Strategy<Value = f64> {

@@ -1,0 +1,141 @@
+//! From hits to colours.
+
+pub(crate) mod normals;
+pub(crate) mod painter;
+pub(crate) mod shade_rows;
+pub(crate) mod srgb;
+pub(crate) mod surface;
+
+use fearless_simd::Level;
+use rayon::prelude::*;
+
+use crate::camera::ray::Ray;
+use crate::render::frame::Frame;
+use crate::render::frame::depth::Depth;
+use crate::render::shade::painter::Painter;
+use crate::render::shade::shade_rows::Toner;
+use crate::scene::Scene;
+
+/// sRGB bytes.
+pub type Rgb = [u8; 3];
+
+/// The colour of a pixel whose ray hits nothing.
+pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
+
+/// How a hit becomes a colour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shade {
+    /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|`, in linear light.
+    #[default]
+    Lambert,
+    /// The outward normal's x, y, z, from -1..1 to red, green, blue 0..255.
+    Normal,
+    /// Grey, `t_min / t` of the frame: the nearest hit is white.
+    T,
+    /// The object's colour, flat.
+    Object,
+}
+
+impl Shade {
+    /// All of them.
+    pub const ALL: [Shade; 4] = [Shade::Lambert, Shade::Normal, Shade::T, Shade::Object];
+
+    /// `lambert`, `normal`, `t`, `object`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Shade::Lambert => "lambert",
+            Shade::Normal => "normal",
+            Shade::T => "t",
+            Shade::Object => "object",
+        }
+    }
+
+    /// Whether the colours depend on `t`.
+    pub fn needs_t(self) -> bool {
+        matches!(self, Shade::Normal | Shade::T)
+    }
+}
+
+/// How hits become pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Paint<C, F> {
+    /// How a hit becomes a colour.
+    pub shade: Shade,
+    /// `Fn(u32) -> Rgb`: each object's own colour.
+    pub color_of: C,
+    /// `Fn(Rgb) -> P`: the form that pixels have.
+    pub to_pixel: F,
+}
+
+/// Rows that one thread shades at a time.
+const ROWS: usize = 16;
+
+/// The colours of a frame with `t` and object, row by row, in the pixel form that `to_pixel` makes;
+/// rows in parallel. [`trace_painted`](crate::trace_painted) makes them while it traces.
+///
+/// `color_of` gives each object's own colour. The frame must be one of the scene.
+pub fn shade<T: Depth, P: Clone + Send + Sync>(
+    frame: &Frame<T>,
+    scene: &Scene,
+    shade: Shade,
+    color_of: impl Fn(u32) -> Rgb + Sync,
+    to_pixel: impl Fn(Rgb) -> P + Sync,
+) -> Vec<P> {
+    shade_at_level(Level::new(), frame, scene, &Paint { shade, color_of, to_pixel })
+}
+
+/// [`shade`] with the instructions of a given SIMD level, all of which give the same bits.
+pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
+    level: Level,
+    frame: &Frame<T>,
+    scene: &Scene,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+) -> Vec<P> {
+    let mut pixels = vec![(paint.to_pixel)(BACKGROUND); frame.raster().len()];
+    paint_frame(level, frame, scene, paint, &mut pixels);
+    pixels
+}
+
+/// Paints a frame that has object and, where the shading needs it, `t`.
+pub(crate) fn paint_frame<T: Depth, P: Send>(
+    level: Level,
+    frame: &Frame<T>,
+    scene: &Scene,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+) {
+    let (camera, raster) = (frame.camera(), frame.raster());
+    if raster.is_empty() {
+        return;
+    }
+    let nearest = match paint.shade {
+        Shade::T => {
+            let least = |t: &[T]| t.iter().map(|t| t.widened()).fold(f64::INFINITY, f64::min);
+            frame.t.par_chunks(1 << 16).map(least).reduce(|| f64::INFINITY, f64::min)
+        }
+        _ => f64::INFINITY,
+    };
+    let painter = Painter::new(level, paint, scene, camera, raster, nearest);
+    let width = raster.columns().len();
+    pixels.par_chunks_mut(ROWS * width).enumerate().for_each(|(index, pixels)| {
+        let part = index * ROWS * width..index * ROWS * width + pixels.len();
+        let t = frame.t.get(part.clone()).unwrap_or_default();
+        let rows = index * ROWS..index * ROWS + pixels.len() / width;
+        painter.rows(rows, t, &frame.object[part], pixels);
+    });
+}
+
+/// The colour of one ray's first hit. `nearest` is the `t` that [`Shade::T`] shows white.
+pub fn shade_pixel(
+    scene: &Scene,
+    shade: Shade,
+    ray: &Ray,
+    nearest: f64,
+    color_of: impl Fn(u32) -> Rgb,
+) -> Rgb {
+    let toner = Toner::new(scene, shade, nearest);
+    match scene.first_hit(ray) {
+        None => BACKGROUND,
+        Some(hit) => toner.color(toner.tones(ray, hit.object, hit.t, color_of(hit.object))),
+    }
+}
