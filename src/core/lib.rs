@@ -264,19 +264,21 @@ pub use camera::{Camera, CameraError, Orientation, OrientationKind};
 pub use exact::decimal::shortest;
 pub use exact::double_double::DoubleDouble;
 #[doc(hidden)]
-pub use exact::lane::Lane;
+pub use exact::error_free::Lane;
 pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
 pub use render::frame::counts::Counts;
 pub use render::frame::depth::Depth;
-pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
-pub use render::shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixel};
+pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, Stage};
+pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
+pub use render::shade::{shade, shade_at_level, shade_pixel};
 pub use render::{
-    Stage, retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
+    retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
     trace_reporting,
 };
+pub use scene::Scene;
 pub use scene::error::{ObjectError, SceneError};
+pub use scene::object::{Object, Root};
 pub use scene::plane::{Plane, PlaneTerms};
 pub use scene::roots::Roots;
 pub use scene::sphere::{Sphere, SphereQuadratic};
-pub use scene::{Object, Root, Scene};

@@ -4,11 +4,9 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::camera::fine_basis::{FineBasis, ViewGiven, angle_parts, basis_of};
 use crate::exact::decimal::{shortest, triple};
 use crate::exact::dyadic::{Dyadic, dot, exact3};
 use crate::exact::scale::length;
-use crate::exact::steps::Step;
 
 /// How far a basis given by hand may be from orthonormal: `| |a| - 1 |` and `|a . b|` of its vectors.
 ///
@@ -156,32 +154,6 @@ impl Basis {
     /// The canonical camera's: x right, y up, z backwards.
     pub const CANONICAL: Basis = Basis { u: DVec3::X, v: DVec3::Y, w: DVec3::Z };
 
-    /// The basis of a camera that looks along `view`, level with respect to `up`:
-    ///
-    /// ```text
-    /// w = -view / |view|     u = up x w / |up x w|     v = w x u
-    /// ```
-    ///
-    /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) No length of
-    /// `view` and `up` overflows or underflows, and an `up` close to `view` costs no accuracy: each
-    /// coordinate of u, v and w is the exact one, rounded, however small the angle. Whether up is
-    /// parallel to view is decided exactly.
-    ///
-    /// # Errors
-    /// Where a value is not finite, a vector is zero, or up is parallel to view.
-    pub fn from_view_up(view: DVec3, up: DVec3) -> Result<Basis, BasisError> {
-        Ok(Aim::along(view, up)?.fine_basis()?.rounded())
-    }
-
-    /// The basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
-    /// `view = at - eye`, which is not rounded.
-    ///
-    /// # Errors
-    /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
-    pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
-        Ok(Aim::from_to(eye, at, up)?.fine_basis()?.rounded())
-    }
-
     /// Takes a basis as given, to the bit, if it is one: unit and orthogonal within
     /// [`ORTHONORMAL_TOLERANCE`], right-handed.
     ///
@@ -224,74 +196,9 @@ impl UpAngle {
     /// A basis given by hand has v for its up: a right angle, conditioning 1.
     pub const OF_BASIS_BY_HAND: UpAngle =
         UpAngle { angle: std::f64::consts::FRAC_PI_2, conditioning: 1.0 };
-
-    /// The angle between `up` and `view`, by `atan2(|up x view|, up . view)` (accurate at both
-    /// ends, where arc cosine is not), and `|up| |view| / |up x view|`, at most `f64::MAX`.
-    ///
-    /// # Errors
-    /// As [`Basis::from_view_up`].
-    pub fn between(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
-        Aim::along(view, up)?.up_angle()
-    }
-
-    /// [`UpAngle::between`] of `up` and `at - eye`.
-    ///
-    /// # Errors
-    /// As [`Basis::from_eye_at_up`].
-    pub fn of_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
-        Aim::from_to(eye, at, up)?.up_angle()
-    }
 }
 
-/// A checked view direction and up, neither of them zero.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Aim {
-    pub(crate) view: ViewGiven,
-    pub(crate) up: DVec3,
-}
-
-impl Aim {
-    pub(crate) fn along(view: DVec3, up: DVec3) -> Result<Aim, BasisError> {
-        check_finite("view", view)?;
-        check_finite("up", up)?;
-        if view == DVec3::ZERO {
-            return Err(BasisError::ViewIsZero);
-        }
-        Aim { view: ViewGiven::Along(view), up }.with_up()
-    }
-
-    pub(crate) fn from_to(eye: DVec3, at: DVec3, up: DVec3) -> Result<Aim, BasisError> {
-        for (field, value) in [("eye", eye), ("at", at), ("up", up)] {
-            check_finite(field, value)?;
-        }
-        if eye == at {
-            return Err(BasisError::EyeIsAt { point: eye });
-        }
-        Aim { view: ViewGiven::Between { from: eye, to: at }, up }.with_up()
-    }
-
-    fn with_up(self) -> Result<Aim, BasisError> {
-        if self.up == DVec3::ZERO { Err(BasisError::UpIsZero) } else { Ok(self) }
-    }
-
-    pub(crate) fn fine_basis(&self) -> Result<FineBasis, BasisError> {
-        Ok(self.fine_basis_up_to(Step::Exact)?.0)
-    }
-
-    /// With the ladder cut off after a step, and the step that it took.
-    pub(crate) fn fine_basis_up_to(&self, last: Step) -> Result<(FineBasis, Step), BasisError> {
-        basis_of(&self.view, self.up, last)
-    }
-
-    fn up_angle(&self) -> Result<UpAngle, BasisError> {
-        self.fine_basis()?;
-        let (right, along, lengths) = angle_parts(&self.view, self.up);
-        let conditioning = (lengths / right).min(f64::MAX);
-        Ok(UpAngle { angle: right.atan2(along), conditioning })
-    }
-}
-
-fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
+pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), BasisError> {
     if value.is_finite() { Ok(()) } else { Err(BasisError::NotFinite { field, value }) }
 }
 

@@ -5,8 +5,7 @@ use glam::DVec3;
 
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::{Camera, Orientation};
-use crate::exact::scale::unit;
-use crate::steering::angle_between;
+use crate::exact::scale::{angle_between, unit};
 
 /// How one camera differs from another; lengths in world units, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,15 +1,16 @@
 //! A ray with all its digits: any ray as given, or a camera's view ray, whose direction no `f64`
 //! holds.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::camera::image::Pixel;
 use crate::camera::ray::{Ray, RayError};
 use crate::camera::resolved::{PosedCamera, ViewPlace};
 use crate::exact::big_ray::BigRay;
+use crate::exact::bounded::{Vector, length, near, scaled};
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::quadratic::{DirectionParts, Vector, length, near};
-use crate::exact::scale::{exponent, ldexp};
+use crate::exact::quadratic::DirectionParts;
+use crate::exact::scale::ldexp;
 use crate::exact::steps::Step;
 
 /// A ray on which every decision is what exact real arithmetic gives.
@@ -42,6 +43,25 @@ pub struct ExactRay<'a> {
 enum Source<'a> {
     Given(DVec3),
     View(&'a PosedCamera, ViewPlace),
+}
+
+impl PosedCamera {
+    /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
+    /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
+    pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
+        ExactRay::of_view(self, ViewPlace::Pixel(pixel))
+    }
+
+    /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
+    ///
+    /// # Errors
+    /// Where u or v is not finite.
+    pub fn exact_ray_at(&self, uv: DVec2) -> Result<ExactRay<'_>, RayError> {
+        if !uv.is_finite() {
+            return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
+        }
+        Ok(ExactRay::of_view(self, ViewPlace::Uv(uv)))
+    }
 }
 
 impl<'a> ExactRay<'a> {
@@ -143,18 +163,4 @@ impl<'a> ExactRay<'a> {
             Source::View(camera, place) => camera.big_ray(place),
         }
     }
-}
-
-/// Largest coordinates within these need no scaling: see [`UNDERFLOW`](crate::exact::dyadic::quadratic).
-pub(crate) const PLAIN: std::ops::Range<f64> = 1e-30..1e30;
-
-/// `(m, k)` with the vector `m * 2^k` and m's largest coordinate [plain](PLAIN). What is lost of
-/// coordinates that are 2^900 times smaller is below [`UNDERFLOW`](crate::exact::dyadic::quadratic).
-pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
-    let largest = v.iter().map(|x| x.hi.abs()).fold(0.0, f64::max);
-    if PLAIN.contains(&largest) || largest == 0.0 {
-        return (v, 0);
-    }
-    let k = exponent(largest);
-    (v.map(|x| x.scaled(-k)), k)
 }

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use crate::camera::basis::{Basis, BasisError};
-use crate::camera::exact_ray::scaled;
+use crate::camera::basis::{Basis, BasisError, UpAngle, check_finite};
+use crate::exact::bounded;
+use crate::exact::bounded::{Number, Vector, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
 use crate::exact::error_free::difference_with_rest;
-use crate::exact::quadratic::{self, Number, Vector};
 use crate::exact::scale::{ldexp, unit};
 use crate::exact::steps::Step;
 use crate::exact::surd::Radicands;
@@ -102,8 +102,8 @@ impl FineBasis {
         let exactly = || (FineBasis::from_exact(view, up), Step::Exact);
         let (f, _) = scaled(view.fine().0);
         let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
-        let right = quadratic::cross(f, up_scaled);
-        let length = |v: Vector<DoubleDouble>| quadratic::length(quadratic::near(v));
+        let right = bounded::cross(f, up_scaled);
+        let length = |v: Vector<DoubleDouble>| bounded::length(bounded::near(v));
         let sine = length(right) / (length(f) * length(up_scaled));
         if may_be_exact && (sine.is_nan() || sine < LEAST_SINE) {
             return exactly();
@@ -112,7 +112,7 @@ impl FineBasis {
             return (None, last);
         }
         let fine_unit = |v: Vector<DoubleDouble>| {
-            let length = quadratic::dot(v, v).square_root();
+            let length = bounded::dot(v, v).square_root();
             v.map(|x| x / length)
         };
         let (u, w) = (fine_unit(right), fine_unit(f).map(|x| -x));
@@ -121,7 +121,7 @@ impl FineBasis {
         type T = DoubleDouble;
         let unit_doubt = 0.5 * T::DOT + T::ROOT + T::QUOTIENT;
         let doubt = 1.05 * (2.0 * unit_doubt + T::CROSS / sine + T::CROSS);
-        let basis = FineBasis { u, v: quadratic::cross(w, u), w, doubt };
+        let basis = FineBasis { u, v: bounded::cross(w, u), w, doubt };
         // A coordinate that may be 0 is 0 on the screen, if it is.
         let may_be_zero = |x: &DoubleDouble| x.hi != 0.0 && x.hi.abs() <= 2.0 * doubt;
         let in_doubt = [u, basis.v, w].iter().flatten().any(may_be_zero);
@@ -190,9 +190,9 @@ pub(crate) fn angle_parts(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
     let (f, quartered) = view.fine();
     let ((f, view_scale), (g, up_scale)) =
         (scaled(f), scaled(up.to_array().map(DoubleDouble::from)));
-    let right = quadratic::length(quadratic::near(quadratic::cross(f, g)));
-    let lengths = quadratic::length(quadratic::near(f)) * quadratic::length(quadratic::near(g));
-    let along = quadratic::dot(f, g).hi;
+    let right = bounded::length(bounded::near(bounded::cross(f, g)));
+    let lengths = bounded::length(bounded::near(f)) * bounded::length(bounded::near(g));
+    let along = bounded::dot(f, g).hi;
     if right > LEAST_SINE * lengths {
         return (right, along, lengths);
     }
@@ -228,4 +228,99 @@ pub(crate) fn basis_of(
     let (basis, step) = FineBasis::from_view_up(view, up, last);
     let parallel = || BasisError::UpParallelToView { up, view: view.rounded() };
     Ok((basis.ok_or_else(parallel)?, step))
+}
+
+/// A checked view direction and up, neither of them zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aim {
+    pub(crate) view: ViewGiven,
+    pub(crate) up: DVec3,
+}
+
+impl Aim {
+    pub(crate) fn along(view: DVec3, up: DVec3) -> Result<Aim, BasisError> {
+        check_finite("view", view)?;
+        check_finite("up", up)?;
+        if view == DVec3::ZERO {
+            return Err(BasisError::ViewIsZero);
+        }
+        Aim { view: ViewGiven::Along(view), up }.with_up()
+    }
+
+    pub(crate) fn from_to(eye: DVec3, at: DVec3, up: DVec3) -> Result<Aim, BasisError> {
+        for (field, value) in [("eye", eye), ("at", at), ("up", up)] {
+            check_finite(field, value)?;
+        }
+        if eye == at {
+            return Err(BasisError::EyeIsAt { point: eye });
+        }
+        Aim { view: ViewGiven::Between { from: eye, to: at }, up }.with_up()
+    }
+
+    fn with_up(self) -> Result<Aim, BasisError> {
+        if self.up == DVec3::ZERO { Err(BasisError::UpIsZero) } else { Ok(self) }
+    }
+
+    pub(crate) fn fine_basis(&self) -> Result<FineBasis, BasisError> {
+        Ok(self.fine_basis_up_to(Step::Exact)?.0)
+    }
+
+    /// With the ladder cut off after a step, and the step that it took.
+    pub(crate) fn fine_basis_up_to(&self, last: Step) -> Result<(FineBasis, Step), BasisError> {
+        basis_of(&self.view, self.up, last)
+    }
+
+    fn up_angle(&self) -> Result<UpAngle, BasisError> {
+        self.fine_basis()?;
+        let (right, along, lengths) = angle_parts(&self.view, self.up);
+        let conditioning = (lengths / right).min(f64::MAX);
+        Ok(UpAngle { angle: right.atan2(along), conditioning })
+    }
+}
+
+impl Basis {
+    /// The basis of a camera that looks along `view`, level with respect to `up`:
+    ///
+    /// ```text
+    /// w = -view / |view|     u = up x w / |up x w|     v = w x u
+    /// ```
+    ///
+    /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) No length of
+    /// `view` and `up` overflows or underflows, and an `up` close to `view` costs no accuracy: each
+    /// coordinate of u, v and w is the exact one, rounded, however small the angle. Whether up is
+    /// parallel to view is decided exactly.
+    ///
+    /// # Errors
+    /// Where a value is not finite, a vector is zero, or up is parallel to view.
+    pub fn from_view_up(view: DVec3, up: DVec3) -> Result<Basis, BasisError> {
+        Ok(Aim::along(view, up)?.fine_basis()?.rounded())
+    }
+
+    /// The basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
+    /// `view = at - eye`, which is not rounded.
+    ///
+    /// # Errors
+    /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
+    pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
+        Ok(Aim::from_to(eye, at, up)?.fine_basis()?.rounded())
+    }
+}
+
+impl UpAngle {
+    /// The angle between `up` and `view`, by `atan2(|up x view|, up . view)` (accurate at both
+    /// ends, where arc cosine is not), and `|up| |view| / |up x view|`, at most `f64::MAX`.
+    ///
+    /// # Errors
+    /// As [`Basis::from_view_up`].
+    pub fn between(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
+        Aim::along(view, up)?.up_angle()
+    }
+
+    /// [`UpAngle::between`] of `up` and `at - eye`.
+    ///
+    /// # Errors
+    /// As [`Basis::from_eye_at_up`].
+    pub fn of_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
+        Aim::from_to(eye, at, up)?.up_angle()
+    }
 }

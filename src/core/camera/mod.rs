@@ -15,8 +15,8 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::camera::basis::{Aim, Basis, BasisError, UpAngle};
-use crate::camera::fine_basis::FineBasis;
+use crate::camera::basis::{Basis, BasisError, UpAngle};
+use crate::camera::fine_basis::{Aim, FineBasis};
 use crate::camera::image::{ImageError, ImageSize};
 use crate::camera::resolved::{AimGiven, PosedCamera};
 use crate::camera::viewport::{Viewport, ViewportError};

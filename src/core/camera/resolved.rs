@@ -4,19 +4,17 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::basis::Basis;
-use crate::camera::exact_ray::{ExactRay, scaled};
 use crate::camera::fine_basis::{BigBasis, FineBasis, ViewGiven};
 use crate::camera::image::{ImageSize, Pixel};
-use crate::camera::ray::{Ray, RayError};
+use crate::camera::ray::Ray;
 use crate::camera::viewport::Viewport;
 use crate::exact::big_ray::BigRay;
+use crate::exact::bounded::{Vector, scaled};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::dyadic::{Dyadic, exact3, times};
 use crate::exact::error_free::difference_with_rest;
-use crate::exact::quadratic::Vector;
 use crate::exact::scale::{exponent, ldexp};
 use crate::exact::surd::{Radicands, Surd};
-use crate::render::polynomial::exact_conic::{BigSteppers, product, surds};
 
 /// A [`Camera`](crate::Camera) that passed every check: eye, basis, viewport and image.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -197,23 +195,12 @@ impl PosedCamera {
         self.ray(self.uv_of_pixel(pixel))
     }
 
-    /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
-    /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
-    pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
-        ExactRay::of_view(self, ViewPlace::Pixel(pixel))
+    /// What the basis was made of.
+    pub(crate) fn aim(&self) -> AimGiven {
+        self.aim
     }
 
-    /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
-    ///
-    /// # Errors
-    /// Where u or v is not finite.
-    pub fn exact_ray_at(&self, uv: DVec2) -> Result<ExactRay<'_>, RayError> {
-        if !uv.is_finite() {
-            return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
-        }
-        Ok(ExactRay::of_view(self, ViewPlace::Uv(uv)))
-    }
-
+    /// The basis with all its digits.
     pub(crate) fn fine_basis(&self) -> &FineBasis {
         &self.fine_basis
     }
@@ -295,29 +282,6 @@ impl PosedCamera {
                     Surd::from(&(&parts[0][i] + &parts[1][i]) - &parts[2][i])
                 });
                 BigRay::new(self.eye, direction, Surd::from(stretch), Radicands::none())
-            }
-        }
-    }
-
-    /// All of a frame's view rays in exact numbers.
-    pub(crate) fn big_steppers(&self) -> BigSteppers {
-        let Viewport { width, height, distance } = self.viewport;
-        let (w, h) = (f64::from(self.image.width()), f64::from(self.image.height()));
-        let (x, y, z) = (product(width, h), product(height, w), product(distance, 2.0 * w * h));
-        let eye = exact3(self.eye);
-        match self.aim {
-            AimGiven::ViewUp(view, up) => {
-                let BigBasis { view, right, upward, of } = BigBasis::new(&view, up);
-                let (e, g) = (surds(&times(&right, &x), 1), surds(&times(&upward, &y), 0));
-                let z = surds(&times(&view, &z), 2);
-                BigSteppers { eye, e, g, z, scale: Radicands::root_of_product(), of }
-            }
-            AimGiven::Basis => {
-                let along = |v: DVec3, x: &Dyadic| surds(&times(&exact3(v), x), 0);
-                let (e, g) = (along(self.basis.u, &x), along(self.basis.v, &y));
-                let z = along(-self.basis.w, &z);
-                let (scale, of) = (Surd::from(Dyadic::from(1.0)), Radicands::none());
-                BigSteppers { eye, e, g, z, scale, of }
             }
         }
     }

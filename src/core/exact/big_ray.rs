@@ -1,5 +1,4 @@
-//! The ladder's last step: intersections in exact arithmetic, and `t` and normal to any number of
-//! digits.
+//! A ray in exact arithmetic: the order of its roots, and `t` to any number of digits.
 
 use std::cmp::Ordering;
 
@@ -7,40 +6,37 @@ use glam::DVec3;
 use num_bigint::BigInt;
 
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::dyadic::{Dyadic, Exact3, dot, exact3, minus, ratio, shifted};
-use crate::exact::scale::ldexp;
+use crate::exact::dyadic::{Dyadic, Exact3, exact3, ratio};
 use crate::exact::surd::{Radicands, Surd, sign_with_roots};
-use crate::scene::plane::Plane;
-use crate::scene::sphere::Sphere;
 
 /// A ray in exact numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct BigRay {
-    origin: Exact3,
+    pub(crate) origin: Exact3,
     /// The direction times `scale`.
-    direction: [Surd; 3],
-    scale: Surd,
-    of: Radicands,
+    pub(crate) direction: [Surd; 3],
+    pub(crate) scale: Surd,
+    pub(crate) of: Radicands,
     /// `direction . direction`
-    a: Surd,
+    pub(crate) a: Surd,
 }
 
 /// Where a ray meets an object: `(x + sign sqrt radicand) / y` in units of the scaled direction,
 /// with `y > 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct BigRoot {
-    x: Surd,
-    sign: Ordering,
-    radicand: Surd,
+    pub(crate) x: Surd,
+    pub(crate) sign: Ordering,
+    pub(crate) radicand: Surd,
     /// `None` for the ray's own `a`.
-    y: Option<Surd>,
+    pub(crate) y: Option<Surd>,
 }
 
 /// A sphere's quadratic `a t^2 - 2 b t + c = 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct BigQuadratic {
-    b: Surd,
-    discriminant: Surd,
+    pub(crate) b: Surd,
+    pub(crate) discriminant: Surd,
 }
 
 impl BigRay {
@@ -56,23 +52,9 @@ impl BigRay {
         BigRay::new(origin, exact3(direction).map(Surd::from), one, Radicands::none())
     }
 
-    fn dot(&self, v: &Exact3) -> Surd {
+    pub(crate) fn dot(&self, v: &Exact3) -> Surd {
         let terms: [Surd; 3] = std::array::from_fn(|i| self.direction[i].scaled(&v[i]));
         &(&terms[0] + &terms[1]) + &terms[2]
-    }
-
-    /// `center - origin`
-    fn to_center(&self, sphere: &Sphere) -> Exact3 {
-        minus(&exact3(sphere.center), &self.origin)
-    }
-
-    /// The sphere's quadratic.
-    pub(crate) fn quadratic(&self, sphere: &Sphere) -> BigQuadratic {
-        let q = self.to_center(sphere);
-        let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
-        let b = self.dot(&q);
-        let discriminant = &b.square(&self.of) - &self.a.scaled(&c);
-        BigQuadratic { b, discriminant }
     }
 
     /// Sign of D: whether the line misses, touches or crosses the sphere.
@@ -90,50 +72,9 @@ impl BigRay {
         BigRoot { x: quadratic.b, sign, radicand: quadratic.discriminant, y: None }
     }
 
-    /// The sign of `normal . direction`: `Equal` where the ray is parallel to the plane.
-    pub(crate) fn rate(&self, plane: &Plane) -> Ordering {
-        self.dot(&exact3(plane.normal)).sign(&self.of)
-    }
-
-    /// The root of a plane that is not parallel.
-    pub(crate) fn plane_root(&self, plane: &Plane) -> BigRoot {
-        let normal = exact3(plane.normal);
-        let offset = Surd::from(dot(&normal, &minus(&exact3(plane.point), &self.origin)));
-        let rate = self.dot(&normal);
-        let (x, y) =
-            if rate.sign(&self.of) == Ordering::Less { (-&offset, -&rate) } else { (offset, rate) };
-        BigRoot { x, sign: Ordering::Equal, radicand: Surd::zero(), y: Some(y) }
-    }
-
-    /// `|origin + t direction - center|^2 - r^2`, as [`BigRay::value`].
-    pub(crate) fn sphere_value(&self, sphere: &Sphere, t: f64) -> (DoubleDouble, i32) {
-        // Times the scale's square: t and the direction are free of it.
-        let (q, t) = (self.to_center(sphere), Dyadic::from(t));
-        let c = &dot(&q, &q) - &Dyadic::from(sphere.radius).square();
-        let (b, square) = (self.dot(&q), self.scale.square(&self.of));
-        let linear = b.times(&self.scale, &self.of).scaled(&(&t + &t));
-        let value = &(&self.a.scaled(&t.square()) - &linear) + &square.scaled(&c);
-        self.value(&value, &square)
-    }
-
-    /// `2 direction . (origin + t direction - center)`, as [`BigRay::value`].
-    pub(crate) fn sphere_slope(&self, sphere: &Sphere, t: f64) -> (DoubleDouble, i32) {
-        let b = self.dot(&self.to_center(sphere)).times(&self.scale, &self.of);
-        let half = &self.a.scaled(&Dyadic::from(t)) - &b;
-        self.value(&(&half + &half), &self.scale.square(&self.of))
-    }
-
-    /// `normal . (origin + t direction - point)`, as [`BigRay::value`].
-    pub(crate) fn plane_value(&self, plane: &Plane, t: f64) -> (DoubleDouble, i32) {
-        let normal = exact3(plane.normal);
-        let offset = dot(&normal, &minus(&exact3(plane.point), &self.origin));
-        let value = &self.dot(&normal).scaled(&Dyadic::from(t)) - &self.scale.scaled(&offset);
-        self.value(&value, &self.scale)
-    }
-
     /// `value / unit` for a unit greater than 0, relative error at most `2^-100`, as a double-double
     /// times a power of two; 0 exactly where it is.
-    fn value(&self, value: &Surd, unit: &Surd) -> (DoubleDouble, i32) {
+    pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> (DoubleDouble, i32) {
         if value.sign(&self.of) == Ordering::Equal {
             return (DoubleDouble::default(), 0);
         }
@@ -169,7 +110,7 @@ impl BigRay {
     }
 
     /// `(x + sign sqrt radicand) * 2^places`, off by less than 8.
-    fn numerator(&self, root: &BigRoot, places: i32) -> BigInt {
+    pub(crate) fn numerator(&self, root: &BigRoot, places: i32) -> BigInt {
         let x = root.x.fixed(places, &self.of);
         if root.sign == Ordering::Equal {
             return x;
@@ -193,46 +134,4 @@ impl BigRay {
             places += (192 - bits).max(128);
         }
     }
-
-    /// The outward unit normal `(origin + t direction - center) / r` at a root: each coordinate is
-    /// off by its rounding to `f64`, and at most `2^-60` more.
-    pub(crate) fn sphere_normal(&self, sphere: &Sphere, root: &BigRoot) -> DVec3 {
-        let q = self.to_center(sphere);
-        let mut places = 200 - self.a.log2_bound(&self.of) / 2;
-        loop {
-            let numerator = self.numerator(root, places);
-            let a = self.a.fixed(2 * places, &self.of);
-            let d = self.direction.each_ref().map(|x| x.fixed(places, &self.of));
-            let q = q.each_ref().map(|x| x.fixed(places));
-            // All in units of 2^(-3 places).
-            let extent = &a * Dyadic::from(sphere.radius).fixed(places);
-            let offsets = std::array::from_fn::<_, 3, _>(|i| {
-                shifted(&(&numerator * &d[i]), places) - &a * &q[i]
-            });
-            // Off by 8 in the numerator, 4 in d, 4 in a, 1 in q and in the shift.
-            let bits =
-                |v: &[BigInt; 3]| v.iter().map(BigInt::bits).max().unwrap_or_default() as i32;
-            let product_off = bits(&d).max(numerator.bits() as i32) + 5 + places;
-            let off = product_off.max(bits(&q) + 3).max(a.bits() as i32 + 1).max(1) + 2;
-            if extent.bits() as i32 > off + 64 {
-                let round = |x: &BigInt| {
-                    let (n, k) = ratio(x, &extent, 0);
-                    ldexp(n.hi, k)
-                };
-                return DVec3::from_array(offsets.each_ref().map(round));
-            }
-            places += 192;
-        }
-    }
-}
-
-/// `|center - origin|^2 - r^2`
-pub(crate) fn big_c(sphere: &Sphere, origin: DVec3) -> Dyadic {
-    let q = minus(&exact3(sphere.center), &exact3(origin));
-    &dot(&q, &q) - &Dyadic::from(sphere.radius).square()
-}
-
-/// `normal . (point - origin)`
-pub(crate) fn big_offset(plane: &Plane, origin: DVec3) -> Dyadic {
-    dot(&exact3(plane.normal), &minus(&exact3(plane.point), &exact3(origin)))
 }

@@ -5,8 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::exact::error_free::{fast_two_sum, two_sum};
-use crate::exact::lane::Lane;
+use crate::exact::error_free::{Lane, fast_two_sum, two_sum};
 use crate::exact::scale::ldexp;
 
 /// `hi + lo` with `|lo| <= ulp(hi) / 2`. `F` is one `f64` or a vector of them.

@@ -6,16 +6,14 @@
 //! [`dyadic`] numbers of any length, [`surd`]s with square roots, and [`big_ray`], which is exact.
 
 pub(crate) mod big_ray;
+pub(crate) mod bounded;
 pub(crate) mod decimal;
 pub(crate) mod double_double;
 pub(crate) mod dyadic;
 pub(crate) mod error_free;
-pub(crate) mod lane;
 pub(crate) mod lanes;
-pub(crate) mod point_power;
 pub(crate) mod precise;
 pub(crate) mod quadratic;
 pub(crate) mod scale;
-pub(crate) mod single_lanes;
 pub(crate) mod steps;
 pub(crate) mod surd;

@@ -79,6 +79,11 @@ pub(crate) fn length(v: DVec3) -> f64 {
     ldexp(m.length(), k)
 }
 
+/// The angle between two directions of length 1, accurate also where it is small.
+pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;

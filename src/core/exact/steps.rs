@@ -1,5 +1,6 @@
 //! How far up the ladder each decision had to go.
 
+use std::cmp::Ordering;
 use std::ops::{Add, AddAssign};
 
 /// How many decisions were made by which step of the ladder: in `f64`, in double-double, exactly.
@@ -66,4 +67,16 @@ impl AddAssign for Steps {
     fn add_assign(&mut self, other: Steps) {
         *self = *self + other;
     }
+}
+
+/// Less, equal or greater than 0; -0 is 0.
+pub(crate) fn sign_of(x: f64) -> Ordering {
+    (x + 0.0).total_cmp(&0.0)
+}
+
+/// The sign of a number as it stands, by the last step that may decide.
+#[cold]
+pub(crate) fn rounded_sign(x: f64, last: Step, steps: &mut Steps) -> Ordering {
+    steps.count(last);
+    sign_of(x)
 }

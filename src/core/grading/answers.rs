@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::camera::image::Pixel;
-use crate::render::shade::Rgb;
+use crate::render::shade::paint::Rgb;
 
 /// A student's answers, of one kind.
 ///

@@ -15,7 +15,7 @@ use super::{
     Worst, digits_wanted,
 };
 use crate::camera::image::Pixel;
-use crate::render::shade::{Rgb, Shade};
+use crate::render::shade::paint::{Rgb, Shade};
 
 /// Answers, and what they are graded by.
 pub(super) struct Grader<'a> {

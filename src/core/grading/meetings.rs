@@ -12,10 +12,11 @@ use super::program::{Program, Quadratic, Sign, WhichRoot};
 use crate::camera::exact_ray::ExactRay;
 use crate::camera::ray::Ray;
 use crate::exact::scale::{length, unit};
+use crate::scene::Scene;
 use crate::scene::line::Line;
+use crate::scene::object::Object;
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
-use crate::scene::{Object, Scene};
 
 /// A place where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]

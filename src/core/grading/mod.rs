@@ -49,7 +49,7 @@ pub use self::known::KnownMistake;
 use crate::camera::Camera;
 use crate::camera::ray::Ray;
 use crate::exact::decimal::shortest;
-use crate::render::shade::{Rgb, Shade};
+use crate::render::shade::paint::{Rgb, Shade};
 use crate::scene::Scene;
 
 /// How far numbers may be off, as a share, unless another tolerance is given: twice what a number of

@@ -13,8 +13,9 @@ use super::{Judged, RELATIVE_TOLERANCE, Truth};
 use crate::camera::image::{ImageSize, Pixel};
 use crate::exact::scale::length;
 use crate::render::frame::{Outputs, Raster};
+use crate::render::shade::paint::{BACKGROUND, Rgb, Shade};
+use crate::render::shade::shade;
 use crate::render::shade::srgb::Srgb;
-use crate::render::shade::{BACKGROUND, Rgb, Shade, shade};
 use crate::render::trace_as;
 use crate::scene::Scene;
 

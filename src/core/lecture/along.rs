@@ -1,12 +1,12 @@
 //! An object's implicit function along a ray: what is 0 at the roots.
 
 use crate::camera::exact_ray::ExactRay;
+use crate::exact::bounded::{Number, Vector, dot, length, near};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::precise::Precise;
-use crate::exact::quadratic::{Number, Vector, dot, length, near};
 use crate::exact::scale::{exponent, ldexp};
-use crate::scene::Object;
 use crate::scene::error::ObjectError;
+use crate::scene::object::Object;
 use crate::scene::object_from_origin::ObjectSeen;
 use crate::scene::plane_predicates::PlaneSeen;
 use crate::scene::sphere_predicates::SphereSeen;

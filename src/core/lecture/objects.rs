@@ -9,12 +9,12 @@ use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::{ldexp, ldexp3};
 use crate::exact::steps::Steps;
 use crate::scene::error::ObjectError;
+use crate::scene::object::{Object, Root};
 use crate::scene::object_from_origin::ObjectSeen;
 use crate::scene::plane::{Plane, PlaneTerms};
 use crate::scene::plane_predicates::PlaneSeen;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
 use crate::scene::sphere_predicates::{Meets, SphereSeen};
-use crate::scene::{Object, Root};
 
 /// How one ray meets one object, with every value on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,14 +13,18 @@ use rayon::prelude::*;
 use crate::camera::exact_ray::ExactRay;
 use crate::camera::ray::Ray;
 use crate::camera::resolved::PosedCamera;
+use crate::exact::double_double::DoubleDouble;
 use crate::exact::steps::Steps;
-use crate::methods::formulas::Intersect;
+use crate::methods::formulas::{
+    ByQ, ClosestPoint, Intersect, Kahan, Lagrange, Perpendicular, Plain, Recentred, Textbook,
+};
 use crate::methods::loops::{FrameBy, ViewRays, first_hit, first_hit_rounded};
-use crate::methods::number::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
-use crate::methods::{Method, Visitor};
+use crate::methods::method::{Formula, Method, Precision};
+use crate::methods::number::{Fused, Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere};
 use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
 use crate::render::trace;
-use crate::scene::{Object, Root, Scene};
+use crate::scene::Scene;
+use crate::scene::object::{Object, Root};
 
 /// The first hit of a ray, by some method.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +47,39 @@ pub struct Traced {
     pub t: Vec<f64>,
     /// Index of the object hit, or [`NO_OBJECT`].
     pub object: Vec<u32>,
+}
+
+/// What is done with a method at compile time, chosen at run time.
+trait Visitor {
+    type Out;
+    fn ladder(self) -> Self::Out;
+    fn known<M: Intersect>(self) -> Self::Out;
+}
+
+impl Method {
+    fn accept<V: Visitor>(self, visitor: V) -> V::Out {
+        use Precision::{F32, F64};
+        match self {
+            Method::Ladder => visitor.ladder(),
+            Method::DoubleDouble => visitor.known::<ByQ<DoubleDouble, Plain>>(),
+            Method::Known(formula, F32) => formula.accept::<f32, V>(visitor),
+            Method::Known(formula, F64) => formula.accept::<f64, V>(visitor),
+        }
+    }
+}
+
+impl Formula {
+    fn accept<R: Fused, V: Visitor>(self, visitor: V) -> V::Out {
+        match self {
+            Formula::Textbook => visitor.known::<Textbook<R>>(),
+            Formula::HalfB => visitor.known::<ByQ<R, Plain>>(),
+            Formula::Kahan => visitor.known::<ByQ<R, Kahan>>(),
+            Formula::Perpendicular => visitor.known::<ByQ<R, Perpendicular>>(),
+            Formula::ClosestPoint => visitor.known::<ClosestPoint<R>>(),
+            Formula::Recentred => visitor.known::<Recentred<R>>(),
+            Formula::Lagrange => visitor.known::<ByQ<R, Lagrange>>(),
+        }
+    }
 }
 
 /// The first hit of any ray. A ray that fails [`Ray::check`] hits nothing by the ladder, and whatever

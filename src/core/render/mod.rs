@@ -1,4 +1,27 @@
-//! Tracing a picture: bands of rows in parallel, each object asked of the pixels that it can cover.
+//! Pictures: the first hit of every pixel's view ray, and its colour.
+//!
+//! # The plan of a frame
+//!
+//! The eye is shared by all of a frame's rays. So a sphere's outline in the picture is a conic, and on
+//! one row of pixels the hits are one interval: it is solved once, its ends decided with a margin, and
+//! inside it every pixel hits.
+//!
+//! - [`plan`]: what the rows can see, and how each object is drawn. Spheres behind the eye or outside
+//!   the view are dropped. Of many spheres, an index over them is looked at, not each one ([`bvh`]).
+//! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
+//!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
+//!     ([`polynomial`]): they hide much of the rest;
+//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time; of many, near to
+//!     far, and what nearer ones hide is left out ([`bvh::occlusion`]);
+//!   - what no outline can be drawn of, and the planes, by polynomials again.
+//! - Each step knows a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by
+//!   itself ([`row_band::fallback`]): the same object comes first as in exact arithmetic.
+//! - Normals, where they are asked for, and colours ([`shade`](mod@shade)), while the band is in the
+//!   cache.
+//!
+//! A frame of `f64` draws everything by polynomials, in double-double.
+//!
+//! What was left out is counted ([`Counts`](frame::counts::Counts)).
 
 pub(crate) mod bvh;
 pub(crate) mod frame;
@@ -13,30 +36,22 @@ use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
-use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::camera::resolved::PosedCamera;
 use crate::exact::steps::Steps;
+use crate::render::frame::buffers::{BandBuffers, band_buffers, empty_frame, or_own};
 use crate::render::frame::counts::Counts;
-use crate::render::frame::depth::Depth;
-use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
-use crate::render::plan::{Plan, SLICE_ROWS};
+use crate::render::frame::depth::sealed::Sealed;
+use crate::render::frame::depth::{Depth, Finish};
+use crate::render::frame::{Frame, Outputs, Raster, Stage};
+use crate::render::plan::Plan;
+use crate::render::plan::classify::SLICE_ROWS;
 use crate::render::row_band::Band;
+use crate::render::shade::paint::{Paint, Rgb, Shade};
+use crate::render::shade::paint_frame;
 use crate::render::shade::painter::Painter;
-use crate::render::shade::{Paint, Rgb, Shade, paint_frame};
 use crate::scene::Scene;
-use crate::scene::object_from_origin::{ObjectSeen, plane_normal};
-
-/// What of a frame was just done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Stage {
-    /// The plan: what the rows can see, and what their pixels share.
-    Planned,
-    /// So many rows: traced, and coloured where the shading allows.
-    Rows(usize),
-}
 
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
@@ -160,48 +175,9 @@ pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, came
     T::fill(frame, level, scene, None, &|_| ());
 }
 
-/// A frame with room for what is asked for.
-fn empty_frame<T: Depth>(camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame<T> {
-    // Zeroed memory costs nothing until a band, in its own thread, fills it.
-    let pixels = |asked: bool| if asked { raster.len() } else { 0 };
-    Frame {
-        camera: *camera,
-        raster: raster.clone(),
-        t: vec![T::ZERO; pixels(outputs.t)],
-        object: vec![0; pixels(outputs.object)],
-        normal: vec![DVec3::ZERO; pixels(outputs.normal)],
-        steps: Steps::default(),
-        counts: Counts::default(),
-    }
-}
-
-/// What is done with the rows of a band when they are traced: rows, `t`, objects.
-pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
-
-/// A band's part of each buffer; empty where that was not asked for.
-struct Part<'a, T> {
-    t: &'a mut [T],
-    object: &'a mut [u32],
-    normal: &'a mut [DVec3],
-}
-
-/// The parts of a buffer, and empty ones where there is none.
-fn parts<T>(buffer: &mut [T], size: usize) -> impl Iterator<Item = &mut [T]> {
-    buffer.chunks_mut(size).chain(std::iter::repeat_with(|| -> &mut [T] { &mut [] }))
-}
-
-/// A buffer's part; where that was not asked for, as much of the thread's own.
-fn or_own<'a, T: Copy>(part: &'a mut [T], own: &'a mut Vec<T>, len: usize, zero: T) -> &'a mut [T] {
-    if part.len() == len {
-        return part;
-    }
-    own.resize(len.max(own.len()), zero);
-    &mut own[..len]
-}
-
 /// Traces the frame's camera and raster into those of its buffers that have room, band by band, each
 /// of which is finished while it is in the cache.
-pub(crate) fn fill<T: Depth>(
+fn fill<T: Depth>(
     frame: &mut Frame<T>,
     level: Level,
     scene: &Scene,
@@ -212,41 +188,38 @@ pub(crate) fn fill<T: Depth>(
     if raster.is_empty() {
         return;
     }
-    let (width, rows) = (raster.columns().len(), raster.rows().len());
     let plan = Plan::new::<T>(level, scene, camera, raster);
     observe(Stage::Planned);
     *counts = plan.counts;
     let is_quick = plan.is_quick && finish.is_none() && normal.is_empty();
-    let band = plan.band_rows * width;
-    let parts: Vec<Part<T>> = (parts(t, band).zip(parts(object, band)).zip(parts(normal, band)))
-        .map(|((t, object), normal)| Part { t, object, normal })
-        .take(rows.div_ceil(plan.band_rows))
-        .collect();
-    let trace_band = |own: &mut (Vec<T>, Vec<u32>), (index, part): (usize, Part<T>)| {
-        let first = index * plan.band_rows;
-        let rows = first..rows.min(first + plan.band_rows);
+    let (width, bands) = (raster.columns().len(), plan.bands());
+    let buffers = band_buffers(t, object, normal, (plan.band_rows * width, bands.len()));
+    let draw = |own: &mut (Vec<T>, Vec<u32>), (rows, part): (Range<usize>, BandBuffers<T>)| {
         let t = or_own(part.t, &mut own.0, rows.len() * width, T::ZERO);
         let object = or_own(part.object, &mut own.1, rows.len() * width, 0);
-        let traced = Band::new(&plan, rows.clone(), t, object).traced();
-        let of_rows = part.normal.chunks_mut(width).zip(object.chunks(width));
-        for (row, (normals, object)) in rows.clone().zip(of_rows) {
-            fill_normals(&plan, row, object, normals);
+        let mut band = Band::new(&plan, rows.clone(), t, object);
+        band.draw_large();
+        while band.draw_rows() {
+            band.resolve_doubt();
         }
+        band.draw_others();
+        band.fill_normals(part.normal);
+        let drawn = band.counted();
         if let Some(finish) = finish {
             finish(rows.clone(), t, object);
         }
         observe(Stage::Rows(rows.len()));
-        traced
+        drawn
     };
     let own = || (Vec::new(), Vec::new());
+    let bands = bands.into_iter().zip(buffers);
     let of_bands;
     (*steps, of_bands) = if is_quick {
         let mut own = own();
-        let bands = parts.into_iter().enumerate().map(|band| trace_band(&mut own, band));
-        bands.fold(Default::default(), sums)
+        bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
-        let bands = parts.into_par_iter().enumerate().map_init(own, trace_band);
-        bands.reduce(Default::default, sums)
+        let bands: Vec<_> = bands.collect();
+        bands.into_par_iter().map_init(own, draw).reduce(Default::default, sums)
     };
     *counts += of_bands;
 }
@@ -255,29 +228,23 @@ fn sums(a: (Steps, Counts), b: (Steps, Counts)) -> (Steps, Counts) {
     (a.0 + b.0, a.1 + b.1)
 }
 
-/// Normals of one row, each from its own exact ray.
-fn fill_normals(plan: &Plan, row: usize, object: &[u32], normals: &mut [DVec3]) {
-    let eye = plan.rays.camera().eye();
-    let mut known: Option<(u32, ObjectSeen)> = None;
-    for (column, normal) in normals.iter_mut().enumerate() {
-        if object[column] == NO_OBJECT {
-            continue;
-        }
-        let seen = match known.take() {
-            Some((index, seen)) if index == object[column] => seen,
-            _ => match plan.scene.object(object[column]) {
-                Some(object) => ObjectSeen::new(&object, eye),
-                None => continue,
-            },
-        };
-        *normal = match &seen {
-            ObjectSeen::Plane(seen) => plane_normal(seen.plane().normal),
-            ObjectSeen::Sphere(sphere) => {
-                let ray = plan.rays.camera().exact_ray(plan.rays.pixel(row, column));
-                let end = seen.first_end(&ray, &mut Steps::default());
-                end.map_or(DVec3::ZERO, |end| sphere.normal(&ray, end))
+/// The tracer of one precision.
+macro_rules! tracer {
+    ($real:ident) => {
+        impl Sealed for $real {
+            #[inline(never)]
+            fn fill(
+                frame: &mut Frame<$real>,
+                level: Level,
+                scene: &Scene,
+                finish: Option<Finish<'_, $real>>,
+                observe: &(dyn Fn(Stage) + Sync),
+            ) {
+                fill(frame, level, scene, finish, observe);
             }
-        };
-        known = Some((object[column], seen));
-    }
+        }
+    };
 }
+
+tracer!(f32);
+tracer!(f64);

@@ -1,12 +1,10 @@
-//! What spheres and planes have to be, and what is said of those that are not.
+//! The errors of spheres and planes that are none.
 
 use std::fmt;
 
 use glam::DVec3;
 
 use crate::exact::decimal::{shortest, triple};
-use crate::scene::plane::Plane;
-use crate::scene::sphere::Sphere;
 
 /// What is wrong with one object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,77 +83,3 @@ impl fmt::Display for SceneError {
 
 impl std::error::Error for ObjectError {}
 impl std::error::Error for SceneError {}
-
-impl Sphere {
-    /// A checked sphere, from whatever makes a [`DVec3`].
-    ///
-    /// # Errors
-    /// Where the centre is not finite or the radius not positive and finite.
-    ///
-    /// ```
-    /// use pinhole_core::*;
-    /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
-    /// let (center, radius) = ([0.5_f32, 0.0, -5.0], 1.5_f32);
-    /// let of_f32 = Sphere::new(center.map(f64::from), f64::from(radius))?;
-    /// assert_eq!(of_f32.center.x, 0.5);
-    /// assert_eq!(Sphere::new([0.0; 3], -1.0), Err(ObjectError::Radius { value: -1.0 }));
-    /// # assert_eq!(ball.radius, 1.0);
-    /// # Ok::<(), ObjectError>(())
-    /// ```
-    pub fn new(center: impl Into<DVec3>, radius: f64) -> Result<Sphere, ObjectError> {
-        let sphere = Sphere { center: center.into(), radius };
-        sphere.check().map(|()| sphere)
-    }
-
-    /// Checks that the centre is finite and the radius positive and finite.
-    ///
-    /// # Errors
-    /// What is wrong.
-    pub fn check(&self) -> Result<(), ObjectError> {
-        if !self.center.is_finite() {
-            return Err(ObjectError::NotFinite { field: "center", value: self.center });
-        }
-        if !(self.radius.is_finite() && self.radius > 0.0) {
-            return Err(ObjectError::Radius { value: self.radius });
-        }
-        Ok(())
-    }
-}
-
-impl Plane {
-    /// A checked plane through a point, at right angles to a normal of any length, from whatever
-    /// makes a [`DVec3`].
-    ///
-    /// # Errors
-    /// Where a coordinate is not finite or the normal is zero.
-    ///
-    /// ```
-    /// use pinhole_core::*;
-    /// let wall = Plane::new([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])?;
-    /// let normal = [0.0_f32, 0.0, 0.1];
-    /// let of_f32 = Plane::new([0.0, 0.0, -6.0], normal.map(f64::from))?;
-    /// assert!(of_f32.is_same(&wall));
-    /// assert_eq!(Plane::new([0.0; 3], [0.0; 3]), Err(ObjectError::NormalIsZero));
-    /// # Ok::<(), ObjectError>(())
-    /// ```
-    pub fn new(point: impl Into<DVec3>, normal: impl Into<DVec3>) -> Result<Plane, ObjectError> {
-        let plane = Plane { point: point.into(), normal: normal.into() };
-        plane.check().map(|()| plane)
-    }
-
-    /// Checks that point and normal are finite and the normal is not zero.
-    ///
-    /// # Errors
-    /// What is wrong.
-    pub fn check(&self) -> Result<(), ObjectError> {
-        for (field, value) in [("point", self.point), ("normal", self.normal)] {
-            if !value.is_finite() {
-                return Err(ObjectError::NotFinite { field, value });
-            }
-        }
-        if self.normal == DVec3::ZERO {
-            return Err(ObjectError::NormalIsZero);
-        }
-        Ok(())
-    }
-}

@@ -1,7 +1,7 @@
 //! A ray's line against boxes: which of them it surely passes by.
 
 use crate::camera::exact_ray::ExactRay;
-use crate::exact::quadratic::Vector;
+use crate::exact::bounded::Vector;
 
 /// The whole line of a ray, roughly.
 #[derive(Clone, Copy, Debug)]

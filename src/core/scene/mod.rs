@@ -1,11 +1,14 @@
 //! A scene: spheres, then planes, and what a ray meets of them.
 
+pub(crate) mod big_roots;
 pub(crate) mod boxes;
 pub(crate) mod error;
 pub(crate) mod line;
+pub(crate) mod object;
 pub(crate) mod object_from_origin;
 pub(crate) mod plane;
 pub(crate) mod plane_predicates;
+pub(crate) mod point_power;
 pub(crate) mod roots;
 pub(crate) mod sphere;
 pub(crate) mod sphere_index;
@@ -20,11 +23,11 @@ use glam::DVec3;
 use crate::camera::exact_ray::ExactRay;
 use crate::camera::ray::Ray;
 use crate::exact::steps::{Step, Steps};
-use crate::scene::error::{ObjectError, SceneError};
+use crate::scene::error::SceneError;
 use crate::scene::line::Line;
+use crate::scene::object::{Object, Root};
 use crate::scene::object_from_origin::{Hit, ObjectSeen};
 use crate::scene::plane::Plane;
-use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereIndex;
 use crate::scene::sphere_predicates::{End, SphereSeen};
@@ -38,28 +41,6 @@ use crate::scene::spheres::Spheres;
 pub struct Scene {
     spheres: Arc<Spheres>,
     planes: Vec<Plane>,
-}
-
-/// One object of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Object {
-    /// A sphere.
-    Sphere(Sphere),
-    /// A plane.
-    Plane(Plane),
-}
-
-/// One point at which a ray's line meets an object.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Root {
-    /// The object's index in the scene.
-    pub object: u32,
-    /// Where on the ray, in units of the direction's length; may be negative or 0.
-    pub t: f64,
-    /// Where in the world.
-    pub point: DVec3,
-    /// The outward unit normal there.
-    pub normal: DVec3,
 }
 
 impl Scene {
@@ -258,43 +239,5 @@ impl Scene {
         }
         let may = |sphere: &Sphere| may(sphere.center.to_array(), [sphere.radius; 3]);
         (0..).zip(self.spheres()).filter_map(|(i, sphere)| may(sphere).then_some(i)).collect()
-    }
-}
-
-impl Object {
-    /// Where the ray's line meets the object.
-    pub fn roots(&self, ray: &Ray) -> Roots {
-        match self {
-            Object::Sphere(sphere) => sphere.roots(ray),
-            Object::Plane(plane) => plane.roots(ray),
-        }
-    }
-
-    /// Checks what [`Scene::new`] checks.
-    ///
-    /// # Errors
-    /// What is wrong.
-    pub fn check(&self) -> Result<(), ObjectError> {
-        match self {
-            Object::Sphere(sphere) => sphere.check(),
-            Object::Plane(plane) => plane.check(),
-        }
-    }
-
-    /// The first hit of the ray with this object alone, which is given `index`; none of an object
-    /// that does not pass [`Object::check`].
-    pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
-        self.check().ok()?;
-        let seen = ObjectSeen::by(self, ray);
-        let end = seen.first_end(ray, &mut Steps::default())?;
-        Some(seen.root(index, ray, end))
-    }
-
-    /// The implicit function, see [`Sphere::implicit`] and [`Plane::implicit`].
-    pub fn implicit(&self, q: DVec3) -> f64 {
-        match self {
-            Object::Sphere(sphere) => sphere.implicit(q),
-            Object::Plane(plane) => plane.implicit(q),
-        }
     }
 }

@@ -5,16 +5,19 @@ use std::cmp::Ordering;
 use glam::DVec3;
 
 use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
+use crate::exact::bounded::dot;
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
-use crate::exact::quadratic::dot;
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
+use crate::scene::object::{Object, Root};
+use crate::scene::plane::Plane;
 use crate::scene::plane_predicates::PlaneSeen;
 use crate::scene::roots::Roots;
+use crate::scene::sphere::Sphere;
 use crate::scene::sphere_predicates::{End, Meets, SphereSeen};
-use crate::scene::{Object, Root};
 
 /// An object as the rays of one origin see it.
 #[derive(Clone, Debug)]
@@ -226,5 +229,59 @@ impl Hit<'_> {
 
     pub(crate) fn root(&self, ray: &ExactRay) -> Root {
         self.seen.root(self.index, ray, self.end)
+    }
+}
+
+impl Sphere {
+    /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
+    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
+    /// `t` is within half an ulp, and 2^-40 of one.
+    pub fn roots(&self, ray: &Ray) -> Roots {
+        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+    }
+
+    /// [`Sphere::roots`] of a ray with all its digits.
+    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
+        if self.check().is_err() {
+            return Roots::None;
+        }
+        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+    }
+}
+
+impl Plane {
+    /// Where the ray's line meets the plane, decided exactly for the numbers as given: once, or not
+    /// at all if it is parallel (even inside the plane); nowhere for a ray that does not pass
+    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and
+    /// 2^-40 of one.
+    pub fn roots(&self, ray: &Ray) -> Roots {
+        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+    }
+
+    /// [`Plane::roots`] of a ray with all its digits.
+    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
+        if self.check().is_err() {
+            return Roots::None;
+        }
+        ObjectSeen::Plane(PlaneSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+    }
+}
+
+impl Object {
+    /// Where the ray's line meets the object.
+    pub fn roots(&self, ray: &Ray) -> Roots {
+        match self {
+            Object::Sphere(sphere) => sphere.roots(ray),
+            Object::Plane(plane) => plane.roots(ray),
+        }
+    }
+
+    /// The first hit of the ray with this object alone, which is given `index`; none of an object
+    /// that does not pass [`Object::check`].
+    pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
+        self.check().ok()?;
+        let seen = ObjectSeen::by(self, ray);
+        let end = seen.first_end(ray, &mut Steps::default())?;
+        Some(seen.root(index, ray, end))
     }
 }

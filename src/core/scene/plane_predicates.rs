@@ -4,16 +4,19 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::camera::exact_ray::{ExactRay, scaled};
-use crate::exact::big_ray::{BigRoot, big_offset};
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
+use crate::exact::big_ray::BigRoot;
+use crate::exact::bounded::{Number, UNIT, Vector, dot, length, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::dyadic::{Dyadic, cross, exact3};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::precise::Precise;
-use crate::exact::quadratic::{DirectionParts, Number, UNIT, Vector, dot, length};
-use crate::exact::scale::{exponent, ldexp, split};
-use crate::exact::steps::{Step, Steps};
-use crate::scene::plane::Plane;
-use crate::scene::sphere_predicates::rounded_sign;
+use crate::exact::quadratic::DirectionParts;
+use crate::exact::scale::{exponent, ldexp, split, unit};
+use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::scene::big_roots::big_offset;
+use crate::scene::plane::{Plane, PlaneTerms};
 
 /// What the rays of one origin share of a plane: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
@@ -232,5 +235,54 @@ impl PlaneSeen {
     /// The plane itself.
     pub(crate) fn plane(&self) -> &Plane {
         &self.plane
+    }
+}
+
+impl Plane {
+    /// The implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
+    /// that the normal points to, both exactly. In world units times the normal's length; infinite
+    /// where it overflows, NaN where a number is not finite or the normal is zero.
+    pub fn implicit(&self, q: DVec3) -> f64 {
+        if self.check().is_err() || !q.is_finite() {
+            return f64::NAN;
+        }
+        // Subtracted from 0, not negated: on the plane it is 0, not -0.
+        0.0 - PlaneSeen::new(self, q).offset_given()
+    }
+
+    /// The intersection's parts for the readouts, each rounded once from more digits. They may
+    /// overflow or underflow where `t` does not; of a ray or a plane that is none, they are NaN.
+    pub fn terms(&self, ray: &Ray) -> PlaneTerms {
+        match ExactRay::of(ray) {
+            Ok(ray) => self.terms_of(&ray),
+            Err(_) => PlaneTerms::NONE,
+        }
+    }
+
+    /// [`Plane::terms`] of a ray with all its digits.
+    pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
+        if self.check().is_err() {
+            return PlaneTerms::NONE;
+        }
+        let seen = PlaneSeen::up_to(self, ray.origin(), ray.last);
+        PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
+    }
+
+    /// Whether both are the same set of points, exactly: the normals are parallel, and each plane's
+    /// point lies in the other. What does not pass [`Plane::check`] is no set of points.
+    pub fn is_same(&self, other: &Plane) -> bool {
+        if self.check().is_err() || other.check().is_err() {
+            return false;
+        }
+        // Most planes differ by far more than rounding: the exact numbers are for those that do not.
+        let (n, m) = (unit(self.normal), unit(other.normal));
+        if n.cross(m).length_squared() > 1e-20 {
+            return false;
+        }
+        if PlaneSeen::new(self, other.point).side != Ordering::Equal {
+            return false;
+        }
+        let normals = cross(&exact3(self.normal), &exact3(other.normal));
+        normals.iter().all(Dyadic::is_zero)
     }
 }

@@ -1,13 +1,8 @@
-//! Spheres: implicit function, and intersection with a ray.
+//! Spheres, and the quadratic that a ray makes of one.
 
 use glam::DVec3;
 
-use crate::camera::exact_ray::ExactRay;
-use crate::camera::ray::Ray;
-use crate::exact::scale::ldexp;
-use crate::scene::object_from_origin::ObjectSeen;
-use crate::scene::roots::Roots;
-use crate::scene::sphere_predicates::SphereSeen;
+use crate::scene::error::ObjectError;
 
 /// All points at distance `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,62 +35,43 @@ pub struct SphereQuadratic {
 }
 
 impl SphereQuadratic {
-    const NONE: SphereQuadratic =
+    /// The parts of a ray or a sphere that is none.
+    pub(crate) const NONE: SphereQuadratic =
         SphereQuadratic { a: f64::NAN, b: f64::NAN, c: f64::NAN, discriminant: f64::NAN };
 }
 
 impl Sphere {
-    /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside, both
-    /// exactly. In squared world units; infinite where it overflows, NaN where a number is not finite
-    /// or the radius not positive.
-    pub fn implicit(&self, q: DVec3) -> f64 {
-        if self.check().is_err() || !q.is_finite() {
-            return f64::NAN;
-        }
-        let seen = SphereSeen::new(self, q);
-        ldexp(seen.fine.c.hi, 2 * seen.scale)
+    /// A checked sphere, from whatever makes a [`DVec3`].
+    ///
+    /// # Errors
+    /// Where the centre is not finite or the radius not positive and finite.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
+    /// let (center, radius) = ([0.5_f32, 0.0, -5.0], 1.5_f32);
+    /// let of_f32 = Sphere::new(center.map(f64::from), f64::from(radius))?;
+    /// assert_eq!(of_f32.center.x, 0.5);
+    /// assert_eq!(Sphere::new([0.0; 3], -1.0), Err(ObjectError::Radius { value: -1.0 }));
+    /// # assert_eq!(ball.radius, 1.0);
+    /// # Ok::<(), ObjectError>(())
+    /// ```
+    pub fn new(center: impl Into<DVec3>, radius: f64) -> Result<Sphere, ObjectError> {
+        let sphere = Sphere { center: center.into(), radius };
+        sphere.check().map(|()| sphere)
     }
 
-    /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
-    /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
-    pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
-        match ExactRay::of(ray) {
-            Ok(ray) => self.quadratic_of(&ray),
-            Err(_) => SphereQuadratic::NONE,
+    /// Checks that the centre is finite and the radius positive and finite.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), ObjectError> {
+        if !self.center.is_finite() {
+            return Err(ObjectError::NotFinite { field: "center", value: self.center });
         }
-    }
-
-    /// [`Sphere::quadratic`] of a ray with all its digits.
-    pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
-        if self.check().is_err() {
-            return SphereQuadratic::NONE;
+        if !(self.radius.is_finite() && self.radius > 0.0) {
+            return Err(ObjectError::Radius { value: self.radius });
         }
-        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
-        let (a, b, c, discriminant) = seen.quadratic(ray);
-        let (k, stretch) = (ray.scale, ray.stretch);
-        let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
-        // What underflows keeps its sign.
-        let least = if discriminant == 0.0 { 0.0 } else { f64::from_bits(1) };
-        SphereQuadratic {
-            a: ldexp(a / stretch / stretch, 2 * k),
-            b: 0.0 - ldexp(b / stretch, k + seen.scale),
-            c: ldexp(c, 2 * seen.scale),
-            discriminant: scaled.abs().max(least).copysign(discriminant),
-        }
-    }
-
-    /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
-    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
-    /// `t` is within half an ulp, and 2^-40 of one.
-    pub fn roots(&self, ray: &Ray) -> Roots {
-        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
-    }
-
-    /// [`Sphere::roots`] of a ray with all its digits.
-    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
-        if self.check().is_err() {
-            return Roots::None;
-        }
-        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+        Ok(())
     }
 }

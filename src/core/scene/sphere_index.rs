@@ -5,19 +5,20 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::render::outline::Spheres;
 use crate::scene::boxes::{BOX_LANES, Bound, Boxes};
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_order::ordered;
-
-/// Slots in a block.
-pub(crate) const BLOCK: usize = 16;
-
-/// Blocks in a group at most.
-pub(crate) const GROUP: usize = 64;
+use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 
 /// The id of a slot that holds no sphere of its own.
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
+
+/// Spheres side by side: as many as a vector has lanes.
+pub(crate) struct Spheres<'a> {
+    pub(crate) x: &'a [f64],
+    pub(crate) y: &'a [f64],
+    pub(crate) z: &'a [f64],
+    pub(crate) radius: &'a [f64],
+}
 
 /// Spheres in slots, slots in blocks of [`BLOCK`], blocks in groups of up to [`GROUP`], each with a
 /// box around it.

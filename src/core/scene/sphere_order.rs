@@ -4,7 +4,12 @@ use std::ops::Range;
 
 use crate::exact::scale::exponent;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_index::{BLOCK, GROUP};
+
+/// Slots in a block.
+pub(crate) const BLOCK: usize = 16;
+
+/// Blocks in a group at most.
+pub(crate) const GROUP: usize = 64;
 
 /// A sphere's centre and number, which is all that is moved while ordering.
 #[derive(Clone, Copy, Debug)]

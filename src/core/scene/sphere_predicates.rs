@@ -4,18 +4,18 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::camera::exact_ray::{ExactRay, PLAIN, scaled};
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
 use crate::exact::big_ray::BigRoot;
+use crate::exact::bounded::{Number, PLAIN, UNIT, length, near, scaled};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::error_free::difference_with_rest;
-use crate::exact::point_power::Power;
 use crate::exact::precise::{Precise, T_DOUBT, is_noise};
-use crate::exact::quadratic::{
-    Form, Number, Quadratic, SphereParts, UNIT, length, near, sphere_normal,
-};
+use crate::exact::quadratic::{Form, Quadratic, SphereParts, sphere_normal};
 use crate::exact::scale::ldexp;
-use crate::exact::steps::{Step, Steps};
-use crate::scene::sphere::Sphere;
+use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::scene::point_power::Power;
+use crate::scene::sphere::{Sphere, SphereQuadratic};
 
 /// How a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -326,18 +326,6 @@ impl SphereSeen {
     }
 }
 
-/// Less, equal or greater than 0; -0 is 0.
-pub(crate) fn sign_of(x: f64) -> Ordering {
-    (x + 0.0).total_cmp(&0.0)
-}
-
-/// The sign of a number as it stands, by the last step that may decide.
-#[cold]
-pub(crate) fn rounded_sign(x: f64, last: Step, steps: &mut Steps) -> Ordering {
-    steps.count(last);
-    sign_of(x)
-}
-
 /// The sign of D where it is beyond doubt.
 fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<bool> {
     let discriminant = quadratic.discriminant.near();
@@ -355,4 +343,45 @@ fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) 
     let (_, k) = scaled(with_radius);
     let by = |x: f64| ldexp(x, -k);
     (q.map(|x| DoubleDouble { hi: by(x.hi), lo: by(x.lo) }), by(radius), k)
+}
+
+impl Sphere {
+    /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside, both
+    /// exactly. In squared world units; infinite where it overflows, NaN where a number is not finite
+    /// or the radius not positive.
+    pub fn implicit(&self, q: DVec3) -> f64 {
+        if self.check().is_err() || !q.is_finite() {
+            return f64::NAN;
+        }
+        let seen = SphereSeen::new(self, q);
+        ldexp(seen.fine.c.hi, 2 * seen.scale)
+    }
+
+    /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
+    /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
+    pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
+        match ExactRay::of(ray) {
+            Ok(ray) => self.quadratic_of(&ray),
+            Err(_) => SphereQuadratic::NONE,
+        }
+    }
+
+    /// [`Sphere::quadratic`] of a ray with all its digits.
+    pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
+        if self.check().is_err() {
+            return SphereQuadratic::NONE;
+        }
+        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
+        let (a, b, c, discriminant) = seen.quadratic(ray);
+        let (k, stretch) = (ray.scale, ray.stretch);
+        let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
+        // What underflows keeps its sign.
+        let least = if discriminant == 0.0 { 0.0 } else { f64::from_bits(1) };
+        SphereQuadratic {
+            a: ldexp(a / stretch / stretch, 2 * k),
+            b: 0.0 - ldexp(b / stretch, k + seen.scale),
+            c: ldexp(c, 2 * seen.scale),
+            discriminant: scaled.abs().max(least).copysign(discriminant),
+        }
+    }
 }

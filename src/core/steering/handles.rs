@@ -3,8 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::pole::{frame_carried, up_carried};
-use super::{SteerError, Steered, check_positive, orthonormal, steady};
-use crate::camera::basis::{Aim, Basis, BasisError};
+use super::steered::{SteerError, Steered, check_positive, orthonormal, steady};
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::fine_basis::Aim;
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
 use crate::exact::error_free::difference_with_rest;

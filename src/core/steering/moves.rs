@@ -1,6 +1,6 @@
 //! Moving the camera along its view, and opening and closing its field of view.
 
-use super::{SteerError, check_finite, check_positive, steady};
+use super::steered::{SteerError, check_finite, check_positive, steady};
 use crate::camera::basis::BasisError;
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};

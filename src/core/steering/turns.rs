@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::{POLE_GAP, SteerError, Turn, check_finite, orthonormal, steady};
+use super::steered::{POLE_GAP, SteerError, Turn, check_finite, orthonormal, steady};
 use crate::camera::basis::{Basis, BasisError};
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};

@@ -14,8 +14,8 @@ use crate::camera::resolved::PosedCamera;
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, CameraError, Orientation};
 use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
+use crate::render::shade::paint::{BACKGROUND, Rgb, Shade};
 use crate::render::shade::shade_rows::Toner;
-use crate::render::shade::{BACKGROUND, Rgb, Shade};
 use crate::render::trace_as;
 use crate::scene::Scene;
 

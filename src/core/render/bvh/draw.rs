@@ -5,13 +5,15 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
+use crate::exact::lanes::lanes_of;
 use crate::render::bvh::occlusion::Veil;
 use crate::render::bvh::visible::{BoxSeen, Crowd};
 use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
 use crate::render::rows::small_spheres::{Runs, draw_tiny};
 use crate::render::rows::span::{Span, SpanTarget};
-use crate::scene::sphere_index::{BLOCK, NO_SPHERE, SphereIndex};
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::scene::sphere_order::BLOCK;
 
 /// What a band did with a crowd.
 #[derive(Default)]
@@ -238,15 +240,4 @@ fn extent(target: &SpanTarget, of: &Outlines, lane: usize) -> (Range<usize>, Ran
     let reach = of.size[lane].sqrt() + of.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
     let (left, right) = (of.column[lane] - reach, of.column[lane] + reach);
     (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
-}
-
-/// The lanes whose bits are set.
-#[inline(always)]
-pub(crate) fn lanes_of(mut bits: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = bits.trailing_zeros() as usize;
-        let is_left = bits != 0;
-        bits &= bits.wrapping_sub(1);
-        is_left.then_some(lane)
-    })
 }

@@ -12,7 +12,8 @@ use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::scene::boxes::Boxes;
-use crate::scene::sphere_index::{BLOCK, NO_SPHERE, SphereIndex};
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::scene::sphere_order::BLOCK;
 
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]

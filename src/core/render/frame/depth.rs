@@ -1,12 +1,18 @@
 //! What a frame keeps `t` in, and how a row's answers go into it.
 
+use std::ops::Range;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd};
 
-use crate::render::frame::Frame;
-use crate::render::polynomial::kernel::MISS;
-use crate::render::{Finish, Stage, fill};
+use crate::render::frame::{Frame, Stage};
 use crate::scene::Scene;
+
+/// A miss in a kernel's answers.
+pub(crate) const MISS: f64 = f64::INFINITY;
+
+/// In doubt, in a kernel's answers: the pixel goes up the ladder by itself.
+pub(crate) const DOUBT: f64 = f64::NAN;
 
 /// What a frame keeps `t` in: `f64`, within half an ulp and 2^-40 of one, or `f32`, within an ulp, at
 /// a fraction of the time.
@@ -55,12 +61,15 @@ pub trait Depth: Copy + PartialOrd + Send + Sync + std::fmt::Debug + sealed::Sea
     fn is_in_doubt(found: f64, t: Self, object: u32, index: u32) -> bool;
 }
 
-mod sealed {
+/// What is done with the rows of a band when they are traced: rows, `t`, objects.
+pub(crate) type Finish<'a, T> = &'a (dyn Fn(Range<usize>, &[T], &[u32]) + Sync);
+
+pub(crate) mod sealed {
     use super::*;
 
     /// The tracer of one precision.
     pub trait Sealed: Sized {
-        /// See [`fill`]. Neither generic nor inlined, it is compiled with this crate, once, and not
+        /// See [`fill`](crate::render::fill). Neither generic nor inlined, it is compiled with this crate, once, and not
         /// again with each crate that calls what is generic over [`Depth`].
         fn fill(
             frame: &mut Frame<Self>,
@@ -78,19 +87,6 @@ const TIE: f64 = 4.0;
 /// What one precision's [`Depth`] is, but for how lanes become its vectors.
 macro_rules! depth {
     ($real:ident, $doubt:expr, $is_fine:expr, $range:expr, $blend_lanes:ident, $singles:expr) => {
-        impl sealed::Sealed for $real {
-            #[inline(never)]
-            fn fill(
-                frame: &mut Frame<$real>,
-                level: Level,
-                scene: &Scene,
-                finish: Option<Finish<'_, $real>>,
-                observe: &(dyn Fn(Stage) + Sync),
-            ) {
-                fill(frame, level, scene, finish, observe);
-            }
-        }
-
         impl Depth for $real {
             const ZERO: $real = 0.0;
             const NONE: $real = $real::INFINITY;

@@ -1,5 +1,6 @@
 //! A picture: the first hit of every pixel's view ray.
 
+pub(crate) mod buffers;
 pub(crate) mod counts;
 pub(crate) mod depth;
 
@@ -9,7 +10,6 @@ use crate::camera::image::{ImageSize, Pixel};
 use crate::camera::resolved::PosedCamera;
 use crate::exact::steps::Steps;
 use crate::render::frame::counts::Counts;
-use crate::render::frame::depth::Depth;
 
 /// [`Frame::object`] where the ray hits nothing.
 pub const NO_OBJECT: u32 = u32::MAX;
@@ -66,6 +66,16 @@ pub struct Frame<T = f64> {
     pub steps: Steps,
     /// What was left out, and what was left to do.
     pub counts: Counts,
+}
+
+/// What of a frame was just done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage {
+    /// The plan: what the rows can see, and what their pixels share.
+    Planned,
+    /// So many rows: traced, and coloured where the shading allows.
+    Rows(usize),
 }
 
 /// One traced pixel of a [`Frame`].
@@ -188,7 +198,7 @@ fn nearest(traced: &[u32], count: u32) -> Vec<usize> {
     (0..count).map(nearest_to).collect()
 }
 
-impl<T: Depth> Frame<T> {
+impl<T: Copy> Frame<T> {
     /// The camera that the frame was traced for.
     pub fn camera(&self) -> &PosedCamera {
         &self.camera

@@ -1,6 +1,5 @@
 //! The outlines of several spheres at once, in whole columns and rows of the image.
 
-pub(crate) mod bounds;
 pub(crate) mod camera_space;
 pub(crate) mod extent;
 pub(crate) mod raster_axes;
@@ -9,19 +8,20 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::render::outline::camera_space::CameraSpace;
-use crate::render::rows::small_spheres::{TINY_ROWS, TINY_SIZE};
-use crate::render::rows::span::MARGIN;
+use crate::scene::sphere_index::Spheres;
+
+/// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
+/// by, and so little that hardly a pixel lies within it.
+pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
+
+/// A tiny sphere has at most so many rows.
+pub(crate) const TINY_ROWS: usize = 9;
+
+/// The largest `w^2` of a tiny sphere: its rows are less than [`PIXELS`] columns long.
+pub(crate) const TINY_SIZE: f64 = 16.0;
 
 /// The widest vector of `f64` that any level has.
 pub(crate) const MOST_LANES: usize = 8;
-
-/// Spheres side by side: as many as a vector has lanes.
-pub(crate) struct Spheres<'a> {
-    pub(crate) x: &'a [f64],
-    pub(crate) y: &'a [f64],
-    pub(crate) z: &'a [f64],
-    pub(crate) radius: &'a [f64],
-}
 
 /// `2^50`, see [`Outlines::find`].
 const KEEP: f64 = 1.126e15;
@@ -75,7 +75,7 @@ pub(crate) struct Outlines {
     /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
     /// go up the ladder.
     pub(crate) thin: Lane8,
-    /// Which spheres are drawn by [`wide`](crate::render::rows::span_kernel::SpanLanes::wide) rows.
+    /// Which spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
     pub(crate) is_wide: u64,
     /// Which spheres have so few rows and columns that each row is drawn as one vector, see
     /// [`small_spheres`](crate::render::rows::small_spheres).
@@ -86,6 +86,25 @@ pub(crate) struct Outlines {
     pub(crate) is_behind: u64,
     /// Which spheres no ray inside the image's borders can meet.
     pub(crate) is_outside: u64,
+}
+
+/// One sphere's outline, see [`Outlines`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outline {
+    pub(crate) column: f64,
+    pub(crate) row: f64,
+    pub(crate) shear: f64,
+    pub(crate) square: [f64; 3],
+    pub(crate) b0: f64,
+    pub(crate) b_column: f64,
+    pub(crate) b_row: f64,
+    pub(crate) numerator: f64,
+    pub(crate) square_doubt: f64,
+    pub(crate) first_row: f64,
+    pub(crate) last_row: f64,
+    pub(crate) nearest: f64,
+    pub(crate) thin: f64,
+    pub(crate) is_wide: bool,
 }
 
 /// `a . b` of lanes with numbers.
@@ -199,6 +218,29 @@ impl Outlines {
         put(&mut self.nearest, nearest);
         put(&mut self.size, size);
         put(&mut self.thin, (kinds.thin * kinds.thin).max(splat(32.0) * square_doubt));
+    }
+}
+
+impl Outlines {
+    /// One lane.
+    #[inline(always)]
+    pub(crate) fn one(&self, lane: usize) -> Outline {
+        Outline {
+            column: self.column[lane],
+            row: self.row[lane],
+            shear: self.shear[lane],
+            square: self.square.map(|x| x[lane]),
+            b0: self.b0[lane],
+            b_column: self.b_column[lane],
+            b_row: self.b_row[lane],
+            numerator: self.numerator[lane],
+            square_doubt: self.square_doubt[lane],
+            first_row: self.first_row[lane],
+            last_row: self.last_row[lane],
+            nearest: self.nearest[lane],
+            thin: self.thin[lane],
+            is_wide: self.is_wide >> lane & 1 == 1,
+        }
     }
 }
 

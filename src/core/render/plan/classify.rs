@@ -7,10 +7,13 @@ use crate::render::frame::counts::Counts;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
-use crate::render::outline::{MOST_LANES, Outlines, Spheres};
-use crate::render::plan::SLICE_ROWS;
+use crate::render::outline::{MOST_LANES, Outlines};
 use crate::render::rows::span::Span;
 use crate::scene::sphere::Sphere;
+use crate::scene::sphere_index::Spheres;
+
+/// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
+pub(crate) const SLICE_ROWS: usize = 32;
 
 /// What a run of spheres is to a frame.
 #[derive(Default)]

@@ -4,6 +4,7 @@
 pub(crate) mod classify;
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use fearless_simd::Level;
 use rayon::prelude::*;
@@ -16,17 +17,15 @@ use crate::render::frame::depth::Depth;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
-use crate::render::plan::classify::{Sorted, Sorter};
+use crate::render::plan::classify::{SLICE_ROWS, Sorted, Sorter};
 use crate::render::polynomial::frame_rays::FrameRays;
 use crate::render::polynomial::object_kernel::FineKernel;
 use crate::render::rows::span::Span;
+use crate::scene::Scene;
+use crate::scene::object::Object;
 use crate::scene::object_from_origin::ObjectSeen;
 use crate::scene::plane::Plane;
 use crate::scene::sphere_predicates::SphereSeen;
-use crate::scene::{Object, Scene};
-
-/// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
-pub(crate) const SLICE_ROWS: usize = 32;
 
 /// What all bands of a frame share.
 pub(crate) struct Plan<'a> {
@@ -161,6 +160,13 @@ impl<'a> Plan<'a> {
                 self.large.insert(*index, kernel);
             }
         }
+    }
+
+    /// The rows of each band.
+    pub(crate) fn bands(&self) -> Vec<Range<usize>> {
+        let rows = self.axes.height();
+        let first = (0..rows).step_by(self.band_rows);
+        first.map(|first| first..rows.min(first + self.band_rows)).collect()
     }
 
     /// The spheres, but those drawn by rows and those of a crowd, that a slice of rows can see.

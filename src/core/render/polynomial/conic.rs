@@ -3,26 +3,9 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::quadratic::{
-    Form, Number, SECOND_ORDER, SphereParts, UNDERFLOW, Vector, cross, dot, length, near,
-};
-use crate::render::polynomial::frame_rays::Steppers;
-
-/// A rectangle of pixels in whole steps: around `(n, l)`, up to `columns` and `rows` away from it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Patch {
-    pub(crate) n: f64,
-    pub(crate) l: f64,
-    pub(crate) columns: f64,
-    pub(crate) rows: f64,
-}
-
-impl Patch {
-    /// `x0 + m x1 + k x2` at the corner, of lengths: the largest in the patch.
-    pub(crate) fn corner(&self, [x0, x1, x2]: [f64; 3]) -> f64 {
-        x0 + self.columns * x1 + self.rows * x2
-    }
-}
+use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot, length, near};
+use crate::exact::quadratic::{Form, SphereParts};
+use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
 /// With the direction `s + m e + k g`, m columns and k rows from the middle of a [`Patch`], the
 /// parts a, b and D of a sphere's quadratic, whose coefficients stand in the order 1, m, k, m^2, mk,

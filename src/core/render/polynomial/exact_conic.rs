@@ -2,13 +2,18 @@
 
 use std::cmp::Ordering;
 
+use glam::DVec3;
 use num_bigint::{BigInt, Sign};
 
+use crate::camera::fine_basis::BigBasis;
+use crate::camera::resolved::{AimGiven, PosedCamera};
+use crate::camera::viewport::Viewport;
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::dyadic::{Dyadic, Exact3, big_of, dot, ratio};
+use crate::exact::dyadic::{Dyadic, Exact3, big_of, dot, exact3, ratio, times};
 use crate::exact::precise::Precise;
 use crate::exact::surd::{Radicands, Surd};
-use crate::render::polynomial::conic::{Conic, Patch};
+use crate::render::polynomial::conic::Conic;
+use crate::render::polynomial::frame_rays::Patch;
 use crate::scene::sphere::Sphere;
 
 /// A frame's view rays in exact numbers: with whole numbers n and l, the direction times `scale` is
@@ -154,7 +159,7 @@ fn array<const N: usize>(x: Vec<DoubleDouble>) -> [DoubleDouble; N] {
 }
 
 /// Direction parts from their exact factors.
-pub(crate) fn surds(parts: &Exact3, root: usize) -> [Surd; 3] {
+fn surds(parts: &Exact3, root: usize) -> [Surd; 3] {
     std::array::from_fn(|i| {
         let mut surd = Surd::zero();
         surd.0[root] = parts[i].clone();
@@ -163,6 +168,31 @@ pub(crate) fn surds(parts: &Exact3, root: usize) -> [Surd; 3] {
 }
 
 /// The exact number of a product of two `f64`.
-pub(crate) fn product(a: f64, b: f64) -> Dyadic {
+fn product(a: f64, b: f64) -> Dyadic {
     &big_of(a) * &big_of(b)
+}
+
+impl PosedCamera {
+    /// All of a frame's view rays in exact numbers.
+    pub(crate) fn big_steppers(&self) -> BigSteppers {
+        let Viewport { width, height, distance } = *self.viewport();
+        let (w, h) = (f64::from(self.image().width()), f64::from(self.image().height()));
+        let (x, y, z) = (product(width, h), product(height, w), product(distance, 2.0 * w * h));
+        let eye = exact3(self.eye());
+        match self.aim() {
+            AimGiven::ViewUp(view, up) => {
+                let BigBasis { view, right, upward, of } = BigBasis::new(&view, up);
+                let (e, g) = (surds(&times(&right, &x), 1), surds(&times(&upward, &y), 0));
+                let z = surds(&times(&view, &z), 2);
+                BigSteppers { eye, e, g, z, scale: Radicands::root_of_product(), of }
+            }
+            AimGiven::Basis => {
+                let along = |v: DVec3, x: &Dyadic| surds(&times(&exact3(v), x), 0);
+                let (e, g) = (along(self.basis().u, &x), along(self.basis().v, &y));
+                let z = along(-self.basis().w, &z);
+                let (scale, of) = (Surd::from(Dyadic::from(1.0)), Radicands::none());
+                BigSteppers { eye, e, g, z, scale, of }
+            }
+        }
+    }
 }

@@ -4,11 +4,11 @@ use std::ops::Range;
 
 use crate::camera::image::Pixel;
 use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::exact::bounded::{Number, UNIT, Vector, length, near};
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::quadratic::{DirectionParts, Number, UNIT, Vector, length, near};
+use crate::exact::quadratic::DirectionParts;
 use crate::exact::scale::ldexp;
 use crate::render::frame::Raster;
-use crate::render::polynomial::conic::Patch;
 
 /// With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the view ray's direction
 /// times `2 W H` is
@@ -54,7 +54,7 @@ impl<'a> FrameRays<'a> {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let viewport = camera.viewport();
         let measures = [viewport.width, viewport.height, viewport.distance];
-        let (_, scale) = crate::camera::exact_ray::scaled(measures.map(DoubleDouble::from));
+        let (_, scale) = crate::exact::bounded::scaled(measures.map(DoubleDouble::from));
         // What `f64` kernels see of it does not depend on the last digits.
         let finest = if is_fine { camera.with_finest_basis() } else { *camera };
         let basis = finest.fine_basis();
@@ -140,5 +140,21 @@ impl<T: Number> Steppers<T> {
     pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<T> {
         let (n, l) = (T::from(n), T::from(l));
         std::array::from_fn(|i| n * self.e[i] + l * self.g[i] + self.z[i])
+    }
+}
+
+/// A rectangle of pixels in whole steps: around `(n, l)`, up to `columns` and `rows` away from it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Patch {
+    pub(crate) n: f64,
+    pub(crate) l: f64,
+    pub(crate) columns: f64,
+    pub(crate) rows: f64,
+}
+
+impl Patch {
+    /// `x0 + m x1 + k x2` at the corner, of lengths: the largest in the patch.
+    pub(crate) fn corner(&self, [x0, x1, x2]: [f64; 3]) -> f64 {
+        x0 + self.columns * x1 + self.rows * x2
     }
 }

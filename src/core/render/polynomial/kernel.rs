@@ -7,16 +7,10 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Select, Simd};
 
 use crate::exact::double_double::DoubleDouble;
-use crate::exact::error_free::two_sum;
-use crate::exact::lane::Lane;
+use crate::exact::error_free::{Lane, two_sum};
 use crate::exact::lanes::Lanes;
+use crate::render::frame::depth::{DOUBT, MISS};
 use crate::render::polynomial::conic::{ConicRow, Thresholds};
-
-/// A miss in a kernel's answers.
-pub(crate) const MISS: f64 = f64::INFINITY;
-
-/// In doubt, in a kernel's answers: the pixel goes up the ladder by itself.
-pub(crate) const DOUBT: f64 = f64::NAN;
 
 /// What a kernel's polynomials are evaluated in: lanes of `f64`, or of double-doubles.
 pub(crate) trait LaneNumber<S: Simd>:

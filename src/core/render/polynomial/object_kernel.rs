@@ -4,14 +4,15 @@ use std::cmp::Ordering;
 
 use fearless_simd::Simd;
 
+use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, dot, length, near};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::lanes::Lanes;
-use crate::exact::quadratic::{Number, SECOND_ORDER, SphereParts, UNDERFLOW, dot, length, near};
+use crate::exact::quadratic::SphereParts;
 use crate::exact::scale::ldexp;
 use crate::render::frame::depth::Depth;
-use crate::render::polynomial::conic::{Conic, ConicRow, Patch, Thresholds};
+use crate::render::polynomial::conic::{Conic, ConicRow, Thresholds};
 use crate::render::polynomial::exact_conic::BigNearRoot;
-use crate::render::polynomial::frame_rays::{FrameRays, Steppers};
+use crate::render::polynomial::frame_rays::{FrameRays, Patch, Steppers};
 use crate::render::polynomial::kernel::{
     LaneNumber, PlaneRow, RoughDiscriminant, SphereRow, plane_row, sphere_row,
 };

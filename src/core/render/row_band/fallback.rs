@@ -8,7 +8,7 @@ use crate::render::frame::NO_OBJECT;
 use crate::render::frame::depth::Depth;
 use crate::render::row_band::Band;
 use crate::render::rows::span::Doubt;
-use crate::scene::Object;
+use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectSeen};
 
 impl<T: Depth> Band<'_, T> {

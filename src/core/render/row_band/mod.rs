@@ -3,28 +3,33 @@
 pub(crate) mod fallback;
 
 use std::cmp::Ordering;
+use std::mem;
 use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
+use glam::DVec3;
 
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::lanes::Lanes;
+use crate::exact::quadratic::Quadratic;
 use crate::exact::quadratic::SphereParts;
 use crate::exact::steps::Steps;
 use crate::render::bvh::draw::{CrowdDrawn, draw_crowd};
 use crate::render::frame::NO_OBJECT;
 use crate::render::frame::counts::Counts;
-use crate::render::frame::depth::Depth;
+use crate::render::frame::depth::{DOUBT, Depth};
 use crate::render::outline::extent::Extent;
-use crate::render::plan::{Plan, SLICE_ROWS};
-use crate::render::polynomial::conic::{Conic, Patch};
-use crate::render::polynomial::kernel::DOUBT;
+use crate::render::plan::Plan;
+use crate::render::plan::classify::SLICE_ROWS;
+use crate::render::polynomial::conic::Conic;
+use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{
     EVERYWHERE, FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor,
 };
+use crate::render::polynomial::per_pixel::small_hit;
 use crate::render::rows::span::{Doubt, SpanTarget};
-use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::object_from_origin::{ObjectSeen, plane_normal};
 use crate::scene::sphere_predicates::SphereSeen;
 
 /// The widest vector there is: rows are padded to whole ones.
@@ -38,7 +43,11 @@ pub(crate) struct Band<'a, T> {
     pub(crate) t: &'a mut [T],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
-    counts: Counts,
+    /// From which sphere, or group and block of many, rows are drawn next; `None` where all are.
+    next: Option<(usize, usize)>,
+    /// Pixels in doubt, left to be decided.
+    doubts: Vec<Doubt>,
+    drawn: CrowdDrawn,
     /// By row, whether an object's outline reaches it.
     is_reached: Vec<bool>,
     /// Columns from the middle of the patch at hand.
@@ -75,20 +84,45 @@ impl<'a, T: Depth> Band<'a, T> {
             t,
             object,
             steps: Steps::default(),
-            counts: Counts::default(),
+            next: Some((0, 0)),
+            doubts: Vec::new(),
+            drawn: CrowdDrawn::default(),
             m: Vec::new(),
             found: Vec::new(),
         }
     }
 
-    /// Adds all objects, and tells how their decisions were made.
-    pub(crate) fn traced(mut self) -> (Steps, Counts) {
+    /// Draws what of many spheres is near or large, and hides much of the rest.
+    pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
-        // First what no outline can be drawn of: it is near or large, and hides much of the rest.
         for (index, extent) in plan.crowd.iter().flat_map(|crowd| &crowd.others) {
             self.add_in_slices(*index, extent);
         }
-        for index in self.add_spans() {
+    }
+
+    /// Draws spheres by rows, until all are or too many pixels are in doubt; tells whether any were left
+    /// to draw.
+    pub(crate) fn draw_rows(&mut self) -> bool {
+        let Some(from) = self.next else { return false };
+        let (mut doubts, mut drawn) = (mem::take(&mut self.doubts), mem::take(&mut self.drawn));
+        self.next = self.draw_spans(from, &mut doubts, &mut drawn);
+        (self.doubts, self.drawn) = (doubts, drawn);
+        true
+    }
+
+    /// Decides the pixels that the rows have left in doubt.
+    pub(crate) fn resolve_doubt(&mut self) {
+        let mut doubts = mem::take(&mut self.doubts);
+        for doubt in doubts.drain(..) {
+            self.settle_doubt(&doubt);
+        }
+        self.doubts = doubts;
+    }
+
+    /// Draws the spheres that cannot be drawn by rows, and the planes.
+    pub(crate) fn draw_others(&mut self) {
+        let plan = self.plan;
+        for index in mem::take(&mut self.drawn.others) {
             if let Some(extent) = plan.extents.of(&plan.scene.spheres()[index as usize]) {
                 self.add_in_slices(index, &extent);
             }
@@ -104,12 +138,26 @@ impl<'a, T: Depth> Band<'a, T> {
                 }
             }
         }
+    }
+
+    /// Fills in the normals, where they are asked for: each from its own exact ray.
+    pub(crate) fn fill_normals(&self, normals: &mut [DVec3]) {
+        let width = self.plan.axes.width();
+        let of_rows = normals.chunks_mut(width).zip(self.object.chunks(width));
+        for (row, (normals, object)) in self.rows.clone().zip(of_rows) {
+            fill_normals(self.plan, row, object, normals);
+        }
+    }
+
+    /// Tells how the decisions were made, and what was left out.
+    pub(crate) fn counted(self) -> (Steps, Counts) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
-        self.counts.bands = 1;
-        self.counts.bands_untouched = u64::from(untouched == self.rows.len());
-        self.counts.rows = self.rows.len() as u64;
-        self.counts.rows_untouched = untouched as u64;
-        (self.steps, self.counts)
+        let mut counts = self.drawn.counts;
+        counts.bands = 1;
+        counts.bands_untouched = u64::from(untouched == self.rows.len());
+        counts.rows = self.rows.len() as u64;
+        counts.rows_untouched = untouched as u64;
+        (self.steps, counts)
     }
 
     /// The slices of rows that it consists of.
@@ -131,21 +179,6 @@ impl<'a, T: Depth> Band<'a, T> {
                 self.add_sphere(index, rows, extent.columns());
             }
         }
-    }
-
-    /// Adds the spheres that are drawn by rows, and settles the pixels that they leave in doubt; gives
-    /// the spheres of a crowd that are not.
-    fn add_spans(&mut self) -> Vec<u32> {
-        let mut drawn = CrowdDrawn::default();
-        let (mut doubts, mut next) = (Vec::new(), Some((0, 0)));
-        while let Some(from) = next {
-            next = self.draw_spans(from, &mut doubts, &mut drawn);
-            for doubt in doubts.drain(..) {
-                self.settle_doubt(&doubt);
-            }
-        }
-        self.counts += drawn.counts;
-        drawn.others
     }
 
     /// Draws spheres until all are, or too many pixels are in doubt: then, from where to go on.
@@ -222,6 +255,35 @@ impl<'a, T: Depth> Band<'a, T> {
             None => &|_| Some(EVERYWHERE),
         };
         self.add(index, rows, columns, &patch, (row, reach), None);
+    }
+
+    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is asked by
+    /// itself, in `f64`.
+    fn add_small_sphere(
+        &mut self,
+        index: u32,
+        rows: Range<usize>,
+        columns: Range<usize>,
+        parts: &SphereParts<f64>,
+        factor: f64,
+    ) {
+        let rays = &self.plan.rays;
+        let width = rays.n.len();
+        let mut own = None;
+        for row in rows {
+            self.steps.f64 += columns.len() as u64;
+            for column in columns.clone() {
+                let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
+                let place = (row - self.rows.start) * width + column;
+                let found = small_hit::<T>(&quadratic, parts, factor, self.t[place]);
+                if found.is_nan() {
+                    let seen = own.get_or_insert_with(|| self.seen(index));
+                    self.settle(index, seen, row, column);
+                } else if found < f64::INFINITY {
+                    (self.t[place], self.object[place]) = (T::of(found), index);
+                }
+            }
+        }
     }
 
     fn rough_kernel(
@@ -348,4 +410,31 @@ fn draw<S: Simd>(
 /// The part of some rows that lies in a slice.
 fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
     rows.start.max(slice.start)..rows.end.min(slice.end)
+}
+
+/// Normals of one row, each from its own exact ray.
+fn fill_normals(plan: &Plan, row: usize, object: &[u32], normals: &mut [DVec3]) {
+    let eye = plan.rays.camera().eye();
+    let mut known: Option<(u32, ObjectSeen)> = None;
+    for (column, normal) in normals.iter_mut().enumerate() {
+        if object[column] == NO_OBJECT {
+            continue;
+        }
+        let seen = match known.take() {
+            Some((index, seen)) if index == object[column] => seen,
+            _ => match plan.scene.object(object[column]) {
+                Some(object) => ObjectSeen::new(&object, eye),
+                None => continue,
+            },
+        };
+        *normal = match &seen {
+            ObjectSeen::Plane(seen) => plane_normal(seen.plane().normal),
+            ObjectSeen::Sphere(sphere) => {
+                let ray = plan.rays.camera().exact_ray(plan.rays.pixel(row, column));
+                let end = seen.first_end(&ray, &mut Steps::default());
+                end.map_or(DVec3::ZERO, |end| sphere.normal(&ray, end))
+            }
+        };
+        known = Some((object[column], seen));
+    }
 }

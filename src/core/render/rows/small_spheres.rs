@@ -4,17 +4,9 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
 
-use crate::render::bvh::draw::lanes_of;
-use crate::render::outline::{MOST_LANES, Outlines};
-use crate::render::rows::row_ends::RowEnds;
-use crate::render::rows::span::{Doubt, MARGIN, SpanTarget};
-use crate::render::rows::span_kernel::TIE;
-
-/// A tiny sphere has at most so many rows.
-pub(crate) const TINY_ROWS: usize = 9;
-
-/// The largest `w^2` of a tiny sphere: its rows are less than [`PIXELS`] columns long.
-pub(crate) const TINY_SIZE: f64 = 16.0;
+use crate::exact::lanes::lanes_of;
+use crate::render::outline::{MARGIN, MOST_LANES, Outlines, TINY_ROWS};
+use crate::render::rows::span::{Doubt, RowEnds, SpanTarget, TIE};
 
 /// Pixels drawn at once.
 const PIXELS: usize = 8;

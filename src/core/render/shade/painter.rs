@@ -7,8 +7,8 @@ use fearless_simd::Level;
 use crate::camera::resolved::PosedCamera;
 use crate::render::frame::depth::Depth;
 use crate::render::frame::{NO_OBJECT, Raster};
+use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 use crate::render::shade::shade_rows::{PADDING, RowRays, Run, ToneRow, Toner};
-use crate::render::shade::{BACKGROUND, Paint, Rgb, Shade};
 use crate::scene::Scene;
 
 /// What the pixels of a picture share.

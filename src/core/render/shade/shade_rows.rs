@@ -7,11 +7,11 @@ use glam::DVec3;
 use crate::camera::ray::Ray;
 use crate::exact::lanes::Lanes;
 use crate::render::shade::normals::{Normals, Surface};
+use crate::render::shade::paint::{Rgb, Shade};
 use crate::render::shade::srgb::{PARTS, Srgb};
 use crate::render::shade::surface::{
     Ball, PLAIN_T, far_normal, near_normal, plane_cosine, sphere_cosine,
 };
-use crate::render::shade::{Rgb, Shade};
 use crate::scene::Scene;
 
 /// More than the widest vector of `f32` has: rows are padded by so many.

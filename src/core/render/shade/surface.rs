@@ -8,7 +8,7 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 use glam::DVec3;
 
-use crate::exact::lane::Lane;
+use crate::exact::error_free::Lane;
 use crate::exact::lanes::Lanes;
 use crate::scene::sphere::Sphere;
 

@@ -11,8 +11,7 @@ use fearless_simd::{Simd, dispatch};
 
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::dyadic::{Dyadic, big_of};
-use crate::exact::error_free::{dekker_product, fast_two_sum, two_sum};
-use crate::exact::lane::Lane;
+use crate::exact::error_free::{Lane, dekker_product, fast_two_sum, two_sum};
 use crate::exact::lanes::Lanes;
 use crate::exact::scale::{exponent, ldexp};
 

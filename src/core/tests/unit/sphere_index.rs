@@ -13,7 +13,8 @@ use crate::scene::boxes::{BOX_LANES, Boxes};
 use crate::scene::error::SceneError;
 use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_index::{BLOCK, GROUP, NO_SPHERE, SphereIndex};
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::scene::sphere_order::{BLOCK, GROUP};
 use crate::scene::spheres::INDEX_FROM;
 
 /// A coordinate: ordinary, or anything finite.

@@ -4,12 +4,11 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::exact::big_ray::big_c;
+use crate::exact::bounded::{Number, UNIT, dot};
 use crate::exact::double_double::{DoubleDouble, U2};
-use crate::exact::quadratic::{Number, UNIT, dot};
-use crate::exact::steps::Step;
+use crate::exact::steps::{Step, sign_of};
+use crate::scene::big_roots::big_c;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::sign_of;
 
 /// `c = |q|^2 - r^2` with its exact sign.
 pub(crate) struct Power {
