@@ -243,12 +243,12 @@ struct Readme;
 struct Stays;
 
 #[cfg(test)]
-#[path = "tests/unit/arithmetic.rs"]
-mod arithmetic_tests;
+#[path = "tests/common/levels.rs"]
+mod test_levels;
 
 #[cfg(test)]
-#[path = "tests/unit/sphere_index.rs"]
-mod sphere_index_tests;
+#[path = "tests/common/seed.rs"]
+mod test_seed;
 
 pub use fearless_simd::Level;
 

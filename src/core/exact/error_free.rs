@@ -120,6 +120,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::test_seed::config;
 
     fn big(x: f64) -> FBig<HalfEven, 2> {
         FBig::try_from(x).unwrap().with_precision(5000).value()
@@ -134,7 +135,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+        #![proptest_config(config(256))]
 
         #[test]
         fn sums_are_exact(a in number(), b in number(), close in any::<bool>()) {

@@ -17,3 +17,6 @@ pub(crate) mod quadratic;
 pub(crate) mod scale;
 pub(crate) mod steps;
 pub(crate) mod surd;
+
+#[cfg(test)]
+mod tests;

@@ -89,6 +89,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::test_seed::config;
 
     /// `x * 2^k` rounded to nearest, ties to even, on the integer `m` of `|x| = m * 2^e`.
     fn by_integers(x: f64, k: i32) -> f64 {
@@ -126,7 +127,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+        #![proptest_config(config(256))]
 
         /// Rounded once, also where the result is subnormal.
         #[test]

@@ -16,6 +16,9 @@ pub(crate) mod sphere_order;
 pub(crate) mod sphere_predicates;
 pub(crate) mod spheres;
 
+#[cfg(test)]
+mod tests;
+
 use std::sync::Arc;
 
 use glam::DVec3;

@@ -16,6 +16,7 @@ use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 use crate::scene::sphere_order::{BLOCK, GROUP};
 use crate::scene::spheres::INDEX_FROM;
+use crate::test_seed::config;
 
 /// A coordinate: ordinary, or anything finite.
 fn coordinate() -> impl Strategy<Value = f64> {
@@ -135,7 +136,7 @@ fn assert_filled_up(index: &SphereIndex, block: usize, inside: &[(usize, Sphere)
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(config(300))]
 
     #[test]
     fn any_spheres_have_an_index_and_keep_it_while_they_are_replaced(
@@ -243,7 +244,7 @@ fn what_is_no_sphere_changes_nothing() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(config(64))]
 
     #[test]
     fn the_spheres_around_a_point_are_those_that_contain_it(
@@ -265,7 +266,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(config(64))]
 
     #[test]
     fn roots_are_those_of_each_sphere_by_itself(

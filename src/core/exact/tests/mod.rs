@@ -14,11 +14,8 @@ use crate::exact::dyadic::{Dyadic, big_of};
 use crate::exact::error_free::{Lane, dekker_product, fast_two_sum, two_sum};
 use crate::exact::lanes::Lanes;
 use crate::exact::scale::{exponent, ldexp};
-
-#[path = "../common/levels.rs"]
-mod levels;
-
-use levels::levels;
+use crate::test_levels::levels;
+use crate::test_seed::seed;
 
 /// Patterns of each operation.
 const COUNT: usize = 100_000;
@@ -27,14 +24,6 @@ const COUNT: usize = 100_000;
 struct Bits(u64);
 
 impl Bits {
-    /// The fixed seed's first half and a fresh one's second half, which is printed.
-    fn halves() -> [Bits; 2] {
-        let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-        let fresh = since.unwrap().as_nanos() as u64;
-        println!("fresh seed {fresh}");
-        [Bits(1), Bits(fresh)]
-    }
-
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -135,10 +124,9 @@ fn opposite(x: f64, ulps: i32) -> f64 {
 
 /// Runs a check on all patterns.
 fn on_all(mut check: impl FnMut(&mut Bits)) {
-    for mut bits in Bits::halves() {
-        for _ in 0..COUNT.div_ceil(2) {
-            check(&mut bits);
-        }
+    let mut bits = Bits(seed());
+    for _ in 0..COUNT {
+        check(&mut bits);
     }
 }
 
