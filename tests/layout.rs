@@ -78,9 +78,15 @@ fn wgpu_is_known_to_one_file_only() {
 fn what_is_pure_knows_no_effect() {
     for (name, text) in sources("src") {
         let pure = name.starts_with("src/core/")
-            || ["src/view/overlay/", "src/view/formula/", "src/view/derivation/", "src/exchange/programs/", "src/exchange/code/"]
-                .iter()
-                .any(|f| name.starts_with(f))
+            || [
+                "src/view/overlay/",
+                "src/view/formula/",
+                "src/view/derivation/",
+                "src/exchange/programs/",
+                "src/exchange/code/",
+            ]
+            .iter()
+            .any(|f| name.starts_with(f))
             || [
                 "src/exchange/document.rs",
                 "src/view/derive/mod.rs",

@@ -185,85 +185,12 @@
 //!   major version of either is one of this crate.
 //! - What the documentation does not show is nobody's to use.
 
-mod along;
-mod band;
-mod basis;
-mod big_conic;
-mod big_ray;
-mod bounds;
-mod boxes;
 mod camera;
-mod camera_space;
-mod certainty;
-mod checks;
-mod conic;
-mod counts;
-mod crowd;
-mod crowd_draw;
-mod depth;
-mod difference;
-mod double_double;
-mod error_free;
 mod exact;
-mod exact_ray;
-mod extent;
-mod fine_basis;
-mod frame;
-mod frame_rays;
-mod image;
-mod intrinsics;
-mod kernel;
-mod lane;
-mod lanes;
-mod line;
-mod method_kernel;
-mod method_real;
-mod method_sphere;
-mod method_trace;
 pub mod methods;
-mod normals;
-mod number;
-mod object_kernel;
-mod outline;
-mod painter;
-mod plan;
-mod plane;
-mod plane_seen;
-mod posed;
-mod power;
-mod precise;
-mod raster_axes;
-mod ray;
-mod roots;
-mod rotation;
-mod row_ends;
-mod scale;
+mod render;
 mod scene;
-mod seen;
-mod settle;
-mod shade;
-mod single_lanes;
-mod small;
-mod sorter;
-mod span;
-mod span_kernel;
-mod span_rows;
-mod sphere;
-mod sphere_index;
-mod sphere_order;
-mod sphere_seen;
-mod spheres;
-mod srgb;
 pub mod steering;
-mod steps;
-mod surd;
-mod surface;
-mod terms;
-mod tiny;
-mod tones;
-mod trace;
-mod veil;
-mod viewport;
 
 /// The README's example is run with the others.
 #[cfg(doctest)]
@@ -296,56 +223,54 @@ struct Readme;
 struct Stays;
 
 #[cfg(test)]
-#[path = "tests/unit/arithmetic.rs"]
-mod arithmetic_tests;
+#[path = "tests/common/levels.rs"]
+mod test_levels;
 
 #[cfg(test)]
-#[path = "tests/unit/sphere_index.rs"]
-mod sphere_index_tests;
+#[path = "tests/common/seed.rs"]
+mod test_seed;
 
 /// Arithmetic that derivations in other crates write the parts of, and nobody else's to use.
 #[doc(hidden)]
 pub mod arithmetic {
-    pub use crate::basis::{is_orthogonal, is_unit};
-    pub use crate::exact::{
+    pub use crate::camera::basis::{is_orthogonal, is_unit};
+    pub use crate::camera::fine_basis::over_root_rounded;
+    pub use crate::exact::dyadic::{
         Dyadic, Exact3, cross, dot, exact3, minus, root_of_quotient, rounded_quotient,
     };
-    pub use crate::fine_basis::over_root_rounded;
-    pub use crate::scale::{length, unit};
+    pub use crate::exact::scale::{length, unit};
 }
 
 pub use fearless_simd::Level;
 
-pub use along::{AlongRay, ParabolaVertex};
-pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
+pub use camera::basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
+pub use camera::difference::CameraDifference;
+pub use camera::exact_ray::ExactRay;
+pub use camera::image::{ImageError, ImageSize, Pixel};
+pub use camera::intrinsics::Intrinsics;
+pub use camera::ray::{Ray, RayError};
+pub use camera::resolved::{PixelOfUv, PosedCamera, Projection};
+pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
-pub use checks::{ObjectError, SceneError};
-pub use counts::Counts;
-pub use depth::Depth;
-pub use difference::CameraDifference;
-pub use double_double::DoubleDouble;
-pub use exact_ray::ExactRay;
-pub use frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster};
+pub use exact::decimal::shortest;
+pub use exact::double_double::DoubleDouble;
+#[doc(hidden)]
+pub use exact::error_free::Lane;
+pub use exact::steps::{Step, Steps};
 pub use glam::{self, DVec2, DVec3};
-pub use image::{ImageError, ImageSize, Pixel};
-pub use intrinsics::Intrinsics;
-#[doc(hidden)]
-pub use lane::Lane;
-pub use number::shortest;
-#[doc(hidden)]
-pub use plan::Tuning;
-pub use plane::{Plane, PlaneTerms};
-pub use posed::{PixelOfUv, PosedCamera, Projection};
-pub use ray::{Ray, RayError};
-pub use roots::Roots;
-pub use scene::{LineRoots, Object, Root, Scene};
-pub use shade::{
-    BACKGROUND, HitShader, Paint, Rgb, Shade, lambert, shade, shade_at_level, shade_pixel,
+pub use render::frame::counts::Counts;
+pub use render::frame::depth::Depth;
+pub use render::frame::{Frame, FramePixel, NO_OBJECT, Outputs, Raster, Stage};
+pub use render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
+pub use render::shade::{HitShader, lambert, shade, shade_at_level, shade_pixel};
+pub use render::{
+    retrace, trace, trace_as, trace_at_level, trace_painted, trace_painted_at_level,
+    trace_reporting,
 };
-pub use sphere::{Sphere, SphereQuadratic};
-pub use steps::{Step, Steps};
-pub use trace::{
-    Stage, retrace, retrace_tuned, trace, trace_as, trace_at_level, trace_painted,
-    trace_painted_at_level, trace_reporting,
-};
-pub use viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
+pub use scene::Scene;
+pub use scene::along_ray::{AlongRay, ParabolaVertex};
+pub use scene::error::{ObjectError, SceneError};
+pub use scene::object::{LineRoots, Object, Root};
+pub use scene::plane::{Plane, PlaneTerms};
+pub use scene::roots::Roots;
+pub use scene::sphere::{Sphere, SphereQuadratic};

@@ -3,9 +3,9 @@
 use egui::Color32;
 use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, PosedCamera, Scene};
 
-use pinhole_lecture::mistakes::Seen;
 use crate::model::inspection::Inspection;
 use crate::model::session::Selection;
+use pinhole_lecture::mistakes::Seen;
 
 /// The camera at hand against the ghost.
 #[derive(Clone, Debug, PartialEq)]

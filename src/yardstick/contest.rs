@@ -17,8 +17,6 @@ use crate::textbook::TextbookScene;
 pub enum Method {
     /// `pinhole-core`, every decision certified.
     Ladder,
-    /// The same with the ladder switched off.
-    Uncertified,
     /// [`crate::textbook`].
     Textbook,
     /// [`crate::bvh`].
@@ -31,9 +29,8 @@ pub enum Method {
 
 impl Method {
     /// In the order in which they are shown.
-    pub const ALL: [Method; 6] = [
+    pub const ALL: [Method; 5] = [
         Method::Ladder,
-        Method::Uncertified,
         Method::Textbook,
         Method::TextbookBvh,
         Method::Stores,
@@ -44,7 +41,6 @@ impl Method {
     pub fn name(self) -> &'static str {
         match self {
             Method::Ladder => "ladder",
-            Method::Uncertified => "uncertified",
             Method::Textbook => "textbook",
             Method::TextbookBvh => "textbook-bvh",
             Method::Stores => "stores",
@@ -142,7 +138,6 @@ struct Field<'a> {
     setting: &'a Setting,
     level: Level,
     frame: Frame<f32>,
-    unsure: Option<Frame<f32>>,
     textbook: Option<TextbookScene>,
     tree: Option<Bvh>,
     buffers: Option<Buffers>,
@@ -159,7 +154,6 @@ impl<'a> Field<'a> {
         Field {
             setting,
             level,
-            unsure: takes_part(Method::Uncertified).then(|| frame.clone()),
             frame,
             textbook: plain.then(|| TextbookScene::new(scene)),
             tree: tree.then(|| Bvh::new(scene)),
@@ -175,11 +169,6 @@ impl<'a> Field<'a> {
         let scene = &self.setting.scene;
         match (method, &mut self.buffers) {
             (Method::Ladder, _) => ladder::trace(&mut self.frame, self.level, scene, &camera),
-            (Method::Uncertified, _) => {
-                if let Some(frame) = &mut self.unsure {
-                    ladder::uncertified(frame, self.level, scene, &camera);
-                }
-            }
             (Method::Textbook, Some(buffers)) => {
                 if let Some(textbook) = &self.textbook {
                     textbook.trace(&camera, buffers);

@@ -1,10 +1,7 @@
 //! The contestant that all this is about: the one place that knows how `pinhole-core` is asked for a
 //! frame.
 
-use pinhole_core::{
-    Frame, Level, Outputs, PosedCamera, Raster, Scene, Tuning, retrace, retrace_tuned,
-    trace_at_level,
-};
+use pinhole_core::{Frame, Level, Outputs, PosedCamera, Raster, Scene, retrace, trace_at_level};
 
 /// A frame to trace into, traced once.
 pub(crate) fn first_frame(level: Level, scene: &Scene, camera: &PosedCamera) -> Frame<f32> {
@@ -15,15 +12,4 @@ pub(crate) fn first_frame(level: Level, scene: &Scene, camera: &PosedCamera) -> 
 /// Traces another camera into a kept frame.
 pub(crate) fn trace(frame: &mut Frame<f32>, level: Level, scene: &Scene, camera: &PosedCamera) {
     retrace(frame, level, scene, camera);
-}
-
-/// The same with every decision taken in the first arithmetic, right or not.
-pub(crate) fn uncertified(
-    frame: &mut Frame<f32>,
-    level: Level,
-    scene: &Scene,
-    camera: &PosedCamera,
-) {
-    let tuning = Tuning { is_certain: false, ..Tuning::new(level) };
-    retrace_tuned(frame, &tuning, scene, camera);
 }

@@ -3,12 +3,13 @@
 use glam::{DVec2, DVec3};
 
 use super::pole::{frame_carried, up_carried};
-use super::{SteerError, Steered, check_positive, orthonormal, steady};
-use crate::basis::{Aim, Basis, BasisError};
+use super::steered::{SteerError, Steered, check_positive, orthonormal, steady};
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::fine_basis::Aim;
+use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
-use crate::error_free::difference_with_rest;
-use crate::scale::{ldexp3, split, unit};
-use crate::viewport::Viewport;
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::scale::{ldexp3, split, unit};
 
 /// What stays when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

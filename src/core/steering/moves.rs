@@ -1,9 +1,9 @@
 //! Moving the camera along its view, and opening and closing its field of view.
 
-use super::{SteerError, check_finite, check_positive, steady};
-use crate::basis::BasisError;
+use super::steered::{SteerError, check_finite, check_positive, steady};
+use crate::camera::basis::BasisError;
+use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
-use crate::viewport::Viewport;
 
 impl Camera {
     /// The eye moved along w: forwards, towards what the camera looks at, by so many lengths of the way

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use crate::checks::ObjectError;
-use crate::plane::Plane;
-use crate::scale::{length, unit};
-use crate::sphere::Sphere;
+use crate::exact::scale::{length, unit};
+use crate::scene::error::ObjectError;
+use crate::scene::plane::Plane;
+use crate::scene::sphere::Sphere;
 
 impl Sphere {
     /// The sphere with its centre at a point; the radius stays.

@@ -3,11 +3,11 @@
 
 use glam::DVec3;
 
-use super::{SteerError, check_finite};
-use crate::basis::{Basis, BasisError, UpAngle};
+use crate::camera::basis::{Basis, BasisError, UpAngle};
+use crate::camera::viewport::{Viewport, ViewportError};
 use crate::camera::{Camera, Orientation};
-use crate::scale::{ldexp3, length, split};
-use crate::viewport::{Viewport, ViewportError};
+use crate::exact::scale::{ldexp3, length, split};
+use crate::steering::steered::{SteerError, check_finite};
 
 impl Camera {
     /// The camera rolled by an angle: up (by hand: u and v) turned about the view axis,

@@ -4,9 +4,9 @@ use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-use crate::number::{shortest, triple};
-use crate::posed::PosedCamera;
-use crate::scale::unit;
+use crate::camera::resolved::PosedCamera;
+use crate::exact::decimal::{shortest, triple};
+use crate::exact::scale::unit;
 
 /// An axis nearer than this to the line of sight, or a plane nearer to containing it, is not dragged
 /// along: a pixel would be more than ten times as long there as across. In radians, 5 degrees.

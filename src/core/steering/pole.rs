@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::{CONE, Turn, angle_between};
-use crate::basis::Basis;
-use crate::scale::unit;
+use super::steered::{CONE, Turn};
+use crate::camera::basis::Basis;
+use crate::exact::scale::{angle_between, unit};
 
 /// A camera this little outside the cone is on it: rounding may have put it there.
 const SLACK: f64 = 1e-9;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{SteerError, check_finite, check_positive};
+use super::steered::{SteerError, check_finite, check_positive};
 
 /// The multiple of `step` nearest to a value. Of a decimal step such as 0.05 it is the decimal itself
 /// (0.15, not 0.15000000000000002).

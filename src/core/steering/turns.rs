@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::{POLE_GAP, SteerError, Turn, check_finite, orthonormal, steady};
-use crate::basis::{Basis, BasisError};
+use super::steered::{POLE_GAP, SteerError, Turn, check_finite, orthonormal, steady};
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, Orientation};
-use crate::error_free::difference_with_rest;
-use crate::scale::{ldexp, length, unit};
-use crate::viewport::Viewport;
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::scale::{ldexp, length, unit};
 
 impl Camera {
     /// The point that [`Camera::orbited`] turns round: `at`; by view `eye + view`; by hand the middle

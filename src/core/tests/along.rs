@@ -1,11 +1,8 @@
 //! The implicit function along a ray.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
-
-use common::oracle::{Big, Big3, big, near};
-use common::{assert_ulps, given, plane, sphere, ulps, vec3};
+use crate::common::oracle::{Big, Big3, big, near};
+use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3};
+use crate::common::seed::config;
 use pinhole_core::*;
 use pinhole_reference::Family;
 use proptest::prelude::*;
@@ -15,11 +12,6 @@ const AT_45_DEGREES: Camera = Camera {
     orientation: Orientation::View { view: DVec3::new(-1.0, 0.0, -1.0), up: DVec3::Y },
     ..Camera::CANONICAL
 };
-
-/// No file of failures: the seeds are in the message.
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, failure_persistence: None, ..Default::default() }
-}
 
 /// A vector of any direction and a length of about 10 to a power in the range.
 fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {

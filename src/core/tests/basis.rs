@@ -1,19 +1,14 @@
 //! The camera's basis against 1200 digits, and conversions between the ways to give it.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::oracle::{self, Big3};
-use common::vec3;
 use pinhole_core::*;
 use proptest::prelude::*;
 
+use crate::common::oracle::Big3;
+use crate::common::seed::config;
+use crate::common::{oracle, vec3};
+
 /// How far a coordinate of u, v or w may be from exact, and `|a . b|` and `|a| - 1` from 0 and 1.
 const BASIS_TOLERANCE: f64 = 6e-16;
-
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
 
 fn direction() -> impl Strategy<Value = DVec3> {
     let coordinate = || prop_oneof![4 => -1.0..1.0_f64, 1 => Just(0.0), 1 => Just(1.0)];

@@ -1,11 +1,9 @@
 //! Each step of the basis's ladder is reached, and is needed.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{Numbers, vec3};
 use pinhole_core::*;
 use pinhole_reference::{Orientation as Given, Real, Status, angle_between};
+
+use crate::common::{Numbers, vec3};
 
 /// A camera whose `at - eye` is `factor up + aside`, of more digits than an f64 has.
 fn looking_along_up(up: [u64; 3], factor: u64, aside: f64) -> Camera {

@@ -1,7 +1,5 @@
 //! What a frame says that it left out.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use pinhole_core::{
     Camera, Counts, DVec3, Frame, ImageSize, NO_OBJECT, Outputs, PosedCamera, Raster, Scene,
     Sphere, trace_as,

@@ -1,19 +1,14 @@
 //! Every pixel of crowds of spheres is right: the object that its ray hits first, and its `t`.
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test fails by panicking and tells what it has looked at"
-)]
 
-mod common;
-mod support;
-
-use common::{Numbers, vec3};
 use pinhole_core::*;
 use proptest::prelude::*;
-use proptest::test_runner::{RngSeed, TestRunner};
-use support::crowds::{self, Crowd, ahead};
-use support::every_pixel::{check, every_pixel_is_right};
+use proptest::test_runner::TestRunner;
+
+use crate::common::seed::config;
+use crate::common::{Numbers, vec3};
+use crate::support::crowds;
+use crate::support::crowds::{Crowd, ahead};
+use crate::support::every_pixel::{check, every_pixel_is_right};
 
 /// What is wrong with a crowd's frame.
 fn faults_of(crowd: &Crowd) -> Option<String> {
@@ -234,24 +229,14 @@ fn crowd_of(seeds: &Seeds) -> Crowd {
     Crowd::new("random", spheres, camera).with_planes(planes).showing(0)
 }
 
-/// Checks so many crowds of a fixed seed, and of a fresh one, which is printed.
+/// Checks so many crowds.
 fn check_random(cases: u32) {
-    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
-    for seed in [1, now.as_nanos() as u64] {
-        println!("seed {seed}");
-        let config = ProptestConfig {
-            cases,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(seed),
-            ..ProptestConfig::default()
-        };
-        let found = TestRunner::new(config).run(&any_seeds(), |seeds| {
-            let faults = faults_of(&crowd_of(&seeds));
-            prop_assert!(faults.is_none(), "{}", faults.unwrap_or_default());
-            Ok(())
-        });
-        assert!(found.is_ok(), "{}", found.unwrap_err());
-    }
+    let found = TestRunner::new(config(cases)).run(&any_seeds(), |seeds| {
+        let faults = faults_of(&crowd_of(&seeds));
+        prop_assert!(faults.is_none(), "{}", faults.unwrap_or_default());
+        Ok(())
+    });
+    assert!(found.is_ok(), "{}", found.unwrap_err());
 }
 
 #[test]
@@ -262,7 +247,7 @@ fn crowds_of_random_cameras_are_right() {
 /// The same with many more cases.
 ///
 /// ```text
-/// cargo test --release -p pinhole-core --test crowds many_random -- --ignored --nocapture
+/// cargo test --release -p pinhole-core --test core many_random -- --ignored --nocapture
 /// ```
 #[test]
 #[ignore = "takes minutes; see the command above"]
@@ -273,7 +258,7 @@ fn crowds_of_many_random_cameras_are_right() {
 /// The scenes of the benchmark at full size, 2 million pixels each.
 ///
 /// ```text
-/// cargo test --release -p pinhole-core --test crowds hard_scenes -- --ignored --nocapture
+/// cargo test --release -p pinhole-core --test core hard_scenes -- --ignored --nocapture
 /// ```
 #[test]
 #[ignore = "takes minutes; see the command above"]

@@ -1,18 +1,12 @@
 //! Frames of crowds are the same bits whatever they are traced with: threads, SIMD levels, and which
 //! pixels besides.
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test fails by panicking and tells which levels it ran on"
-)]
 
-mod common;
-mod support;
-
-use common::Numbers;
-use common::levels::levels;
 use pinhole_core::*;
-use support::crowds::{self, Crowd, of_pixels, ordinary};
+
+use crate::common::Numbers;
+use crate::common::levels::levels;
+use crate::support::crowds;
+use crate::support::crowds::{Crowd, of_pixels, ordinary};
 
 /// Pools of 1, 2 and 3 threads.
 fn pools() -> Vec<(usize, rayon::ThreadPool)> {

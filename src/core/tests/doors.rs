@@ -1,15 +1,13 @@
 //! What is no ray, object, basis or camera gets a typed error at its door; and whoever goes on with
 //! it all the same meets no panic, no hit and no endless loop.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{given, vec3};
 use pinhole_core::methods::{Method, first_hit_by};
 use pinhole_core::*;
 use pinhole_reference::{
     Object as GivenObject, RayCase, invalid_bases, invalid_cameras, invalid_rays,
 };
+
+use crate::common::{given, vec3};
 
 /// The field that a case's text says is at fault: "center" of "center.x is NaN".
 fn field_of(what: &str) -> &str {

@@ -1,10 +1,8 @@
 //! Every checked door, each case with its whole message.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{plane, sphere, vec3};
 use pinhole_core::*;
+
+use crate::common::{plane, sphere, vec3};
 
 const NAN: f64 = f64::NAN;
 const INF: f64 = f64::INFINITY;

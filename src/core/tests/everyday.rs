@@ -1,18 +1,16 @@
 //! The lecture's everyday cases by every method, as a table: a change of accuracy is a diff.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p pinhole-core --test everyday` writes `everyday.txt` anew. No number in
+//! `UPDATE_EXPECT=1 cargo test -p pinhole-core --test core everyday` writes `everyday.txt` anew. No number in
 //! it depends on the machine: sums, products, quotients, roots and fused products of IEEE 754 alone.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
 
 use std::fmt::Write;
 
-use common::given;
 use expect_test::expect_file;
 use pinhole_core::methods::{Method, Precision, first_hit_by};
 use pinhole_core::*;
 use pinhole_reference::{Camera as GivenCamera, Hit, Object, Orientation as Given};
+
+use crate::common::given;
 
 /// A ray: as given, or through a place of a camera's viewport.
 #[derive(Clone, Copy)]

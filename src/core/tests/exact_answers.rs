@@ -1,12 +1,10 @@
 //! The lecture's answers, to 2 ulp.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
 
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
-use common::{assert_ulps, assert_ulps3, plane, root_on, roots_on, sphere, vec3};
 use pinhole_core::*;
+
+use crate::common::{assert_ulps, assert_ulps3, plane, root_on, roots_on, sphere, vec3};
 
 const BACK_WALL: Plane = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
 const WARM_UP: DVec2 = DVec2::new(0.2, -0.1);

@@ -1,16 +1,10 @@
 //! Whole frames are the same bits on every SIMD level.
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test prints and fails by panicking"
-)]
 
-mod common;
-
-use common::levels::levels;
-use common::{Numbers, camera, given, plane, sphere, vec3};
 use pinhole_core::*;
 use pinhole_reference::Family;
+
+use crate::common::levels::levels;
+use crate::common::{Numbers, camera, given, plane, sphere, vec3};
 
 /// A scene by name, its camera, and how many objects the picture shows at least.
 struct Shown {

@@ -1,11 +1,9 @@
 //! The known methods: they agree where the scene is ordinary, and fail where their docs say so.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{Numbers, camera, plane, sphere, vec3};
 use pinhole_core::methods::*;
 use pinhole_core::*;
+
+use crate::common::{Numbers, camera, plane, sphere, vec3};
 
 fn lecture_scene() -> Scene {
     let spheres = vec![

@@ -1,13 +1,11 @@
 //! Only what is asked for is kept, and colours made while tracing are those of the whole frame.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
 
 use std::sync::Mutex;
 
-use common::levels::levels;
-use common::{Numbers, camera, plane, sphere, vec3};
 use pinhole_core::*;
+
+use crate::common::levels::levels;
+use crate::common::{Numbers, camera, plane, sphere, vec3};
 
 /// Scenes whose pictures take every way that shading has: spheres from near, from far, from inside
 /// and from so far that they take the exact way, planes, runs of one pixel, background.

@@ -1,12 +1,11 @@
 //! A picture is what each pixel's ray meets first, bit for bit.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{Numbers, camera, plane, sphere, vec3};
 use expect_test::expect;
 use pinhole_core::*;
 use proptest::prelude::*;
+
+use crate::common::seed::config;
+use crate::common::{Numbers, camera, plane, sphere, vec3};
 
 /// Traces the picture and asks every pixel's ray by itself.
 #[track_caller]
@@ -135,7 +134,7 @@ fn scene_and_camera() -> impl Strategy<Value = (Scene, PosedCamera)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 150, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(150))]
 
     #[test]
     fn random_scenes((scene, camera) in scene_and_camera()) {

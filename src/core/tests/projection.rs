@@ -1,17 +1,12 @@
 //! Pixels, (u, v), view rays and projection are each other's inverses; fields of view too.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
-mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use common::{assert_ulps, vec3};
 use pinhole_core::*;
 use proptest::prelude::*;
 
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
+use crate::common::seed::config;
+use crate::common::{assert_ulps, vec3};
 
 fn with_viewport(width: f64, height: f64, columns: u32, rows: u32) -> PosedCamera {
     let viewport = Viewport { width, height, distance: 1.0 };

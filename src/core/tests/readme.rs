@@ -1,5 +1,4 @@
 //! The README's example prints what stands below it.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use pinhole_core::*;
 

@@ -1,15 +1,10 @@
 //! Where rays meet spheres and planes: planted roots are found, found roots lie on the surface.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{assert_ulps, oracle, plane, root_on, roots_on, sphere, vec3};
 use pinhole_core::*;
 use proptest::prelude::*;
 
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
+use crate::common::seed::config;
+use crate::common::{assert_ulps, oracle, plane, root_on, roots_on, sphere, vec3};
 
 fn point() -> impl Strategy<Value = DVec3> {
     [-1.0..1.0, -1.0..1.0, -1.0..1.0_f64].prop_map(DVec3::from_array)

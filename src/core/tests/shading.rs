@@ -1,10 +1,8 @@
 //! Hits as colours.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::{camera, plane, sphere, vec3};
 use pinhole_core::*;
+
+use crate::common::{camera, plane, sphere, vec3};
 
 const ORANGE: Rgb = [0xe6, 0x9f, 0x00];
 const BLUE: Rgb = [0x00, 0x72, 0xb2];

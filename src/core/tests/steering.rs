@@ -1,32 +1,18 @@
 //! The camera in the hand: whatever is dragged, a camera comes out whose v turned no more than the drag
 //! did, or a typed error.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-#[path = "steering/handles.rs"]
 mod handles;
-#[path = "steering/moves.rs"]
 mod moves;
-#[path = "steering/one_thing.rs"]
 mod one_thing;
-#[path = "steering/pointer.rs"]
 mod pointer;
-#[path = "steering/poles.rs"]
 mod poles;
-#[path = "steering/snap.rs"]
 mod snap;
-#[path = "steering/turns.rs"]
 mod turns;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use pinhole_core::*;
 use proptest::prelude::*;
-
-/// No file of failures: the seeds are in the message.
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, failure_persistence: None, ..Default::default() }
-}
 
 fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)

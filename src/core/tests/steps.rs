@@ -1,12 +1,10 @@
 //! Each step of the ladder is reached, and is needed: with the ladder cut off before it, a case with
 //! a name goes wrong.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::given;
 use pinhole_core::*;
 use pinhole_reference::{Camera as GivenCamera, Family, Hit, Object, Orientation as Given};
+
+use crate::common::given;
 
 /// Whose first hit is asked for.
 #[derive(Clone, Debug)]

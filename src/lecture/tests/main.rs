@@ -12,7 +12,4 @@ mod mistakes;
 
 use proptest::prelude::ProptestConfig;
 
-/// No file of failures: the seeds are in the message.
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
-}
+use common::seed::config;

@@ -1,7 +1,5 @@
 //! Cameras: answers that are known without a computer.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use pinhole_reference::{Camera, Object, Orientation, Real, Status, angle_between, basis};
 
 const UP: [f64; 3] = [0.0, 1.0, 0.0];

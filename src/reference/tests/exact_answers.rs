@@ -1,7 +1,5 @@
 //! Answers that are known without a computer: the lecture's, and those of small integers.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use pinhole_reference::{Object, Roots, first_hit, roots};
 
 fn sphere(center: [f64; 3], radius: f64) -> Object {

@@ -1,7 +1,5 @@
 //! The families contain what they claim.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 

@@ -1,7 +1,5 @@
 //! What must not change an answer, and what answers must have in common.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::cmp::Ordering;
 
 use pinhole_reference::{

@@ -1,5 +1,4 @@
 //! The rivals see what the ladder sees, as far as `f32` lets them.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 use std::time::Duration;
 

@@ -1,5 +1,4 @@
 //! The scenes are what they say, every time.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 use std::collections::HashSet;
 

@@ -4,7 +4,8 @@ use pinhole_core::steering::*;
 use pinhole_core::*;
 use proptest::prelude::*;
 
-use crate::{calm_camera, config, direction, given_up, vec3};
+use super::{calm_camera, direction, given_up, vec3};
+use crate::common::seed::config;
 
 /// Turned and off the origin.
 fn camera() -> Camera {

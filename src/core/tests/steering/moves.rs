@@ -4,7 +4,8 @@ use pinhole_core::steering::*;
 use pinhole_core::*;
 use proptest::prelude::*;
 
-use crate::{assert_valid, calm_camera, config, v_turn, vec3};
+use super::{assert_valid, calm_camera, v_turn, vec3};
+use crate::common::seed::config;
 
 #[test]
 fn a_dolly_never_reaches_at() {

@@ -5,7 +5,8 @@ use pinhole_core::*;
 use pinhole_reference as reference;
 use proptest::prelude::*;
 
-use super::{config, vec3};
+use super::vec3;
+use crate::common::seed::config;
 use crate::common::{assert_ulps3, ulps};
 
 /// The lecture's exercise.

@@ -4,7 +4,8 @@ use pinhole_core::steering::*;
 use pinhole_core::*;
 use proptest::prelude::*;
 
-use crate::{config, direction, vec3};
+use super::{direction, vec3};
+use crate::common::seed::config;
 
 /// From (0, 0, 10) along -z: a viewport of 2 x 2 at distance 1.
 fn straight() -> PosedCamera {

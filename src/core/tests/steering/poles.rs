@@ -7,10 +7,11 @@ use pinhole_core::*;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 
-use crate::{
-    any_camera, assert_valid, calm_camera, config, direction, given_up, is_calm, pole_gap, v_turn,
-    vec3, view_turn,
+use super::{
+    any_camera, assert_valid, calm_camera, direction, given_up, is_calm, pole_gap, v_turn, vec3,
+    view_turn,
 };
+use crate::common::seed::config;
 
 /// The eye (about at) or at (about the eye), put to a place so many lengths of the way between them
 /// off.

@@ -4,7 +4,7 @@ use pinhole_core::steering::*;
 use pinhole_core::{DVec3, shortest};
 use proptest::prelude::*;
 
-use crate::config;
+use crate::common::seed::config;
 
 #[test]
 fn decimal_steps_give_decimals() {

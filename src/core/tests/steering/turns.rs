@@ -6,9 +6,10 @@ use pinhole_core::steering::*;
 use pinhole_core::*;
 use proptest::prelude::*;
 
-use crate::{
-    angle, any_camera, assert_valid, calm_camera, config, given_up, is_calm, pole_gap, v_turn, vec3,
+use super::{
+    angle, any_camera, assert_valid, calm_camera, given_up, is_calm, pole_gap, v_turn, vec3,
 };
+use crate::common::seed::config;
 
 type Turning = fn(&Camera, f64, f64) -> Result<Camera, SteerError>;
 

@@ -1,0 +1,70 @@
+//! What makes one camera another: how far its eye is from the other's, how it is turned and rolled
+//! against it, and how its viewport differs.
+
+use glam::DVec3;
+
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::{Camera, Orientation};
+use crate::exact::scale::{angle_between, unit};
+
+/// How one camera differs from another; lengths in world units, angles in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct CameraDifference {
+    /// From the other's eye to this one's.
+    pub eye: DVec3,
+    /// From the other's at to this one's, where both are given by one.
+    pub at: Option<DVec3>,
+    /// Between the two ups.
+    pub up: f64,
+    /// Between the two u, v and w.
+    pub basis: [f64; 3],
+    /// About one axis, which takes one basis to the other (L. Euler 1775).
+    pub turn: f64,
+    /// How far this camera is rolled about its view against the one that looks the same way and is
+    /// held level by the other's up: as by [`Camera::swung`], in (-180, 180]. `None` where the other's
+    /// up is parallel to this view.
+    pub roll: Option<f64>,
+    /// This viewport's distance, less the other's.
+    pub distance: f64,
+    /// Likewise its width and height.
+    pub extent: [f64; 2],
+}
+
+impl Camera {
+    /// How this camera differs from another one.
+    ///
+    /// ```text
+    /// turn = atan2(|u' x u + v' x v + w' x w|, u' . u + v' . v + w' . w - 1)
+    /// roll = atan2(-v . u'', v . v'')       u'', v'': this view with the other's up
+    /// ```
+    ///
+    /// The first is `2 sin(turn)` and `2 cos(turn)` of the rotation's matrix, which keep the digits of
+    /// small turns and of those near 180 degrees.
+    ///
+    /// # Errors
+    /// Where one of the two has no basis.
+    pub fn difference_from(&self, other: &Camera) -> Result<CameraDifference, BasisError> {
+        let (here, there) = (self.basis()?, other.basis()?);
+        let pairs = [(here.u, there.u), (here.v, there.v), (here.w, there.w)];
+        let sin: DVec3 = pairs.iter().map(|(a, b)| b.cross(*a)).sum();
+        let cos = pairs.iter().map(|(a, b)| b.dot(*a)).sum::<f64>() - 1.0;
+        let at = match (self.orientation, other.orientation) {
+            (Orientation::At { at, .. }, Orientation::At { at: from, .. }) => Some(at - from),
+            _ => None,
+        };
+        let level = Basis::from_view_up(-here.w, other.up()).ok();
+        let (now, then) = (self.viewport, other.viewport);
+        Ok(CameraDifference {
+            eye: self.eye - other.eye,
+            at,
+            up: angle_between(unit(self.up()), unit(other.up())).to_degrees(),
+            basis: pairs.map(|(a, b)| angle_between(a, b).to_degrees()),
+            turn: sin.length().atan2(cos).to_degrees(),
+            roll: level
+                .map(|level| (-here.v.dot(level.u)).atan2(here.v.dot(level.v)).to_degrees() + 0.0),
+            distance: now.distance - then.distance,
+            extent: [now.width - then.width, now.height - then.height],
+        })
+    }
+}

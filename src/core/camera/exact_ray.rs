@@ -1,0 +1,166 @@
+//! A ray with all its digits: any ray as given, or a camera's view ray, whose direction no `f64`
+//! holds.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::image::Pixel;
+use crate::camera::ray::{Ray, RayError};
+use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::exact::big_ray::BigRay;
+use crate::exact::bounded::{Vector, length, near, scaled};
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::quadratic::DirectionParts;
+use crate::exact::scale::ldexp;
+use crate::exact::steps::Step;
+
+/// A ray on which every decision is what exact real arithmetic gives.
+///
+/// - Of a [`Ray`], origin and direction are meant as given, to the bit ([`ExactRay::of`]).
+/// - Of a camera's view ray, eye, at (or view), up, viewport and image are: nothing in between is
+///   rounded, neither the basis nor (u, v) nor the direction
+///   ([`PosedCamera::exact_ray`](PosedCamera::exact_ray)).
+///
+/// Both are the same to the intersection code: a direction in double-double with a bound of its
+/// error, and, where that does not suffice, the exact numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct ExactRay<'a> {
+    origin: DVec3,
+    source: Source<'a>,
+    /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
+    /// within 1e-30 and 1e30.
+    pub(crate) fine: DirectionParts<DoubleDouble>,
+    /// The same, rounded.
+    pub(crate) rough: DirectionParts<f64>,
+    pub(crate) scale: i32,
+    /// A whole number: a pixel's (u, v) times it has no denominator.
+    pub(crate) stretch: f64,
+    /// The last step that decisions on this ray may take.
+    pub(crate) last: Step,
+}
+
+/// What the exact numbers are made of.
+#[derive(Clone, Copy, Debug)]
+enum Source<'a> {
+    Given(DVec3),
+    View(&'a PosedCamera, ViewPlace),
+}
+
+impl PosedCamera {
+    /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
+    /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
+    pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
+        ExactRay::of_view(self, ViewPlace::Pixel(pixel))
+    }
+
+    /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
+    ///
+    /// # Errors
+    /// Where u or v is not finite.
+    pub fn exact_ray_at(&self, uv: DVec2) -> Result<ExactRay<'_>, RayError> {
+        if !uv.is_finite() {
+            return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
+        }
+        Ok(ExactRay::of_view(self, ViewPlace::Uv(uv)))
+    }
+}
+
+impl<'a> ExactRay<'a> {
+    /// The ray as given.
+    ///
+    /// # Errors
+    /// Where a coordinate is not finite or the direction is zero.
+    pub fn of(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
+        ray.check()?;
+        let (direction, scale) = scaled(ray.direction.to_array().map(DoubleDouble::from));
+        Ok(ExactRay::new(ray.origin, Source::Given(ray.direction), direction, 0.0, scale, 1.0))
+    }
+
+    /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
+    pub(crate) fn of_view(camera: &'a PosedCamera, place: ViewPlace) -> ExactRay<'a> {
+        let (direction, scale) = camera.fine_direction(place);
+        let (direction, more) = scaled(direction);
+        let doubt = camera.fine_basis().direction_doubt();
+        let (source, stretch) = (Source::View(camera, place), place.stretch(camera.image()));
+        ExactRay::new(camera.eye(), source, direction, doubt, scale + more, stretch)
+    }
+
+    fn new<'b>(
+        origin: DVec3,
+        source: Source<'b>,
+        d: Vector<DoubleDouble>,
+        doubt: f64,
+        scale: i32,
+        stretch: f64,
+    ) -> ExactRay<'b> {
+        let rounded = near(d);
+        let length = length(rounded);
+        let fine = DirectionParts { d, length, doubt };
+        // Of a given ray no digit is lost.
+        let rounding = if doubt == 0.0 { 0.0 } else { 0.5 * f64::EPSILON };
+        let rough = DirectionParts { d: rounded, length, doubt: doubt + rounding };
+        ExactRay { origin, source, fine, rough, scale, stretch, last: Step::Exact }
+    }
+
+    /// The same ray with the ladder cut off after a step, to show what the later steps are for: in
+    /// teaching, and in tests.
+    ///
+    /// What lies within that step's doubt is decided by its rounded sign, a rounded 0 counting as 0;
+    /// `t` and normal are that step's own. Later steps are not run. This goes for all that is asked
+    /// of this ray: whether it meets an object, where its origin is, and which hit comes first.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// // By the triple 375040001^2 + 200010000^2 = 425040001^2 the ray touches the sphere.
+    /// let ball = Sphere::new([37303990100.0, 20376040001.0, 0.0], 425040001.0)?;
+    /// let scene = Scene::new(vec![ball], vec![])?;
+    /// let ray = ExactRay::of(&Ray::new([0.0; 3], [375040001.0, 200010000.0, 0.0])?)?;
+    /// assert_eq!(scene.first_hit_of(&ray).map(|hit| hit.t), Some(100.0));
+    /// assert!(scene.first_hit_of(&ray.cut_off_after(Step::F64)).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn cut_off_after(self, step: Step) -> Self {
+        ExactRay { last: step, ..self }
+    }
+
+    /// The point at `t = 0`.
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    /// The pixel whose view ray this is, if it is one's.
+    pub fn pixel(&self) -> Option<Pixel> {
+        match self.source {
+            Source::View(_, ViewPlace::Pixel(pixel)) => Some(pixel),
+            _ => None,
+        }
+    }
+
+    /// The direction of a ray as given; `None` of a view ray.
+    pub(crate) fn given(&self) -> Option<DVec3> {
+        match self.source {
+            Source::Given(direction) => Some(direction),
+            Source::View(..) => None,
+        }
+    }
+
+    /// The ray in `f64`: the direction rounded.
+    pub fn rounded(&self) -> Ray {
+        let direction = match self.source {
+            Source::Given(direction) => direction,
+            Source::View(..) => {
+                let stretch = DoubleDouble::from(self.stretch);
+                let round = |x: DoubleDouble| ldexp((x / stretch).hi, self.scale);
+                DVec3::from_array(self.fine.d.map(round))
+            }
+        };
+        Ray { origin: self.origin, direction }
+    }
+
+    /// The exact numbers.
+    pub(crate) fn big(&self) -> BigRay {
+        match self.source {
+            Source::Given(direction) => BigRay::given(self.origin, direction),
+            Source::View(camera, place) => camera.big_ray(place),
+        }
+    }
+}

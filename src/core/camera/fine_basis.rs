@@ -1,0 +1,332 @@
+//! A camera's basis in double-double, with a bound of its error, and in exact numbers.
+
+use glam::DVec3;
+
+use crate::camera::basis::{Basis, BasisError, UpAngle, check_finite};
+use crate::exact::bounded;
+use crate::exact::bounded::{Number, Vector, scaled};
+use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::dyadic::{Dyadic, Exact3, cross, dot, exact3, minus, ratio};
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::scale::{ldexp, unit};
+use crate::exact::steps::Step;
+use crate::exact::surd::Radicands;
+
+/// u, v, w in double-double.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct FineBasis {
+    pub(crate) u: Vector<DoubleDouble>,
+    pub(crate) v: Vector<DoubleDouble>,
+    pub(crate) w: Vector<DoubleDouble>,
+    /// How far each of the vectors may be off.
+    doubt: f64,
+}
+
+/// A view direction, as the inputs give it: `at - eye` has digits that no `f64` holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ViewGiven {
+    /// `to - from`
+    Between { from: DVec3, to: DVec3 },
+    /// The direction itself.
+    Along(DVec3),
+}
+
+impl ViewGiven {
+    /// In units of `2^k`, with what rounding left out.
+    fn fine(&self) -> (Vector<DoubleDouble>, i32) {
+        let (view, rest, k) = match *self {
+            ViewGiven::Between { from, to } => difference_with_rest(to, from),
+            ViewGiven::Along(view) => (view, DVec3::ZERO, 0),
+        };
+        (std::array::from_fn(|i| DoubleDouble { hi: view[i], lo: rest[i] }), k)
+    }
+
+    /// Rounded; a quarter of it where it overflows.
+    pub(crate) fn rounded(&self) -> DVec3 {
+        DVec3::from_array(self.fine().0.map(DoubleDouble::near))
+    }
+
+    pub(crate) fn big(&self) -> Exact3 {
+        match *self {
+            ViewGiven::Between { from, to } => minus(&exact3(to), &exact3(from)),
+            ViewGiven::Along(view) => exact3(view),
+        }
+    }
+}
+
+/// What a basis from view and up is made of, exactly: with `f` the view and `R = f x up`,
+/// `w = -f / sqrt A`, `u = R / sqrt B` and `v = w x u = (R x f) / sqrt(A B)`, where `A = |f|^2` and
+/// `B = |R|^2`.
+#[derive(Clone, Debug)]
+pub(crate) struct BigBasis {
+    pub(crate) view: Exact3,
+    pub(crate) right: Exact3,
+    /// `R x f`
+    pub(crate) upward: Exact3,
+    pub(crate) of: Radicands,
+}
+
+impl BigBasis {
+    pub(crate) fn new(view: &ViewGiven, up: DVec3) -> BigBasis {
+        let view = view.big();
+        let right = cross(&view, &exact3(up));
+        let upward = cross(&right, &view);
+        let of = Radicands::new(dot(&view, &view), dot(&right, &right));
+        BigBasis { view, right, upward, of }
+    }
+}
+
+/// The sine of the least angle between view and up that double-double is enough for: 2^-20, about
+/// 1e-6 rad. There, R still has 9 digits more than rounding it to `f64` needs, and exact numbers would
+/// cost microseconds.
+const LEAST_SINE: f64 = 1.0 / (1 << 20) as f64;
+
+impl FineBasis {
+    /// From a view direction and up, neither of them zero; `None` where up is exactly parallel to
+    /// the view.
+    ///
+    /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is much shorter than
+    /// `|f| |up|` the exact numbers take over, so that no angle costs accuracy.
+    ///
+    /// With the ladder cut off after `last`, that step's rounded numbers must do. Told along with the
+    /// basis is the step that it took.
+    pub(crate) fn from_view_up(
+        view: &ViewGiven,
+        up: DVec3,
+        last: Step,
+    ) -> (Option<FineBasis>, Step) {
+        if last == Step::F64 {
+            return (FineBasis::by_textbook(view, up), last);
+        }
+        let may_be_exact = last == Step::Exact;
+        let exactly = || (FineBasis::from_exact(view, up), Step::Exact);
+        let (f, _) = scaled(view.fine().0);
+        let (up_scaled, _) = scaled(up.to_array().map(DoubleDouble::from));
+        let right = bounded::cross(f, up_scaled);
+        let length = |v: Vector<DoubleDouble>| bounded::length(bounded::near(v));
+        let sine = length(right) / (length(f) * length(up_scaled));
+        if may_be_exact && (sine.is_nan() || sine < LEAST_SINE) {
+            return exactly();
+        }
+        if length(right) == 0.0 {
+            return (None, last);
+        }
+        let fine_unit = |v: Vector<DoubleDouble>| {
+            let length = bounded::dot(v, v).square_root();
+            v.map(|x| x / length)
+        };
+        let (u, w) = (fine_unit(right), fine_unit(f).map(|x| -x));
+        // u and w have half a dot product's error, a root's and a quotient's; u R's besides; v has
+        // both and a cross product's.
+        type T = DoubleDouble;
+        let unit_doubt = 0.5 * T::DOT + T::ROOT + T::QUOTIENT;
+        let doubt = 1.05 * (2.0 * unit_doubt + T::CROSS / sine + T::CROSS);
+        let basis = FineBasis { u, v: bounded::cross(w, u), w, doubt };
+        // A coordinate that may be 0 is 0 on the screen, if it is.
+        let may_be_zero = |x: &DoubleDouble| x.hi != 0.0 && x.hi.abs() <= 2.0 * doubt;
+        let in_doubt = [u, basis.v, w].iter().flatten().any(may_be_zero);
+        if may_be_exact && in_doubt { exactly() } else { (Some(basis), Step::DoubleDouble) }
+    }
+
+    /// The textbook's formula in `f64`; `None` where its cross product is rounded to 0.
+    fn by_textbook(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
+        let (view, up) = (unit(view.rounded()), unit(up));
+        let right = up.cross(-view);
+        if right == DVec3::ZERO {
+            return None;
+        }
+        let (u, w) = (unit(right), -view);
+        Some(FineBasis::given(&Basis { u, v: w.cross(u), w }))
+    }
+
+    /// The same from exact numbers: each coordinate is off by `3 u^2` at most.
+    pub(crate) fn from_exact(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
+        let BigBasis { view, right, upward, of } = BigBasis::new(view, up);
+        if of.b.is_zero() {
+            return None;
+        }
+        let ab = &of.a * &of.b;
+        let u = over_root(&right, &of.b);
+        let v = over_root(&upward, &ab);
+        let w = over_root(&view, &of.a).map(|x| -x);
+        Some(FineBasis { u, v, w, doubt: 3.0 * U2 })
+    }
+
+    /// A basis as given.
+    pub(crate) fn given(basis: &Basis) -> FineBasis {
+        let exactly = |v: DVec3| v.to_array().map(DoubleDouble::from);
+        let Basis { u, v, w } = *basis;
+        FineBasis { u: exactly(u), v: exactly(v), w: exactly(w), doubt: 0.0 }
+    }
+
+    /// In `f64`: each coordinate rounded once, so that a vector is off by at most 1e-16.
+    pub(crate) fn rounded(&self) -> Basis {
+        // Added to 0, a negative zero is 0, which readers expect to see.
+        let near = |v: Vector<DoubleDouble>| DVec3::from_array(v.map(|x| x.hi + 0.0));
+        Basis { u: near(self.u), v: near(self.v), w: near(self.w) }
+    }
+
+    /// How far the direction `x u + y v + z w` may be off, as a share of its length: with
+    /// `|x| + |y| + |z| <= sqrt 3` lengths, the vectors' own doubt, a product and two sums.
+    pub(crate) fn direction_doubt(&self) -> f64 {
+        // Given by hand, the vectors are orthonormal within 1e-9 only, which is in the 1.74.
+        1.74 * (self.doubt + DoubleDouble::DOT)
+    }
+
+    /// How far each vector may be off.
+    pub(crate) fn doubt(&self) -> f64 {
+        self.doubt
+    }
+
+    /// `x u + y v - z w`
+    pub(crate) fn direction(&self, [x, y, z]: Vector<DoubleDouble>) -> Vector<DoubleDouble> {
+        std::array::from_fn(|i| x * self.u[i] + y * self.v[i] - z * self.w[i])
+    }
+}
+
+/// `(|view x up|, view . up, |view| |up|)` in units of one power of two: what the angle between view
+/// and up is made of. The first keeps its digits however small it is.
+pub(crate) fn angle_parts(view: &ViewGiven, up: DVec3) -> (f64, f64, f64) {
+    let (f, quartered) = view.fine();
+    let ((f, view_scale), (g, up_scale)) =
+        (scaled(f), scaled(up.to_array().map(DoubleDouble::from)));
+    let right = bounded::length(bounded::near(bounded::cross(f, g)));
+    let lengths = bounded::length(bounded::near(f)) * bounded::length(bounded::near(g));
+    let along = bounded::dot(f, g).hi;
+    if right > LEAST_SINE * lengths {
+        return (right, along, lengths);
+    }
+    let (square, k) = BigBasis::new(view, up).of.b.to_double_double();
+    // An even power of two goes through the root.
+    let odd = k.rem_euclid(2);
+    let right =
+        ldexp(ldexp(square.hi, odd).sqrt(), (k - odd) / 2 - quartered - view_scale - up_scale);
+    (right, along, lengths)
+}
+
+/// `v / sqrt square`, each coordinate in double-double.
+pub(crate) fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
+    const DIGITS: i32 = 130;
+    let places = DIGITS - square.log2().div_euclid(2);
+    let root = square.fixed_root(places);
+    v.each_ref().map(|x| {
+        let (numerator, exponent) = x.parts();
+        let (quotient, k) = ratio(numerator, &root, exponent + places);
+        quotient.scaled(k)
+    })
+}
+
+/// `v / sqrt square`, each coordinate rounded once.
+pub fn over_root_rounded(v: &Exact3, square: &Dyadic) -> DVec3 {
+    // Added to 0, a negative zero is 0.
+    DVec3::from_array(over_root(v, square).map(|x| x.hi + 0.0))
+}
+
+/// The basis of a view direction and up, both finite and not zero.
+///
+/// # Errors
+/// Where they are exactly parallel.
+pub(crate) fn basis_of(
+    view: &ViewGiven,
+    up: DVec3,
+    last: Step,
+) -> Result<(FineBasis, Step), BasisError> {
+    let (basis, step) = FineBasis::from_view_up(view, up, last);
+    let parallel = || BasisError::UpParallelToView { up, view: view.rounded() };
+    Ok((basis.ok_or_else(parallel)?, step))
+}
+
+/// A checked view direction and up, neither of them zero.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aim {
+    pub(crate) view: ViewGiven,
+    pub(crate) up: DVec3,
+}
+
+impl Aim {
+    pub(crate) fn along(view: DVec3, up: DVec3) -> Result<Aim, BasisError> {
+        check_finite("view", view)?;
+        check_finite("up", up)?;
+        if view == DVec3::ZERO {
+            return Err(BasisError::ViewIsZero);
+        }
+        Aim { view: ViewGiven::Along(view), up }.with_up()
+    }
+
+    pub(crate) fn from_to(eye: DVec3, at: DVec3, up: DVec3) -> Result<Aim, BasisError> {
+        for (field, value) in [("eye", eye), ("at", at), ("up", up)] {
+            check_finite(field, value)?;
+        }
+        if eye == at {
+            return Err(BasisError::EyeIsAt { point: eye });
+        }
+        Aim { view: ViewGiven::Between { from: eye, to: at }, up }.with_up()
+    }
+
+    fn with_up(self) -> Result<Aim, BasisError> {
+        if self.up == DVec3::ZERO { Err(BasisError::UpIsZero) } else { Ok(self) }
+    }
+
+    pub(crate) fn fine_basis(&self) -> Result<FineBasis, BasisError> {
+        Ok(self.fine_basis_up_to(Step::Exact)?.0)
+    }
+
+    /// With the ladder cut off after a step, and the step that it took.
+    pub(crate) fn fine_basis_up_to(&self, last: Step) -> Result<(FineBasis, Step), BasisError> {
+        basis_of(&self.view, self.up, last)
+    }
+
+    fn up_angle(&self) -> Result<UpAngle, BasisError> {
+        self.fine_basis()?;
+        let (right, along, lengths) = angle_parts(&self.view, self.up);
+        let conditioning = (lengths / right).min(f64::MAX);
+        Ok(UpAngle { angle: right.atan2(along), conditioning })
+    }
+}
+
+impl Basis {
+    /// The basis of a camera that looks along `view`, level with respect to `up`:
+    ///
+    /// ```text
+    /// w = -view / |view|     u = up x w / |up x w|     v = w x u
+    /// ```
+    ///
+    /// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) No length of
+    /// `view` and `up` overflows or underflows, and an `up` close to `view` costs no accuracy: each
+    /// coordinate of u, v and w is the exact one, rounded, however small the angle. Whether up is
+    /// parallel to view is decided exactly.
+    ///
+    /// # Errors
+    /// Where a value is not finite, a vector is zero, or up is parallel to view.
+    pub fn from_view_up(view: DVec3, up: DVec3) -> Result<Basis, BasisError> {
+        Ok(Aim::along(view, up)?.fine_basis()?.rounded())
+    }
+
+    /// The basis of a camera at `eye` that looks at the point `at`: [`Basis::from_view_up`] with
+    /// `view = at - eye`, which is not rounded.
+    ///
+    /// # Errors
+    /// Where a value is not finite, `eye` is `at`, `up` is zero, or up is parallel to `at - eye`.
+    pub fn from_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<Basis, BasisError> {
+        Ok(Aim::from_to(eye, at, up)?.fine_basis()?.rounded())
+    }
+}
+
+impl UpAngle {
+    /// The angle between `up` and `view`, by `atan2(|up x view|, up . view)` (accurate at both
+    /// ends, where arc cosine is not), and `|up| |view| / |up x view|`, at most `f64::MAX`.
+    ///
+    /// # Errors
+    /// As [`Basis::from_view_up`].
+    pub fn between(view: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
+        Aim::along(view, up)?.up_angle()
+    }
+
+    /// [`UpAngle::between`] of `up` and `at - eye`.
+    ///
+    /// # Errors
+    /// As [`Basis::from_eye_at_up`].
+    pub fn of_eye_at_up(eye: DVec3, at: DVec3, up: DVec3) -> Result<UpAngle, BasisError> {
+        Aim::from_to(eye, at, up)?.up_angle()
+    }
+}

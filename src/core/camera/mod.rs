@@ -1,0 +1,276 @@
+//! The camera as it is given and edited.
+
+pub(crate) mod basis;
+pub(crate) mod difference;
+pub(crate) mod exact_ray;
+pub(crate) mod fine_basis;
+pub(crate) mod image;
+pub(crate) mod intrinsics;
+pub(crate) mod ray;
+pub(crate) mod resolved;
+pub(crate) mod rotation;
+pub(crate) mod viewport;
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::camera::basis::{Basis, BasisError, UpAngle};
+use crate::camera::fine_basis::{Aim, FineBasis};
+use crate::camera::image::{ImageError, ImageSize};
+use crate::camera::resolved::{AimGiven, PosedCamera};
+use crate::camera::viewport::{Viewport, ViewportError};
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::scale::unit;
+use crate::exact::steps::Step;
+
+/// Where the camera looks and which way is up: one of the three ways to say so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Orientation {
+    /// Looks at the point `at`, level with respect to `up`.
+    At {
+        /// The point in the middle of the image.
+        at: DVec3,
+        /// A hint that keeps the camera level; not v.
+        up: DVec3,
+    },
+    /// Looks along `view`, level with respect to `up`.
+    View {
+        /// The direction the camera looks along, of any length.
+        view: DVec3,
+        /// A hint that keeps the camera level; not v.
+        up: DVec3,
+    },
+    /// u, v, w set by hand, used as given.
+    Basis(Basis),
+}
+
+/// The three ways to give an [`Orientation`], without the values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum OrientationKind {
+    /// By a point to look at and up.
+    At,
+    /// By a direction to look along and up.
+    View,
+    /// By u, v, w.
+    Basis,
+}
+
+/// A camera as given. The same type serves the edited camera and the observer of the world view.
+///
+/// Any values may stand here while they are edited; [`Camera::posed`] is the door at which they
+/// are checked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The origin of every view ray.
+    pub eye: DVec3,
+    /// Where it looks, and which way is up.
+    pub orientation: Orientation,
+    /// Width, height and distance of the viewport.
+    pub viewport: Viewport,
+    /// W x H pixels.
+    pub image: ImageSize,
+}
+
+/// Why a camera sees nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CameraError {
+    /// There is no basis.
+    Basis(BasisError),
+    /// The viewport has no extent or distance.
+    Viewport(ViewportError),
+    /// The image has no pixels, or too many.
+    Image(ImageError),
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            CameraError::Basis(e) => e.fmt(f),
+            CameraError::Viewport(e) => e.fmt(f),
+            CameraError::Image(e) => e.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for CameraError {}
+
+impl From<BasisError> for CameraError {
+    fn from(e: BasisError) -> Self {
+        CameraError::Basis(e)
+    }
+}
+
+impl From<ViewportError> for CameraError {
+    fn from(e: ViewportError) -> Self {
+        CameraError::Viewport(e)
+    }
+}
+
+impl From<ImageError> for CameraError {
+    fn from(e: ImageError) -> Self {
+        CameraError::Image(e)
+    }
+}
+
+impl Camera {
+    /// The lecture's canonical camera: eye at the origin, looking along -z, viewport 1 x 1 at
+    /// distance 1, 400 x 400 pixels.
+    pub const CANONICAL: Camera = Camera {
+        eye: DVec3::ZERO,
+        orientation: Orientation::At { at: DVec3::NEG_Z, up: DVec3::Y },
+        viewport: Viewport::CANONICAL,
+        image: match ImageSize::new(400, 400) {
+            Ok(size) => size,
+            Err(_) => unreachable!(),
+        },
+    };
+
+    /// The camera's basis.
+    ///
+    /// # Errors
+    /// Where there is none, see [`BasisError`].
+    pub fn basis(&self) -> Result<Basis, BasisError> {
+        Ok(self.basis_cut_off_after(Step::Exact)?.0)
+    }
+
+    /// The basis with the ladder cut off after a step, to show what the later steps are for, and the
+    /// step that it took. [`Step::Exact`] cuts off nothing; after [`Step::F64`] it is the textbook's
+    /// formula in `f64`, which the ladder itself never uses.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let eye = DVec3::new(0.1, 0.2, 0.3);
+    /// let orientation = Orientation::At { at: 3.0 * eye, up: DVec3::new(1.0, 2.0, 3.0) };
+    /// let (_, step) = Camera { eye, orientation, ..Camera::CANONICAL }
+    ///     .basis_cut_off_after(Step::Exact)?;
+    /// assert_eq!(step, Step::Exact);
+    /// # Ok::<(), BasisError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Where there is none, in what that step knows.
+    pub fn basis_cut_off_after(&self, step: Step) -> Result<(Basis, Step), BasisError> {
+        let (_, basis, step) = self.aim(step)?;
+        Ok((basis.rounded(), step))
+    }
+
+    /// What the basis is made of, the basis with all its digits, and the step that it took.
+    fn aim(&self, last: Step) -> Result<(AimGiven, FineBasis, Step), BasisError> {
+        if !self.eye.is_finite() {
+            return Err(BasisError::NotFinite { field: "eye", value: self.eye });
+        }
+        let aim = match self.orientation {
+            Orientation::At { at, up } => Aim::from_to(self.eye, at, up)?,
+            Orientation::View { view, up } => Aim::along(view, up)?,
+            Orientation::Basis(Basis { u, v, w }) => {
+                let basis = FineBasis::given(&Basis::by_hand(u, v, w)?);
+                return Ok((AimGiven::Basis, basis, Step::F64));
+            }
+        };
+        let (basis, step) = aim.fine_basis_up_to(last)?;
+        Ok((AimGiven::ViewUp(aim.view, aim.up), basis, step))
+    }
+
+    /// The angle between up and the view direction. A basis given by hand has v for its up.
+    ///
+    /// # Errors
+    /// Where there is no basis.
+    pub fn up_angle(&self) -> Result<UpAngle, BasisError> {
+        self.basis()?;
+        match self.orientation {
+            Orientation::At { at, up } => UpAngle::of_eye_at_up(self.eye, at, up),
+            Orientation::View { view, up } => UpAngle::between(view, up),
+            Orientation::Basis(_) => Ok(UpAngle::OF_BASIS_BY_HAND),
+        }
+    }
+
+    /// The direction the camera looks along, as given: `view`, `at - eye` (a quarter of it where it
+    /// overflows), or `-w`.
+    pub fn view(&self) -> DVec3 {
+        match self.orientation {
+            Orientation::At { at, .. } => difference_with_rest(at, self.eye).0,
+            Orientation::View { view, .. } => view,
+            Orientation::Basis(basis) => -basis.w,
+        }
+    }
+
+    /// The up vector as given; v for a basis given by hand.
+    pub fn up(&self) -> DVec3 {
+        match self.orientation {
+            Orientation::At { up, .. } | Orientation::View { up, .. } => up,
+            Orientation::Basis(basis) => basis.v,
+        }
+    }
+
+    /// The camera with everything that its view rays need.
+    ///
+    /// # Errors
+    /// Where it has no basis or its viewport is not a rectangle in front of the eye.
+    pub fn posed(&self) -> Result<PosedCamera, CameraError> {
+        let (aim, basis, _) = self.aim(Step::Exact)?;
+        self.viewport.check()?;
+        Ok(PosedCamera::new(self.eye, aim, basis, self.viewport, self.image))
+    }
+
+    /// The same camera with its orientation given in another way.
+    ///
+    /// The eye does not move and up stays; from a basis, up is v. From `view` or a basis, `at` is
+    /// `eye + view` or `eye - w`, and where that sum rounds the direction away (an eye at 1e12) the
+    /// nearest of `eye + 2 view`, `eye + 4 view`, ... that keeps it: the direction turns by at most
+    /// [`Camera::TURN_TOLERANCE`] in each coordinate, and the basis by that times the conditioning.
+    ///
+    /// A camera without a basis is converted too, and has none afterwards.
+    ///
+    /// # Errors
+    /// To a basis from a camera that has none. To `at` from an eye so far out that no `f64` beyond
+    /// it keeps the direction: there, eye and at are the same point.
+    pub fn given_by(&self, kind: OrientationKind) -> Result<Camera, BasisError> {
+        let orientation = match (kind, self.orientation) {
+            (kind, orientation) if kind == orientation.kind() => orientation,
+            (OrientationKind::At, _) => {
+                Orientation::At { at: point_ahead(self.eye, self.view())?, up: self.up() }
+            }
+            (OrientationKind::View, _) => Orientation::View { view: self.view(), up: self.up() },
+            (OrientationKind::Basis, _) => Orientation::Basis(self.basis()?),
+        };
+        Ok(Camera { orientation, ..*self })
+    }
+
+    /// How far a conversion by [`Camera::given_by`] may turn the view direction, in each coordinate
+    /// of the unit vector: 4 times the spacing of `f64` at 1.
+    pub const TURN_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+}
+
+/// `eye + 2^k view` with the smallest `k >= 0` that keeps the direction.
+fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
+    let has_direction = |v: DVec3| v.is_finite() && v != DVec3::ZERO;
+    if !(has_direction(view) && eye.is_finite()) {
+        return Ok(eye + view);
+    }
+    let direction = unit(view);
+    let mut reach = view;
+    while reach.is_finite() {
+        let at = eye + reach;
+        let seen = difference_with_rest(at, eye).0;
+        if has_direction(seen)
+            && (unit(seen) - direction).abs().max_element() <= Camera::TURN_TOLERANCE
+        {
+            return Ok(at);
+        }
+        reach *= 2.0;
+    }
+    Err(BasisError::EyeIsAt { point: eye })
+}
+
+impl Orientation {
+    /// Which of the three ways this is.
+    pub fn kind(&self) -> OrientationKind {
+        match self {
+            Orientation::At { .. } => OrientationKind::At,
+            Orientation::View { .. } => OrientationKind::View,
+            Orientation::Basis(_) => OrientationKind::Basis,
+        }
+    }
+}

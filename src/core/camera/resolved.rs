@@ -1,0 +1,355 @@
+//! A camera with its basis found: pixels, (u, v), view rays, and projection, each the inverse of
+//! another.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::basis::Basis;
+use crate::camera::fine_basis::{BigBasis, FineBasis, ViewGiven};
+use crate::camera::image::{ImageSize, Pixel};
+use crate::camera::ray::Ray;
+use crate::camera::viewport::Viewport;
+use crate::exact::big_ray::BigRay;
+use crate::exact::bounded::{Vector, scaled};
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::dyadic::{Dyadic, exact3, times};
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::scale::{exponent, ldexp};
+use crate::exact::surd::{Radicands, Surd};
+
+/// A [`Camera`](crate::Camera) that passed every check: eye, basis, viewport and image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PosedCamera {
+    eye: DVec3,
+    aim: AimGiven,
+    basis: Basis,
+    fine_basis: FineBasis,
+    viewport: Viewport,
+    image: ImageSize,
+}
+
+/// What the basis was made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum AimGiven {
+    /// A view direction and up.
+    ViewUp(ViewGiven, DVec3),
+    /// u, v, w themselves.
+    Basis,
+}
+
+/// Where in the viewport a view ray passes, exactly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ViewPlace {
+    /// Through a pixel's centre.
+    Pixel(Pixel),
+    /// Through this (u, v).
+    Uv(DVec2),
+}
+
+impl ViewPlace {
+    /// The whole number that takes the denominator out of (u, v): `2 W H` for a pixel.
+    pub(crate) fn stretch(self, image: ImageSize) -> f64 {
+        match self {
+            ViewPlace::Pixel(_) => 2.0 * f64::from(image.width()) * f64::from(image.height()),
+            ViewPlace::Uv(_) => 1.0,
+        }
+    }
+}
+
+/// The pixel that a (u, v) falls into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelOfUv {
+    /// The pixel; on an edge, the one to the right of it or below it (inside the image).
+    pub pixel: Pixel,
+    /// `k` where u is exactly on the edge between columns `k - 1` and `k` (0 and W are the image's
+    /// own edges).
+    pub column_edge: Option<u32>,
+    /// `k` where v is exactly on the edge between rows `k - 1` and `k`.
+    pub row_edge: Option<u32>,
+}
+
+/// Where a point of the world appears in the viewport.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// Where the line through eye and point meets the viewport's plane. Not finite where the line
+    /// is parallel to it (depth 0).
+    pub uv: DVec2,
+    /// How far in front of the eye the point is, along -w, in world units; negative behind,
+    /// infinite where it overflows.
+    pub depth: f64,
+}
+
+impl Projection {
+    /// Whether the point lies in front of the eye, so that a view ray can reach it.
+    pub fn is_in_front(&self) -> bool {
+        self.depth > 0.0
+    }
+}
+
+impl PixelOfUv {
+    /// The pixels that the (u, v) touches: one inside a pixel, two on an edge, four on a corner;
+    /// fewer at the image's border. Row by row.
+    pub fn touching(&self, image: ImageSize) -> Vec<Pixel> {
+        let around = |edge: Option<u32>, own: u32, count: u32| match edge {
+            Some(k) => k.saturating_sub(1)..(k + 1).min(count),
+            None => own..own + 1,
+        };
+        let columns = around(self.column_edge, self.pixel.column, image.width());
+        around(self.row_edge, self.pixel.row, image.height())
+            .flat_map(|row| columns.clone().map(move |column| Pixel { row, column }))
+            .collect()
+    }
+}
+
+impl PosedCamera {
+    /// Only [`Camera::posed`](crate::Camera::posed) calls this, after its checks.
+    pub(crate) fn new(
+        eye: DVec3,
+        aim: AimGiven,
+        fine_basis: FineBasis,
+        viewport: Viewport,
+        image: ImageSize,
+    ) -> Self {
+        PosedCamera { eye, aim, basis: fine_basis.rounded(), fine_basis, viewport, image }
+    }
+
+    /// The origin of every view ray.
+    pub fn eye(&self) -> DVec3 {
+        self.eye
+    }
+
+    /// u, v, w.
+    pub fn basis(&self) -> &Basis {
+        &self.basis
+    }
+
+    /// Width, height, distance.
+    pub fn viewport(&self) -> &Viewport {
+        &self.viewport
+    }
+
+    /// W x H.
+    pub fn image(&self) -> ImageSize {
+        self.image
+    }
+
+    /// (u, v) of a pixel's centre:
+    ///
+    /// ```text
+    /// u = width  * ((column + 0.5) / W - 0.5)
+    /// v = height * (0.5 - (row + 0.5) / H)
+    /// ```
+    ///
+    /// written as `width * (2 column + 1 - W) / (2 W)`, whose numerator is exact.
+    pub fn uv_of_pixel(&self, pixel: Pixel) -> DVec2 {
+        DVec2::new(self.u_of_column(pixel.column), self.v_of_row(pixel.row))
+    }
+
+    /// u of the centre of a column, see [`PosedCamera::uv_of_pixel`].
+    pub fn u_of_column(&self, column: u32) -> f64 {
+        let (j, w) = (f64::from(column), f64::from(self.image.width()));
+        self.viewport.width * ((2.0 * j + 1.0 - w) / (2.0 * w))
+    }
+
+    /// v of the centre of a row, see [`PosedCamera::uv_of_pixel`].
+    pub fn v_of_row(&self, row: u32) -> f64 {
+        let (i, h) = (f64::from(row), f64::from(self.image.height()));
+        self.viewport.height * ((h - 2.0 * i - 1.0) / (2.0 * h))
+    }
+
+    /// u of the edge between columns `k - 1` and `k`, `k` from 0 to W: `width * (k / W - 0.5)`.
+    pub fn u_of_column_edge(&self, k: u32) -> f64 {
+        let (k, w) = (f64::from(k), f64::from(self.image.width()));
+        self.viewport.width * ((2.0 * k - w) / (2.0 * w))
+    }
+
+    /// v of the edge between rows `k - 1` and `k`, `k` from 0 to H: `height * (0.5 - k / H)`.
+    pub fn v_of_row_edge(&self, k: u32) -> f64 {
+        let (k, h) = (f64::from(k), f64::from(self.image.height()));
+        self.viewport.height * ((h - 2.0 * k) / (2.0 * h))
+    }
+
+    /// The pixel that (u, v) falls into, and whether it lies exactly on an edge between pixels;
+    /// `None` outside the image.
+    ///
+    /// "Exactly" is to the precision of `f64`: within 4 ulp of the width or height. The decimal 0.2
+    /// is no binary fraction, and the reader who typed it means the edge.
+    pub fn pixel_of_uv(&self, uv: DVec2) -> Option<PixelOfUv> {
+        let Viewport { width, height, .. } = self.viewport;
+        let (columns, rows) = (self.image.width(), self.image.height());
+        let (column, column_edge) =
+            cell_of(uv.x, 0.5 + uv.x / width, columns, width, |k| self.u_of_column_edge(k))?;
+        let (row, row_edge) =
+            cell_of(uv.y, 0.5 - uv.y / height, rows, height, |k| self.v_of_row_edge(k))?;
+        Some(PixelOfUv { pixel: Pixel { row, column }, column_edge, row_edge })
+    }
+
+    /// The view ray through (u, v): origin eye, direction `u*U + v*V - distance*W`, not
+    /// normalized, so that `t = 1` is the viewport.
+    pub fn ray(&self, uv: DVec2) -> Ray {
+        let direction = self.column_part(uv.x) + self.row_part(uv.y);
+        Ray { origin: self.eye, direction }
+    }
+
+    /// The view ray through a pixel's centre.
+    pub fn ray_of_pixel(&self, pixel: Pixel) -> Ray {
+        self.ray(self.uv_of_pixel(pixel))
+    }
+
+    /// What the basis was made of.
+    pub(crate) fn aim(&self) -> AimGiven {
+        self.aim
+    }
+
+    /// The basis with all its digits.
+    pub(crate) fn fine_basis(&self) -> &FineBasis {
+        &self.fine_basis
+    }
+
+    /// The same camera with its basis from exact numbers, which costs microseconds and leaves later
+    /// steps of the ladder less to do.
+    pub(crate) fn with_finest_basis(&self) -> PosedCamera {
+        let finest = match self.aim {
+            AimGiven::ViewUp(view, up) => FineBasis::from_exact(&view, up),
+            AimGiven::Basis => None,
+        };
+        PosedCamera { fine_basis: finest.unwrap_or(self.fine_basis), ..*self }
+    }
+
+    /// `(u, v, distance)` times the place's stretch, as three pairs whose products are exact.
+    fn coordinates(&self, place: ViewPlace) -> [(f64, f64); 3] {
+        let Viewport { width, height, distance } = self.viewport;
+        match place {
+            ViewPlace::Uv(uv) => [(uv.x, 1.0), (uv.y, 1.0), (distance, 1.0)],
+            ViewPlace::Pixel(pixel) => {
+                let (w, h) = (f64::from(self.image.width()), f64::from(self.image.height()));
+                let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));
+                [
+                    (width, (2.0 * column + 1.0 - w) * h),
+                    (height, (h - 2.0 * row - 1.0) * w),
+                    (distance, 2.0 * w * h),
+                ]
+            }
+        }
+    }
+
+    /// The view ray's direction times the place's stretch, in units of `2^k`.
+    pub(crate) fn fine_direction(&self, place: ViewPlace) -> (Vector<DoubleDouble>, i32) {
+        let coordinates = self.coordinates(place);
+        // By the products, not the measures: at the picture's centre width and height drop out.
+        let size = |(x, n): &(f64, f64)| if *n == 0.0 { 0.0 } else { x.abs() };
+        let largest = coordinates.iter().map(size).fold(0.0, f64::max);
+        let (_, k) =
+            scaled([DoubleDouble::from(largest), DoubleDouble::default(), DoubleDouble::default()]);
+        let coordinates = coordinates.map(|(x, n)| DoubleDouble::product(ldexp(x, -k), n));
+        (self.fine_basis.direction(coordinates), k)
+    }
+
+    /// `u U`, `v V` and `-distance W` of a pixel's view ray, each coordinate rounded once: what its
+    /// direction is the sum of.
+    pub fn direction_parts_of_pixel(&self, pixel: Pixel) -> [DVec3; 3] {
+        self.direction_parts(ViewPlace::Pixel(pixel))
+    }
+
+    /// `u U`, `v V` and `-distance W` of the view ray through a finite (u, v), each coordinate rounded
+    /// once.
+    pub fn direction_parts_at(&self, uv: DVec2) -> [DVec3; 3] {
+        self.direction_parts(ViewPlace::Uv(uv))
+    }
+
+    fn direction_parts(&self, place: ViewPlace) -> [DVec3; 3] {
+        let FineBasis { u, v, w, .. } = self.fine_basis;
+        let [along_u, along_v, along_w] = self.coordinates(place);
+        let stretch = DoubleDouble::from(place.stretch(self.image));
+        let part = |(x, n): (f64, f64), sign: f64, axis: Vector<DoubleDouble>| {
+            let (k, n) = (if x == 0.0 { 0 } else { exponent(x) }, DoubleDouble::from(sign * n));
+            let factor = DoubleDouble::from(ldexp(x, -k)) * n / stretch;
+            // Added to 0, a negative zero is 0.
+            DVec3::from_array(axis.map(|a| ldexp((factor * a).hi, k) + 0.0))
+        };
+        [part(along_u, 1.0, u), part(along_v, 1.0, v), part(along_w, -1.0, w)]
+    }
+
+    /// A view ray in exact numbers.
+    pub(crate) fn big_ray(&self, place: ViewPlace) -> BigRay {
+        let coordinates = self.coordinates(place).map(|(x, n)| &Dyadic::from(x) * &Dyadic::from(n));
+        let [x, y, z] = &coordinates;
+        let stretch = Dyadic::from(place.stretch(self.image));
+        match self.aim {
+            AimGiven::ViewUp(view, up) => {
+                // x R / sqrt B + y (R x f) / sqrt (A B) + z f / sqrt A, times sqrt (A B).
+                let BigBasis { view, right, upward, of } = BigBasis::new(&view, up);
+                let parts = [times(&upward, y), times(&right, x), times(&view, z)];
+                let direction = std::array::from_fn(|i| {
+                    let [rational, root_a, root_b] = parts.each_ref().map(|part| part[i].clone());
+                    Surd([rational, root_a, root_b, Dyadic::zero()])
+                });
+                let scale = Radicands::root_of_product().scaled(&stretch);
+                BigRay::new(self.eye, direction, scale, of)
+            }
+            AimGiven::Basis => {
+                let Basis { u, v, w } = self.basis;
+                let parts = [(u, x), (v, y), (w, z)].map(|(a, x)| times(&exact3(a), x));
+                let direction = std::array::from_fn(|i| {
+                    Surd::from(&(&parts[0][i] + &parts[1][i]) - &parts[2][i])
+                });
+                BigRay::new(self.eye, direction, Surd::from(stretch), Radicands::none())
+            }
+        }
+    }
+
+    /// `u*U`: what the pixels of a column share of their directions.
+    pub(crate) fn column_part(&self, u: f64) -> DVec3 {
+        u * self.basis.u
+    }
+
+    /// `v*V - distance*W`: what the pixels of a row share of their directions.
+    pub(crate) fn row_part(&self, v: f64) -> DVec3 {
+        v * self.basis.v - self.viewport.distance * self.basis.w
+    }
+
+    /// Where a point appears in the viewport: with `q = point - eye`,
+    ///
+    /// ```text
+    /// depth = -q.W     (u, v) = (q.U, q.V) * distance / depth
+    /// ```
+    ///
+    /// the inverse of [`PosedCamera::ray`]: the ray through that (u, v) passes the point at
+    /// `t = depth / distance`.
+    pub fn project(&self, point: DVec3) -> Projection {
+        let (mut to_point, _, mut k) = difference_with_rest(point, self.eye);
+        if to_point.abs().max_element() > 1e300 {
+            // Sums of three coordinates may overflow.
+            (to_point, k) = (0.25 * to_point, k + 2);
+        }
+        let q = self.basis.to_camera_from_world(to_point);
+        let uv = DVec2::new(q.x, q.y) / -q.z * self.viewport.distance;
+        Projection { uv, depth: ldexp(-q.z, k) }
+    }
+
+    /// The point of the viewport, in the world, at (u, v): the view ray's point at `t = 1`.
+    pub fn viewport_point(&self, uv: DVec2) -> DVec3 {
+        self.ray(uv).at(1.0)
+    }
+}
+
+/// Which of `count` cells across an `extent` a position falls into, and which edge it is on.
+/// `fraction` runs from 0 to 1 across the extent; `edge` gives the position of an edge.
+fn cell_of(
+    position: f64,
+    fraction: f64,
+    count: u32,
+    extent: f64,
+    edge: impl Fn(u32) -> f64,
+) -> Option<(u32, Option<u32>)> {
+    let x = fraction * f64::from(count);
+    let nearest = x.round();
+    if !(0.0..=f64::from(count)).contains(&nearest) {
+        return None;
+    }
+    let k = nearest as u32;
+    if (position - edge(k)).abs() <= 4.0 * f64::EPSILON * extent {
+        return Some((k.min(count - 1), Some(k)));
+    }
+    let inside = (0.0..f64::from(count)).contains(&x);
+    inside.then(|| (x.floor() as u32, None))
+}

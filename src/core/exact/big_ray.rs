@@ -1,0 +1,137 @@
+//! A ray in exact arithmetic: the order of its roots, and `t` to any number of digits.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+use num_bigint::BigInt;
+
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::dyadic::{Dyadic, Exact3, exact3, ratio};
+use crate::exact::surd::{Radicands, Surd, sign_with_roots};
+
+/// A ray in exact numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct BigRay {
+    pub(crate) origin: Exact3,
+    /// The direction times `scale`.
+    pub(crate) direction: [Surd; 3],
+    pub(crate) scale: Surd,
+    pub(crate) of: Radicands,
+    /// `direction . direction`
+    pub(crate) a: Surd,
+}
+
+/// Where a ray meets an object: `(x + sign sqrt radicand) / y` in units of the scaled direction,
+/// with `y > 0`.
+#[derive(Clone, Debug)]
+pub(crate) struct BigRoot {
+    pub(crate) x: Surd,
+    pub(crate) sign: Ordering,
+    pub(crate) radicand: Surd,
+    /// `None` for the ray's own `a`.
+    pub(crate) y: Option<Surd>,
+}
+
+/// A sphere's quadratic `a t^2 - 2 b t + c = 0`.
+#[derive(Clone, Debug)]
+pub(crate) struct BigQuadratic {
+    pub(crate) b: Surd,
+    pub(crate) discriminant: Surd,
+}
+
+impl BigRay {
+    pub(crate) fn new(origin: DVec3, direction: [Surd; 3], scale: Surd, of: Radicands) -> BigRay {
+        let squares = direction.each_ref().map(|x| x.square(&of));
+        let a = &(&squares[0] + &squares[1]) + &squares[2];
+        BigRay { origin: exact3(origin), direction, scale, of, a }
+    }
+
+    /// A ray as given.
+    pub(crate) fn given(origin: DVec3, direction: DVec3) -> BigRay {
+        let one = Surd::from(Dyadic::from(1.0));
+        BigRay::new(origin, exact3(direction).map(Surd::from), one, Radicands::none())
+    }
+
+    pub(crate) fn dot(&self, v: &Exact3) -> Surd {
+        let terms: [Surd; 3] = std::array::from_fn(|i| self.direction[i].scaled(&v[i]));
+        &(&terms[0] + &terms[1]) + &terms[2]
+    }
+
+    /// Sign of D: whether the line misses, touches or crosses the sphere.
+    pub(crate) fn meets(&self, quadratic: &BigQuadratic) -> Ordering {
+        quadratic.discriminant.sign(&self.of)
+    }
+
+    /// Sign of b: whether the sphere's centre lies ahead.
+    pub(crate) fn is_ahead(&self, quadratic: &BigQuadratic) -> Ordering {
+        quadratic.b.sign(&self.of)
+    }
+
+    /// The nearer or the farther root: `sign` is that of the square root.
+    pub(crate) fn root(&self, quadratic: BigQuadratic, sign: Ordering) -> BigRoot {
+        BigRoot { x: quadratic.b, sign, radicand: quadratic.discriminant, y: None }
+    }
+
+    /// `value / unit` for a unit greater than 0, relative error at most `2^-100`, as a double-double
+    /// times a power of two; 0 exactly where it is.
+    pub(crate) fn value(&self, value: &Surd, unit: &Surd) -> (DoubleDouble, i32) {
+        if value.sign(&self.of) == Ordering::Equal {
+            return (DoubleDouble::default(), 0);
+        }
+        let (numerator, n) = self.digits(|places| value.fixed(places, &self.of));
+        let (denominator, m) = self.digits(|places| unit.fixed(places, &self.of));
+        ratio(&numerator, &denominator, m - n)
+    }
+
+    /// Which of two roots is smaller, exactly.
+    pub(crate) fn compare(&self, one: &BigRoot, other: &BigRoot) -> Ordering {
+        let of = &self.of;
+        let (numerators, radicands) = match (&one.y, &other.y) {
+            (None, None) => (&one.x - &other.x, [one.radicand.clone(), other.radicand.clone()]),
+            (y1, y2) => {
+                let (y1, y2) = (y1.as_ref().unwrap_or(&self.a), y2.as_ref().unwrap_or(&self.a));
+                let numerators = &one.x.times(y2, of) - &other.x.times(y1, of);
+                let under = |radicand: &Surd, y: &Surd| radicand.times(&y.square(of), of);
+                (numerators, [under(&one.radicand, y2), under(&other.radicand, y1)])
+            }
+        };
+        let [p, q] = &radicands;
+        sign_with_roots(&numerators, (one.sign, p), (other.sign.reverse(), q), of)
+    }
+
+    /// `t` of a root that is not 0: relative error at most `2^-100`, as a double-double times a
+    /// power of two.
+    pub(crate) fn t(&self, root: &BigRoot) -> (DoubleDouble, i32) {
+        let (numerator, n) = self.digits(|places| self.numerator(root, places));
+        let (denominator, m) =
+            self.digits(|places| root.y.as_ref().unwrap_or(&self.a).fixed(places, &self.of));
+        let (scale, s) = self.digits(|places| self.scale.fixed(places, &self.of));
+        ratio(&(numerator * scale), &denominator, m - n - s)
+    }
+
+    /// `(x + sign sqrt radicand) * 2^places`, off by less than 8.
+    pub(crate) fn numerator(&self, root: &BigRoot, places: i32) -> BigInt {
+        let x = root.x.fixed(places, &self.of);
+        if root.sign == Ordering::Equal {
+            return x;
+        }
+        // Off by less than 4 below the root, which makes at most 2 above it.
+        let square = root.radicand.fixed(2 * places, &self.of);
+        let swing = BigInt::from(square.magnitude().sqrt());
+        if root.sign == Ordering::Less { x - swing } else { x + swing }
+    }
+
+    /// A fixed-point number with enough places that 128 bits of it are right, and its places.
+    /// The number itself, which `fixed` gives with an error below 8, must not be 0.
+    fn digits(&self, fixed: impl Fn(i32) -> BigInt) -> (BigInt, i32) {
+        let mut places = 160 - self.a.log2_bound(&self.of) / 2;
+        loop {
+            let found = fixed(places);
+            let bits = found.bits() as i32;
+            if bits >= 132 {
+                return (found, places);
+            }
+            places += (192 - bits).max(128);
+        }
+    }
+}

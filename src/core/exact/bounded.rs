@@ -1,0 +1,149 @@
+//! Arithmetic with a bound of its error, in `f64` and in double-double: numbers and vectors of them.
+//!
+//! Every bound is of first order in the constants of [`Number`]; the factor [`SECOND_ORDER`] covers
+//! the rest, and the rounding of the bounds themselves. The manner of the analysis is that of Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., chapter 3; that of filtering decisions
+//! by it, of Shewchuk, *Adaptive precision floating-point arithmetic and fast robust geometric
+//! predicates*, Discrete & Computational Geometry 18, 1997.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::scale::exponent;
+
+/// What the formulas are computed in.
+pub(crate) trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + From<f64>
+{
+    /// A bound of the relative error of a sum or difference.
+    const SUM: f64;
+    /// Of a product.
+    const PRODUCT: f64;
+    /// Of a product with one `f64`.
+    const STRETCH: f64;
+    /// Of a quotient.
+    const QUOTIENT: f64;
+    /// Of a square root.
+    const ROOT: f64;
+
+    /// Of a dot product, as a share of the vectors' lengths: three products, each of which goes
+    /// through at most two sums.
+    const DOT: f64 = Self::PRODUCT + 2.0 * Self::SUM;
+
+    /// Of a cross product's length, likewise: a coordinate is off by `PRODUCT + SUM` times
+    /// `|a_j b_k| + |a_k b_j|`, and the vector of those sums is no longer than `sqrt 2 |a| |b|`.
+    const CROSS: f64 = 1.415 * (Self::PRODUCT + Self::SUM);
+
+    /// The square root of a number that is greater than 0.
+    fn root(self) -> Self;
+
+    /// The product with one `f64`.
+    fn stretched(self, x: f64) -> Self;
+
+    /// The number in `f64`, rounded.
+    fn near(self) -> f64;
+}
+
+/// u, half the spacing of `f64` at 1.
+pub(crate) const UNIT: f64 = 0.5 * f64::EPSILON;
+
+impl Number for f64 {
+    const SUM: f64 = UNIT;
+    const PRODUCT: f64 = UNIT;
+    const STRETCH: f64 = UNIT;
+    const QUOTIENT: f64 = UNIT;
+    const ROOT: f64 = UNIT;
+
+    #[inline(always)]
+    fn root(self) -> f64 {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn stretched(self, x: f64) -> f64 {
+        self * x
+    }
+
+    #[inline(always)]
+    fn near(self) -> f64 {
+        self
+    }
+}
+
+impl Number for DoubleDouble {
+    // Proven at the operations.
+    const SUM: f64 = 3.01 * U2;
+    const PRODUCT: f64 = 7.0 * U2;
+    const STRETCH: f64 = 3.0 * U2;
+    const QUOTIENT: f64 = 17.0 * U2;
+    const ROOT: f64 = 3.2 * U2;
+
+    fn root(self) -> DoubleDouble {
+        self.square_root()
+    }
+
+    fn stretched(self, x: f64) -> DoubleDouble {
+        self.times(x)
+    }
+
+    fn near(self) -> f64 {
+        self.hi
+    }
+}
+
+/// For terms of second order in the bounds (below 1e-12 of those of the first in `f64`) and the
+/// rounding of the bounds.
+pub(crate) const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
+
+/// What underflow can add to any of the values below, which are made of scaled vectors whose
+/// largest coordinates are within 1e-30 and 1e30: products below 2^-969 lose their rounding error,
+/// at most 2^-1073 each, times 1e120.
+pub(crate) const UNDERFLOW: f64 = 1e-190;
+
+/// A vector of numbers.
+pub(crate) type Vector<T> = [T; 3];
+
+/// `a . b`: error at most `DOT |a| |b|`.
+#[inline(always)]
+pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a x b`: error at most `CROSS |a| |b|`.
+#[inline(always)]
+pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
+    let of = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [of(1, 2), of(2, 0), of(0, 1)]
+}
+
+/// A vector rounded to `f64`.
+#[inline(always)]
+pub(crate) fn near<T: Number>(v: Vector<T>) -> Vector<f64> {
+    v.map(T::near)
+}
+
+/// The Euclidean length, to a few roundings.
+#[inline(always)]
+pub(crate) fn length(v: Vector<f64>) -> f64 {
+    dot(v, v).sqrt()
+}
+
+/// Largest coordinates within these need no scaling: see [`UNDERFLOW`](crate::exact::dyadic::quadratic).
+pub(crate) const PLAIN: std::ops::Range<f64> = 1e-30..1e30;
+
+/// `(m, k)` with the vector `m * 2^k` and m's largest coordinate [plain](PLAIN). What is lost of
+/// coordinates that are 2^900 times smaller is below [`UNDERFLOW`](crate::exact::dyadic::quadratic).
+pub(crate) fn scaled(v: Vector<DoubleDouble>) -> (Vector<DoubleDouble>, i32) {
+    let largest = v.iter().map(|x| x.hi.abs()).fold(0.0, f64::max);
+    if PLAIN.contains(&largest) || largest == 0.0 {
+        return (v, 0);
+    }
+    let k = exponent(largest);
+    (v.map(|x| x.scaled(-k)), k)
+}

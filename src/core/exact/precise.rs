@@ -1,0 +1,84 @@
+//! A root `t` with more digits than an `f64` has, and more range.
+
+use std::cmp::Ordering;
+
+use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::dyadic::Dyadic;
+use crate::exact::scale::ldexp;
+
+/// The largest relative error of a [`Precise`]: just below 2^-93. Rounded to `f64`, which has at
+/// most 2^53 ulp in a number, it is then within half an ulp, and 2^-40 of an ulp more.
+pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
+
+/// Whether `t d + term` is so small against `term`, with which `t d` cancels, that every digit of it
+/// may come from the error of t: it is 0 as far as anyone knows.
+pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
+    sum.abs() < 2.0 * T_DOUBT * term.abs()
+}
+
+/// `value * 2^scale`, with a relative error of at most [`T_DOUBT`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Precise {
+    pub(crate) value: DoubleDouble,
+    pub(crate) scale: i32,
+}
+
+impl Precise {
+    /// Exactly 0.
+    pub(crate) const ZERO: Precise = Precise { value: DoubleDouble { hi: 0.0, lo: 0.0 }, scale: 0 };
+
+    pub(crate) fn new(value: DoubleDouble, scale: i32) -> Precise {
+        Precise { value, scale }
+    }
+
+    /// The nearest `f64`. A number too large for it is infinite, one too small the smallest there is,
+    /// so that its sign is right.
+    pub(crate) fn to_f64(self) -> f64 {
+        let Precise { value, scale } = self;
+        let rounded = ldexp(value.hi, scale);
+        if value.hi == 0.0 || rounded.is_normal() && rounded.abs() > f64::MIN_POSITIVE {
+            return rounded;
+        }
+        if rounded.is_infinite() {
+            return rounded;
+        }
+        // Subnormal: both parts are rounded together, once.
+        let sum = &Dyadic::from(value.hi) + &Dyadic::from(value.lo);
+        let rounded = sum.rounded_times(scale);
+        if rounded == 0.0 { f64::from_bits(1).copysign(value.hi) } else { rounded }
+    }
+
+    /// Less, greater, or `None` where the two are closer than their errors.
+    pub(crate) fn compare(self, other: Precise) -> Option<Ordering> {
+        self.compare_beyond(other, 2.0 * T_DOUBT)
+    }
+
+    /// Which is less, as the numbers stand.
+    pub(crate) fn compare_rounded(self, other: Precise) -> Ordering {
+        self.compare_beyond(other, 0.0).unwrap_or(Ordering::Equal)
+    }
+
+    /// Less, greater, or `None` where the two are closer than a share of them.
+    fn compare_beyond(self, other: Precise, share: f64) -> Option<Ordering> {
+        use std::cmp::Ordering::{Greater, Less};
+        let sign = |x: f64| x.total_cmp(&0.0);
+        let (x, y) = (self.value.hi + 0.0, other.value.hi + 0.0);
+        if x == 0.0 || y == 0.0 || sign(x) != sign(y) {
+            return if x == y { None } else { Some(if x < y { Less } else { Greater }) };
+        }
+        let k = other.scale - self.scale;
+        if k.abs() > 1500 {
+            let is_larger = (k < 0) == (x > 0.0);
+            return Some(if is_larger { Greater } else { Less });
+        }
+        let shift = |x: DoubleDouble, k: i32| x.scaled(k);
+        let (a, b) = if k < 0 {
+            (self.value, shift(other.value, k))
+        } else {
+            (shift(self.value, -k), other.value)
+        };
+        let difference = (a - b).hi;
+        let doubt = share * (a.hi.abs() + b.hi.abs());
+        (difference.abs() > doubt).then_some(if difference < 0.0 { Less } else { Greater })
+    }
+}

@@ -1,0 +1,148 @@
+//! The quadratic of a ray and a sphere with a bound of its own error: one formula for `f64` and for
+//! double-double, the first two steps of the ladder.
+
+use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
+
+/// Which form of the discriminant loses the least, by the origin's distance from the centre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// `b^2 - a c`: inside it is a sum; just outside, both parts are small.
+    Near,
+    /// `r^2 a - |q x d|^2`, by Lagrange's identity `a |q|^2 - (d.q)^2 = |q x d|^2`: grazing rays
+    /// and distant spheres.
+    Far,
+}
+
+/// A sphere as the rays of one origin see it, scaled: `q = center - origin`, r, and
+/// `c = |q|^2 - r^2`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SphereParts<T> {
+    pub(crate) q: Vector<T>,
+    pub(crate) radius: T,
+    pub(crate) c: T,
+    /// Relative error of c.
+    pub(crate) c_doubt: f64,
+    /// `|q|`, rounded.
+    pub(crate) distance: f64,
+    /// Error of q as a share of `|q|`.
+    pub(crate) q_doubt: f64,
+    pub(crate) form: Form,
+}
+
+/// A direction, scaled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DirectionParts<T> {
+    pub(crate) d: Vector<T>,
+    /// `|d|`, rounded.
+    pub(crate) length: f64,
+    /// Error of d as a share of `|d|`.
+    pub(crate) doubt: f64,
+}
+
+/// `a t^2 - 2 b t + c = 0` with `b = q.d`, positive towards the centre, and `D = b^2 - a c`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quadratic<T> {
+    pub(crate) a: T,
+    pub(crate) b: T,
+    pub(crate) discriminant: T,
+    /// How far b may be off.
+    pub(crate) b_doubt: f64,
+    /// How far D may be off.
+    pub(crate) discriminant_doubt: f64,
+    /// Relative error of a.
+    pub(crate) a_doubt: f64,
+}
+
+impl<T: Number> Quadratic<T> {
+    /// The parts and their bounds. With `k` the doubts of q and d together:
+    ///
+    /// ```text
+    /// b:  B = |q||d| (DOT + k)                 a:  a (DOT + 2 k)
+    /// m = q x d:  M = |q||d| (CROSS + k)
+    /// far,  r^2 a - m.m:  2 |m| M + M^2 + r^2 a (2 PRODUCT + DOT + 2 k) + DOT m.m
+    /// near, b^2 - a c:    2 |b| B + B^2 + PRODUCT b^2 + a |c| (PRODUCT + DOT + 2 k + doubt of c)
+    /// ```
+    ///
+    /// and SUM of both terms for the difference itself.
+    #[inline(always)]
+    pub(crate) fn new(sphere: &SphereParts<T>, direction: &DirectionParts<T>) -> Quadratic<T> {
+        let (q, d) = (sphere.q, direction.d);
+        let k = sphere.q_doubt + direction.doubt;
+        let a = dot(d, d);
+        let b = dot(q, d);
+        let reach = sphere.distance * direction.length;
+        let b_doubt = SECOND_ORDER * (T::DOT + k) * reach + UNDERFLOW;
+        let (discriminant, doubt) = match sphere.form {
+            Form::Far => {
+                let m = cross(q, d);
+                let (mm, rra) = (dot(m, m), sphere.radius * sphere.radius * a);
+                let (m_squared, m_doubt) = (mm.near(), (T::CROSS + k) * reach);
+                let doubt = (2.0 * m_squared.sqrt() + m_doubt) * m_doubt
+                    + (2.0 * T::PRODUCT + T::DOT + 2.0 * k + T::SUM) * rra.near()
+                    + (T::DOT + T::SUM) * m_squared;
+                (rra - mm, doubt)
+            }
+            Form::Near => {
+                let (b_near, ac) = (b.near().abs(), a * sphere.c);
+                let doubt = (2.0 * b_near + b_doubt) * b_doubt
+                    + (T::PRODUCT + T::SUM) * b_near * b_near
+                    + (T::PRODUCT + T::DOT + T::SUM + 2.0 * k + sphere.c_doubt) * ac.near().abs();
+                (b * b - ac, doubt)
+            }
+        };
+        let discriminant_doubt = SECOND_ORDER * doubt + UNDERFLOW;
+        let a_doubt = SECOND_ORDER * (T::DOT + 2.0 * k);
+        Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt }
+    }
+
+    /// The nearer or the farther root with a bound of its relative error; `None` where D may be 0.
+    ///
+    /// With `z = b + sign(b) sqrt D`, free of cancellation, the roots are `z / a` and `c / z`
+    /// (Press et al., *Numerical Recipes*, 3rd ed., section 5.6). D is off by at most its doubt, so
+    /// its root is by `doubt / sqrt D`, and where D is large against its doubt, by little more than
+    /// half of that. z is off by that, b's doubt, a root and a sum.
+    #[inline(always)]
+    pub(crate) fn root(&self, sphere: &SphereParts<T>, far: bool) -> Option<(T, f64)> {
+        let Quadratic { a, b, discriminant, b_doubt, discriminant_doubt, a_doubt } = *self;
+        if discriminant.near() <= discriminant_doubt {
+            return None;
+        }
+        let root = discriminant.root();
+        let share = if discriminant.near() > 32.0 * discriminant_doubt { 0.51 } else { 1.0 };
+        let is_ahead = b.near() >= 0.0;
+        let z = if is_ahead { b + root } else { b - root };
+        let z_doubt = (b_doubt + share * discriminant_doubt / root.near()) / z.near().abs();
+        let (t, other_doubt) =
+            if far == is_ahead { (z / a, a_doubt) } else { (sphere.c / z, sphere.c_doubt) };
+        // A product more for the whole number that t is stretched by.
+        let operations = T::ROOT + T::SUM + T::QUOTIENT + T::PRODUCT;
+        Some((t, SECOND_ORDER * (z_doubt + other_doubt + operations)))
+    }
+
+    /// The root by rounded numbers alone, whatever the doubt; a negative D counts as 0.
+    pub(crate) fn rounded_root(&self, sphere: &SphereParts<T>, far: bool) -> T {
+        let Quadratic { a, b, discriminant, .. } = *self;
+        let root = if discriminant.near() > 0.0 { discriminant.root() } else { T::from(0.0) };
+        let is_ahead = b.near() >= 0.0;
+        let z = if is_ahead { b + root } else { b - root };
+        let t = if far == is_ahead { z / a } else { sphere.c / z };
+        // Where rounding has left nothing to divide by, D is next to 0, and this the double root.
+        if t.near().is_finite() { t } else { b / a }
+    }
+}
+
+/// `(t d - q) / r` made a unit vector: the outward normal of a sphere at `t`. Zero where rounding has
+/// left no direction.
+pub(crate) fn sphere_normal<T: Number>(
+    q: Vector<T>,
+    direction: &DirectionParts<T>,
+    t: T,
+) -> Vector<f64> {
+    let offset: Vector<T> = std::array::from_fn(|i| direction.d[i] * t - q[i]);
+    let square = dot(offset, offset);
+    if !(square.near() > 0.0 && square.near().is_finite()) {
+        return [0.0; 3];
+    }
+    let length = square.root();
+    offset.map(|x| (x / length).near())
+}

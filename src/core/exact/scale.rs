@@ -1,0 +1,151 @@
+//! Scaling by powers of two: exact, and it removes every overflow and underflow from a length, a
+//! cross product or a discriminant.
+
+use glam::DVec3;
+
+/// Squared lengths within these lose no digits to underflow and do not overflow, and neither do
+/// their reciprocals.
+pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
+
+/// Whether the direction's squared length is so far from 0 and infinity that intersections need no
+/// scaling.
+pub(crate) fn is_plain_direction(direction: DVec3) -> bool {
+    (1e-120..1e120).contains(&direction.length_squared())
+}
+
+/// `2^k` for k from -1022 to 1023.
+fn power_of_two(k: i32) -> f64 {
+    f64::from_bits(((1023 + k) as u64) << 52)
+}
+
+/// `floor(log2 |x|)` for finite `x != 0`, subnormal numbers included.
+pub(crate) fn exponent(x: f64) -> i32 {
+    const SUBNORMAL_LIFT: i32 = 64;
+    let biased = |x: f64| ((x.to_bits() >> 52) & 0x7ff) as i32;
+    match biased(x) {
+        0 => biased(x * power_of_two(SUBNORMAL_LIFT)) - 1023 - SUBNORMAL_LIFT,
+        e => e - 1023,
+    }
+}
+
+/// `x * 2^k` for any `k`, rounded once; exact unless the result overflows or is subnormal.
+pub(crate) fn ldexp(x: f64, k: i32) -> f64 {
+    // One factor 2^k alone may not be representable. Downwards, each step but the last stops 53
+    // short of the smallest exponent: digits lost before the last step then belong to a result
+    // below half the smallest number, which is 0 either way.
+    const UP: i32 = 1023;
+    const DOWN: i32 = -1022 + 53;
+    let (mut x, mut k) = (x, k.clamp(-4000, 4000));
+    while k > UP {
+        x *= power_of_two(UP);
+        k -= UP;
+    }
+    while k < -1022 {
+        x *= power_of_two(DOWN);
+        k -= DOWN;
+    }
+    x * power_of_two(k)
+}
+
+/// `v * 2^k`.
+pub(crate) fn ldexp3(v: DVec3, k: i32) -> DVec3 {
+    DVec3::new(ldexp(v.x, k), ldexp(v.y, k), ldexp(v.z, k))
+}
+
+/// Splits a finite, non-zero `v` into `(m, k)` with `v = m * 2^k` and the largest `|m_i|` in `[1, 2)`.
+/// A component more than 2^1000 below the largest one loses digits.
+pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
+    let k = exponent(v.abs().max_element());
+    (ldexp3(v, -k), k)
+}
+
+/// `v / |v|` for any finite, non-zero `v`, of length 1e-300 or 1e300 alike.
+pub fn unit(v: DVec3) -> DVec3 {
+    if PLAIN_LENGTH_SQUARED.contains(&v.length_squared()) {
+        // The same bits as below: powers of two cancel in the quotient.
+        return v / v.length();
+    }
+    let (m, _) = split(v);
+    m / m.length()
+}
+
+/// `|v|`, free of intermediate overflow and underflow.
+pub fn length(v: DVec3) -> f64 {
+    let squared = v.length_squared();
+    if PLAIN_LENGTH_SQUARED.contains(&squared) || v == DVec3::ZERO || !v.is_finite() {
+        return squared.sqrt();
+    }
+    let (m, k) = split(v);
+    ldexp(m.length(), k)
+}
+
+/// The angle between two directions of length 1, accurate also where it is small.
+pub(crate) fn angle_between(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::test_seed::config;
+
+    /// `x * 2^k` rounded to nearest, ties to even, on the integer `m` of `|x| = m * 2^e`.
+    fn by_integers(x: f64, k: i32) -> f64 {
+        let biased = ((x.to_bits() >> 52) & 0x7ff) as i32;
+        let fraction = x.to_bits() & ((1 << 52) - 1);
+        let m = if biased == 0 { fraction } else { fraction | 1 << 52 };
+        // In units of the smallest number, 2^-1074: m * 2^shift.
+        let shift = biased.max(1) - 1 + k;
+        let sign = if x.is_sign_negative() { -1.0 } else { 1.0 };
+        if shift < 0 {
+            let (m, down) = (u128::from(m), (-shift).min(100) as u32);
+            let (whole, rest, half) = (m >> down, m & ((1 << down) - 1), 1_u128 << (down - 1));
+            let up = rest > half || (rest == half && whole & 1 == 1);
+            return sign * f64::from_bits((whole + u128::from(up)) as u64);
+        }
+        // A number of at most 53 bits, times 2^shift of those units.
+        let leading = 63 - m.leading_zeros() as i32;
+        let result_exponent = leading + shift;
+        if result_exponent < 53 {
+            return sign * f64::from_bits(m << shift);
+        }
+        if result_exponent - 52 > 2045 {
+            return sign * f64::INFINITY;
+        }
+        let fraction = (m << (52 - leading)) & ((1 << 52) - 1);
+        sign * f64::from_bits(((result_exponent - 51) as u64) << 52 | fraction)
+    }
+
+    #[test]
+    fn just_above_half_the_smallest_number_rounds_up() {
+        assert_eq!(ldexp(-(1.0 + f64::EPSILON), -1075), -5e-324);
+        assert_eq!(ldexp(1.0, -1075), 0.0);
+        assert_eq!(by_integers(1.5, -1075), 5e-324);
+        assert_eq!(by_integers(f64::MAX, 1), f64::INFINITY);
+    }
+
+    proptest! {
+        #![proptest_config(config(256))]
+
+        /// Rounded once, also where the result is subnormal.
+        #[test]
+        fn ldexp_rounds_once(bits in any::<u64>(), to in -1080..1025_i32, far in -2100..2100_i32) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite() && x != 0.0);
+            // Half of the time to where the result is an ordinary or a subnormal number.
+            for k in [far, to - exponent(x)] {
+                prop_assert_eq!(ldexp(x, k).to_bits(), by_integers(x, k).to_bits());
+            }
+        }
+
+        #[test]
+        fn exponent_is_that_of_the_leading_bit(bits in any::<u64>()) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite() && x != 0.0);
+            let mantissa = ldexp(x, -exponent(x)).abs();
+            prop_assert!((1.0..2.0).contains(&mantissa), "{mantissa}");
+        }
+    }
+}

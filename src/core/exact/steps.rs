@@ -1,0 +1,82 @@
+//! How far up the ladder each decision had to go.
+
+use std::cmp::Ordering;
+use std::ops::{Add, AddAssign};
+
+/// How many decisions were made by which step of the ladder: in `f64`, in double-double, exactly.
+///
+/// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
+/// knows a bound of its own error and hands over what lies within it to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct Steps {
+    /// Decided in `f64`.
+    pub f64: u64,
+    /// In doubt there, decided in double-double.
+    pub double_double: u64,
+    /// In doubt there too, decided in exact arithmetic.
+    pub exact: u64,
+}
+
+/// One step of the ladder, the lowest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Step {
+    /// `f64` with an error bound.
+    F64,
+    /// Double-double with an error bound.
+    DoubleDouble,
+    /// Integers of any length.
+    Exact,
+}
+
+impl Steps {
+    /// One more decision.
+    pub(crate) fn count(&mut self, step: Step) {
+        match step {
+            Step::F64 => self.f64 += 1,
+            Step::DoubleDouble => self.double_double += 1,
+            Step::Exact => self.exact += 1,
+        }
+    }
+
+    /// All decisions.
+    pub fn total(&self) -> u64 {
+        self.f64 + self.double_double + self.exact
+    }
+
+    /// Those that `f64` could not make.
+    pub fn beyond_f64(&self) -> u64 {
+        self.double_double + self.exact
+    }
+}
+
+impl Add for Steps {
+    type Output = Steps;
+
+    fn add(self, other: Steps) -> Steps {
+        Steps {
+            f64: self.f64 + other.f64,
+            double_double: self.double_double + other.double_double,
+            exact: self.exact + other.exact,
+        }
+    }
+}
+
+impl AddAssign for Steps {
+    fn add_assign(&mut self, other: Steps) {
+        *self = *self + other;
+    }
+}
+
+/// Less, equal or greater than 0; -0 is 0.
+pub(crate) fn sign_of(x: f64) -> Ordering {
+    (x + 0.0).total_cmp(&0.0)
+}
+
+/// The sign of a number as it stands, by the last step that may decide.
+#[cold]
+pub(crate) fn rounded_sign(x: f64, last: Step, steps: &mut Steps) -> Ordering {
+    steps.count(last);
+    sign_of(x)
+}

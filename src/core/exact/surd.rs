@@ -1,0 +1,208 @@
+//! Exact numbers with two square roots in them, which is what a camera's pixel rays are made of.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Neg, Sub};
+
+use num_bigint::BigInt;
+
+use crate::exact::dyadic::Dyadic;
+
+/// The two numbers under the roots: A and B, both positive. A camera's are `A = |view|^2` and
+/// `B = |view x up|^2`.
+#[derive(Clone, Debug)]
+pub(crate) struct Radicands {
+    pub(crate) a: Dyadic,
+    pub(crate) b: Dyadic,
+    ab: Dyadic,
+}
+
+impl Radicands {
+    pub(crate) fn new(a: Dyadic, b: Dyadic) -> Radicands {
+        let ab = &a * &b;
+        Radicands { a, b, ab }
+    }
+
+    /// For numbers without roots.
+    pub(crate) fn none() -> Radicands {
+        Radicands::new(Dyadic::from(1.0), Dyadic::from(1.0))
+    }
+
+    /// `sqrt(A B)`.
+    pub(crate) fn root_of_product() -> Surd {
+        let zero = Dyadic::zero;
+        Surd([zero(), zero(), zero(), Dyadic::from(1.0)])
+    }
+}
+
+/// `x0 + x1 sqrt A + x2 sqrt B + x3 sqrt(A B)`, with the radicands kept elsewhere.
+#[derive(Clone, Debug)]
+pub(crate) struct Surd(pub(crate) [Dyadic; 4]);
+
+impl From<Dyadic> for Surd {
+    fn from(x: Dyadic) -> Surd {
+        let zero = Dyadic::zero;
+        Surd([x, zero(), zero(), zero()])
+    }
+}
+
+impl Surd {
+    pub(crate) fn zero() -> Surd {
+        Surd::from(Dyadic::zero())
+    }
+
+    /// `x y`. `sqrt A sqrt A = A`, and likewise; coefficients of 0 cost nothing.
+    pub(crate) fn times(&self, other: &Surd, of: &Radicands) -> Surd {
+        /// The root under which the product of two coefficients goes: bit 0 for A, bit 1 for B.
+        /// Where both have a root, its radicand comes out.
+        fn factor(i: usize, j: usize, of: &Radicands) -> Option<&Dyadic> {
+            match i & j {
+                0 => None,
+                1 => Some(&of.a),
+                2 => Some(&of.b),
+                _ => Some(&of.ab),
+            }
+        }
+        let mut product = Surd::zero();
+        for i in 0..4 {
+            for j in 0..4 {
+                let (x, y) = (&self.0[i], &other.0[j]);
+                if x.is_zero() || y.is_zero() {
+                    continue;
+                }
+                let term = x * y;
+                let term = match factor(i, j, of) {
+                    Some(radicand) => &term * radicand,
+                    None => term,
+                };
+                product.0[i ^ j] = &product.0[i ^ j] + &term;
+            }
+        }
+        product
+    }
+
+    /// `x^2`
+    pub(crate) fn square(&self, of: &Radicands) -> Surd {
+        self.times(self, of)
+    }
+
+    /// `x y` of an exact y.
+    pub(crate) fn scaled(&self, y: &Dyadic) -> Surd {
+        Surd(std::array::from_fn(|i| &self.0[i] * y))
+    }
+
+    /// Less, equal or greater than 0, decided exactly.
+    ///
+    /// `x + y sqrt B` has the sign that x and y share; where they differ, that of x if
+    /// `x^2 > y^2 B`. x and y are numbers `p + q sqrt A`, whose signs follow in the same way from
+    /// exact integers.
+    pub(crate) fn sign(&self, of: &Radicands) -> Ordering {
+        let [x0, x1, y0, y1] = &self.0;
+        let (x, y) = (sign_with_root(x0, x1, &of.a), sign_with_root(y0, y1, &of.a));
+        larger_of(x, y, || {
+            // x^2 - y^2 B, again p + q sqrt A.
+            let square = |p: &Dyadic, q: &Dyadic| {
+                let pq = p * q;
+                (&p.square() + &(&q.square() * &of.a), &pq + &pq)
+            };
+            let ((xp, xq), (yp, yq)) = (square(x0, x1), square(y0, y1));
+            sign_with_root(&(&xp - &(&yp * &of.b)), &(&xq - &(&yq * &of.b)), &of.a)
+        })
+    }
+
+    /// The number times `2^places`, as an integer that is off by less than 4.
+    pub(crate) fn fixed(&self, places: i32, of: &Radicands) -> BigInt {
+        let mut sum = self.0[0].fixed(places);
+        for (coefficient, radicand) in self.0[1..].iter().zip([&of.a, &of.b, &of.ab]) {
+            if coefficient.is_zero() {
+                continue;
+            }
+            let root = (&coefficient.square() * radicand).fixed_root(places);
+            match coefficient.sign() {
+                Ordering::Less => sum -= root,
+                _ => sum += root,
+            }
+        }
+        sum
+    }
+
+    /// An upper bound of `log2 |x|`.
+    pub(crate) fn log2_bound(&self, of: &Radicands) -> i32 {
+        let one = Dyadic::from(1.0);
+        let terms = self.0.iter().zip([&one, &of.a, &of.b, &of.ab]);
+        let largest = terms.map(|(x, radicand)| {
+            if x.is_zero() { i32::MIN / 4 } else { x.log2() + 1 + (radicand.log2() + 2) / 2 + 1 }
+        });
+        largest.max().unwrap_or_default() + 2
+    }
+}
+
+/// The sign of `x + y` from theirs; where they differ, that of x if `x^2 > y^2`, which `squares`
+/// compares.
+pub(crate) fn larger_of(x: Ordering, y: Ordering, squares: impl FnOnce() -> Ordering) -> Ordering {
+    match (x, y) {
+        (Ordering::Equal, y) => y,
+        (x, Ordering::Equal) => x,
+        (x, y) if x == y => x,
+        (Ordering::Greater, _) => squares(),
+        _ => squares().reverse(),
+    }
+}
+
+/// The sign of `p + q sqrt a`.
+fn sign_with_root(p: &Dyadic, q: &Dyadic, a: &Dyadic) -> Ordering {
+    larger_of(p.sign(), q.sign(), || (&p.square() - &(&q.square() * a)).sign())
+}
+
+/// The sign of `x + s sqrt p + t sqrt q` for signs s and t, `p >= 0` and `q >= 0`, decided exactly:
+/// by squaring, as often as there are roots.
+pub(crate) fn sign_with_roots(
+    x: &Surd,
+    (s, p): (Ordering, &Surd),
+    (t, q): (Ordering, &Surd),
+    of: &Radicands,
+) -> Ordering {
+    let root_sign = |sign: Ordering, radicand: &Surd| match radicand.sign(of) {
+        Ordering::Greater => sign,
+        _ => Ordering::Equal,
+    };
+    let (s, t) = (root_sign(s, p), root_sign(t, q));
+    let roots = larger_of(s, t, || (p - q).sign(of));
+    larger_of(x.sign(of), roots, || {
+        // x^2 - p - q - 2 s t sqrt(p q)
+        let y = &(&x.square(of) - p) - q;
+        let product = p.times(q, of);
+        let cross = match (s, t) {
+            (Ordering::Equal, _) | (_, Ordering::Equal) => Ordering::Equal,
+            (s, t) if s == t => Ordering::Less,
+            _ => Ordering::Greater,
+        };
+        larger_of(y.sign(of), cross, || {
+            let four = Dyadic::from(4.0);
+            (&y.square(of) - &product.scaled(&four)).sign(of)
+        })
+    })
+}
+
+impl Add for &Surd {
+    type Output = Surd;
+
+    fn add(self, other: &Surd) -> Surd {
+        Surd(std::array::from_fn(|i| &self.0[i] + &other.0[i]))
+    }
+}
+
+impl Sub for &Surd {
+    type Output = Surd;
+
+    fn sub(self, other: &Surd) -> Surd {
+        Surd(std::array::from_fn(|i| &self.0[i] - &other.0[i]))
+    }
+}
+
+impl Neg for &Surd {
+    type Output = Surd;
+
+    fn neg(self) -> Surd {
+        Surd(std::array::from_fn(|i| -&self.0[i]))
+    }
+}

@@ -1,0 +1,327 @@
+//! The arithmetic under the ladder on random bit patterns, against big integers: sums and products
+//! with their errors to the bit, double-double within its bounds, on every SIMD level.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test prints and fails by panicking"
+)]
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch};
+
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::dyadic::{Dyadic, big_of};
+use crate::exact::error_free::{Lane, dekker_product, fast_two_sum, two_sum};
+use crate::exact::lanes::Lanes;
+use crate::exact::scale::{exponent, ldexp};
+use crate::test_levels::levels;
+use crate::test_seed::seed;
+
+/// Patterns of each operation.
+const COUNT: usize = 100_000;
+
+/// Random bits (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014).
+struct Bits(u64);
+
+impl Bits {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+
+    /// A whole number in `from..=to`.
+    fn within(&mut self, from: i32, to: i32) -> i32 {
+        from + (self.next() % (to - from + 1) as u64) as i32
+    }
+
+    /// A number of either sign and any digits with this exponent: random ones, few ones, long runs of
+    /// ones or zeros, where carries and ties are.
+    fn number(&mut self, exponent: i32) -> f64 {
+        let (random, shift) = (self.next(), self.within(0, 52));
+        let fraction = match self.next() % 5 {
+            0 | 1 => random,
+            2 => 1 << shift,
+            3 => (1 << shift) - 1,
+            _ => !((1 << shift) - 1) ^ (random & 1),
+        };
+        let sign = self.next() & 1 << 63;
+        let mantissa = f64::from_bits(1023 << 52 | (fraction & ((1 << 52) - 1)) | sign);
+        ldexp(mantissa, exponent)
+    }
+
+    /// Two numbers to add: of any two exponents down to the subnormal ones, of close ones, and nearly
+    /// opposite ones.
+    fn summands(&mut self) -> (f64, f64) {
+        let top = self.within(-1074, 1022);
+        let a = self.number(top);
+        let b = match self.next() % 4 {
+            0 => {
+                let other = self.within(-1074, 1022);
+                self.number(other)
+            }
+            1 | 2 => {
+                let down = self.within(0, 110);
+                self.number((top - down).max(-1074))
+            }
+            _ => {
+                let off = self.within(-3, 3);
+                opposite(a, off)
+            }
+        };
+        (a, b)
+    }
+
+    /// Two factors in the range that [`dekker_product`] is for.
+    fn factors(&mut self) -> (f64, f64) {
+        let product = self.within(-969, 1021);
+        let first = self.within((product - 995).max(-1022), (product + 1022).min(995));
+        (self.number(first), self.number(product - first))
+    }
+
+    /// A double-double with a high part of about 2^exponent.
+    fn double(&mut self, exponent: i32) -> DoubleDouble {
+        let hi = self.number(exponent);
+        let down = match self.next() % 4 {
+            0 => return DoubleDouble::from(hi),
+            1 => self.within(54, 200),
+            _ => 54,
+        };
+        let (hi, lo) = two_sum(hi, self.number(exponent - down));
+        DoubleDouble { hi, lo }
+    }
+
+    /// Two of them: far apart, close, and nearly opposite.
+    fn doubles(&mut self) -> (DoubleDouble, DoubleDouble) {
+        let top = self.within(-200, 200);
+        let a = self.double(top);
+        let b = match self.next() % 4 {
+            0 => {
+                let other = self.within(-200, 200);
+                self.double(other)
+            }
+            1 | 2 => {
+                let down = self.within(0, 110);
+                self.double(top - down)
+            }
+            _ => {
+                let (off, down) = (self.within(-2, 2), self.within(53, 120));
+                let hi = opposite(a.hi, off);
+                let (hi, lo) = two_sum(hi, self.number(top - down));
+                DoubleDouble { hi, lo }
+            }
+        };
+        (a, b)
+    }
+}
+
+/// `-x`, so many units in the last place larger or smaller.
+fn opposite(x: f64, ulps: i32) -> f64 {
+    let magnitude = x.abs().to_bits().saturating_add_signed(i64::from(ulps));
+    f64::from_bits(magnitude).copysign(-x)
+}
+
+/// Runs a check on all patterns.
+fn on_all(mut check: impl FnMut(&mut Bits)) {
+    let mut bits = Bits(seed());
+    for _ in 0..COUNT {
+        check(&mut bits);
+    }
+}
+
+fn is_equal(x: &Dyadic, y: &Dyadic) -> bool {
+    (x - y).is_zero()
+}
+
+#[test]
+fn sums_and_their_errors_are_exact() {
+    let mut cancelled = 0;
+    on_all(|bits| {
+        let (a, b) = bits.summands();
+        let exact = &big_of(a) + &big_of(b);
+        let (sum, error) = two_sum(a, b);
+        assert_eq!(sum, a + b);
+        assert!(is_equal(&exact, &(&big_of(sum) + &big_of(error))), "{a:e} + {b:e}");
+        let (larger, smaller) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
+        assert_eq!(fast_two_sum(larger, smaller), (sum, error), "{larger:e} + {smaller:e}");
+        // The condition is on exponents: within one, either may come first.
+        if a != 0.0 && b != 0.0 && exponent(a) == exponent(b) {
+            assert_eq!(fast_two_sum(smaller, larger), (sum, error), "{smaller:e} + {larger:e}");
+        }
+        cancelled += usize::from(sum.abs() < 1e-10 * larger.abs());
+    });
+    assert!(cancelled > COUNT / 10, "{cancelled}");
+}
+
+#[test]
+fn products_and_their_errors_are_exact() {
+    on_all(|bits| {
+        let (a, b) = bits.factors();
+        let (product, error) = dekker_product(a, b);
+        assert_eq!(product, a * b);
+        let exact = &big_of(a) * &big_of(b);
+        assert!(is_equal(&exact, &(&big_of(product) + &big_of(error))), "{a:e} * {b:e}");
+        assert_eq!(a.two_product(b), (product, error), "{a:e} * {b:e}");
+    });
+}
+
+fn value(x: DoubleDouble) -> Dyadic {
+    &big_of(x.hi) + &big_of(x.lo)
+}
+
+/// Asserts `|found - exact| <= bound u^2 |size|`, and that the parts do not overlap.
+#[track_caller]
+fn assert_within(
+    bound: f64,
+    found: &Dyadic,
+    exact: &Dyadic,
+    size: &Dyadic,
+    case: &dyn Fn() -> String,
+) {
+    let off = &(found - exact) * &big_of(2_f64.powi(106));
+    let most = size * &big_of(bound);
+    assert!((&most.square() - &off.square()).sign().is_ge(), "{} is off", case());
+}
+
+#[track_caller]
+fn assert_normal(x: DoubleDouble, case: &dyn Fn() -> String) {
+    assert_eq!(x.hi + x.lo, x.hi, "{} overlaps: {x:?}", case());
+}
+
+/// `3 / (1 - 4u)`
+const SUM_BOUND: f64 = 3.0 + 8.0 * f64::EPSILON;
+
+#[test]
+fn double_double_sums_are_within_their_bound() {
+    on_all(|bits| {
+        let (a, b) = bits.doubles();
+        let case = || format!("{a:?} + {b:?}");
+        let exact = &value(a) + &value(b);
+        let sum = a + b;
+        assert_within(SUM_BOUND, &value(sum), &exact, &exact, &case);
+        assert_normal(sum, &case);
+        let exact = &value(a) - &value(b);
+        assert_within(SUM_BOUND, &value(a - b), &exact, &exact, &case);
+    });
+}
+
+#[test]
+fn double_double_products_are_within_their_bounds() {
+    on_all(|bits| {
+        let (a, b) = bits.doubles();
+        let case = || format!("{a:?} * {b:?}");
+        let exact = &value(a) * &value(b);
+        let product = a * b;
+        assert_within(7.0, &value(product), &exact, &exact, &case);
+        assert_normal(product, &case);
+        let exact = &value(a) * &big_of(b.hi);
+        let product = a.times(b.hi);
+        assert_within(3.0, &value(product), &exact, &exact, &case);
+        assert_normal(product, &case);
+    });
+}
+
+/// `|x - a/b| <= k |a/b|` where `|x b - a| <= k |a|`.
+#[test]
+fn double_double_quotients_are_within_their_bound() {
+    on_all(|bits| {
+        let (a, b) = bits.doubles();
+        let case = || format!("{a:?} / {b:?}");
+        let quotient = a / b;
+        let back = &value(quotient) * &value(b);
+        assert_within(17.0, &back, &value(a), &value(a), &case);
+        assert_normal(quotient, &case);
+    });
+}
+
+/// `|s - sqrt x| <= k sqrt x` where `(1 - k)^2 x <= s^2 <= (1 + k)^2 x`.
+#[test]
+fn double_double_roots_are_within_their_bound() {
+    let k = &big_of(3.125) * &big_of(2_f64.powi(-106));
+    let one = big_of(1.0);
+    let (least, most) = ((&one - &k).square(), (&one + &k).square());
+    on_all(|bits| {
+        let exponent = bits.within(-200, 200);
+        let x = bits.double(exponent);
+        let x = if x.hi < 0.0 { -x } else { x };
+        let case = || format!("the root of {x:?}");
+        let root = x.square_root();
+        let (square, x) = (value(root).square(), value(x));
+        assert!((&square - &(&x * &least)).sign().is_ge(), "{} is too small", case());
+        assert!((&(&x * &most) - &square).sign().is_ge(), "{} is too large", case());
+        assert_normal(root, &case);
+    });
+}
+
+/// Numbers of the operations' results, lane by lane.
+const RESULTS: usize = 12;
+
+fn results<F: Lane>(
+    a: DoubleDouble<F>,
+    b: DoubleDouble<F>,
+    positive: DoubleDouble<F>,
+) -> [F; RESULTS] {
+    let (product, error) = a.hi.two_product(b.hi);
+    let all = [a + b, a * b, a.times(b.hi), a / b, positive.square_root()];
+    let mut results = [product; RESULTS];
+    results[1] = error;
+    for (i, x) in all.into_iter().enumerate() {
+        (results[2 * i + 2], results[2 * i + 3]) = (x.hi, x.lo);
+    }
+    results
+}
+
+type Case = (DoubleDouble, DoubleDouble, DoubleDouble);
+
+#[inline(always)]
+fn by_lanes<S: Simd>(simd: S, cases: &[Case]) -> Vec<[f64; RESULTS]> {
+    let lane = |of: &dyn Fn(&Case) -> f64, chunk: &[Case]| {
+        let numbers: Vec<f64> = chunk.iter().map(of).collect();
+        Lanes::<S>(S::f64s::from_slice(simd, &numbers))
+    };
+    let mut all = Vec::new();
+    for chunk in cases.chunks_exact(S::f64s::LEN) {
+        let double = |of: fn(&Case) -> DoubleDouble| DoubleDouble {
+            hi: lane(&|case| of(case).hi, chunk),
+            lo: lane(&|case| of(case).lo, chunk),
+        };
+        let results = results(double(|case| case.0), double(|case| case.1), double(|case| case.2));
+        let mut numbers = [[0.0; 8]; RESULTS];
+        for (result, numbers) in results.iter().zip(&mut numbers) {
+            result.0.store_slice(&mut numbers[..S::f64s::LEN]);
+        }
+        all.extend((0..chunk.len()).map(|lane| numbers.map(|result| result[lane])));
+    }
+    all
+}
+
+/// One number's results have been checked above; lanes give the same bits. An error of 0 has either
+/// sign: Dekker's product may make it -0, a fused one makes it +0.
+#[test]
+fn lanes_give_the_same_bits_on_every_level() {
+    let mut cases: Vec<Case> = Vec::new();
+    on_all(|bits| {
+        let (a, b) = bits.doubles();
+        let positive = if a.hi < 0.0 { -a } else { a };
+        cases.push((a, b, positive));
+    });
+    // Products in the whole of their range.
+    on_all(|bits| {
+        let (a, b) = bits.factors();
+        cases.push((DoubleDouble::from(a), DoubleDouble::from(b), DoubleDouble::from(1.0)));
+    });
+    assert_eq!(cases.len() % 8, 0);
+    let expected: Vec<_> =
+        cases.iter().map(|(a, b, positive)| results(*a, *b, *positive)).collect();
+    for (name, level) in levels() {
+        let found = dispatch!(level, simd => by_lanes(simd, &cases));
+        assert_eq!(found.len(), cases.len());
+        for (index, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            let is_in_range = index < COUNT;
+            let count = if is_in_range { RESULTS } else { 2 };
+            let bits = |x: &[f64; RESULTS]| x.map(|x| (x + 0.0).to_bits())[..count].to_vec();
+            assert_eq!(bits(found), bits(expected), "{name}: {:?}", cases[index]);
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! Whole frames and lists of rays by one [method](crate::methods), each loop compiled for it alone.
+//!
+//! These pictures show what a method does wrong. So every pixel asks every object: no bounds are
+//! computed, and nothing is left out.
+
+use crate::camera::resolved::PosedCamera;
+use crate::methods::formulas::{Intersect, PlaneByTextbook, is_hit};
+use crate::methods::number::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere, Vector};
+use crate::render::frame::{NO_OBJECT, Raster};
+use crate::scene::Scene;
+
+/// The view rays of a raster in a method's precision: direction `u*U + (v*V - distance*W)`, every
+/// operation rounded to it, and the camera's basis, viewport and eye rounded to it first.
+pub(crate) struct ViewRays<R> {
+    pub(crate) origin: Vector<R>,
+    /// `u*U` of each column, coordinate by coordinate.
+    column_parts: [Vec<R>; 3],
+    /// `v*V - distance*W` of each row.
+    row_parts: Vec<Vector<R>>,
+}
+
+impl<R: Real> ViewRays<R> {
+    pub(crate) fn new(camera: &PosedCamera, raster: &Raster) -> Self {
+        let (basis, viewport) = (camera.basis(), camera.viewport());
+        let [u, v, w] = [basis.u, basis.v, basis.w].map(Vector::<R>::rounded);
+        let [width, height, distance] =
+            [viewport.width, viewport.height, viewport.distance].map(R::from_f64);
+        let (columns, rows) = (camera.image().width(), camera.image().height());
+        // Small integers, exact in every precision.
+        let of = |extent: R, numerator: f64, count: u32| {
+            extent * (R::from_f64(numerator) / R::from_f64(2.0 * f64::from(count)))
+        };
+        let column_part = |column: &u32| {
+            let odd = 2.0 * f64::from(*column) + 1.0;
+            u.times(of(width, odd - f64::from(columns), columns))
+        };
+        let row_part = |row: &u32| {
+            let odd = 2.0 * f64::from(*row) + 1.0;
+            v.times(of(height, f64::from(rows) - odd, rows)) - w.times(distance)
+        };
+        let parts: Vec<Vector<R>> = raster.columns().iter().map(column_part).collect();
+        ViewRays {
+            origin: Vector::rounded(camera.eye()),
+            column_parts: [
+                parts.iter().map(|p| p.x).collect(),
+                parts.iter().map(|p| p.y).collect(),
+                parts.iter().map(|p| p.z).collect(),
+            ],
+            row_parts: raster.rows().iter().map(row_part).collect(),
+        }
+    }
+
+    /// The ray of the raster's `row`th row and `column`th column.
+    pub(crate) fn ray(&self, row: usize, column: usize) -> RoundedRay<R> {
+        let [x, y, z] = &self.column_parts;
+        let part = Vector { x: x[column], y: y[column], z: z[column] };
+        RoundedRay { origin: self.origin, direction: part + self.row_parts[row] }
+    }
+
+    fn columns(&self) -> usize {
+        self.column_parts[0].len()
+    }
+}
+
+/// What every row of a frame shares.
+pub(crate) struct FrameBy<M: Intersect> {
+    pub(crate) rays: ViewRays<M::Real>,
+    spheres: Vec<M>,
+    planes: Vec<PlaneByTextbook<M::Real>>,
+}
+
+/// One row's directions, and what is nearest so far.
+pub(crate) struct Row<R> {
+    directions: [Vec<R>; 3],
+    pub(crate) t: Vec<R>,
+    pub(crate) object: Vec<u32>,
+}
+
+impl<R: Real> Row<R> {
+    pub(crate) fn new(columns: usize) -> Self {
+        let zeros = || vec![R::ZERO; columns];
+        Row {
+            directions: [zeros(), zeros(), zeros()],
+            t: vec![R::INFINITY; columns],
+            object: vec![NO_OBJECT; columns],
+        }
+    }
+
+    /// Asks one object for every pixel. Objects come in ascending order, so "nearer than what is
+    /// there" keeps the first of equals; NaN is not nearer than anything.
+    #[inline(always)]
+    fn ask(&mut self, object: u32, first_hit: impl Fn(Vector<R>) -> R) {
+        let [x, y, z] = &self.directions;
+        let nearest = self.t.iter_mut().zip(&mut self.object);
+        for ((t, nearest_object), ((x, y), z)) in nearest.zip(x.iter().zip(y).zip(z)) {
+            let hit = first_hit(Vector { x: *x, y: *y, z: *z });
+            let is_nearer = (hit > R::ZERO) & (hit < *t);
+            *t = if is_nearer { hit } else { *t };
+            *nearest_object = if is_nearer { object } else { *nearest_object };
+        }
+    }
+}
+
+impl<M: Intersect> FrameBy<M> {
+    pub(crate) fn new(scene: &Scene, camera: &PosedCamera, raster: &Raster) -> Self {
+        let rays = ViewRays::new(camera, raster);
+        let origin = rays.origin;
+        let sphere = |sphere| M::new(&RoundedSphere::new(sphere), origin);
+        let plane = |plane| PlaneByTextbook::new(&RoundedPlane::new(plane), origin);
+        FrameBy {
+            spheres: scene.spheres().iter().map(sphere).collect(),
+            planes: scene.planes().iter().map(plane).collect(),
+            rays,
+        }
+    }
+
+    /// Traces the raster's `index`th row.
+    #[inline(always)]
+    pub(crate) fn trace_row(&self, index: usize, row: &mut Row<M::Real>) {
+        let part = self.rays.row_parts[index];
+        let of_rows = [part.x, part.y, part.z];
+        for ((direction, of_columns), of_row) in
+            row.directions.iter_mut().zip(&self.rays.column_parts).zip(of_rows)
+        {
+            for (coordinate, of_column) in direction.iter_mut().zip(of_columns) {
+                *coordinate = *of_column + of_row;
+            }
+        }
+        row.t.fill(M::Real::INFINITY);
+        row.object.fill(NO_OBJECT);
+        for (object, sphere) in (0..).zip(&self.spheres) {
+            row.ask(object, |direction| sphere.first_hit(direction));
+        }
+        for (object, plane) in (self.spheres.len() as u32..).zip(&self.planes) {
+            row.ask(object, |direction| plane.first_hit(direction));
+        }
+    }
+
+    pub(crate) fn row(&self) -> Row<M::Real> {
+        Row::new(self.rays.columns())
+    }
+}
+
+/// The first hit of any ray, each object rounded and prepared for it on the way.
+pub(crate) fn first_hit<M: Intersect>(
+    scene: &Scene,
+    ray: &RoundedRay<M::Real>,
+) -> Option<(u32, M::Real)> {
+    let spheres = scene.spheres().iter().map(RoundedSphere::new);
+    let planes = scene.planes().iter().map(RoundedPlane::new);
+    nearest::<M>(spheres, planes, ray)
+}
+
+/// The first hit of a rounded ray among rounded objects.
+#[inline(always)]
+pub(crate) fn first_hit_rounded<M: Intersect>(
+    scene: &RoundedScene<M::Real>,
+    ray: &RoundedRay<M::Real>,
+) -> Option<(u32, M::Real)> {
+    nearest::<M>(scene.spheres.iter().copied(), scene.planes.iter().copied(), ray)
+}
+
+#[inline(always)]
+fn nearest<M: Intersect>(
+    spheres: impl Iterator<Item = RoundedSphere<M::Real>>,
+    planes: impl Iterator<Item = RoundedPlane<M::Real>>,
+    ray: &RoundedRay<M::Real>,
+) -> Option<(u32, M::Real)> {
+    let RoundedRay { origin, direction } = *ray;
+    let of_spheres = spheres.map(|sphere| M::new(&sphere, origin).first_hit(direction));
+    let of_planes = planes.map(|plane| PlaneByTextbook::new(&plane, origin).first_hit(direction));
+    let mut first = None;
+    let mut nearest = M::Real::INFINITY;
+    for (object, t) in (0..).zip(of_spheres.chain(of_planes)) {
+        if is_hit(t) && t < nearest {
+            nearest = t;
+            first = Some(object);
+        }
+    }
+    first.map(|object| (object, nearest))
+}

@@ -1,0 +1,286 @@
+//! The numbers that the [methods](crate::methods) compute in, and vectors of them.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use glam::DVec3;
+
+use crate::camera::ray::Ray;
+use crate::exact::double_double::DoubleDouble;
+use crate::scene::Scene;
+use crate::scene::plane::Plane;
+use crate::scene::sphere::Sphere;
+
+/// A floating-point number that a method computes in. Every operation rounds to it.
+pub(crate) trait Real:
+    Copy
+    + PartialOrd
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// 0.
+    const ZERO: Self;
+    /// Beyond every number: "no hit yet".
+    const INFINITY: Self;
+
+    /// The nearest number of this precision.
+    fn from_f64(x: f64) -> Self;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// The square root, NaN of a negative number.
+    fn sqrt(self) -> Self;
+    /// `|self|` with the sign of `sign`.
+    fn copysign(self, sign: Self) -> Self;
+}
+
+/// A number with a fused multiply-add.
+pub(crate) trait Fused: Real {
+    /// `self * factor + term`, rounded once.
+    fn mul_add(self, factor: Self, term: Self) -> Self;
+}
+
+macro_rules! implement_real {
+    ($real:ident) => {
+        impl Real for $real {
+            const ZERO: Self = 0.0;
+            const INFINITY: Self = $real::INFINITY;
+
+            #[inline(always)]
+            fn from_f64(x: f64) -> Self {
+                x as $real
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $real::sqrt(self)
+            }
+            #[inline(always)]
+            fn copysign(self, sign: Self) -> Self {
+                $real::copysign(self, sign)
+            }
+        }
+
+        impl Fused for $real {
+            #[inline(always)]
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                $real::mul_add(self, factor, term)
+            }
+        }
+    };
+}
+
+implement_real!(f32);
+implement_real!(f64);
+
+impl Real for DoubleDouble {
+    const ZERO: Self = DoubleDouble { hi: 0.0, lo: 0.0 };
+    const INFINITY: Self = DoubleDouble { hi: f64::INFINITY, lo: 0.0 };
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        DoubleDouble::from(x)
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self.hi
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // The algorithm divides by the root; of 0, and of what has none, f64's is right. Choices of
+        // numbers, not of ways, so that a loop over them can be vectorized.
+        let (root, plain, has_root) = (self.square_root(), self.hi.sqrt(), self.hi > 0.0);
+        DoubleDouble {
+            hi: if has_root { root.hi } else { plain },
+            lo: if has_root { root.lo } else { 0.0 },
+        }
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        let turn = 1_f64.copysign(self.hi) * 1_f64.copysign(sign.hi);
+        DoubleDouble { hi: self.hi * turn, lo: self.lo * turn }
+    }
+}
+
+/// By value; nothing compares with NaN.
+impl PartialOrd for DoubleDouble {
+    #[inline(always)]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        match self.hi.partial_cmp(&other.hi)? {
+            Ordering::Equal => self.lo.partial_cmp(&other.lo),
+            order => Some(order),
+        }
+    }
+
+    #[inline(always)]
+    fn lt(&self, other: &Self) -> bool {
+        (self.hi < other.hi) | ((self.hi == other.hi) & (self.lo < other.lo))
+    }
+
+    #[inline(always)]
+    fn gt(&self, other: &Self) -> bool {
+        other.lt(self)
+    }
+}
+
+/// A point or direction in a method's precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Vector<R> {
+    /// To the right in the canonical camera.
+    pub(crate) x: R,
+    /// Up in it.
+    pub(crate) y: R,
+    /// Towards its reader.
+    pub(crate) z: R,
+}
+
+impl<R: Real> Vector<R> {
+    /// The nearest vector of this precision.
+    #[inline(always)]
+    pub(crate) fn rounded(v: DVec3) -> Self {
+        Vector { x: R::from_f64(v.x), y: R::from_f64(v.y), z: R::from_f64(v.z) }
+    }
+
+    /// Each coordinate as the nearest `f64`.
+    pub(crate) fn to_f64(self) -> DVec3 {
+        DVec3::new(self.x.to_f64(), self.y.to_f64(), self.z.to_f64())
+    }
+
+    /// The scalar product.
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> R {
+        self.x * other.x + self.y * other.y + self.z * other.z
+    }
+
+    /// The vector product.
+    #[inline(always)]
+    pub(crate) fn cross(self, other: Self) -> Self {
+        Vector {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
+    /// `factor * self`.
+    #[inline(always)]
+    pub(crate) fn times(self, factor: R) -> Self {
+        Vector { x: factor * self.x, y: factor * self.y, z: factor * self.z }
+    }
+
+    /// `self / divisor`.
+    #[inline(always)]
+    pub(crate) fn divided_by(self, divisor: R) -> Self {
+        Vector { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
+    }
+}
+
+impl<R: Real> Add for Vector<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Vector { x: self.x + other.x, y: self.y + other.y, z: self.z + other.z }
+    }
+}
+
+impl<R: Real> Sub for Vector<R> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Vector { x: self.x - other.x, y: self.y - other.y, z: self.z - other.z }
+    }
+}
+
+/// A [`Ray`] rounded to a method's precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RoundedRay<R> {
+    /// Where t = 0.
+    pub(crate) origin: Vector<R>,
+    /// Not normalized.
+    pub(crate) direction: Vector<R>,
+}
+
+impl<R: Real> RoundedRay<R> {
+    /// Rounds each coordinate.
+    #[inline(always)]
+    pub(crate) fn new(ray: &Ray) -> Self {
+        RoundedRay {
+            origin: Vector::rounded(ray.origin),
+            direction: Vector::rounded(ray.direction),
+        }
+    }
+}
+
+/// A [`Sphere`] rounded to a method's precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RoundedSphere<R> {
+    /// The centre.
+    pub(crate) center: Vector<R>,
+    /// The radius; one too small for the precision is 0.
+    pub(crate) radius: R,
+}
+
+/// A [`Plane`] rounded to a method's precision.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RoundedPlane<R> {
+    /// Any point of it.
+    pub(crate) point: Vector<R>,
+    /// At right angles to it, of any length.
+    pub(crate) normal: Vector<R>,
+}
+
+/// A [`Scene`] rounded to a method's precision, objects counted as there.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct RoundedScene<R> {
+    /// Objects 0, 1, ...
+    pub(crate) spheres: Vec<RoundedSphere<R>>,
+    /// The objects after the spheres.
+    pub(crate) planes: Vec<RoundedPlane<R>>,
+}
+
+impl<R: Real> RoundedSphere<R> {
+    /// Rounds centre and radius.
+    #[inline(always)]
+    pub(crate) fn new(sphere: &Sphere) -> Self {
+        let Sphere { center, radius } = *sphere;
+        RoundedSphere { center: Vector::rounded(center), radius: R::from_f64(radius) }
+    }
+
+    /// The outward unit normal where the ray meets the sphere at t, as courses have it:
+    /// `(p + t d - center) / radius`.
+    pub(crate) fn normal(&self, ray: &RoundedRay<R>, t: R) -> Vector<R> {
+        let point = ray.origin + ray.direction.times(t);
+        (point - self.center).divided_by(self.radius)
+    }
+}
+
+impl<R: Real> RoundedPlane<R> {
+    /// Rounds point and normal.
+    #[inline(always)]
+    pub(crate) fn new(plane: &Plane) -> Self {
+        RoundedPlane { point: Vector::rounded(plane.point), normal: Vector::rounded(plane.normal) }
+    }
+
+    /// The unit normal, `n / |n|`.
+    pub(crate) fn unit_normal(&self) -> Vector<R> {
+        self.normal.divided_by(self.normal.dot(self.normal).sqrt())
+    }
+}
+
+impl<R: Real> RoundedScene<R> {
+    /// Rounds every object.
+    pub(crate) fn new(scene: &Scene) -> Self {
+        RoundedScene {
+            spheres: scene.spheres().iter().map(RoundedSphere::new).collect(),
+            planes: scene.planes().iter().map(RoundedPlane::new).collect(),
+        }
+    }
+}

@@ -1,0 +1,243 @@
+//! Drawing what a band of rows sees of a crowd of spheres.
+
+use std::ops::Range;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::exact::lanes::lanes_of;
+use crate::render::bvh::occlusion::Veil;
+use crate::render::bvh::visible::{BoxSeen, Crowd};
+use crate::render::frame::counts::Counts;
+use crate::render::outline::Outlines;
+use crate::render::rows::small_spheres::{Runs, draw_tiny};
+use crate::render::rows::span::{Span, SpanTarget};
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::scene::sphere_order::BLOCK;
+
+/// What a band did with a crowd.
+#[derive(Default)]
+pub(crate) struct CrowdDrawn {
+    pub(crate) counts: Counts,
+    /// Spheres that cannot be drawn by rows.
+    pub(crate) others: Vec<u32>,
+}
+
+/// Draws what the target's rows see of the crowd, near to far, from a block of a group on. Stops before
+/// the end, and tells before which block, where too many pixels are in doubt.
+#[inline(always)]
+pub(crate) fn draw_crowd<S: Simd>(
+    simd: S,
+    crowd: &Crowd,
+    (first_group, mut first_block): (usize, usize),
+    target: &mut SpanTarget,
+    drawn: &mut CrowdDrawn,
+) -> Option<(usize, usize)> {
+    let is_drawn = !crowd.others.is_empty() || first_group + first_block > 0;
+    let mut drawing = Drawing {
+        crowd,
+        runs: Runs::new(),
+        veil: Veil::new(target.axes.width(), target.rows.len(), is_drawn),
+        drawn,
+    };
+    for (number, group) in crowd.groups.iter().enumerate().skip(first_group) {
+        let start = std::mem::take(&mut first_block);
+        let rows = own_rows(target, &group.bounds.rows());
+        if rows.is_empty() {
+            continue;
+        }
+        if drawing.is_hidden(target, &group.bounds) {
+            for block in &group.blocks[start..] {
+                drawing.count_hidden(target, block);
+            }
+            continue;
+        }
+        for (place, block) in group.blocks.iter().enumerate().skip(start) {
+            if own_rows(target, &block.rows()).is_empty() {
+                continue;
+            }
+            // Where spheres do not cover one another much, a look at each block costs more than it
+            // saves.
+            if crowd.is_crowded && drawing.is_hidden(target, block) {
+                drawing.count_hidden(target, block);
+                continue;
+            }
+            let vectors = BLOCK / S::f64s::LEN;
+            let kept = group.outlines.get(place * vectors..(place + 1) * vectors);
+            drawing.block(simd, target, (block, group.has_others), kept);
+            if target.is_full() {
+                return Some((number, place + 1));
+            }
+        }
+        if !crowd.is_crowded {
+            drawing.veil.touch(&rows, &group.bounds.columns());
+        }
+    }
+    None
+}
+
+struct Drawing<'a> {
+    crowd: &'a Crowd<'a>,
+    runs: Runs,
+    veil: Veil,
+    drawn: &'a mut CrowdDrawn,
+}
+
+/// What is found of a block's spheres is counted once: by the first band that the block reaches.
+#[inline(always)]
+fn is_first_band(target: &SpanTarget, block: &BoxSeen) -> bool {
+    block.rows().start >= target.rows.start
+}
+
+/// Rows of the raster that lie in the target, as rows of the target.
+#[inline(always)]
+fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
+    let (start, end) = (rows.start.max(target.rows.start), rows.end.min(target.rows.end));
+    start - target.rows.start..end.max(start) - target.rows.start
+}
+
+impl Drawing<'_> {
+    /// Whether all pixels that a group or block has in the target are covered by what is nearer.
+    #[inline(always)]
+    fn is_hidden(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
+        let rows = own_rows(target, &bounds.rows());
+        self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
+    }
+
+    /// Counts the spheres of a block that is passed over.
+    fn count_hidden(&mut self, target: &SpanTarget, block: &BoxSeen) {
+        if own_rows(target, &block.rows()).is_empty() {
+            return;
+        }
+        let spheres = u64::from(self.crowd.index.blocks.count[block.place as usize]);
+        self.drawn.counts.hidden += spheres;
+        if is_first_band(target, block) {
+            self.drawn.counts.in_view += spheres;
+        }
+    }
+
+    /// Draws the spheres of a block, whose outlines may be known.
+    #[inline(always)]
+    fn block<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        (block, has_others): (&BoxSeen, bool),
+        kept: Option<&[Outlines]>,
+    ) {
+        let index = self.crowd.index;
+        let slots = SphereIndex::slots_of(block.place as usize);
+        let counts_here = is_first_band(target, block);
+        for (vector, from) in slots.step_by(S::f64s::LEN).enumerate() {
+            let lanes = from..from + S::f64s::LEN;
+            let ids = &index.ids[lanes.clone()];
+            match kept {
+                Some(kept) => {
+                    self.vector(simd, target, &kept[vector], ids, (counts_here, has_others))
+                }
+                None => {
+                    let mut outlines = Outlines::default();
+                    outlines.find(simd, &self.crowd.space, &index.spheres(lanes));
+                    self.vector(simd, target, &outlines, ids, (counts_here, has_others));
+                }
+            }
+        }
+    }
+
+    /// Draws the spheres of one vector.
+    #[inline(always)]
+    fn vector<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        outlines: &Outlines,
+        ids: &[u32],
+        (counts_here, has_others): (bool, bool),
+    ) {
+        let mut there = 0;
+        for (lane, id) in ids.iter().enumerate() {
+            there |= u64::from(*id != NO_SPHERE) << lane;
+        }
+        let behind = there & outlines.is_behind;
+        let between =
+            outlines.is_plain & !rows_meet(simd, outlines, target, 0..target.axes.height());
+        let outside = there & (outlines.is_outside | between) & !behind;
+        let left = there & !behind & !outside;
+        let plain = left & outlines.is_plain;
+        let plain_here = plain & rows_meet(simd, outlines, target, target.rows.clone());
+        let tiny = plain_here & outlines.is_tiny;
+        if counts_here {
+            let counts = &mut self.drawn.counts;
+            counts.behind += u64::from(behind.count_ones());
+            counts.outside += u64::from(outside.count_ones());
+            counts.in_view += u64::from(left.count_ones());
+        }
+        if tiny != 0 {
+            draw_tiny(simd, outlines, tiny, ids, &mut self.runs, target);
+            if self.crowd.is_crowded {
+                for lane in lanes_of(tiny) {
+                    let (rows, columns) = extent(target, outlines, lane);
+                    self.veil.touch(&rows, &columns);
+                }
+            }
+        }
+        for lane in lanes_of(plain_here & !tiny) {
+            self.sphere(simd, target, outlines, lane, ids[lane]);
+        }
+        if !has_others {
+            for lane in lanes_of(left & !plain) {
+                self.drawn.others.push(ids[lane]);
+            }
+        }
+    }
+
+    /// Draws one sphere by rows.
+    #[inline(always)]
+    fn sphere<S: Simd>(
+        &mut self,
+        simd: S,
+        target: &mut SpanTarget,
+        outlines: &Outlines,
+        lane: usize,
+        id: u32,
+    ) {
+        let span = Span::new(id, &outlines.one(lane));
+        // Where spheres do not cover one another much, a look costs more than it saves.
+        let reached = self.crowd.is_crowded.then(|| extent(target, outlines, lane));
+        if let Some((rows, columns)) = &reached {
+            if rows.is_empty() || columns.is_empty() {
+                return;
+            }
+            if self.veil.hides(target.t, rows, columns, span.outline.nearest as f32) {
+                self.drawn.counts.hidden += 1;
+                return;
+            }
+        }
+        span.draw(simd, target);
+        if let Some((rows, columns)) = &reached {
+            self.veil.touch(rows, columns);
+        }
+    }
+}
+
+/// Which spheres of a vector reach rows of the raster.
+#[inline(always)]
+fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget, rows: Range<usize>) -> u64 {
+    let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+    let number = |row: usize| S::f64s::splat(simd, target.axes.row_numbers[row]);
+    let (first, last) = (number(rows.start), number(rows.end - 1));
+    let (first_row, last_row) = (load(&of.first_row), load(&of.last_row));
+    let meets = last_row.simd_ge(first) & first_row.simd_le(last) & first_row.simd_le(last_row);
+    meets.to_bitmask()
+}
+
+/// Rows of the target and columns that a sphere can cover.
+#[inline(always)]
+fn extent(target: &SpanTarget, of: &Outlines, lane: usize) -> (Range<usize>, Range<usize>) {
+    let rows = target.axes.rows_between(of.first_row[lane], of.last_row[lane]);
+    // The middle moves by the shear, the half width is at most that of the widest row.
+    let (above, below) = (of.row[lane] - of.first_row[lane], of.last_row[lane] - of.row[lane]);
+    let reach = of.size[lane].sqrt() + of.shear[lane].abs() * (above.max(below) + 1.0) + 1.0;
+    let (left, right) = (of.column[lane] - reach, of.column[lane] + reach);
+    (own_rows(target, &rows), target.axes.columns_range(left.ceil(), right.floor()))
+}

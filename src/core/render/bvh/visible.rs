@@ -1,0 +1,268 @@
+//! What a camera sees of an index over many spheres, without a look at each.
+
+use std::ops::Range;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch};
+use rayon::prelude::*;
+
+use crate::render::frame::counts::Counts;
+use crate::render::outline::Outlines;
+use crate::render::outline::camera_space::CameraSpace;
+use crate::render::outline::extent::{Extent, Extents};
+use crate::render::outline::raster_axes::RasterAxes;
+use crate::scene::boxes::Boxes;
+use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
+use crate::scene::sphere_order::BLOCK;
+
+/// A group or a block of spheres, and which part of the raster they can cover.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoxSeen {
+    /// Which of its kind.
+    pub(crate) place: u32,
+    /// No hit of them has a smaller t.
+    pub(crate) nearest: f32,
+    rows: [u16; 2],
+    columns: [u16; 2],
+}
+
+impl BoxSeen {
+    pub(crate) fn rows(&self) -> Range<usize> {
+        usize::from(self.rows[0])..usize::from(self.rows[1])
+    }
+
+    pub(crate) fn columns(&self) -> Range<usize> {
+        usize::from(self.columns[0])..usize::from(self.columns[1])
+    }
+}
+
+/// A group that can be seen, with those of its blocks that can.
+pub(crate) struct GroupSeen {
+    pub(crate) bounds: BoxSeen,
+    pub(crate) blocks: Vec<BoxSeen>,
+    /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
+    /// finds them anew otherwise.
+    pub(crate) outlines: Vec<Outlines>,
+    /// Whether those of its spheres that are not drawn by rows are among the crowd's.
+    pub(crate) has_others: bool,
+}
+
+/// What can be seen of many spheres, near to far.
+pub(crate) struct Crowd<'a> {
+    pub(crate) index: &'a SphereIndex,
+    pub(crate) space: CameraSpace,
+    pub(crate) groups: Vec<GroupSeen>,
+    /// Whether spheres cover one another so much that each is worth a look whether it is hidden.
+    pub(crate) is_crowded: bool,
+    /// Spheres that are not drawn by rows, of groups in which there can be such.
+    pub(crate) others: Vec<(u32, Extent)>,
+    /// Whether outlines are kept.
+    pub(crate) keeps_outlines: bool,
+}
+
+/// Why nothing of a box can be seen.
+enum Unseen {
+    Behind,
+    Outside,
+}
+
+impl<'a> Crowd<'a> {
+    pub(crate) fn new(
+        level: Level,
+        index: &'a SphereIndex,
+        space: CameraSpace,
+        (axes, extents): (&RasterAxes, &Extents),
+        counts: &mut Counts,
+    ) -> Crowd<'a> {
+        /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
+        const CROWDED: f64 = 2.5;
+        /// So many outlines fit into a processor's second-level cache.
+        const KEPT: u32 = 40_000;
+        let mut dropped = Counts { blocks: blocks_in(&index.blocks), ..Counts::default() };
+        let mut groups = Vec::new();
+        let mut covered = 0.0;
+        for group in 0..index.groups.len() {
+            match seen(&index.groups, group, &space, axes) {
+                _ if index.groups.count[group] == 0 => {}
+                Ok((bounds, area)) => {
+                    covered += area;
+                    groups.push(bounds);
+                }
+                Err(why) => {
+                    let blocks = index.blocks_of(group);
+                    let blocks = blocks.filter(|block| index.blocks.count[*block] > 0).count();
+                    drop_box(&mut dropped, why, index.groups.count[group], blocks);
+                }
+            }
+        }
+        groups.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
+        let is_crowded = covered > CROWDED * axes.pixels() as f64;
+        let in_groups: u32 = groups.iter().map(|of| index.groups.count[of.place as usize]).sum();
+        let keeps_outlines = in_groups <= KEPT;
+        let found: Vec<(GroupSeen, Counts)> = groups
+            .into_par_iter()
+            // A group's outlines are worth a thread's while, its blocks' bounds alone are not.
+            .with_min_len(if keeps_outlines { 1 } else { 16 })
+            .map(|bounds| {
+                let mut dropped = Counts::default();
+                let mut blocks = Vec::new();
+                for block in index.blocks_of(bounds.place as usize) {
+                    match seen(&index.blocks, block, &space, axes) {
+                        _ if index.blocks.count[block] == 0 => {}
+                        Ok((bounds, _)) => blocks.push(bounds),
+                        Err(why) => drop_box(&mut dropped, why, index.blocks.count[block], 1),
+                    }
+                }
+                if is_crowded {
+                    blocks.sort_unstable_by(|a, b| a.nearest.total_cmp(&b.nearest));
+                }
+                let outlines = if keeps_outlines {
+                    dispatch!(level, simd => outlines_of(simd, index, &space, &blocks))
+                } else {
+                    Vec::new()
+                };
+                let has_others = may_have_others(&index.groups, &bounds, &space);
+                (GroupSeen { bounds, blocks, outlines, has_others }, dropped)
+            })
+            .collect();
+        let mut groups = Vec::with_capacity(found.len());
+        for (group, of_group) in found {
+            dropped += of_group;
+            groups.push(group);
+        }
+        *counts += dropped;
+        let mut crowd =
+            Crowd { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
+        crowd.others = dispatch!(level, simd => crowd.find_others(simd, extents));
+        crowd
+    }
+
+    /// The spheres that are not drawn by rows, of groups that may have such.
+    #[inline(always)]
+    fn find_others<S: Simd>(&self, simd: S, extents: &Extents) -> Vec<(u32, Extent)> {
+        let mut others = Vec::new();
+        for group in self.groups.iter().filter(|group| group.has_others) {
+            let found = match self.keeps_outlines {
+                true => Vec::new(),
+                false => outlines_of(simd, self.index, &self.space, &group.blocks),
+            };
+            let outlines = if self.keeps_outlines { &group.outlines } else { &found };
+            let blocks =
+                group.blocks.iter().map(|block| SphereIndex::slots_of(block.place as usize));
+            let vectors = blocks.flat_map(|slots| slots.step_by(S::f64s::LEN));
+            for (from, outlines) in vectors.zip(outlines) {
+                let drawn = outlines.is_plain | outlines.is_behind | outlines.is_outside;
+                for slot in from..from + S::f64s::LEN {
+                    let id = self.index.ids[slot];
+                    if id != NO_SPHERE && drawn >> (slot - from) & 1 == 0 {
+                        let extent = extents.of(&self.index.sphere(slot));
+                        others.extend(extent.map(|extent| (id, extent)));
+                    }
+                }
+            }
+        }
+        others
+    }
+}
+
+/// Whether a sphere of a group may be so near or so large that it is not drawn by rows.
+fn may_have_others(groups: &Boxes, bounds: &BoxSeen, space: &CameraSpace) -> bool {
+    /// Of the eye's distance.
+    const NEAR: f64 = 0.1;
+    /// In columns or rows.
+    const LARGE: f64 = 400.0;
+    let (near, radius) =
+        (f64::from(bounds.nearest) * space.distance, groups.radius[bounds.place as usize]);
+    let slope = space.row_slope.min(space.column_slope);
+    near <= NEAR * radius || radius > LARGE * slope * near
+}
+
+/// The outlines of all spheres of some blocks, vector by vector.
+#[inline(always)]
+fn outlines_of<S: Simd>(
+    simd: S,
+    index: &SphereIndex,
+    space: &CameraSpace,
+    blocks: &[BoxSeen],
+) -> Vec<Outlines> {
+    let vectors = BLOCK / S::f64s::LEN;
+    let mut all = vec![Outlines::default(); blocks.len() * vectors];
+    for (block, of_block) in blocks.iter().zip(all.chunks_exact_mut(vectors)) {
+        let slots = SphereIndex::slots_of(block.place as usize);
+        for (from, outlines) in slots.step_by(S::f64s::LEN).zip(of_block) {
+            outlines.find(simd, space, &index.spheres(from..from + S::f64s::LEN));
+        }
+    }
+    all
+}
+
+fn blocks_in(blocks: &Boxes) -> u64 {
+    blocks.count.iter().filter(|count| **count > 0).count() as u64
+}
+
+fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {
+    match why {
+        Unseen::Behind => counts.behind += u64::from(spheres),
+        Unseen::Outside => counts.outside += u64::from(spheres),
+    }
+    counts.blocks_left_out += blocks as u64;
+}
+
+/// Which part of the raster a box can cover, and how many pixels its spheres cover together, roughly.
+///
+/// All margins are a share of 1e-9 of what they are added to, far more than the few roundings that
+/// they stand for, and far less than what would cost anything.
+#[inline(always)]
+fn seen(
+    boxes: &Boxes,
+    place: usize,
+    space: &CameraSpace,
+    axes: &RasterAxes,
+) -> Result<(BoxSeen, f64), Unseen> {
+    const SHARE: f64 = 1e-9;
+    let middle = [boxes.x[place], boxes.y[place], boxes.z[place]];
+    let half = [boxes.half_x[place], boxes.half_y[place], boxes.half_z[place]];
+    let q: [f64; 3] = std::array::from_fn(|i| middle[i] - space.eye[i]);
+    let along = |axis: [f64; 3]| q[0] * axis[0] + q[1] * axis[1] + q[2] * axis[2];
+    let reach = |axis: [f64; 3]| {
+        half[0] * axis[0].abs() + half[1] * axis[1].abs() + half[2] * axis[2].abs()
+    };
+    let margin = SHARE * (q[0].abs() + q[1].abs() + q[2].abs() + half[0] + half[1] + half[2]);
+    let (x, y, z) = (along(space.u), along(space.v), -along(space.w));
+    let [rx, ry, rz] = [space.u, space.v, space.w].map(|axis| reach(axis) + margin);
+    let (near, far) = (z - rz, z + rz);
+    if far < 0.0 {
+        return Err(Unseen::Behind);
+    }
+    let [wide, high] = space.widest;
+    let is_beyond = |side: f64, reach: f64, widest: f64| side.abs() - reach > widest * far;
+    if is_beyond(x, rx, wide) || is_beyond(y, ry, high) {
+        return Err(Unseen::Outside);
+    }
+    let (rows, columns) = if near > 0.0 && near.is_finite() && far.is_finite() {
+        let slopes = |side: f64, reach: f64| {
+            let (low, high) = (side - reach, side + reach);
+            let low = if low > 0.0 { low / far } else { low / near };
+            (low, if high > 0.0 { high / near } else { high / far })
+        };
+        let (left, right) = slopes(x, rx);
+        let (bottom, top) = slopes(y, ry);
+        let row = |slope: f64| space.middle_row - slope / space.row_slope;
+        let column = |slope: f64| space.middle_column + slope / space.column_slope;
+        let columns =
+            axes.columns_range((column(left) - 1e-3).ceil(), (column(right) + 1e-3).floor());
+        (axes.rows_between((row(top) - 1e-3).ceil(), (row(bottom) + 1e-3).floor()), columns)
+    } else {
+        (0..axes.height(), 0..axes.width())
+    };
+    if rows.is_empty() || columns.is_empty() {
+        return Err(Unseen::Outside);
+    }
+    let depth = z.max(boxes.radius[place]).max(1e-3 * rz);
+    let area = std::f64::consts::PI * boxes.area[place]
+        / (depth * depth * space.row_slope * space.column_slope);
+    let nearest = (near / space.distance).max(0.0) as f32 * (1.0 - 1e-6);
+    let pair = |range: Range<usize>| [range.start as u16, range.end as u16];
+    let bounds = BoxSeen { place: place as u32, nearest, rows: pair(rows), columns: pair(columns) };
+    Ok((bounds, area))
+}

@@ -1,0 +1,66 @@
+//! The buffers of a frame, and the part of them that a band of rows fills.
+
+use glam::DVec3;
+
+use crate::camera::resolved::PosedCamera;
+use crate::exact::steps::Steps;
+use crate::render::frame::counts::Counts;
+use crate::render::frame::depth::Depth;
+use crate::render::frame::{Frame, Outputs, Raster};
+
+/// A frame with room for what is asked for.
+pub(crate) fn empty_frame<T: Depth>(
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+) -> Frame<T> {
+    // Zeroed memory costs nothing until a band, in its own thread, fills it.
+    let pixels = |asked: bool| if asked { raster.len() } else { 0 };
+    Frame {
+        camera: *camera,
+        raster: raster.clone(),
+        t: vec![T::ZERO; pixels(outputs.t)],
+        object: vec![0; pixels(outputs.object)],
+        normal: vec![DVec3::ZERO; pixels(outputs.normal)],
+        steps: Steps::default(),
+        counts: Counts::default(),
+    }
+}
+
+/// A band's part of each buffer; empty where that was not asked for.
+pub(crate) struct BandBuffers<'a, T> {
+    pub(crate) t: &'a mut [T],
+    pub(crate) object: &'a mut [u32],
+    pub(crate) normal: &'a mut [DVec3],
+}
+
+/// The buffers of all bands, each of so many pixels, the last one of what is left.
+pub(crate) fn band_buffers<'a, T>(
+    t: &'a mut [T],
+    object: &'a mut [u32],
+    normal: &'a mut [DVec3],
+    (pixels, bands): (usize, usize),
+) -> Vec<BandBuffers<'a, T>> {
+    let parts = parts(t, pixels).zip(parts(object, pixels)).zip(parts(normal, pixels));
+    let bands = parts.map(|((t, object), normal)| BandBuffers { t, object, normal }).take(bands);
+    bands.collect()
+}
+
+/// The parts of a buffer, and empty ones where there is none.
+fn parts<T>(buffer: &mut [T], size: usize) -> impl Iterator<Item = &mut [T]> {
+    buffer.chunks_mut(size).chain(std::iter::repeat_with(|| -> &mut [T] { &mut [] }))
+}
+
+/// A buffer's part; where that was not asked for, as much of the thread's own.
+pub(crate) fn or_own<'a, T: Copy>(
+    part: &'a mut [T],
+    own: &'a mut Vec<T>,
+    len: usize,
+    zero: T,
+) -> &'a mut [T] {
+    if part.len() == len {
+        return part;
+    }
+    own.resize(len.max(own.len()), zero);
+    &mut own[..len]
+}

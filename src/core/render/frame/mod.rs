@@ -1,0 +1,241 @@
+//! A picture: the first hit of every pixel's view ray.
+
+pub(crate) mod buffers;
+pub(crate) mod counts;
+pub(crate) mod depth;
+
+use glam::DVec3;
+
+use crate::camera::image::{ImageSize, Pixel};
+use crate::camera::resolved::PosedCamera;
+use crate::exact::steps::Steps;
+use crate::render::frame::counts::Counts;
+
+/// [`Frame::object`] where the ray hits nothing.
+pub const NO_OBJECT: u32 = u32::MAX;
+
+/// Which rows and columns of the image to trace, ascending. A screen smaller than the image shows
+/// only some of its pixels; the others need not be traced.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Raster {
+    rows: Vec<u32>,
+    columns: Vec<u32>,
+}
+
+/// What to keep of every pixel. What is not asked for is not written: its buffer stays empty.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outputs {
+    /// `t` of the first hit.
+    pub t: bool,
+    /// Which object it is.
+    pub object: bool,
+    /// The outward unit normal there.
+    pub normal: bool,
+}
+
+impl Outputs {
+    /// Nothing but steps and counts: for a picture of which only the colours are wanted.
+    pub const NONE: Outputs = Outputs { t: false, object: false, normal: false };
+}
+
+impl Default for Outputs {
+    /// `t` and object.
+    fn default() -> Outputs {
+        Outputs { t: true, object: true, normal: false }
+    }
+}
+
+/// The traced pixels, row by row, with the camera and raster that they belong to.
+///
+/// T is what `t` is kept in, `f64` or `f32`. Which pixels are hit, and which object is first, is the
+/// same for both: exact.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Frame<T = f64> {
+    pub(crate) camera: PosedCamera,
+    pub(crate) raster: Raster,
+    /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is
+    /// beyond the range of T); empty unless asked for.
+    pub t: Vec<T>,
+    /// Index of the object hit, or [`NO_OBJECT`]; empty unless asked for.
+    pub object: Vec<u32>,
+    /// Outward unit normals, zero where nothing is hit; empty unless asked for.
+    pub normal: Vec<DVec3>,
+    /// How far up the ladder the decisions had to go. Each pixel that is asked of an object is one; a
+    /// pixel that is settled by itself may make several: whether it is met, and ahead, and first.
+    pub steps: Steps,
+    /// What was left out, and what was left to do.
+    pub counts: Counts,
+}
+
+/// What of a frame was just done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Stage {
+    /// The plan: what the rows can see, and what their pixels share.
+    Planned,
+    /// So many rows: traced, and coloured where the shading allows.
+    Rows(usize),
+}
+
+/// One traced pixel of a [`Frame`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct FramePixel<T = f64> {
+    /// Which pixel of the image it is.
+    pub pixel: Pixel,
+    /// `t` of the first hit; infinite where there is none.
+    pub t: T,
+    /// The object hit.
+    pub object: Option<u32>,
+}
+
+impl Raster {
+    /// Every pixel of the image.
+    pub fn full(image: ImageSize) -> Raster {
+        Raster { rows: (0..image.height()).collect(), columns: (0..image.width()).collect() }
+    }
+
+    /// The pixels that a nearest-neighbour display of `rows` x `columns` dots shows of the image;
+    /// at most every pixel once.
+    pub fn shown_on(image: ImageSize, columns: u32, rows: u32) -> Raster {
+        Raster {
+            rows: shown(image.height(), rows.max(1)),
+            columns: shown(image.width(), columns.max(1)),
+        }
+    }
+
+    /// The pixels of these rows and columns, which the image has.
+    pub fn part(rows: std::ops::Range<u32>, columns: std::ops::Range<u32>) -> Raster {
+        Raster { rows: rows.collect(), columns: columns.collect() }
+    }
+
+    /// One pixel alone.
+    pub fn of_pixel(pixel: Pixel) -> Raster {
+        Raster { rows: vec![pixel.row], columns: vec![pixel.column] }
+    }
+
+    /// These rows and columns, ascending.
+    pub fn of(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
+        Raster { rows, columns }
+    }
+
+    /// The rows traced, ascending.
+    pub fn rows(&self) -> &[u32] {
+        &self.rows
+    }
+
+    /// The columns traced, ascending.
+    pub fn columns(&self) -> &[u32] {
+        &self.columns
+    }
+
+    /// For each row of the image the place among [`Raster::rows`] of the nearest one, and likewise for
+    /// columns; of two equally near ones the first.
+    pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
+        [nearest(&self.rows, image.height()), nearest(&self.columns, image.width())]
+    }
+
+    /// The place among the raster's pixels, row by row, of the one in the nearest row and column, as
+    /// [`Raster::nearest`] has it for all; `None` where no pixel is traced.
+    pub fn nearest_to(&self, pixel: Pixel) -> Option<usize> {
+        let place = |traced: &[u32], own: u32| {
+            let after = traced.partition_point(|x| *x < own);
+            let before = after.saturating_sub(1);
+            let is_nearer = |x: &u32| x.abs_diff(own) < traced[before].abs_diff(own);
+            if traced.get(after).is_some_and(is_nearer) { after } else { before }
+        };
+        let is_there = !self.is_empty();
+        is_there.then(|| {
+            let row = place(&self.rows, pixel.row);
+            row * self.columns.len() + place(&self.columns, pixel.column)
+        })
+    }
+
+    /// Values of the raster's pixels for every pixel of the image: one that was left out gets the value
+    /// of the nearest row and column ([`Raster::nearest`]). None where there are none, or not as many
+    /// as pixels.
+    pub fn spread<V: Copy>(&self, image: ImageSize, values: &[V]) -> Vec<V> {
+        if self.is_empty() || values.len() != self.len() {
+            return Vec::new();
+        }
+        let [rows, columns] = self.nearest(image);
+        let of_row = |row: &usize| &values[row * self.columns.len()..][..self.columns.len()];
+        rows.iter().flat_map(|row| columns.iter().map(|column| of_row(row)[*column])).collect()
+    }
+
+    /// How many pixels are traced.
+    pub fn len(&self) -> usize {
+        self.rows.len() * self.columns.len()
+    }
+
+    /// Whether no pixel is traced.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// The cells of `count` at the centres of `dots` dots across them.
+fn shown(count: u32, dots: u32) -> Vec<u32> {
+    if dots >= count {
+        return (0..count).collect();
+    }
+    let (count, dots) = (u64::from(count), u64::from(dots));
+    (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
+}
+
+/// For each of `count` rows or columns the index of the nearest that was traced.
+fn nearest(traced: &[u32], count: u32) -> Vec<usize> {
+    let mut index = 0;
+    let nearest_to = |own: u32| {
+        while let Some(next) = traced.get(index + 1)
+            && next.abs_diff(own) < traced[index].abs_diff(own)
+        {
+            index += 1;
+        }
+        index
+    };
+    (0..count).map(nearest_to).collect()
+}
+
+impl<T: Copy> Frame<T> {
+    /// The camera that the frame was traced for.
+    pub fn camera(&self) -> &PosedCamera {
+        &self.camera
+    }
+
+    /// The rows and columns that were traced.
+    pub fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
+    /// The frame as if every pixel of the image were traced, each pixel that was left out with what
+    /// [`Raster::spread`] gives it: for showing a coarse frame where every pixel is asked. It is not
+    /// what the ray through such a pixel meets. Steps and counts stay those of what was traced.
+    pub fn spread(&self) -> Frame<T> {
+        let image = self.camera.image();
+        Frame {
+            camera: self.camera,
+            raster: Raster::full(image),
+            t: self.raster.spread(image, &self.t),
+            object: self.raster.spread(image, &self.object),
+            normal: self.raster.spread(image, &self.normal),
+            steps: self.steps,
+            counts: self.counts,
+        }
+    }
+
+    /// The traced pixel in the raster's `row`th row and `column`th column.
+    ///
+    /// # Panics
+    /// Outside the raster, or where `t` or object was not asked for.
+    pub fn at(&self, row: usize, column: usize) -> FramePixel<T> {
+        let index = row * self.raster.columns.len() + column;
+        let object = self.object[index];
+        FramePixel {
+            pixel: Pixel { row: self.raster.rows[row], column: self.raster.columns[column] },
+            t: self.t[index],
+            object: (object != NO_OBJECT).then_some(object),
+        }
+    }
+}

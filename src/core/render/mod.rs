@@ -1,0 +1,250 @@
+//! Pictures: the first hit of every pixel's view ray, and its colour.
+//!
+//! # The plan of a frame
+//!
+//! The eye is shared by all of a frame's rays. So a sphere's outline in the picture is a conic, and on
+//! one row of pixels the hits are one interval: it is solved once, its ends decided with a margin, and
+//! inside it every pixel hits.
+//!
+//! - [`plan`]: what the rows can see, and how each object is drawn. Spheres behind the eye or outside
+//!   the view are dropped. Of many spheres, an index over them is looked at, not each one ([`bvh`]).
+//! - Then bands of rows, in parallel ([`row_band`]), each in the order of [`fill`]:
+//!   - spheres that are near or large, by their quadratic as a polynomial in rows and columns
+//!     ([`polynomial`]): they hide much of the rest;
+//!   - all other spheres, row by row ([`rows`]), in `f32`, several pixels at a time; of many, near to
+//!     far, and what nearer ones hide is left out ([`bvh::occlusion`]);
+//!   - what no outline can be drawn of, and the planes, by polynomials again.
+//! - Each step knows a bound of its error. A pixel within it is *in doubt*, and goes up the ladder by
+//!   itself ([`row_band::fallback`]): the same object comes first as in exact arithmetic.
+//! - Normals, where they are asked for, and colours ([`shade`](mod@shade)), while the band is in the
+//!   cache.
+//!
+//! A frame of `f64` draws everything by polynomials, in double-double.
+//!
+//! What was left out is counted ([`Counts`](frame::counts::Counts)).
+
+pub(crate) mod bvh;
+pub(crate) mod frame;
+pub(crate) mod outline;
+pub(crate) mod plan;
+pub(crate) mod polynomial;
+pub(crate) mod row_band;
+pub(crate) mod rows;
+pub(crate) mod shade;
+
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
+
+use fearless_simd::Level;
+use rayon::prelude::*;
+
+use crate::camera::resolved::PosedCamera;
+use crate::exact::steps::Steps;
+use crate::render::frame::buffers::{BandBuffers, band_buffers, empty_frame, or_own};
+use crate::render::frame::counts::Counts;
+use crate::render::frame::depth::sealed::Sealed;
+use crate::render::frame::depth::{Depth, Finish};
+use crate::render::frame::{Frame, Outputs, Raster, Stage};
+use crate::render::plan::Plan;
+use crate::render::plan::classify::SLICE_ROWS;
+use crate::render::row_band::Band;
+use crate::render::shade::paint::{Paint, Rgb, Shade};
+use crate::render::shade::paint_frame;
+use crate::render::shade::painter::Painter;
+use crate::scene::Scene;
+
+/// Traces the first hit of every pixel of the raster, bands of rows in parallel.
+///
+/// Each pixel's object is what [`Scene::first_hit_of`] says of its
+/// [exact ray](PosedCamera::exact_ray), and its `t` is within the same bounds (the two may differ in
+/// the last bit, where the exact `t` lies within 2^-40 of an ulp of the middle between two `f64`).
+/// The same bits come from any number of threads and any processor. What the rays share is computed
+/// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
+/// without planes runs no plane code.
+pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
+    trace_reporting(scene, camera, raster, outputs, |_| ())
+}
+
+/// [`trace`] with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the time.
+pub fn trace_as<T: Depth>(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+) -> Frame<T> {
+    trace_reporting(scene, camera, raster, outputs, |_| ())
+}
+
+/// [`trace_as`] for those who want to tell how far it is: `done` is called, from any thread, with
+/// the number of rows that were just finished.
+pub fn trace_reporting<T: Depth>(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    done: impl Fn(usize) + Sync,
+) -> Frame<T> {
+    trace_at_level(Level::new(), scene, camera, raster, outputs, done)
+}
+
+/// [`trace_reporting`] with the instructions of a given SIMD level, all of which give the same bits.
+pub fn trace_at_level<T: Depth>(
+    level: Level,
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    done: impl Fn(usize) + Sync,
+) -> Frame<T> {
+    let mut frame = empty_frame(camera, raster, outputs);
+    let observe = |stage| {
+        if let Stage::Rows(rows) = stage {
+            done(rows);
+        }
+    };
+    T::fill(&mut frame, level, scene, None, &observe);
+    frame
+}
+
+/// Traces and colours: writes the picture's pixels, those that [`shade`](crate::shade) makes of the
+/// frame, and keeps of the frame only the `outputs`. Each band of rows is coloured as soon as it is
+/// traced, while it is still in the cache; [`Shade::T`] alone waits for the nearest `t` of all.
+///
+/// `observe` is told, from any thread, when a stage is done.
+///
+/// # Panics
+/// Where there is not one pixel for each of the raster's.
+pub fn trace_painted<T: Depth, P: Send>(
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+    observe: impl Fn(Stage) + Sync,
+) -> Frame<T> {
+    trace_painted_at_level(Level::new(), scene, camera, raster, outputs, paint, pixels, observe)
+}
+
+/// [`trace_painted`] with the instructions of a given SIMD level, all of which give the same bits.
+#[expect(clippy::too_many_arguments, reason = "those of trace_painted, and the level")]
+pub fn trace_painted_at_level<T: Depth, P: Send>(
+    level: Level,
+    scene: &Scene,
+    camera: &PosedCamera,
+    raster: &Raster,
+    outputs: Outputs,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+    observe: impl Fn(Stage) + Sync,
+) -> Frame<T> {
+    assert_eq!(pixels.len(), raster.len(), "a pixel for each of the raster's");
+    if paint.shade != Shade::T {
+        let mut frame = empty_frame(camera, raster, outputs);
+        let painter = Painter::new(level, paint, scene, camera, raster, f64::INFINITY);
+        let slice = SLICE_ROWS * raster.columns().len().max(1);
+        let slices: Vec<Mutex<&mut [P]>> = pixels.chunks_mut(slice).map(Mutex::new).collect();
+        let finish = |rows: Range<usize>, t: &[T], object: &[u32]| {
+            // Bands are whole slices: no two want the same one, and no lock is waited for.
+            let slices = slices[rows.start / SLICE_ROWS..].iter();
+            let hits = t.chunks(slice).zip(object.chunks(slice));
+            for ((start, (t, object)), pixels) in rows.step_by(SLICE_ROWS).zip(hits).zip(slices) {
+                let mut pixels = pixels.lock().unwrap_or_else(PoisonError::into_inner);
+                painter.rows(start..start + SLICE_ROWS, t, object, &mut pixels);
+            }
+        };
+        T::fill(&mut frame, level, scene, Some(&finish), &observe);
+        return frame;
+    }
+    let mut frame = empty_frame(camera, raster, Outputs { t: true, object: true, ..outputs });
+    T::fill(&mut frame, level, scene, None, &observe);
+    paint_frame(level, &frame, scene, paint, pixels);
+    if !outputs.t {
+        frame.t = Vec::new();
+    }
+    if !outputs.object {
+        frame.object = Vec::new();
+    }
+    frame
+}
+
+/// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
+/// new memory.
+pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, camera: &PosedCamera) {
+    frame.camera = *camera;
+    T::fill(frame, level, scene, None, &|_| ());
+}
+
+/// Traces the frame's camera and raster into those of its buffers that have room, band by band, each
+/// of which is finished while it is in the cache.
+fn fill<T: Depth>(
+    frame: &mut Frame<T>,
+    level: Level,
+    scene: &Scene,
+    finish: Option<Finish<'_, T>>,
+    observe: &(dyn Fn(Stage) + Sync),
+) {
+    let Frame { camera, raster, t, object, normal, steps, counts } = frame;
+    if raster.is_empty() {
+        return;
+    }
+    let plan = Plan::new::<T>(level, scene, camera, raster);
+    observe(Stage::Planned);
+    *counts = plan.counts;
+    let is_quick = plan.is_quick && finish.is_none() && normal.is_empty();
+    let (width, bands) = (raster.columns().len(), plan.bands());
+    let buffers = band_buffers(t, object, normal, (plan.band_rows * width, bands.len()));
+    let draw = |own: &mut (Vec<T>, Vec<u32>), (rows, part): (Range<usize>, BandBuffers<T>)| {
+        let t = or_own(part.t, &mut own.0, rows.len() * width, T::ZERO);
+        let object = or_own(part.object, &mut own.1, rows.len() * width, 0);
+        let mut band = Band::new(&plan, rows.clone(), t, object);
+        band.draw_large();
+        while band.draw_rows() {
+            band.resolve_doubt();
+        }
+        band.draw_others();
+        band.fill_normals(part.normal);
+        let drawn = band.counted();
+        if let Some(finish) = finish {
+            finish(rows.clone(), t, object);
+        }
+        observe(Stage::Rows(rows.len()));
+        drawn
+    };
+    let own = || (Vec::new(), Vec::new());
+    let bands = bands.into_iter().zip(buffers);
+    let of_bands;
+    (*steps, of_bands) = if is_quick {
+        let mut own = own();
+        bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
+    } else {
+        let bands: Vec<_> = bands.collect();
+        bands.into_par_iter().map_init(own, draw).reduce(Default::default, sums)
+    };
+    *counts += of_bands;
+}
+
+fn sums(a: (Steps, Counts), b: (Steps, Counts)) -> (Steps, Counts) {
+    (a.0 + b.0, a.1 + b.1)
+}
+
+/// The tracer of one precision.
+macro_rules! tracer {
+    ($real:ident) => {
+        impl Sealed for $real {
+            #[inline(never)]
+            fn fill(
+                frame: &mut Frame<$real>,
+                level: Level,
+                scene: &Scene,
+                finish: Option<Finish<'_, $real>>,
+                observe: &(dyn Fn(Stage) + Sync),
+            ) {
+                fill(frame, level, scene, finish, observe);
+            }
+        }
+    };
+}
+
+tracer!(f32);
+tracer!(f64);

@@ -1,0 +1,366 @@
+//! The outlines of several spheres at once, in whole columns and rows of the image.
+
+pub(crate) mod camera_space;
+pub(crate) mod extent;
+pub(crate) mod raster_axes;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::render::outline::camera_space::CameraSpace;
+use crate::scene::sphere_index::Spheres;
+
+/// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
+/// by, and so little that hardly a pixel lies within it.
+pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
+
+/// A tiny sphere has at most so many rows.
+pub(crate) const TINY_ROWS: usize = 9;
+
+/// The largest `w^2` of a tiny sphere: its rows are less than [`PIXELS`] columns long.
+pub(crate) const TINY_SIZE: f64 = 16.0;
+
+/// The widest vector of `f64` that any level has.
+pub(crate) const MOST_LANES: usize = 8;
+
+/// `2^50`, see [`Outlines::find`].
+const KEEP: f64 = 1.126e15;
+
+type Lane8 = [f64; MOST_LANES];
+
+/// What a vector of spheres looks like. Rows r and columns c are numbers of the image's; with
+/// `j = r - row`, a sphere seen from outside, wholly in front of the eye, covers on row r the
+/// columns
+///
+/// ```text
+/// |c - (column + shear j)| <= w(j)      w^2 = square0 + square1 j + square2 j^2
+/// ```
+///
+/// and there, with `S^2 = w^2 - (c - (column + shear j))^2`, its first hit is at
+///
+/// ```text
+/// t = numerator / (b(c, j) + S)         b = b0 + b_column c + b_row j
+/// ```
+///
+/// Derivation: with `q = (X, Y, -Z)` the centre as the camera sees it, `d = (x, y, -1)` and
+/// `(x, y) = (X, Y) / Z + (dx, dy)`, q is parallel to the direction at `(dx, dy) = 0`, so that in
+/// `D = r^2 d.d - |q x d|^2` nothing cancels:
+///
+/// ```text
+/// D = r^2 (1 + xc^2 + yc^2) + 2 r^2 (xc dx + yc dy)
+///     + (r^2 - Z^2 - Y^2) dx^2 + 2 X Y dx dy + (r^2 - Z^2 - X^2) dy^2
+/// ```
+///
+/// With `h = Z^2 + Y^2 - r^2` and the column slope s, `D = h s^2 S^2`; b is `q.d / (s sqrt h)`, and
+/// the numerator `c / (distance s sqrt h)` with `c = |q|^2 - r^2`.
+#[derive(Clone, Default)]
+pub(crate) struct Outlines {
+    pub(crate) column: Lane8,
+    pub(crate) row: Lane8,
+    pub(crate) shear: Lane8,
+    pub(crate) square: [Lane8; 3],
+    pub(crate) b0: Lane8,
+    pub(crate) b_column: Lane8,
+    pub(crate) b_row: Lane8,
+    pub(crate) numerator: Lane8,
+    /// How far `w^2` may be off.
+    pub(crate) square_doubt: Lane8,
+    /// First and last row with `w^2 >= -square_doubt`, not clipped: whole numbers.
+    pub(crate) first_row: Lane8,
+    pub(crate) last_row: Lane8,
+    /// No hit has a smaller t.
+    pub(crate) nearest: Lane8,
+    /// At least the largest `w^2`.
+    pub(crate) size: Lane8,
+    /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
+    /// go up the ladder.
+    pub(crate) thin: Lane8,
+    /// Which spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
+    pub(crate) is_wide: u64,
+    /// Which spheres have so few rows and columns that each row is drawn as one vector, see
+    /// [`small_spheres`](crate::render::rows::small_spheres).
+    pub(crate) is_tiny: u64,
+    /// In which lanes all of the above holds.
+    pub(crate) is_plain: u64,
+    /// Which spheres lie wholly behind the eye.
+    pub(crate) is_behind: u64,
+    /// Which spheres no ray inside the image's borders can meet.
+    pub(crate) is_outside: u64,
+}
+
+/// One sphere's outline, see [`Outlines`].
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Outline {
+    pub(crate) column: f64,
+    pub(crate) row: f64,
+    pub(crate) shear: f64,
+    pub(crate) square: [f64; 3],
+    pub(crate) b0: f64,
+    pub(crate) b_column: f64,
+    pub(crate) b_row: f64,
+    pub(crate) numerator: f64,
+    pub(crate) square_doubt: f64,
+    pub(crate) first_row: f64,
+    pub(crate) last_row: f64,
+    pub(crate) nearest: f64,
+    pub(crate) thin: f64,
+    pub(crate) is_wide: bool,
+}
+
+/// `a . b` of lanes with numbers.
+#[inline(always)]
+fn along<S: Simd>(simd: S, q: [S::f64s; 3], axis: [f64; 3]) -> S::f64s {
+    let axis = axis.map(|x| S::f64s::splat(simd, x));
+    q[0] * axis[0] + q[1] * axis[1] + q[2] * axis[2]
+}
+
+impl Outlines {
+    /// The outlines of a vector of spheres.
+    ///
+    /// Bounds, with `u = 2^-53` and `k = r^2 / (Z^2 - r^2)`, which neither `r^2 / h` nor `r^2 / c`
+    /// exceeds: the coefficients of `w^2` are sums and products of at most a dozen operations on
+    /// numbers of one sign, apart from c, h and `Z^2 - r^2`, which lose a factor of `1 + k`. So each
+    /// is off by less than `16 u (4 + 8 k)` of itself. The radius itself may be off by
+    /// `eta = doubt (|q| + r)` (see [`CameraSpace::new`]), which moves each by at most
+    /// `(4 + 8 k) eta / r`: `r^2 / h` by `2 + 2 k`, its square by twice that, and
+    /// `square2 = -c (Z^2 - r^2) / h^2` by `8 k`. In the rows that the sphere has, the terms of `w^2`
+    /// are together at most `4 (square0 + square1^2 / |square2|)`.
+    ///
+    /// At any hit `b >= sqrt(b^2 - S^2) >= sqrt c / (s sqrt h)`, the least b. A pixel that lies at
+    /// least [`MARGIN`] inside a row's ends, in a row that is not thin, has
+    /// `S^2 >= MARGIN sqrt(thin) = keep square_doubt`. The root is off by `square_doubt / (2 S)` at
+    /// most, which is `2^-28` of b where `keep >= square_doubt 2^54 / b^2`, and, for wide spheres,
+    /// whose kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row
+    /// adds less than `0.2 2^-24`.
+    #[inline(always)]
+    pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &Spheres) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let centers = Centers::<S>::new(simd, space, of);
+        let Centers { x, y, z, r, qq } = centers;
+        let (one, two) = (splat(1.0), splat(2.0));
+        let (yy, zz, rr) = (y * y, z * z, r * r);
+        let h = zz + yy - rr;
+        let c = qq - rr;
+        let depths = (z - r) * (z + r);
+
+        let inverse_zr = one / (z * r);
+        let (inverse_z, inverse_r) = (inverse_zr * r, inverse_zr * z);
+        let inverse_h = one / h;
+        // One quotient for three.
+        let inverse_c_depths = one / (c * depths);
+        let (xc, yc) = (x * inverse_z, y * inverse_z);
+        let (per_column, per_row) = (splat(space.per_column), splat(space.per_row));
+        let column_center = splat(space.middle_column) + xc * per_column;
+        let row = splat(space.middle_row) - yc * per_row;
+        let by_h = rr * inverse_h;
+        let offset = by_h * xc * per_column;
+        let ratio = splat(space.ratio);
+        let shear = -(x * y * inverse_h * ratio);
+        let stretch = by_h * per_column * per_column;
+        let square0 = stretch * (one + xc * xc + yc * yc) + offset * offset;
+        let square1 = two * (offset * shear - stretch * yc * splat(space.row_slope));
+        let minus_square2 = (c * inverse_h) * (depths * inverse_h) * (ratio * ratio);
+
+        // Rows: where w^2 = 0.
+        let inverse_square2 = (h * h) * inverse_c_depths * splat(space.inverse_ratio_squared);
+        let eta = splat(space.doubt) * (x.abs() + y.abs() + z.abs() + r);
+        let near = splat(8.0) * rr * (c * inverse_c_depths) + splat(4.0);
+        let share = near * (splat(16.0 * 1.2e-16) + eta * inverse_r);
+        let size = square0 + square1 * square1 * inverse_square2;
+        let square_doubt = share * (splat(4.0) * size);
+        let middle = splat(0.5) * square1 * inverse_square2;
+        let reach = ((square0 + square_doubt) * inverse_square2 + middle * middle).sqrt();
+        let margin = splat(1e-6) + splat(1e-12) * row.abs();
+        let reach = reach + margin;
+        let (first_row, last_row) = (row + middle - reach, row + middle + reach);
+
+        let root = inverse_h.sqrt();
+        let per_s = root * per_column;
+        let b_column = x * root;
+        let b_row = -(y * root * ratio);
+        let b0 = qq * inverse_z * per_s - b_column * column_center;
+        let numerator = c * per_s * splat(space.per_distance);
+        let nearest = (z - r - eta) * splat(space.per_distance) * splat(1.0 - 1e-6);
+
+        let rows_away = middle.abs() + reach;
+        let kinds = Kinds::<S>::new(
+            simd,
+            [c * inverse_h, h * (depths * inverse_c_depths)],
+            (space, size, square_doubt),
+            ([b_row, b_column, shear], rows_away),
+        );
+        let is_tiny = (last_row - first_row).simd_lt(splat(TINY_ROWS as f64)) & kinds.is_tiny;
+        let far = splat(131_072.0);
+        let is_plain = centers.are_plain(simd)
+            & kinds.is_plain(simd, numerator, nearest)
+            & column_center.abs().simd_lt(far)
+            & row.abs().simd_lt(far)
+            & size.simd_lt(far * far)
+            & size.simd_gt(splat(1e-12));
+        self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
+        (self.is_behind, self.is_outside) = centers.unseen(simd, space, r + eta * 4.0);
+        self.is_tiny = is_tiny.to_bitmask();
+        self.is_wide = kinds.is_wide.to_bitmask();
+        let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
+        put(&mut self.column, column_center + offset);
+        put(&mut self.row, row);
+        put(&mut self.shear, shear);
+        put(&mut self.square[0], square0);
+        put(&mut self.square[1], square1);
+        put(&mut self.square[2], -minus_square2);
+        put(&mut self.b0, b0);
+        put(&mut self.b_column, b_column);
+        put(&mut self.b_row, b_row);
+        put(&mut self.numerator, numerator);
+        put(&mut self.square_doubt, square_doubt);
+        put(&mut self.first_row, first_row.ceil());
+        put(&mut self.last_row, last_row.floor());
+        put(&mut self.nearest, nearest);
+        put(&mut self.size, size);
+        put(&mut self.thin, (kinds.thin * kinds.thin).max(splat(32.0) * square_doubt));
+    }
+}
+
+impl Outlines {
+    /// One lane.
+    #[inline(always)]
+    pub(crate) fn one(&self, lane: usize) -> Outline {
+        Outline {
+            column: self.column[lane],
+            row: self.row[lane],
+            shear: self.shear[lane],
+            square: self.square.map(|x| x[lane]),
+            b0: self.b0[lane],
+            b_column: self.b_column[lane],
+            b_row: self.b_row[lane],
+            numerator: self.numerator[lane],
+            square_doubt: self.square_doubt[lane],
+            first_row: self.first_row[lane],
+            last_row: self.last_row[lane],
+            nearest: self.nearest[lane],
+            thin: self.thin[lane],
+            is_wide: self.is_wide >> lane & 1 == 1,
+        }
+    }
+}
+
+/// Centres along the camera's u, v and -w, with the radii and the squares of the distances.
+#[derive(Clone, Copy)]
+struct Centers<S: Simd> {
+    x: S::f64s,
+    y: S::f64s,
+    z: S::f64s,
+    r: S::f64s,
+    qq: S::f64s,
+}
+
+impl<S: Simd> Centers<S> {
+    #[inline(always)]
+    fn new(simd: S, space: &CameraSpace, of: &Spheres) -> Self {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
+        let q = [
+            load(of.x) - splat(space.eye[0]),
+            load(of.y) - splat(space.eye[1]),
+            load(of.z) - splat(space.eye[2]),
+        ];
+        let x = along(simd, q, space.u);
+        let y = along(simd, q, space.v);
+        let z = -along(simd, q, space.w);
+        Centers { x, y, z, r: load(of.radius), qq: x * x + y * y + z * z }
+    }
+
+    /// In front of the eye, of ordinary size, nothing lost in h.
+    #[inline(always)]
+    fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let Centers { z, r, qq, .. } = self;
+        z.simd_gt(r * 1.07)
+            & qq.simd_lt(splat(1e24))
+            & r.simd_gt(splat(1e-12))
+            & r.simd_gt(z * splat(1e-9))
+    }
+
+    /// Behind, or beyond one of the image's four borders, by more than all roundings: by `safe`.
+    #[inline(always)]
+    fn unseen(self, simd: S, space: &CameraSpace, safe: S::f64s) -> (u64, u64) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let Centers { x, y, z, r, qq } = self;
+        let is_ordinary = qq.simd_gt(splat(1e-200))
+            & qq.simd_lt(splat(1e200))
+            & r.simd_gt(splat(1e-100))
+            & r.simd_lt(splat(1e100));
+        let is_behind = (z + safe).simd_lt(splat(0.0));
+        let [wide, high] = space.widest;
+        // The plane through the eye and the border x = widest: (1, -widest) over its length.
+        let [wide_length, high_length] = space.border_lengths;
+        let is_outside = (x.abs() - z * splat(wide)).simd_gt(safe * splat(wide_length))
+            | (y.abs() - z * splat(high)).simd_gt(safe * splat(high_length));
+        ((is_behind & is_ordinary).to_bitmask(), (is_outside & is_ordinary).to_bitmask())
+    }
+}
+
+/// By which rows spheres are drawn. With the least b only as its square, no root is needed but one in
+/// `f32`, rounded up.
+struct Kinds<S: Simd> {
+    is_wide: <S::f64s as SimdBase<S>>::Mask,
+    /// Of few columns, and so small beside b as [`small_spheres`](crate::render::rows::small_spheres) rows need.
+    is_tiny: <S::f64s as SimdBase<S>>::Mask,
+    /// Whether wide rows would do.
+    can_be_wide: <S::f64s as SimdBase<S>>::Mask,
+    /// The root of `w^2` below which a row is thin.
+    thin: S::f64s,
+    /// The square of the least b.
+    least: S::f64s,
+}
+
+impl<S: Simd> Kinds<S> {
+    /// From `c / h` and its inverse.
+    #[inline(always)]
+    fn new(
+        simd: S,
+        [c_by_h, h_by_c]: [S::f64s; 2],
+        (space, size, square_doubt): (&CameraSpace, S::f64s, S::f64s),
+        ([b_row, b_column, shear], rows_away): ([S::f64s; 3], S::f64s),
+    ) -> Self {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let (one, slope) = (splat(1.0), splat(space.column_slope * space.column_slope));
+        let least = c_by_h * splat(space.per_column * space.per_column);
+        let widest = size.narrow(size).sqrt().widen().0 * splat(1.0 + 1e-6);
+        let b_column = b_column.abs();
+        let error = (splat(4.5) + splat(4.0) * b_column) * widest;
+        let away = b_row.abs() * rows_away + b_column * (widest + shear.abs() * rows_away);
+        let tiny_error = splat(4.0) * (one + b_column) * widest + splat(3.0) * away;
+        let is_wide = (error * error).simd_gt(splat(0.42 * 0.42) * least);
+        let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
+        let keep = (square_doubt * root_error * (h_by_c * slope)).max(splat(32.0));
+        let thin = square_doubt * keep * splat(1.0 / MARGIN);
+        let twice = b_column * widest + b_column * widest;
+        let can_be_wide = widest.simd_lt(splat(2040.0))
+            & (twice * twice).simd_lt(splat(0.99 * 0.99) * least)
+            & (widest + widest + one).simd_lt(splat(0.01) * least);
+        let is_tiny = size.simd_lt(splat(TINY_SIZE))
+            & (tiny_error * tiny_error).simd_lt(splat(0.05 * 0.05) * least)
+            & thin.simd_lt(splat(1.0));
+        Kinds { is_wide, is_tiny, can_be_wide, thin, least }
+    }
+
+    /// Whether rows of the kind will do, and `f32` holds the numbers.
+    #[inline(always)]
+    fn is_plain(
+        &self,
+        simd: S,
+        numerator: S::f64s,
+        nearest: S::f64s,
+    ) -> <S::f64s as SimdBase<S>>::Mask {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let in_range = |x: S::f64s| x.simd_gt(splat(1e-20)) & x.simd_lt(splat(1e20));
+        self.thin.simd_lt(splat(32.0))
+            & (self.can_be_wide | !self.is_wide)
+            & self.least.simd_gt(splat(1e-40))
+            & self.least.simd_lt(splat(1e40))
+            & in_range(numerator)
+            & in_range(nearest)
+            & (numerator * numerator).simd_lt(self.least * splat(1e40))
+    }
+}

@@ -1,0 +1,156 @@
+//! The rows and columns of a raster as numbers that vectors can be made of.
+
+use std::ops::Range;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::render::frame::Raster;
+
+/// The widest vector of `f32` that any level has: as far as the tables go on.
+const PADDING: usize = 16;
+
+/// The numbers of a raster's rows and columns in the image, ascending, with entries behind the last
+/// so that a vector can begin anywhere.
+pub(crate) struct RasterAxes {
+    pub(crate) row_numbers: Vec<f64>,
+    pub(crate) columns: Vec<f32>,
+    height: usize,
+    width: usize,
+    /// Whether rows, and columns, follow one another without a gap.
+    rows_are_whole: bool,
+    columns_are_whole: bool,
+}
+
+fn are_whole(cells: &[u32]) -> bool {
+    let [first, .., last] = cells else { return true };
+    (last - first) as usize == cells.len() - 1
+}
+
+impl RasterAxes {
+    pub(crate) fn new(raster: &Raster) -> RasterAxes {
+        let (rows, columns) = (raster.rows(), raster.columns());
+        let padding = std::iter::repeat_n(f32::INFINITY, PADDING);
+        RasterAxes {
+            row_numbers: rows
+                .iter()
+                .map(|row| f64::from(*row))
+                .chain(std::iter::repeat_n(0.0, PADDING))
+                .collect(),
+            columns: columns.iter().map(|column| *column as f32).chain(padding).collect(),
+            height: rows.len(),
+            width: columns.len(),
+            rows_are_whole: are_whole(rows),
+            columns_are_whole: are_whole(columns),
+        }
+    }
+
+    pub(crate) fn width(&self) -> usize {
+        self.width
+    }
+
+    pub(crate) fn height(&self) -> usize {
+        self.height
+    }
+
+    pub(crate) fn pixels(&self) -> usize {
+        self.width * self.height
+    }
+
+    /// The raster's columns with a number from `first` to `last`, both whole.
+    #[inline(always)]
+    pub(crate) fn columns_range(&self, first: f64, last: f64) -> Range<usize> {
+        self.columns_between(first, last).map_or(0..0, |(from, to)| from..to + 1)
+    }
+
+    /// The raster's rows with a number from `first` to `last`, both whole.
+    #[inline(always)]
+    pub(crate) fn rows_between(&self, first: f64, last: f64) -> Range<usize> {
+        let rows = &self.row_numbers[..self.height];
+        if self.rows_are_whole {
+            // A cast saturates: at 0 before the first row.
+            let from = ((first - rows[0]) as usize).min(self.height);
+            let to = ((last - rows[0] + 1.0) as usize).min(self.height);
+            return from..to.max(from);
+        }
+        let from = rows.partition_point(|row| *row < first);
+        from..rows.partition_point(|row| *row <= last).max(from)
+    }
+
+    /// The raster's row with this number.
+    #[inline(always)]
+    pub(crate) fn row_at(&self, number: f64) -> Option<usize> {
+        let rows = self.rows_between(number, number);
+        (!rows.is_empty()).then_some(rows.start)
+    }
+
+    /// For a vector of numbers of rows: where in these rows of the raster they lie, and in which
+    /// lanes they do.
+    #[inline(always)]
+    pub(crate) fn place_rows<S: Simd>(
+        &self,
+        simd: S,
+        numbers: S::f64s,
+        rows: &Range<usize>,
+    ) -> (S::f64s, u64) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        if self.rows_are_whole {
+            let place = numbers - splat(self.row_numbers[rows.start]);
+            let is_here = place.simd_ge(splat(0.0)) & place.simd_lt(splat(rows.len() as f64));
+            return (place, is_here.to_bitmask());
+        }
+        let (mut place, mut is_here) = (splat(0.0), 0);
+        for lane in 0..S::f64s::LEN {
+            if let Some(row) = self.row_at(numbers.as_slice()[lane])
+                && rows.contains(&row)
+            {
+                place.as_mut_slice()[lane] = (row - rows.start) as f64;
+                is_here |= 1 << lane;
+            }
+        }
+        (place, is_here)
+    }
+
+    /// The raster's first and last column with a number from `first` to `last`, both whole.
+    #[inline(always)]
+    pub(crate) fn columns_between(&self, first: f64, last: f64) -> Option<(usize, usize)> {
+        let columns = &self.columns[..self.width];
+        let (from, end) = if self.columns_are_whole {
+            let start = f64::from(columns[0]);
+            let end = ((last - start + 1.0) as usize).min(self.width);
+            ((first - start) as usize, end)
+        } else {
+            let from = columns.partition_point(|column| f64::from(*column) < first);
+            (from, columns.partition_point(|column| f64::from(*column) <= last))
+        };
+        (from < end).then(|| (from, end - 1))
+    }
+
+    /// For a vector of rows: the raster's first and last columns with numbers from `first` to `last`,
+    /// all whole, and in which lanes there is one.
+    #[inline(always)]
+    pub(crate) fn clip<S: Simd>(
+        &self,
+        simd: S,
+        first: S::f64s,
+        last: S::f64s,
+    ) -> (S::f64s, S::f64s, u64) {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        if self.columns_are_whole {
+            let start = splat(f64::from(self.columns[0]));
+            let from = (first - start).max(splat(0.0));
+            let to = (last - start).min(splat((self.width - 1) as f64));
+            return (from, to, from.simd_le(to).to_bitmask());
+        }
+        let (mut from, mut to, mut is_there) = (splat(0.0), splat(0.0), 0);
+        for lane in 0..S::f64s::LEN {
+            let (first, last) = (first.as_slice()[lane], last.as_slice()[lane]);
+            if let Some(columns) = self.columns_between(first, last) {
+                from.as_mut_slice()[lane] = columns.0 as f64;
+                to.as_mut_slice()[lane] = columns.1 as f64;
+                is_there |= 1 << lane;
+            }
+        }
+        (from, to, is_there)
+    }
+}

@@ -1,0 +1,111 @@
+//! Which way each sphere of a frame is drawn, if it can be seen at all.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, Simd, dispatch};
+
+use crate::render::frame::counts::Counts;
+use crate::render::outline::camera_space::CameraSpace;
+use crate::render::outline::extent::{Extent, Extents};
+use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::{MOST_LANES, Outlines};
+use crate::render::rows::span::Span;
+use crate::scene::sphere::Sphere;
+use crate::scene::sphere_index::Spheres;
+
+/// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
+pub(crate) const SLICE_ROWS: usize = 32;
+
+/// What a run of spheres is to a frame.
+#[derive(Default)]
+pub(crate) struct Sorted {
+    pub(crate) spans: Vec<Span>,
+    /// For each slice of rows.
+    pub(crate) others: Vec<Vec<(u32, Extent)>>,
+    pub(crate) counts: Counts,
+}
+
+/// What sorting spheres takes of a frame.
+pub(crate) struct Sorter<'a> {
+    pub(crate) level: Level,
+    /// `None` where all spheres are asked pixel by pixel.
+    pub(crate) space: Option<CameraSpace>,
+    pub(crate) extents: &'a Extents<'a>,
+    pub(crate) axes: &'a RasterAxes,
+}
+
+impl Sorter<'_> {
+    /// Sorts a run of spheres, whose first index is `first`.
+    pub(crate) fn sort(&self, spheres: &[Sphere], first: usize) -> Sorted {
+        let mut sorted = Sorted::default();
+        sorted.others.resize_with(self.axes.height().div_ceil(SLICE_ROWS), Vec::new);
+        let Some(space) = &self.space else {
+            for (index, sphere) in (first..).zip(spheres) {
+                self.add_other(&mut sorted, index, sphere);
+            }
+            return sorted;
+        };
+        let mut outlines = Outlines::default();
+        let lanes = lanes_of(self.level);
+        for (group, some) in spheres.chunks(lanes).enumerate() {
+            let side = |x: fn(&Sphere) -> f64| {
+                std::array::from_fn::<f64, MOST_LANES, _>(|k| x(&some[k.min(some.len() - 1)]))
+            };
+            let (x, y, z) = (side(|s| s.center.x), side(|s| s.center.y), side(|s| s.center.z));
+            let radius = side(|s| s.radius);
+            let of = Spheres { x: &x, y: &y, z: &z, radius: &radius };
+            dispatch!(self.level, simd => outlines.find(simd, space, &of));
+            for (lane, sphere) in some.iter().enumerate() {
+                let index = first + group * lanes + lane;
+                self.add(&mut sorted, &outlines, lane, index, sphere);
+            }
+        }
+        sorted
+    }
+
+    fn add(
+        &self,
+        sorted: &mut Sorted,
+        outlines: &Outlines,
+        lane: usize,
+        index: usize,
+        sphere: &Sphere,
+    ) {
+        if outlines.is_behind >> lane & 1 == 1 {
+            sorted.counts.behind += 1;
+        } else if outlines.is_outside >> lane & 1 == 1 {
+            sorted.counts.outside += 1;
+        } else if outlines.is_plain >> lane & 1 == 1 {
+            let span = Span::new(index as u32, &outlines.one(lane));
+            if span.rows(self.axes).is_empty() {
+                sorted.counts.outside += 1;
+            } else {
+                sorted.counts.in_view += 1;
+                sorted.spans.push(span);
+            }
+        } else {
+            self.add_other(sorted, index, sphere);
+        }
+    }
+
+    fn add_other(&self, sorted: &mut Sorted, index: usize, sphere: &Sphere) {
+        let Some(extent) = self.extents.of(sphere) else {
+            sorted.counts.outside += 1;
+            return;
+        };
+        sorted.counts.in_view += 1;
+        let rows = extent.rows();
+        for seen_in in &mut sorted.others[rows.start / SLICE_ROWS..rows.end.div_ceil(SLICE_ROWS)] {
+            seen_in.push((index as u32, extent));
+        }
+    }
+}
+
+/// How many `f64` a vector of the level has.
+fn lanes_of(level: Level) -> usize {
+    dispatch!(level, simd => lanes(simd))
+}
+
+#[inline(always)]
+fn lanes<S: Simd>(_simd: S) -> usize {
+    S::f64s::LEN
+}

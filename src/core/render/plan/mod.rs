@@ -1,0 +1,185 @@
+//! What a frame does, decided before it is done: which objects the rows can see, and what their
+//! pixels share.
+
+pub(crate) mod classify;
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use fearless_simd::Level;
+use rayon::prelude::*;
+
+use crate::camera::resolved::PosedCamera;
+use crate::render::bvh::visible::Crowd;
+use crate::render::frame::Raster;
+use crate::render::frame::counts::Counts;
+use crate::render::frame::depth::Depth;
+use crate::render::outline::camera_space::CameraSpace;
+use crate::render::outline::extent::{Extent, Extents};
+use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::plan::classify::{SLICE_ROWS, Sorted, Sorter};
+use crate::render::polynomial::frame_rays::FrameRays;
+use crate::render::polynomial::object_kernel::FineKernel;
+use crate::render::rows::span::Span;
+use crate::scene::Scene;
+use crate::scene::object::Object;
+use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::plane::Plane;
+use crate::scene::sphere_predicates::SphereSeen;
+
+/// What all bands of a frame share.
+pub(crate) struct Plan<'a> {
+    pub(crate) level: Level,
+    pub(crate) scene: &'a Scene,
+    pub(crate) rays: FrameRays<'a>,
+    pub(crate) axes: RasterAxes,
+    /// Spheres that are drawn by rows, near to far.
+    pub(crate) spans: Vec<Span>,
+    /// The others: for each run of spheres, for each slice of rows, those that it can see.
+    others: Vec<Vec<Vec<(u32, Extent)>>>,
+    /// What is seen of an index over the spheres; of few there is none.
+    pub(crate) crowd: Option<Crowd<'a>>,
+    pub(crate) counts: Counts,
+    /// How many rows a thread traces at a time.
+    pub(crate) band_rows: usize,
+    /// Whether the frame is done before another thread would have begun.
+    pub(crate) is_quick: bool,
+    pub(crate) extents: Extents<'a>,
+    /// `None` for one that an earlier one hides altogether.
+    pub(crate) planes: Vec<Option<ObjectSeen>>,
+    /// Spheres that cover so much of the picture that coefficients from exact numbers, once a frame,
+    /// save more pixels from going up the ladder than they cost.
+    pub(crate) large: HashMap<u32, FineKernel>,
+}
+
+/// How many pixels a large sphere covers at least.
+const LARGE: usize = 4096;
+
+/// How many large spheres there are at most.
+const MOST_LARGE: usize = 256;
+
+/// Spheres whose bounds one thread finds at a time.
+const SPHERES_PER_RUN: usize = 8192;
+
+impl<'a> Plan<'a> {
+    pub(crate) fn new<T: Depth>(
+        level: Level,
+        scene: &'a Scene,
+        camera: &'a PosedCamera,
+        raster: &'a Raster,
+    ) -> Self {
+        let rays = FrameRays::new(camera, raster, T::IS_FINE);
+        let axes = RasterAxes::new(raster);
+        let space = CameraSpace::new(camera);
+        let extents = Extents::new(camera, raster);
+        let space = (!T::IS_FINE && space.is_plain).then_some(space);
+        let mut counts = Counts {
+            spheres: scene.spheres().len() as u64,
+            planes: scene.planes().len() as u64,
+            ..Counts::default()
+        };
+        let crowd = match (scene.index(), space) {
+            (Some(index), Some(space)) => {
+                Some(Crowd::new(level, index, space, (&axes, &extents), &mut counts))
+            }
+            _ => None,
+        };
+        let (mut spans, mut others) = (Vec::new(), Vec::new());
+        if crowd.is_none() {
+            let sorter = Sorter { level, space, extents: &extents, axes: &axes };
+            let runs = scene.spheres().chunks(SPHERES_PER_RUN).enumerate();
+            let sort = |(run, spheres)| sorter.sort(spheres, run * SPHERES_PER_RUN);
+            let sorted: Vec<Sorted> = if runs.len() > 1 {
+                runs.collect::<Vec<_>>().into_par_iter().map(sort).collect()
+            } else {
+                runs.map(sort).collect()
+            };
+            for run in sorted {
+                counts += run.counts;
+                spans.extend(run.spans);
+                others.push(run.others);
+            }
+            spans.sort_unstable_by(|a, b| a.outline.nearest.total_cmp(&b.outline.nearest));
+        }
+        let seen = |plane| ObjectSeen::new(&Object::Plane(plane), camera.eye());
+        let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
+        let planes: Vec<Option<ObjectSeen>> = planes.collect();
+        counts.planes_asked = planes.iter().flatten().count() as u64;
+        let large = HashMap::new();
+        let keeps_outlines = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
+        let band_rows = if keeps_outlines { SLICE_ROWS } else { 2 * SLICE_ROWS };
+        let mut plan = Plan {
+            level,
+            scene,
+            rays,
+            axes,
+            spans,
+            others,
+            crowd,
+            counts,
+            band_rows,
+            is_quick: false,
+            extents,
+            planes,
+            large,
+        };
+        if T::IS_FINE {
+            plan.prepare_large::<T>();
+        }
+        plan.is_quick = !T::IS_FINE && plan.is_quick();
+        plan
+    }
+
+    /// Whether a thread draws the frame, a few operations a pixel, in the time that others take to
+    /// wake up.
+    fn is_quick(&self) -> bool {
+        const PIXELS: usize = 1 << 18;
+        const SPANS: usize = 8;
+        let has_others = self.others.iter().flatten().any(|slice| !slice.is_empty());
+        let is_simple = self.crowd.is_none() && self.planes.is_empty() && !has_others;
+        is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
+    }
+
+    fn prepare_large<T: Depth>(&mut self) {
+        let camera = self.rays.camera();
+        let mut steppers = None;
+        for (index, extent) in self.others.iter().flatten().flatten() {
+            let (rows, columns) = (extent.rows(), extent.columns());
+            let area = rows.len() * columns.len();
+            if area < LARGE || self.large.len() >= MOST_LARGE || self.large.contains_key(index) {
+                continue;
+            }
+            let sphere = &self.scene.spheres()[*index as usize];
+            let seen = SphereSeen::new(sphere, camera.eye());
+            let patch = self.rays.patch(&rows, &columns);
+            let steppers = steppers.get_or_insert_with(|| camera.big_steppers());
+            let (conic, near_root) = steppers.conic(sphere, &patch, seen.scale, self.rays.scale);
+            if let Some(kernel) =
+                FineKernel::new::<T>(&self.rays, &seen, conic, Some(near_root), &patch)
+            {
+                self.large.insert(*index, kernel);
+            }
+        }
+    }
+
+    /// The rows of each band.
+    pub(crate) fn bands(&self) -> Vec<Range<usize>> {
+        let rows = self.axes.height();
+        let first = (0..rows).step_by(self.band_rows);
+        first.map(|first| first..rows.min(first + self.band_rows)).collect()
+    }
+
+    /// The spheres, but those drawn by rows and those of a crowd, that a slice of rows can see.
+    pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
+        self.others.iter().flat_map(move |run| &run[slice]).copied()
+    }
+}
+
+/// The planes, with `None` for one that is the same set of points as an earlier one, which is seen
+/// in its place.
+fn distinct(planes: &[Plane]) -> impl Iterator<Item = Option<Plane>> + '_ {
+    planes.iter().enumerate().map(|(index, plane)| {
+        let is_hidden = planes[..index].iter().any(|earlier| earlier.is_same(plane));
+        (!is_hidden).then_some(*plane)
+    })
+}

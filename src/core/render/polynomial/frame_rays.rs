@@ -1,0 +1,160 @@
+//! The view rays of a frame, as whole steps along columns and rows.
+
+use std::ops::Range;
+
+use crate::camera::image::Pixel;
+use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::exact::bounded::{Number, UNIT, Vector, length, near};
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::quadratic::DirectionParts;
+use crate::exact::scale::ldexp;
+use crate::render::frame::Raster;
+
+/// With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the view ray's direction
+/// times `2 W H` is
+///
+/// ```text
+/// n (width H U) + l (height W V) - 2 W H distance W  =  n e + l g + z
+/// ```
+#[derive(Clone, Debug)]
+pub(crate) struct FrameRays<'a> {
+    camera: &'a PosedCamera,
+    raster: &'a Raster,
+    /// n of each column of the raster.
+    pub(crate) n: Vec<f64>,
+    /// l of each row.
+    pub(crate) l: Vec<f64>,
+    /// `n e` of each column, in `f64`.
+    column_parts: Vec<Vector<f64>>,
+    /// At least the length of every direction.
+    longest: f64,
+    pub(crate) fine: Steppers<DoubleDouble>,
+    pub(crate) rough: Steppers<f64>,
+    /// `2 W H`
+    pub(crate) stretch: f64,
+    /// All three vectors are in units of `2^scale`.
+    pub(crate) scale: i32,
+}
+
+/// The vectors e, g and z above.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Steppers<T> {
+    pub(crate) e: Vector<T>,
+    pub(crate) g: Vector<T>,
+    pub(crate) z: Vector<T>,
+    /// Error of each of them, as a share of its length.
+    vector_doubt: f64,
+    /// `|z|`, rounded: no view ray's direction is shorter.
+    pub(crate) least_length: f64,
+}
+
+impl<'a> FrameRays<'a> {
+    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster, is_fine: bool) -> FrameRays<'a> {
+        let image = camera.image();
+        let (w, h) = (f64::from(image.width()), f64::from(image.height()));
+        let viewport = camera.viewport();
+        let measures = [viewport.width, viewport.height, viewport.distance];
+        let (_, scale) = crate::exact::bounded::scaled(measures.map(DoubleDouble::from));
+        // What `f64` kernels see of it does not depend on the last digits.
+        let finest = if is_fine { camera.with_finest_basis() } else { *camera };
+        let basis = finest.fine_basis();
+        let along = |v: Vector<DoubleDouble>, measure: f64, count: f64| {
+            let step = DoubleDouble::product(ldexp(measure, -scale), count);
+            v.map(|x| x * step)
+        };
+        let z = along(basis.w, viewport.distance, -2.0 * w * h);
+        let fine = Steppers {
+            e: along(basis.u, viewport.width, h),
+            g: along(basis.v, viewport.height, w),
+            z,
+            vector_doubt: basis.doubt() + DoubleDouble::PRODUCT,
+            least_length: 0.99 * length(near(z)),
+        };
+        let rough = Steppers {
+            e: near(fine.e),
+            g: near(fine.g),
+            z: near(z),
+            vector_doubt: fine.vector_doubt + UNIT,
+            least_length: fine.least_length,
+        };
+        let n: Vec<f64> = raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect();
+        let l: Vec<f64> = raster.rows().iter().map(|r| h - 2.0 * f64::from(*r) - 1.0).collect();
+        let parts = [w * length(rough.e), h * length(rough.g), length(rough.z)];
+        FrameRays {
+            camera,
+            raster,
+            column_parts: n.iter().map(|n| rough.e.map(|x| n * x)).collect(),
+            longest: 1.01 * parts.iter().sum::<f64>(),
+            n,
+            l,
+            fine,
+            rough,
+            stretch: ViewPlace::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
+            scale,
+        }
+    }
+
+    pub(crate) fn camera(&self) -> &'a PosedCamera {
+        self.camera
+    }
+
+    /// The patch that rows and columns of the raster make.
+    pub(crate) fn patch(&self, rows: &Range<usize>, columns: &Range<usize>) -> Patch {
+        let (n, l) = (&self.n[columns.clone()], &self.l[rows.clone()]);
+        let (n0, l0) = (n[n.len() / 2], l[l.len() / 2]);
+        let reach =
+            |of: &[f64], from: f64| (of[0] - from).abs().max((of[of.len() - 1] - from).abs());
+        Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
+    }
+
+    /// Whether e, g and z are of ordinary lengths, so that none of their digits was lost to the
+    /// common scale.
+    pub(crate) fn is_plain(&self) -> bool {
+        let Steppers { e, g, z, .. } = &self.rough;
+        [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
+    }
+
+    /// A pixel's direction in `f64`; of its length, a bound is enough for what it is used for.
+    #[inline(always)]
+    pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionParts<f64> {
+        let Steppers { g, z, .. } = &self.rough;
+        let (part, l) = (self.column_parts[column], self.l[row]);
+        let d = std::array::from_fn(|i| part[i] + (l * g[i] + z[i]));
+        DirectionParts { d, length: self.longest, doubt: self.rough.doubt() }
+    }
+
+    /// The pixel in the raster's `row`th row and `column`th column.
+    pub(crate) fn pixel(&self, row: usize, column: usize) -> Pixel {
+        Pixel { row: self.raster.rows()[row], column: self.raster.columns()[column] }
+    }
+}
+
+impl<T: Number> Steppers<T> {
+    /// Error of a direction made of the vectors, as a share of its length. They are at right angles
+    /// (by hand, within 1e-9), so that the three terms are together no longer than `sqrt 3` times it.
+    pub(crate) fn doubt(&self) -> f64 {
+        1.74 * (self.vector_doubt + T::DOT)
+    }
+
+    /// `n e + l g + z`
+    pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<T> {
+        let (n, l) = (T::from(n), T::from(l));
+        std::array::from_fn(|i| n * self.e[i] + l * self.g[i] + self.z[i])
+    }
+}
+
+/// A rectangle of pixels in whole steps: around `(n, l)`, up to `columns` and `rows` away from it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Patch {
+    pub(crate) n: f64,
+    pub(crate) l: f64,
+    pub(crate) columns: f64,
+    pub(crate) rows: f64,
+}
+
+impl Patch {
+    /// `x0 + m x1 + k x2` at the corner, of lengths: the largest in the patch.
+    pub(crate) fn corner(&self, [x0, x1, x2]: [f64; 3]) -> f64 {
+        x0 + self.columns * x1 + self.rows * x2
+    }
+}

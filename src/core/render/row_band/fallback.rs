@@ -1,0 +1,90 @@
+//! Pixels that go up the ladder by themselves.
+
+use std::cmp::Ordering;
+
+use crate::exact::precise::Precise;
+use crate::exact::steps::Steps;
+use crate::render::frame::NO_OBJECT;
+use crate::render::frame::depth::Depth;
+use crate::render::row_band::Band;
+use crate::render::rows::span::Doubt;
+use crate::scene::object::Object;
+use crate::scene::object_from_origin::{Hit, ObjectSeen};
+
+impl<T: Depth> Band<'_, T> {
+    /// A sphere as the eye sees it.
+    pub(crate) fn seen(&self, index: u32) -> ObjectSeen {
+        let sphere = Object::Sphere(self.plan.scene.spheres()[index as usize]);
+        ObjectSeen::new(&sphere, self.plan.rays.camera().eye())
+    }
+
+    /// A pixel that a sphere's row could not decide.
+    pub(crate) fn settle_doubt(&mut self, doubt: &Doubt) {
+        let Doubt { index, row, column, t } = *doubt;
+        let (row, column) = (row as usize, column as usize);
+        self.steps.f64 += 1;
+        let sphere = self.plan.scene.spheres()[index as usize];
+        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
+        let known = self.object[place];
+        let known_sphere = self.plan.scene.spheres().get(known as usize);
+        if known_sphere == Some(&sphere) {
+            // The same sphere given twice.
+            self.object[place] = known.min(index);
+            return;
+        }
+        let seen = self.seen(index);
+        self.settle_with(index, &seen, row, column, t);
+    }
+
+    /// One pixel by itself, up the ladder.
+    #[cold]
+    pub(crate) fn settle(&mut self, index: u32, seen: &ObjectSeen, row: usize, column: usize) {
+        self.settle_with(index, seen, row, column, None);
+    }
+
+    /// The same, where `t` may be known.
+    #[cold]
+    fn settle_with(
+        &mut self,
+        index: u32,
+        seen: &ObjectSeen,
+        row: usize,
+        column: usize,
+        t: Option<f32>,
+    ) {
+        let camera = self.plan.rays.camera();
+        let ray = camera.exact_ray(self.plan.rays.pixel(row, column));
+        let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
+        // The ladder counts this decision at its own step.
+        self.steps.f64 -= 1;
+        let Some(end) = seen.first_end(&ray, &mut self.steps) else { return };
+        let hit = Hit { index, seen, end };
+        let known = self.object[place];
+        if known != NO_OBJECT
+            && let Some(object) = self.plan.scene.object(known)
+        {
+            let known_seen = ObjectSeen::new(&object, camera.eye());
+            let known_end = known_seen.first_end(&ray, &mut Steps::default());
+            let order = known_end.map_or(Ordering::Less, |end| {
+                let known = Hit { index: known, seen: &known_seen, end };
+                hit.compare(&known, &ray, &mut self.steps)
+            });
+            if order.then(index.cmp(&known)) == Ordering::Greater {
+                return;
+            }
+        }
+        self.object[place] = index;
+        if let Some(t) = t {
+            self.t[place] = T::of(f64::from(t));
+            return;
+        }
+        // A large sphere's polynomials may know t at a fraction of the ladder's cost.
+        let polynomials = self.plan.large.get(&index).and_then(|kernel| {
+            let (m, k) = (self.plan.rays.n[column], self.plan.rays.l[row]);
+            let near_root = kernel.near_root.as_ref()?.t(m - kernel.patch.n, k - kernel.patch.l)?;
+            Some(Precise::new(near_root.value.times(self.plan.rays.stretch), near_root.scale))
+        });
+        let t = polynomials.unwrap_or_else(|| seen.t_within(&ray, end, T::DOUBT));
+        self.t[place] = T::of(t.to_f64());
+    }
+}

@@ -1,0 +1,440 @@
+//! Some rows of a frame, and the objects that are added to them one after the other.
+
+pub(crate) mod fallback;
+
+use std::cmp::Ordering;
+use std::mem;
+use std::ops::Range;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch};
+use glam::DVec3;
+
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::lanes::Lanes;
+use crate::exact::quadratic::Quadratic;
+use crate::exact::quadratic::SphereParts;
+use crate::exact::steps::Steps;
+use crate::render::bvh::draw::{CrowdDrawn, draw_crowd};
+use crate::render::frame::NO_OBJECT;
+use crate::render::frame::counts::Counts;
+use crate::render::frame::depth::{DOUBT, Depth};
+use crate::render::outline::extent::Extent;
+use crate::render::plan::Plan;
+use crate::render::plan::classify::SLICE_ROWS;
+use crate::render::polynomial::conic::Conic;
+use crate::render::polynomial::frame_rays::Patch;
+use crate::render::polynomial::object_kernel::{
+    EVERYWHERE, FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor,
+};
+use crate::render::polynomial::per_pixel::small_hit;
+use crate::render::rows::span::{Doubt, SpanTarget};
+use crate::scene::object_from_origin::{ObjectSeen, plane_normal};
+use crate::scene::sphere_predicates::SphereSeen;
+
+/// The widest vector there is: rows are padded to whole ones.
+const LANES: usize = 8;
+
+/// Rows of a frame with their part of the buffers. Objects are added in any order: of two that are
+/// too close to tell, or equal, the ladder finds the first, and of equals the one that is listed first.
+pub(crate) struct Band<'a, T> {
+    pub(crate) plan: &'a Plan<'a>,
+    pub(crate) rows: Range<usize>,
+    pub(crate) t: &'a mut [T],
+    pub(crate) object: &'a mut [u32],
+    pub(crate) steps: Steps,
+    /// From which sphere, or group and block of many, rows are drawn next; `None` where all are.
+    next: Option<(usize, usize)>,
+    /// Pixels in doubt, left to be decided.
+    doubts: Vec<Doubt>,
+    drawn: CrowdDrawn,
+    /// By row, whether an object's outline reaches it.
+    is_reached: Vec<bool>,
+    /// Columns from the middle of the patch at hand.
+    m: Vec<f64>,
+    /// The kernels' answers for one row.
+    found: Vec<f64>,
+}
+
+/// Up to this many pixels, a sphere's polynomials cost more than asking each pixel.
+const SMALL: usize = 64;
+
+/// What a kernel does with one row: columns from the middle, row's l, answers.
+type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
+
+/// From which to which m, columns from the middle, a row can have a hit.
+type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
+
+impl<'a, T: Depth> Band<'a, T> {
+    pub(crate) fn new(
+        plan: &'a Plan<'a>,
+        rows: Range<usize>,
+        t: &'a mut [T],
+        object: &'a mut [u32],
+    ) -> Self {
+        match T::singles(t) {
+            Some(t) => dispatch!(plan.level, simd => clear(simd, t)),
+            None => t.fill(T::NONE),
+        }
+        object.fill(NO_OBJECT);
+        Band {
+            plan,
+            is_reached: vec![false; rows.len()],
+            rows,
+            t,
+            object,
+            steps: Steps::default(),
+            next: Some((0, 0)),
+            doubts: Vec::new(),
+            drawn: CrowdDrawn::default(),
+            m: Vec::new(),
+            found: Vec::new(),
+        }
+    }
+
+    /// Draws what of many spheres is near or large, and hides much of the rest.
+    pub(crate) fn draw_large(&mut self) {
+        let plan = self.plan;
+        for (index, extent) in plan.crowd.iter().flat_map(|crowd| &crowd.others) {
+            self.add_in_slices(*index, extent);
+        }
+    }
+
+    /// Draws spheres by rows, until all are or too many pixels are in doubt; tells whether any were left
+    /// to draw.
+    pub(crate) fn draw_rows(&mut self) -> bool {
+        let Some(from) = self.next else { return false };
+        let (mut doubts, mut drawn) = (mem::take(&mut self.doubts), mem::take(&mut self.drawn));
+        self.next = self.draw_spans(from, &mut doubts, &mut drawn);
+        (self.doubts, self.drawn) = (doubts, drawn);
+        true
+    }
+
+    /// Decides the pixels that the rows have left in doubt.
+    pub(crate) fn resolve_doubt(&mut self) {
+        let mut doubts = mem::take(&mut self.doubts);
+        for doubt in doubts.drain(..) {
+            self.settle_doubt(&doubt);
+        }
+        self.doubts = doubts;
+    }
+
+    /// Draws the spheres that cannot be drawn by rows, and the planes.
+    pub(crate) fn draw_others(&mut self) {
+        let plan = self.plan;
+        for index in mem::take(&mut self.drawn.others) {
+            if let Some(extent) = plan.extents.of(&plan.scene.spheres()[index as usize]) {
+                self.add_in_slices(index, &extent);
+            }
+        }
+        for slice in self.slices() {
+            for (index, extent) in plan.others(slice.start / SLICE_ROWS) {
+                let rows = within(&extent.rows(), &slice);
+                self.add_sphere(index, rows, extent.columns());
+            }
+            for (plane, seen) in plan.planes.iter().enumerate() {
+                if let Some(seen) = seen {
+                    self.add_plane(plane, seen, slice.clone());
+                }
+            }
+        }
+    }
+
+    /// Fills in the normals, where they are asked for: each from its own exact ray.
+    pub(crate) fn fill_normals(&self, normals: &mut [DVec3]) {
+        let width = self.plan.axes.width();
+        let of_rows = normals.chunks_mut(width).zip(self.object.chunks(width));
+        for (row, (normals, object)) in self.rows.clone().zip(of_rows) {
+            fill_normals(self.plan, row, object, normals);
+        }
+    }
+
+    /// Tells how the decisions were made, and what was left out.
+    pub(crate) fn counted(self) -> (Steps, Counts) {
+        let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
+        let mut counts = self.drawn.counts;
+        counts.bands = 1;
+        counts.bands_untouched = u64::from(untouched == self.rows.len());
+        counts.rows = self.rows.len() as u64;
+        counts.rows_untouched = untouched as u64;
+        (self.steps, counts)
+    }
+
+    /// The slices of rows that it consists of.
+    fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<T> {
+        let Range { start, end } = self.rows;
+        (start..end).step_by(SLICE_ROWS).map(move |from| from..end.min(from + SLICE_ROWS))
+    }
+
+    /// Tells that an object's outline reaches rows of the raster.
+    fn reach(&mut self, rows: &Range<usize>) {
+        let start = self.rows.start;
+        self.is_reached[rows.start - start..rows.end - start].fill(true);
+    }
+
+    fn add_in_slices(&mut self, index: u32, extent: &Extent) {
+        for slice in self.slices() {
+            let rows = within(&extent.rows(), &slice);
+            if !rows.is_empty() {
+                self.add_sphere(index, rows, extent.columns());
+            }
+        }
+    }
+
+    /// Draws spheres until all are, or too many pixels are in doubt: then, from where to go on.
+    fn draw_spans(
+        &mut self,
+        from: (usize, usize),
+        doubts: &mut Vec<Doubt>,
+        drawn: &mut CrowdDrawn,
+    ) -> Option<(usize, usize)> {
+        let plan = self.plan;
+        let mut target = SpanTarget {
+            axes: &plan.axes,
+            rows: self.rows.clone(),
+            t: T::singles(self.t)?,
+            object: self.object,
+            doubts,
+            spheres: plan.scene.spheres(),
+            is_reached: &mut self.is_reached,
+            decided: 0,
+        };
+        let next = dispatch!(plan.level, simd => draw(simd, plan, from, &mut target, drawn));
+        self.steps.f64 += target.decided;
+        next
+    }
+
+    /// Adds a sphere, which can cover these rows and columns of the raster at most.
+    fn add_sphere(&mut self, index: u32, rows: Range<usize>, columns: Range<usize>) {
+        self.reach(&rows);
+        let sphere = self.plan.scene.spheres()[index as usize];
+        let eye = self.plan.rays.camera().eye();
+        if let Some(kernel) = self.plan.large.get(&index) {
+            let level = self.plan.level;
+            let row = |m: &[f64], k: f64, found: &mut [f64]| {
+                dispatch!(level, simd => kernel.answer(simd, m, k, found));
+            };
+            let reach = |k| kernel.reach(k);
+            return self.add(index, rows, columns, &kernel.patch, (&row, &reach), None);
+        }
+        let parts = SphereSeen::rough_parts(&sphere, eye);
+        let is_small = rows.len() * columns.len() <= SMALL;
+        if is_small
+            && let Some(parts) = &parts
+            && let Some(factor) = factor(&self.plan.rays, 0)
+        {
+            return self.add_small_sphere(index, rows, columns, parts, factor);
+        }
+        let patch = self.plan.rays.patch(&rows, &columns);
+        let kernel = match parts {
+            Some(parts) if !T::IS_FINE => self.rough_kernel(&parts, Ordering::Greater, 0, &patch),
+            _ => {
+                let seen = SphereSeen::new(&sphere, eye);
+                if T::IS_FINE {
+                    let conic = Conic::new(&seen.fine, &self.plan.rays.fine, &patch);
+                    let kernel = FineKernel::new::<T>(&self.plan.rays, &seen, conic, None, &patch);
+                    kernel.map(|fine| SphereKernel::Fine(Box::new(fine)))
+                } else {
+                    self.rough_kernel(&seen.rough, seen.side, seen.scale, &patch)
+                }
+            }
+        };
+        let level = self.plan.level;
+        let row: RowOf = match &kernel {
+            Some(SphereKernel::Rough(kernel)) => &|m, k, found| {
+                dispatch!(level, simd => kernel.answer(simd, m, k, found));
+            },
+            Some(SphereKernel::Fine(kernel)) => &|m, k, found| {
+                dispatch!(level, simd => kernel.answer(simd, m, k, found));
+            },
+            None => &|_, _, found| found.fill(DOUBT),
+        };
+        let reach: ReachOf = match &kernel {
+            Some(SphereKernel::Rough(kernel)) => &|k| kernel.reach(k),
+            Some(SphereKernel::Fine(kernel)) => &|k| kernel.reach(k),
+            None => &|_| Some(EVERYWHERE),
+        };
+        self.add(index, rows, columns, &patch, (row, reach), None);
+    }
+
+    /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is asked by
+    /// itself, in `f64`.
+    fn add_small_sphere(
+        &mut self,
+        index: u32,
+        rows: Range<usize>,
+        columns: Range<usize>,
+        parts: &SphereParts<f64>,
+        factor: f64,
+    ) {
+        let rays = &self.plan.rays;
+        let width = rays.n.len();
+        let mut own = None;
+        for row in rows {
+            self.steps.f64 += columns.len() as u64;
+            for column in columns.clone() {
+                let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
+                let place = (row - self.rows.start) * width + column;
+                let found = small_hit::<T>(&quadratic, parts, factor, self.t[place]);
+                if found.is_nan() {
+                    let seen = own.get_or_insert_with(|| self.seen(index));
+                    self.settle(index, seen, row, column);
+                } else if found < f64::INFINITY {
+                    (self.t[place], self.object[place]) = (T::of(found), index);
+                }
+            }
+        }
+    }
+
+    fn rough_kernel(
+        &self,
+        parts: &SphereParts<f64>,
+        side: Ordering,
+        scale: i32,
+        patch: &Patch,
+    ) -> Option<SphereKernel> {
+        let kernel = RoughKernel::new::<T>(&self.plan.rays, parts, side, scale, patch);
+        kernel.map(SphereKernel::Rough)
+    }
+
+    /// Adds a plane; none that the eye lies in, which no ray hits.
+    fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectSeen, rows: Range<usize>) {
+        let ObjectSeen::Plane(seen) = seen_by_eye else { return };
+        if seen.side == Ordering::Equal {
+            return;
+        }
+        self.reach(&rows);
+        let index = (self.plan.scene.spheres().len() + plane) as u32;
+        let columns = 0..self.plan.rays.n.len();
+        let patch = self.plan.rays.patch(&rows, &columns);
+        let level = self.plan.level;
+        let (rough, fine);
+        let row: RowOf = match factor(&self.plan.rays, seen.scale) {
+            None => &|_, _, found| found.fill(DOUBT),
+            Some(factor) if !T::IS_FINE => {
+                let rays = &self.plan.rays.rough;
+                rough = PlaneKernel::new(seen, seen.offset.hi * factor, rays, &patch, T::DOUBT);
+                &|m, k, found| dispatch!(level, simd => rough.answer::<_, Lanes<_>>(simd, m, k, found))
+            }
+            Some(factor) => {
+                let rays = &self.plan.rays.fine;
+                let offset = seen.offset * DoubleDouble::from(factor);
+                fine = PlaneKernel::new(seen, offset, rays, &patch, T::DOUBT);
+                &|m, k, found| dispatch!(level, simd => fine.answer::<_, DoubleDouble<Lanes<_>>>(simd, m, k, found))
+            }
+        };
+        let reach: ReachOf = &|_| Some(EVERYWHERE);
+        self.add(index, rows, columns, &patch, (row, reach), Some(seen_by_eye));
+    }
+
+    /// Asks the pixels of the patch that the object can reach.
+    fn add(
+        &mut self,
+        index: u32,
+        rows: Range<usize>,
+        columns: Range<usize>,
+        patch: &Patch,
+        (answer, reach): (RowOf, ReachOf),
+        seen: Option<&ObjectSeen>,
+    ) {
+        let padded = columns.len().next_multiple_of(LANES);
+        self.m.clear();
+        self.m.extend(self.plan.rays.n[columns.clone()].iter().map(|n| n - patch.n));
+        self.m.resize(padded, 0.0);
+        self.found.resize(padded, 0.0);
+        let mut own = None;
+        for row in rows {
+            let k = self.plan.rays.l[row] - patch.l;
+            let Some([low, high]) = reach(k) else { continue };
+            let m = &self.m[..columns.len()];
+            let from = m.partition_point(|m| *m < low) / LANES * LANES;
+            let to = m.partition_point(|m| *m <= high);
+            if from >= to {
+                continue;
+            }
+            let mut found = std::mem::take(&mut self.found);
+            let lanes = from..to.next_multiple_of(LANES);
+            answer(&self.m[lanes.clone()], k, &mut found[lanes]);
+            let start = (row - self.rows.start) * self.plan.rays.n.len() + columns.start;
+            let place = start + from..start + to;
+            let (t, object) = (&mut self.t[place.clone()], &mut self.object[place.clone()]);
+            let (level, found_here) = (self.plan.level, &found[from..to]);
+            let in_doubt = dispatch!(level, simd => T::blend(simd, found_here, t, object, index));
+            self.steps.f64 += found_here.len() as u64;
+            if in_doubt {
+                for (place, (column, found)) in place.zip((columns.start + from..).zip(found_here))
+                {
+                    if T::is_in_doubt(*found, self.t[place], self.object[place], index) {
+                        let seen =
+                            seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
+                        self.settle(index, seen, row, column);
+                    }
+                }
+            }
+            self.found = found;
+        }
+    }
+}
+
+/// No hit anywhere.
+#[inline(always)]
+fn clear<S: Simd>(simd: S, t: &mut [f32]) {
+    let none = S::f32s::splat(simd, f32::NONE);
+    let mut vectors = t.chunks_exact_mut(S::f32s::LEN);
+    for vector in &mut vectors {
+        none.store_slice(vector);
+    }
+    vectors.into_remainder().fill(f32::NONE);
+}
+
+#[inline(always)]
+fn draw<S: Simd>(
+    simd: S,
+    plan: &Plan,
+    from: (usize, usize),
+    target: &mut SpanTarget,
+    drawn: &mut CrowdDrawn,
+) -> Option<(usize, usize)> {
+    if let Some(crowd) = &plan.crowd {
+        return draw_crowd(simd, crowd, from, target, drawn);
+    }
+    for (place, span) in plan.spans.iter().enumerate().skip(from.0) {
+        span.draw(simd, target);
+        if target.is_full() {
+            return Some((place + 1, 0));
+        }
+    }
+    None
+}
+
+/// The part of some rows that lies in a slice.
+fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
+    rows.start.max(slice.start)..rows.end.min(slice.end)
+}
+
+/// Normals of one row, each from its own exact ray.
+fn fill_normals(plan: &Plan, row: usize, object: &[u32], normals: &mut [DVec3]) {
+    let eye = plan.rays.camera().eye();
+    let mut known: Option<(u32, ObjectSeen)> = None;
+    for (column, normal) in normals.iter_mut().enumerate() {
+        if object[column] == NO_OBJECT {
+            continue;
+        }
+        let seen = match known.take() {
+            Some((index, seen)) if index == object[column] => seen,
+            _ => match plan.scene.object(object[column]) {
+                Some(object) => ObjectSeen::new(&object, eye),
+                None => continue,
+            },
+        };
+        *normal = match &seen {
+            ObjectSeen::Plane(seen) => plane_normal(seen.plane().normal),
+            ObjectSeen::Sphere(sphere) => {
+                let ray = plan.rays.camera().exact_ray(plan.rays.pixel(row, column));
+                let end = seen.first_end(&ray, &mut Steps::default());
+                end.map_or(DVec3::ZERO, |end| sphere.normal(&ray, end))
+            }
+        };
+        known = Some((object[column], seen));
+    }
+}

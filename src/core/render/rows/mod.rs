@@ -1,0 +1,4 @@
+//! Spheres drawn row by row: where a row begins and ends, and `t` between, in `f32`.
+
+pub(crate) mod small_spheres;
+pub(crate) mod span;

@@ -1,0 +1,607 @@
+//! Spheres drawn row by row: which columns each row covers, decided once with a margin, and `t`
+//! inside them.
+
+use std::ops::Range;
+
+use fearless_simd::Simd;
+use fearless_simd::prelude::*;
+
+use crate::exact::error_free::Lane;
+use crate::exact::lanes::{SingleLanes, lanes_of};
+use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::{MARGIN, MOST_LANES, Outline};
+use crate::scene::sphere::Sphere;
+
+/// A sphere that can be drawn by rows.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span {
+    pub(crate) index: u32,
+    pub(crate) outline: Outline,
+    pub(crate) shape: SpanShape,
+}
+
+/// A pixel that a sphere's row could not decide: whether the sphere covers it at all, or, where its
+/// `t` is known, whether it is nearer than another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Doubt {
+    pub(crate) index: u32,
+    pub(crate) row: u32,
+    pub(crate) column: u32,
+    pub(crate) t: Option<f32>,
+}
+
+impl Span {
+    #[inline(always)]
+    pub(crate) fn new(index: u32, outline: &Outline) -> Span {
+        let Outline { b_column, numerator, is_wide, .. } = *outline;
+        let b_column = if is_wide {
+            let high = rounded_to_12_bits(b_column as f32);
+            [high, (b_column - f64::from(high)) as f32]
+        } else {
+            two_parts(b_column)
+        };
+        let shape = SpanShape { numerator: two_parts(numerator), b_column, is_wide };
+        Span { index, outline: *outline, shape }
+    }
+
+    /// The part of the raster's rows that it can cover.
+    #[inline(always)]
+    pub(crate) fn rows(&self, axes: &RasterAxes) -> Range<usize> {
+        axes.rows_between(self.outline.first_row, self.outline.last_row)
+    }
+}
+
+/// The nearest number of 12 bits.
+#[inline(always)]
+fn rounded_to_12_bits(x: f32) -> f32 {
+    let shifted = x * 4097.0;
+    shifted - (shifted - x)
+}
+
+/// A number as a sum of two `f32`.
+#[inline(always)]
+fn two_parts(x: f64) -> [f32; 2] {
+    let high = x as f32;
+    [high, (x - f64::from(high)) as f32]
+}
+
+/// Where spans are drawn: some rows of the raster.
+pub(crate) struct SpanTarget<'a> {
+    pub(crate) axes: &'a RasterAxes,
+    pub(crate) rows: Range<usize>,
+    pub(crate) t: &'a mut [f32],
+    pub(crate) object: &'a mut [u32],
+    pub(crate) doubts: &'a mut Vec<Doubt>,
+    /// The scene's spheres.
+    pub(crate) spheres: &'a [Sphere],
+    /// By row of the target, whether an outline reaches it.
+    pub(crate) is_reached: &'a mut [bool],
+    /// How many pixels were decided.
+    pub(crate) decided: u64,
+}
+
+impl SpanTarget<'_> {
+    /// Whether the sphere is the one that the pixel shows, given twice: then the one that is listed
+    /// first is shown, and nothing is in doubt.
+    pub(crate) fn is_same_as_known(&mut self, place: usize, index: u32) -> bool {
+        let known = self.object[place];
+        let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
+        if is_same {
+            self.object[place] = known.min(index);
+        }
+        is_same
+    }
+
+    /// Whether so many pixels are in doubt that they should be settled before more are drawn.
+    pub(crate) fn is_full(&self) -> bool {
+        const FULL: usize = 1 << 16;
+        self.doubts.len() >= FULL
+    }
+}
+
+impl Span {
+    /// Draws the rows that it has in the target.
+    #[inline(always)]
+    pub(crate) fn draw<S: Simd>(&self, simd: S, target: &mut SpanTarget) {
+        let own = self.rows(target.axes);
+        let rows = own.start.max(target.rows.start)..own.end.min(target.rows.end);
+        let mut base = rows.start;
+        while base < rows.end {
+            let ends = SpanRows::find::<S>(simd, self, target.axes, base);
+            let there = u64::MAX >> (64 - S::f64s::LEN.min(rows.end - base));
+            for lane in lanes_of(ends.is_drawn & there) {
+                let (row, columns) = (base + lane, ends.columns(lane));
+                if self.draw_row(simd, target, row, &ends.row(lane), columns) {
+                    self.find_doubts(simd, target, row, columns, &ends.row(lane));
+                }
+            }
+            for lane in lanes_of(ends.is_doubtful & there) {
+                self.doubtful_row(simd, target, base + lane);
+            }
+            base += S::f64s::LEN;
+        }
+    }
+
+    /// Draws a row from one column of the raster to another; tells whether a pixel is too close to
+    /// what is there.
+    #[inline(always)]
+    fn draw_row<S: Simd>(
+        &self,
+        simd: S,
+        target: &mut SpanTarget,
+        row: usize,
+        span_row: &SpanRow,
+        columns: (usize, usize),
+    ) -> bool {
+        let lanes = SpanLanes::new(simd, &self.shape, span_row);
+        let start = (row - target.rows.start) * target.axes.width();
+        let mut buffers = RowBuffers {
+            columns: &target.axes.columns,
+            t: &mut target.t[start..],
+            object: &mut target.object[start..],
+        };
+        let own = (self.index, self.outline.nearest as f32);
+        target.decided += (columns.1 - columns.0 + 1) as u64;
+        target.is_reached[row - target.rows.start] = true;
+        if self.shape.is_wide {
+            draw_row::<S>(simd, &mut buffers, columns, own, &Wide(&lanes))
+        } else {
+            draw_row::<S>(simd, &mut buffers, columns, own, &Narrow(&lanes))
+        }
+    }
+
+    /// Notes which pixels of a row are too close to what is there.
+    #[cold]
+    #[inline(never)]
+    fn find_doubts<S: Simd>(
+        &self,
+        simd: S,
+        target: &mut SpanTarget,
+        row: usize,
+        (from, to): (usize, usize),
+        span_row: &SpanRow,
+    ) {
+        let lanes = SpanLanes::new(simd, &self.shape, span_row);
+        let start = (row - target.rows.start) * target.axes.width();
+        for at in (from..=to).step_by(S::f32s::LEN) {
+            let columns = S::f32s::from_slice(simd, &target.axes.columns[at..at + S::f32s::LEN]);
+            let found =
+                if self.shape.is_wide { lanes.wide(columns) } else { lanes.narrow(columns) };
+            let found = found.0;
+            for (column, &t) in (at..=to).zip(found.as_slice()) {
+                let place = start + column;
+                let (known, object) = (target.t[place], target.object[place]);
+                let is_apart = t < known * (1.0 - TIE) || t > known * (1.0 + TIE);
+                if object != self.index && !is_apart && !target.is_same_as_known(place, self.index)
+                {
+                    let (row, column) = (row as u32, column as u32);
+                    target.doubts.push(Doubt { index: self.index, row, column, t: Some(t) });
+                    target.decided -= 1;
+                }
+            }
+        }
+    }
+
+    /// A row of which not all pixels are beyond doubt: those that are get drawn, the others noted.
+    #[cold]
+    #[inline(never)]
+    fn doubtful_row<S: Simd>(&self, simd: S, target: &mut SpanTarget, row: usize) {
+        let Outline { column, row: center, shear, square, .. } = self.outline;
+        let j = target.axes.row_numbers[row] - center;
+        let middle = column + shear * j;
+        let squared = square[0] + (square[1] + square[2] * j) * j;
+        let is_thin = squared < self.outline.thin;
+        let half = if is_thin { (2.0 * self.outline.thin).sqrt() } else { squared.sqrt() };
+        let (start, end) = (middle - half, middle + half);
+        let (outer_first, outer_last) = ((start - MARGIN).ceil(), (end + MARGIN).floor());
+        let (first, last) = match is_thin {
+            true => (outer_last + 1.0, outer_last),
+            false => ((start + MARGIN).ceil(), (end - MARGIN).floor()),
+        };
+        if first <= last
+            && let Some(columns) = target.axes.columns_between(first, last)
+        {
+            let pivot = if self.shape.is_wide { first } else { 0.5 * (first + last) };
+            let b = self.outline.b0 + self.outline.b_row * j + self.outline.b_column * pivot;
+            let (left, right) = (first - start, end - last);
+            let span_row = SpanRow {
+                first: first as f32,
+                last: last as f32,
+                left: left as f32,
+                right: right as f32,
+                b: two_parts(b),
+                pivot: pivot as f32,
+                offset: (left * right) as f32,
+            };
+            if self.draw_row(simd, target, row, &span_row, columns) {
+                self.find_doubts(simd, target, row, columns, &span_row);
+            }
+        }
+        let in_doubt = [
+            (outer_first, first.min(outer_last + 1.0) - 1.0),
+            (last.max(first - 1.0) + 1.0, outer_last),
+        ];
+        for (from, to) in in_doubt {
+            let Some((from, to)) = target.axes.columns_between(from, to) else { continue };
+            target.is_reached[row - target.rows.start] = true;
+            for column in from..=to {
+                let (row, column) = (row as u32, column as u32);
+                target.doubts.push(Doubt { index: self.index, row, column, t: None });
+            }
+        }
+    }
+}
+
+/// As many `f32` as two vectors of `f64` narrow to.
+type Singles = [f32; 2 * MOST_LANES];
+
+/// A vector of rows.
+pub(crate) struct SpanRows {
+    first: Singles,
+    last: Singles,
+    left: Singles,
+    right: Singles,
+    b: [Singles; 2],
+    pivot: Singles,
+    offset: Singles,
+    /// First and last column of the raster, as numbers.
+    from: [f64; MOST_LANES],
+    to: [f64; MOST_LANES],
+    /// Rows that are beyond doubt and have a column of the raster.
+    pub(crate) is_drawn: u64,
+    /// Rows in which a pixel is in doubt.
+    pub(crate) is_doubtful: u64,
+}
+
+#[inline(always)]
+fn store<S: Simd>(x: S::f64s) -> [f64; MOST_LANES] {
+    let mut all = [0.0; MOST_LANES];
+    x.store_slice(&mut all[..S::f64s::LEN]);
+    all
+}
+
+#[inline(always)]
+fn store_narrow<S: Simd>(x: S::f64s) -> Singles {
+    let mut all = [0.0; 2 * MOST_LANES];
+    x.narrow(x).store_slice(&mut all[..S::f32s::LEN]);
+    all
+}
+
+impl SpanRows {
+    /// The sphere's rows from the raster's row `base` on.
+    #[inline(always)]
+    pub(crate) fn find<S: Simd>(simd: S, span: &Span, axes: &RasterAxes, base: usize) -> SpanRows {
+        let splat = |x: f64| S::f64s::splat(simd, x);
+        let Outline { column, row, shear, square, square_doubt, .. } = span.outline;
+        let Outline { b0, b_column, b_row, .. } = span.outline;
+        let numbers = &axes.row_numbers[base..base + S::f64s::LEN];
+        let j = S::f64s::from_slice(simd, numbers) - splat(row);
+        let middle = splat(column) + splat(shear) * j;
+        let squared = splat(square[0]) + (splat(square[1]) + splat(square[2]) * j) * j;
+        let ends = RowEnds::<S>::new(simd, middle, squared, splat(span.outline.thin));
+        let RowEnds { start, end, first, last, is_sure } = ends;
+        let (from, to, is_there) = axes.clip(simd, first, last);
+        let is_wide = span.shape.is_wide;
+        let pivot = if is_wide { first } else { splat(0.5) * (first + last) };
+        let b = splat(b0) + splat(b_row) * j + splat(b_column) * pivot;
+        let high = b.narrow(b);
+        let (left, right) = (first - start, end - last);
+        let offset = if is_wide { store_narrow::<S>(left * right) } else { [0.0; 2 * MOST_LANES] };
+        let is_doubtful =
+            squared.simd_ge(splat(-square_doubt)).to_bitmask() & !is_sure.to_bitmask();
+        SpanRows {
+            first: store_narrow::<S>(first),
+            last: store_narrow::<S>(last),
+            left: store_narrow::<S>(left),
+            right: store_narrow::<S>(right),
+            b: [store_narrow::<S>(b), store_narrow::<S>(b - high.widen().0)],
+            pivot: store_narrow::<S>(pivot),
+            offset,
+            from: store::<S>(from),
+            to: store::<S>(to),
+            is_drawn: is_sure.to_bitmask() & is_there,
+            is_doubtful,
+        }
+    }
+
+    /// One row.
+    #[inline(always)]
+    pub(crate) fn row(&self, lane: usize) -> SpanRow {
+        SpanRow {
+            first: self.first[lane],
+            last: self.last[lane],
+            left: self.left[lane],
+            right: self.right[lane],
+            b: self.b.map(|b| b[lane]),
+            pivot: self.pivot[lane],
+            offset: self.offset[lane],
+        }
+    }
+
+    /// A row's first and last column in the raster.
+    #[inline(always)]
+    pub(crate) fn columns(&self, lane: usize) -> (usize, usize) {
+        // By way of i32, which processors convert to in one instruction.
+        (self.from[lane] as i32 as usize, self.to[lane] as i32 as usize)
+    }
+}
+
+/// A vector of rows, each with `w^2` and the column of its middle known; see
+/// [`Outlines`](crate::render::outline::Outlines).
+pub(crate) struct RowEnds<S: Simd> {
+    /// The outline's two ends.
+    pub(crate) start: S::f64s,
+    pub(crate) end: S::f64s,
+    /// First and last column between them, by a margin.
+    pub(crate) first: S::f64s,
+    pub(crate) last: S::f64s,
+    /// Rows in which no column lies within the margin of an end, and that are not thin.
+    pub(crate) is_sure: <S::f64s as SimdBase<S>>::Mask,
+}
+
+impl<S: Simd> RowEnds<S> {
+    #[inline(always)]
+    pub(crate) fn new(simd: S, middle: S::f64s, squared: S::f64s, thin: S::f64s) -> RowEnds<S> {
+        let zero = S::f64s::splat(simd, 0.0);
+        let half = squared.max(zero).sqrt();
+        let (start, end) = (middle - half, middle + half);
+        let margin = S::f64s::splat(simd, MARGIN);
+        let (first, last) = ((start + margin).ceil(), (end - margin).floor());
+        let same_first = first.simd_eq((start - margin).ceil());
+        let same_last = last.simd_eq((end + margin).floor());
+        let is_sure = same_first & same_last & squared.simd_ge(thin);
+        RowEnds { start, end, first, last, is_sure }
+    }
+}
+
+/// What a row's pixels share. Column numbers are whole, so that differences of them are exact.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpanRow {
+    /// First and last column that the sphere covers, wherever the image ends.
+    pub(crate) first: f32,
+    pub(crate) last: f32,
+    /// How far inside the outline's two ends they are, in columns.
+    pub(crate) left: f32,
+    pub(crate) right: f32,
+    /// b at the pivot, in two parts.
+    pub(crate) b: [f32; 2],
+    /// The column that b is given at: the middle, for wide spheres the first.
+    pub(crate) pivot: f32,
+    /// `left right`, for wide spheres.
+    pub(crate) offset: f32,
+}
+
+/// What all of a sphere's rows share.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SpanShape {
+    /// In two parts.
+    pub(crate) numerator: [f32; 2],
+    /// b for each column, in two parts, for wide spheres the first of 12 bits.
+    pub(crate) b_column: [f32; 2],
+    /// Whether the error of the root needs correction too.
+    pub(crate) is_wide: bool,
+}
+
+/// The lanes' version of a [`SpanShape`] and a [`SpanRow`].
+#[derive(Clone, Copy)]
+pub(crate) struct SpanLanes<S: Simd> {
+    first: SingleLanes<S>,
+    last: SingleLanes<S>,
+    left: SingleLanes<S>,
+    right: SingleLanes<S>,
+    b: [SingleLanes<S>; 2],
+    pivot: SingleLanes<S>,
+    offset: SingleLanes<S>,
+    numerator: [SingleLanes<S>; 2],
+    b_column: [SingleLanes<S>; 2],
+}
+
+impl<S: Simd> SpanLanes<S> {
+    #[inline(always)]
+    pub(crate) fn new(simd: S, shape: &SpanShape, row: &SpanRow) -> Self {
+        let splat = |x| SingleLanes::splat(simd, x);
+        SpanLanes {
+            first: splat(row.first),
+            last: splat(row.last),
+            left: splat(row.left),
+            right: splat(row.right),
+            b: row.b.map(splat),
+            pivot: splat(row.pivot),
+            offset: splat(row.offset),
+            numerator: shape.numerator.map(splat),
+            b_column: shape.b_column.map(splat),
+        }
+    }
+
+    /// `t = numerator / (b + S)`, with `S^2 = (c - start) (end - c)`, to an ulp: for a sphere whose
+    /// S is small beside b.
+    ///
+    /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or
+    /// right, and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3 u of itself, and the sum of both by u: in all
+    /// `(4.5 S + 4 (b - b0)) u`, which the caller keeps below 0.45 u of the denominator. The sum with
+    /// b0 keeps its rest, and the quotient is corrected by it and by its own residual.
+    #[inline(always)]
+    pub(crate) fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
+        let columns = SingleLanes(columns);
+        let (from_first, to_last) = (columns - self.first, self.last - columns);
+        let square = (from_first + self.left) * (to_last + self.right);
+        let root = square.sqrt();
+        let moved = (columns - self.pivot) * self.b_column[0] + self.b[1];
+        let added = moved + root;
+        let sum = self.b[0] + added;
+        let rest = added - (sum - self.b[0]);
+        let one = SingleLanes(S::f32s::splat(columns.0.token(), 1.0));
+        let reciprocal = one / sum;
+        let quotient = self.numerator[0] * reciprocal;
+        let residual = self.numerator[0].residual(quotient, sum) + self.numerator[1];
+        quotient + (residual - quotient * rest) * reciprocal
+    }
+
+    /// The same for a sphere whose S is not small beside b: with whole numbers m and n of columns
+    /// from the first and to the last pixel,
+    ///
+    /// ```text
+    /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))
+    /// ```
+    ///
+    /// in which nothing cancels, and whose first term is exact, since `m + n < 2^12`. The root is corrected by
+    /// `(S^2 - root^2) / (2 root)`. One reciprocal `i = 1 / (root sum)` serves both quotients, since
+    /// `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they multiply is small.
+    ///
+    /// What is left: the rounding of the second term of `S^2`, by 4 u of itself, which is at most
+    /// `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`; and the third power of the share of
+    /// the sum that stands in `rest`, at most `2^-12` of what b varies by.
+    #[inline(always)]
+    pub(crate) fn wide(&self, columns: S::f32s) -> SingleLanes<S> {
+        let columns = SingleLanes(columns);
+        let (from_first, to_last) = (columns - self.first, self.last - columns);
+        let whole = from_first * to_last;
+        let part = from_first * self.right + (to_last * self.left + self.offset);
+        let square = whole + part;
+        let square_rest = part - (square - whole);
+        let root = square.sqrt();
+        let root_residual = square.residual(root, root) + square_rest;
+
+        // Exact: 12 bits by 12.
+        let moved = from_first * self.b_column[0];
+        let b = self.b[0] + moved;
+        let b_low = self.b[1] + from_first * self.b_column[1];
+        let b_rest = (moved - (b - self.b[0])) + b_low;
+        let sum = b + root;
+        let sum_rest = root - (sum - b);
+
+        let one = SingleLanes(S::f32s::splat(columns.0.token(), 1.0));
+        let inverse = one / (root * sum);
+        let reciprocal = inverse * root;
+        let root_rest = root_residual * (inverse * sum).half();
+        let rest = (b_rest + sum_rest) + root_rest;
+        let quotient = self.numerator[0] * reciprocal;
+        let residual = self.numerator[0].residual(quotient, sum) + self.numerator[1];
+        let share = rest * reciprocal;
+        quotient + (residual * reciprocal - quotient * (share - share * share))
+    }
+}
+
+/// The buffers of a row, and the whole column numbers of its pixels.
+pub(crate) struct RowBuffers<'a> {
+    pub(crate) columns: &'a [f32],
+    pub(crate) t: &'a mut [f32],
+    pub(crate) object: &'a mut [u32],
+}
+
+/// Two `t` that are closer than this share of them may be in the wrong order for their rounding:
+/// each is off by an ulp at most.
+pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
+
+/// What the vectors of one row share.
+struct Drawing<S: Simd> {
+    simd: S,
+    below: S::f32s,
+    above: S::f32s,
+    none: S::f32s,
+    nearest: S::f32s,
+    /// Whether a row is so long that it pays to look whether whole vectors are hidden.
+    may_be_hidden: bool,
+    end: S::f32s,
+    own: S::u32s,
+}
+
+impl<S: Simd> Drawing<S> {
+    /// One vector: which lanes are in doubt.
+    #[inline(always)]
+    fn draw(
+        &self,
+        columns: &[f32],
+        t: &mut [f32],
+        object: &mut [u32],
+        t_of: &impl RowOfT<S>,
+    ) -> <S::f32s as SimdBase<S>>::Mask {
+        let columns = S::f32s::from_slice(self.simd, columns);
+        let known = S::f32s::from_slice(self.simd, t);
+        if self.may_be_hidden && known.simd_lt(self.nearest).all_true() {
+            return self.none.simd_lt(self.none);
+        }
+        let found = t_of.t(columns).0;
+        let is_inside = columns.simd_le(self.end);
+        let is_nearer = is_inside & found.simd_lt(known * self.below);
+        // Not a selection of what is stored: that would become a masked store, slow on many
+        // processors.
+        let nearest = is_nearer.select(found, self.none).min(known);
+        nearest.store_slice(t);
+        let objects = S::u32s::from_slice(self.simd, object);
+        let is_changed = is_nearer.select(self.own ^ objects, S::u32s::splat(self.simd, 0));
+        (objects ^ is_changed).store_slice(object);
+        let is_farther = found.simd_gt(known * self.above);
+        is_inside & !(is_nearer | is_farther)
+    }
+}
+
+/// A row's `t`, column by column.
+pub(crate) trait RowOfT<S: Simd> {
+    fn t(&self, columns: S::f32s) -> SingleLanes<S>;
+}
+
+/// [`SpanLanes::narrow`]
+pub(crate) struct Narrow<'a, S: Simd>(pub(crate) &'a SpanLanes<S>);
+
+/// [`SpanLanes::wide`]
+pub(crate) struct Wide<'a, S: Simd>(pub(crate) &'a SpanLanes<S>);
+
+impl<S: Simd> RowOfT<S> for Narrow<'_, S> {
+    #[inline(always)]
+    fn t(&self, columns: S::f32s) -> SingleLanes<S> {
+        self.0.narrow(columns)
+    }
+}
+
+impl<S: Simd> RowOfT<S> for Wide<'_, S> {
+    #[inline(always)]
+    fn t(&self, columns: S::f32s) -> SingleLanes<S> {
+        self.0.wide(columns)
+    }
+}
+
+/// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
+/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too close to it to tell; those stay as they
+/// are.
+#[inline(always)]
+pub(crate) fn draw_row<S: Simd>(
+    simd: S,
+    buffers: &mut RowBuffers,
+    (from, to): (usize, usize),
+    (index, nearest): (u32, f32),
+    t_of: &impl RowOfT<S>,
+) -> bool {
+    let n = S::f32s::LEN;
+    let drawing = Drawing {
+        simd,
+        below: S::f32s::splat(simd, 1.0 - TIE),
+        above: S::f32s::splat(simd, 1.0 + TIE),
+        none: S::f32s::splat(simd, f32::INFINITY),
+        nearest: S::f32s::splat(simd, nearest),
+        may_be_hidden: to - from >= 8 * n,
+        end: S::f32s::splat(simd, buffers.columns[to]),
+        own: S::u32s::splat(simd, index),
+    };
+    let mut in_doubt = drawing.none.simd_lt(drawing.none);
+    // Where whole vectors may begin.
+    let whole = (buffers.t.len() + 1).saturating_sub(n).min(to + 1);
+    let mut at = from;
+    while at < whole {
+        let (t, object) = (&mut buffers.t[at..at + n], &mut buffers.object[at..at + n]);
+        in_doubt |= drawing.draw(&buffers.columns[at..at + n], t, object, t_of);
+        at += n;
+    }
+    if at <= to {
+        // The buffers end within this vector.
+        let (mut t, mut object) = ([0.0; 16], [0; 16]);
+        let left = buffers.t.len() - at;
+        t[..left].copy_from_slice(&buffers.t[at..]);
+        object[..left].copy_from_slice(&buffers.object[at..]);
+        let columns = &buffers.columns[at..at + n];
+        in_doubt |= drawing.draw(columns, &mut t[..n], &mut object[..n], t_of);
+        buffers.t[at..].copy_from_slice(&t[..left]);
+        buffers.object[at..].copy_from_slice(&object[..left]);
+    }
+    in_doubt.any_true()
+}

@@ -1,0 +1,115 @@
+//! From hits to colours.
+
+pub(crate) mod normals;
+pub(crate) mod paint;
+pub(crate) mod painter;
+pub(crate) mod shade_rows;
+pub(crate) mod srgb;
+pub(crate) mod surface;
+
+use fearless_simd::Level;
+use rayon::prelude::*;
+
+use crate::camera::ray::Ray;
+use crate::render::frame::Frame;
+use crate::render::frame::depth::Depth;
+use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
+use crate::render::shade::painter::Painter;
+use crate::render::shade::shade_rows::{AMBIENT, FROM_EYE, Toner};
+use crate::render::shade::srgb::Srgb;
+use crate::scene::Scene;
+
+/// Rows that one thread shades at a time.
+const ROWS: usize = 16;
+
+/// The colours of a frame with `t` and object, row by row, in the pixel form that `to_pixel` makes;
+/// rows in parallel. [`trace_painted`](crate::trace_painted) makes them while it traces.
+///
+/// `color_of` gives each object's own colour. The frame must be one of the scene.
+pub fn shade<T: Depth, P: Clone + Send + Sync>(
+    frame: &Frame<T>,
+    scene: &Scene,
+    shade: Shade,
+    color_of: impl Fn(u32) -> Rgb + Sync,
+    to_pixel: impl Fn(Rgb) -> P + Sync,
+) -> Vec<P> {
+    shade_at_level(Level::new(), frame, scene, &Paint { shade, color_of, to_pixel })
+}
+
+/// [`shade`] with the instructions of a given SIMD level, all of which give the same bits.
+pub fn shade_at_level<T: Depth, P: Clone + Send + Sync>(
+    level: Level,
+    frame: &Frame<T>,
+    scene: &Scene,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+) -> Vec<P> {
+    let mut pixels = vec![(paint.to_pixel)(BACKGROUND); frame.raster().len()];
+    paint_frame(level, frame, scene, paint, &mut pixels);
+    pixels
+}
+
+/// Paints a frame that has object and, where the shading needs it, `t`.
+pub(crate) fn paint_frame<T: Depth, P: Send>(
+    level: Level,
+    frame: &Frame<T>,
+    scene: &Scene,
+    paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
+    pixels: &mut [P],
+) {
+    let (camera, raster) = (frame.camera(), frame.raster());
+    if raster.is_empty() {
+        return;
+    }
+    let nearest = match paint.shade {
+        Shade::T => {
+            let least = |t: &[T]| t.iter().map(|t| t.widened()).fold(f64::INFINITY, f64::min);
+            frame.t.par_chunks(1 << 16).map(least).reduce(|| f64::INFINITY, f64::min)
+        }
+        _ => f64::INFINITY,
+    };
+    let painter = Painter::new(level, paint, scene, camera, raster, nearest);
+    let width = raster.columns().len();
+    pixels.par_chunks_mut(ROWS * width).enumerate().for_each(|(index, pixels)| {
+        let part = index * ROWS * width..index * ROWS * width + pixels.len();
+        let t = frame.t.get(part.clone()).unwrap_or_default();
+        let rows = index * ROWS..index * ROWS + pixels.len() / width;
+        painter.rows(rows, t, &frame.object[part], pixels);
+    });
+}
+
+/// Colours of single hits, as [`shade`](fn@shade) gives them: of rays that make no frame.
+pub struct HitShader<'a>(Toner<'a>);
+
+impl<'a> HitShader<'a> {
+    /// Of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
+    pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> HitShader<'a> {
+        HitShader(Toner::new(scene, shade, nearest))
+    }
+
+    /// The colour of the ray's first hit, which is this object at this `t`; `own` is the object's
+    /// colour.
+    pub fn color(&self, ray: &Ray, object: u32, t: f64, own: Rgb) -> Rgb {
+        self.0.color(self.0.tones(ray, object, t, own))
+    }
+}
+
+/// A colour lit from the eye, as [`Shade::Lambert`] has it; `cosine` is `|n.d| / |d|`.
+pub fn lambert(color: Rgb, cosine: f64) -> Rgb {
+    let (light, srgb) = ((AMBIENT + FROM_EYE * cosine) as f32, Srgb::get());
+    color.map(|byte| srgb.byte_of((light * srgb.parts_of(byte) + 0.5) as u32))
+}
+
+/// The colour of one ray's first hit. `nearest` is the `t` that [`Shade::T`] shows white.
+pub fn shade_pixel(
+    scene: &Scene,
+    shade: Shade,
+    ray: &Ray,
+    nearest: f64,
+    color_of: impl Fn(u32) -> Rgb,
+) -> Rgb {
+    let shader = HitShader::new(scene, shade, nearest);
+    match scene.first_hit(ray) {
+        None => BACKGROUND,
+        Some(hit) => shader.color(ray, hit.object, hit.t, color_of(hit.object)),
+    }
+}

@@ -1,0 +1,132 @@
+//! Rows of hits as rows of pixels.
+
+use std::ops::Range;
+
+use fearless_simd::Level;
+
+use crate::camera::resolved::PosedCamera;
+use crate::render::frame::depth::Depth;
+use crate::render::frame::{NO_OBJECT, Raster};
+use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
+use crate::render::shade::shade_rows::{PADDING, RowRays, Run, ToneRow, Toner};
+use crate::scene::Scene;
+
+/// What the pixels of a picture share.
+pub(crate) struct Painter<'a, C, F> {
+    level: Level,
+    paint: &'a Paint<C, F>,
+    toner: Toner<'a>,
+    camera: &'a PosedCamera,
+    raster: &'a Raster,
+    /// x, y and z of the columns' parts of the directions, padded.
+    columns: [Vec<f64>; 3],
+    is_plain: bool,
+}
+
+impl<'a, C, F> Painter<'a, C, F>
+where
+    C: Fn(u32) -> Rgb + Sync,
+{
+    /// `nearest` is the `t` that [`Shade::T`] shows white.
+    pub(crate) fn new(
+        level: Level,
+        paint: &'a Paint<C, F>,
+        scene: &'a Scene,
+        camera: &'a PosedCamera,
+        raster: &'a Raster,
+        nearest: f64,
+    ) -> Self {
+        let mut columns: [Vec<f64>; 3] = Default::default();
+        for column in raster.columns() {
+            let part = camera.column_part(camera.u_of_column(*column));
+            for (column, x) in columns.iter_mut().zip(part.to_array()) {
+                column.push(x);
+            }
+        }
+        for column in &mut columns {
+            column.resize(column.len() + PADDING, 0.0);
+        }
+        let toner = Toner::new(scene, paint.shade, nearest);
+        let is_plain = has_plain_rays(camera);
+        Painter { level, paint, toner, camera, raster, columns, is_plain }
+    }
+
+    /// Paints some rows of the raster from their hits. Of `t`, only those shadings read it that
+    /// [need it](Shade::needs_t).
+    pub(crate) fn rows<T: Depth, P>(
+        &self,
+        rows: Range<usize>,
+        t: &[T],
+        object: &[u32],
+        pixels: &mut [P],
+    ) where
+        F: Fn(Rgb) -> P + Sync,
+    {
+        let width = self.raster.columns().len();
+        let padded = if self.paint.shade == Shade::Object { 0 } else { width + PADDING };
+        let mut tones: ToneRow = std::array::from_fn(|_| vec![0; padded]);
+        let (mut runs, mut wide) = (Vec::new(), Vec::new());
+        let of_rows = object.chunks_exact(width).zip(pixels.chunks_exact_mut(width));
+        for (index, (row, (object, pixels))) in rows.zip(of_rows).enumerate() {
+            self.find_runs(object, &mut runs);
+            if self.paint.shade.needs_t() {
+                wide.clear();
+                wide.extend(t[index * width..][..width].iter().map(|t| t.widened()));
+                wide.resize(padded, 1.0);
+            }
+            let rays = RowRays {
+                eye: self.camera.eye(),
+                columns: self.columns.each_ref().map(|part| &part[..]),
+                row: self.camera.row_part(self.camera.v_of_row(self.raster.rows()[row])),
+                is_plain: self.is_plain,
+            };
+            self.toner.row(self.level, &rays, &runs, &wide, &mut tones);
+            self.write(&runs, &tones, pixels);
+        }
+    }
+
+    /// The runs of a row, from the left.
+    fn find_runs(&self, object: &[u32], runs: &mut Vec<Run>) {
+        runs.clear();
+        let mut start = 0;
+        for same in object.chunk_by(|a, b| a == b) {
+            let end = start + same.len();
+            if same[0] != NO_OBJECT {
+                let color = (self.paint.color_of)(same[0]);
+                runs.push(Run { start, end, object: same[0], color });
+            }
+            start = end;
+        }
+    }
+
+    fn write<P>(&self, runs: &[Run], tones: &ToneRow, pixels: &mut [P])
+    where
+        F: Fn(Rgb) -> P + Sync,
+    {
+        let to_pixel = &self.paint.to_pixel;
+        let fill = |pixels: &mut [P], color| pixels.iter_mut().for_each(|p| *p = to_pixel(color));
+        let mut done = 0;
+        for run in runs {
+            fill(&mut pixels[done..run.start], BACKGROUND);
+            done = run.end;
+            let pixels = &mut pixels[run.start..run.end];
+            if self.paint.shade == Shade::Object {
+                fill(pixels, run.color);
+                continue;
+            }
+            let [r, g, b] = tones.each_ref().map(|channel| channel[run.start..run.end].iter());
+            for (pixel, ((r, g), b)) in pixels.iter_mut().zip(r.zip(g).zip(b)) {
+                *pixel = to_pixel(self.toner.color([*r, *g, *b]));
+            }
+        }
+        fill(&mut pixels[done..], BACKGROUND);
+    }
+}
+
+/// Whether the squares of all directions' lengths are far from 0 and infinity: none is shorter than
+/// the distance, and none longer than three sides of the viewport's box.
+fn has_plain_rays(camera: &PosedCamera) -> bool {
+    let viewport = camera.viewport();
+    let longest = viewport.width + viewport.height + viewport.distance;
+    viewport.distance > 1e-59 && longest < 1e59
+}

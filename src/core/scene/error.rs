@@ -1,0 +1,85 @@
+//! The errors of spheres and planes that are none.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::exact::decimal::{shortest, triple};
+
+/// What is wrong with one object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ObjectError {
+    /// A coordinate of `center`, `point` or `normal` is NaN or infinite.
+    NotFinite {
+        /// The field's name.
+        field: &'static str,
+        /// The value.
+        value: DVec3,
+    },
+    /// A radius that is not a positive, finite number.
+    Radius {
+        /// The value.
+        value: f64,
+    },
+    /// A plane's normal is `(0, 0, 0)`.
+    NormalIsZero,
+}
+
+/// Which object of a scene is at fault, and why.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// A sphere.
+    Sphere {
+        /// Its index among all objects: spheres first.
+        index: usize,
+        /// What is wrong with it.
+        error: ObjectError,
+    },
+    /// A plane.
+    Plane {
+        /// Its index among all objects: spheres first.
+        index: usize,
+        /// What is wrong with it.
+        error: ObjectError,
+    },
+    /// An object to be replaced is no sphere, or not there.
+    NoSphere {
+        /// The index that was given.
+        index: usize,
+    },
+    /// An object to be replaced is no plane, or not there.
+    NoPlane {
+        /// The index that was given.
+        index: usize,
+    },
+}
+
+impl fmt::Display for ObjectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ObjectError::NotFinite { field, value } => {
+                write!(f, "{field} is {}: every coordinate must be a finite number", triple(*value))
+            }
+            ObjectError::Radius { value } => {
+                write!(f, "radius is {}: it must be finite and greater than 0", shortest(*value))
+            }
+            ObjectError::NormalIsZero => write!(f, "normal is (0, 0, 0): it must point somewhere"),
+        }
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneError::Sphere { index, error } => write!(f, "sphere {index}: {error}"),
+            SceneError::Plane { index, error } => write!(f, "plane {index}: {error}"),
+            SceneError::NoSphere { index } => write!(f, "object {index} is no sphere of the scene"),
+            SceneError::NoPlane { index } => write!(f, "object {index} is no plane of the scene"),
+        }
+    }
+}
+
+impl std::error::Error for ObjectError {}
+impl std::error::Error for SceneError {}

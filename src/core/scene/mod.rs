@@ -1,0 +1,264 @@
+//! A scene: spheres, then planes, and what a ray meets of them.
+
+pub(crate) mod along_ray;
+pub(crate) mod big_roots;
+pub(crate) mod boxes;
+pub(crate) mod error;
+pub(crate) mod line;
+pub(crate) mod object;
+pub(crate) mod object_from_origin;
+pub(crate) mod plane;
+pub(crate) mod plane_predicates;
+pub(crate) mod point_power;
+pub(crate) mod roots;
+pub(crate) mod sphere;
+pub(crate) mod sphere_index;
+pub(crate) mod sphere_order;
+pub(crate) mod sphere_predicates;
+pub(crate) mod spheres;
+
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
+use crate::exact::steps::{Step, Steps};
+use crate::scene::error::SceneError;
+use crate::scene::line::Line;
+use crate::scene::object::{Object, Root};
+use crate::scene::object_from_origin::{Hit, ObjectSeen};
+use crate::scene::plane::Plane;
+use crate::scene::sphere::Sphere;
+use crate::scene::sphere_index::SphereIndex;
+use crate::scene::sphere_predicates::{End, SphereSeen};
+use crate::scene::spheres::Spheres;
+
+/// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
+///
+/// Of many spheres, the first frame makes an index, which is kept. Clones share spheres and index: a
+/// clone costs no more than its planes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    spheres: Arc<Spheres>,
+    planes: Vec<Plane>,
+}
+
+impl Scene {
+    /// A scene of these objects.
+    ///
+    /// # Errors
+    /// The first object that is none: a centre, point or normal that is not finite, a radius that is
+    /// not positive, a normal of zero.
+    pub fn new(spheres: Vec<Sphere>, planes: Vec<Plane>) -> Result<Scene, SceneError> {
+        for (index, sphere) in spheres.iter().enumerate() {
+            sphere.check().map_err(|error| SceneError::Sphere { index, error })?;
+        }
+        for (index, plane) in planes.iter().enumerate() {
+            let index = spheres.len() + index;
+            plane.check().map_err(|error| SceneError::Plane { index, error })?;
+        }
+        Ok(Scene { spheres: Arc::new(Spheres::new(spheres)), planes })
+    }
+
+    /// The same spheres without any plane. They are shared, not copied.
+    #[must_use]
+    pub fn without_planes(&self) -> Scene {
+        Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
+    }
+
+    /// Puts another sphere in the place of the one with this index.
+    ///
+    /// This costs about a microsecond, and no more for many spheres: an index that was made of them
+    /// is kept and updated. But where clones of this scene are alive, all its spheres and their
+    /// index are copied first (80 bytes a sphere), so that the clones stay what they are.
+    ///
+    /// # Errors
+    /// Where the new one is no sphere, or the index is no sphere's; nothing has changed then.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let ball = Sphere::new([0.0, 0.0, -5.0], 1.0)?;
+    /// let mut scene = Scene::new(vec![ball], vec![])?;
+    /// scene.replace_sphere(0, Sphere { radius: 2.0, ..ball })?;
+    /// assert_eq!(scene.first_hit(&Ray::new([0.0; 3], [0.0, 0.0, -1.0])?).unwrap().t, 3.0);
+    /// assert_eq!(scene.replace_sphere(1, ball), Err(SceneError::NoSphere { index: 1 }));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn replace_sphere(&mut self, index: u32, sphere: Sphere) -> Result<(), SceneError> {
+        let place = index as usize;
+        if place >= self.spheres.list().len() {
+            return Err(SceneError::NoSphere { index: place });
+        }
+        sphere.check().map_err(|error| SceneError::Sphere { index: place, error })?;
+        Arc::make_mut(&mut self.spheres).replace(index, sphere);
+        Ok(())
+    }
+
+    /// Puts another plane in the place of the one with this index, which counts the spheres before
+    /// it. This costs nothing.
+    ///
+    /// # Errors
+    /// Where the new one is no plane, or the index is no plane's; nothing has changed then.
+    pub fn replace_plane(&mut self, index: u32, plane: Plane) -> Result<(), SceneError> {
+        let index = index as usize;
+        let place = index.checked_sub(self.spheres().len());
+        let known = place.and_then(|place| self.planes.get_mut(place));
+        let known = known.ok_or(SceneError::NoPlane { index })?;
+        plane.check().map_err(|error| SceneError::Plane { index, error })?;
+        *known = plane;
+        Ok(())
+    }
+
+    /// The spheres, objects 0, 1, ...
+    pub fn spheres(&self) -> &[Sphere] {
+        self.spheres.list()
+    }
+
+    /// The index over the spheres; `None` where there are fewer than
+    /// [`INDEX_FROM`](crate::scene::spheres::INDEX_FROM). The first call makes it, in parallel, and must not
+    /// come from within parallel work: a thread that helps out while it waits would come back here.
+    pub(crate) fn index(&self) -> Option<&SphereIndex> {
+        self.spheres.index()
+    }
+
+    /// The spheres that a point lies strictly inside of, ascending; decided exactly. Of many spheres,
+    /// only those near the point are looked at.
+    pub fn spheres_around(&self, point: DVec3) -> Vec<u32> {
+        let place = point.to_array();
+        // Rounding keeps order: a rounded difference above `half` is of a true one above it.
+        let mut around = self.spheres_where(|middle, half| {
+            (0..3).all(|axis| (place[axis] - middle[axis]).abs() <= half[axis])
+        });
+        around.retain(|index| self.spheres()[*index as usize].implicit(point) < 0.0);
+        around
+    }
+
+    /// The spheres that the ray's line comes near, ascending, and few others: nearer than `share` times
+    /// the sum of the coordinates of the ray's origin, of the way to the sphere, and of its radius.
+    pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
+        let (line, origin) = (Line::of(ray), ray.origin().to_array());
+        self.spheres_where(|middle, half| {
+            let reach: f64 =
+                (0..3).map(|i| (middle[i] - origin[i]).abs() + half[i] + origin[i].abs()).sum();
+            line.may_meet(middle, half.map(|half| half + 2.0 * share * reach))
+        })
+    }
+
+    /// Makes the index over many spheres, which the first question makes otherwise: called before
+    /// parallel work in which each part asks, as a part that waits for it would ask again.
+    pub fn make_index(&self) {
+        let _ = self.index();
+    }
+
+    /// The planes, the objects after the spheres.
+    pub fn planes(&self) -> &[Plane] {
+        &self.planes
+    }
+
+    /// How many objects there are.
+    pub fn len(&self) -> usize {
+        self.spheres().len() + self.planes.len()
+    }
+
+    /// Whether there is no object.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The object of this index, if there is one.
+    pub fn object(&self, index: u32) -> Option<Object> {
+        let index = index as usize;
+        match self.spheres().get(index) {
+            Some(sphere) => Some(Object::Sphere(*sphere)),
+            None => self.planes.get(index - self.spheres().len()).copied().map(Object::Plane),
+        }
+    }
+
+    /// All objects, spheres first.
+    pub fn objects(&self) -> impl Iterator<Item = Object> + '_ {
+        let spheres = self.spheres().iter().copied().map(Object::Sphere);
+        spheres.chain(self.planes.iter().copied().map(Object::Plane))
+    }
+
+    /// Every root of every object along the ray's line, negative ones too, by ascending `t`; equal
+    /// `t` in the order of objects. A tangent's double root stands once. Order and ties are exact,
+    /// for the numbers as given; a ray that does not pass [`Ray::check`] has no roots.
+    pub fn roots(&self, ray: &Ray) -> Vec<Root> {
+        ExactRay::of(ray).map_or_else(|_| Vec::new(), |ray| self.roots_of(&ray))
+    }
+
+    /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
+    pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
+        let line = Line::of(ray);
+        let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
+        let planes = self.spheres().len() as u32..self.len() as u32;
+        let seen: Vec<(u32, ObjectSeen)> = spheres
+            .into_iter()
+            .chain(planes)
+            .filter_map(|index| Some((index, ObjectSeen::by(&self.object(index)?, ray))))
+            .collect();
+        let steps = &mut Steps::default();
+        let mut hits = Vec::new();
+        for (index, seen) in &seen {
+            let index = *index;
+            hits.extend(seen.ends(ray, steps).iter().map(|&end| Hit { index, seen, end }));
+        }
+        // Stable, so that equal roots stay in the order of objects.
+        hits.sort_by(|a, b| a.compare(b, ray, steps));
+        hits.iter().map(|hit| hit.root(ray)).collect()
+    }
+
+    /// The first hit: the root with the smallest `t > 0`; of equal ones, the object listed first.
+    /// Exact for the numbers as given; a ray that does not pass [`Ray::check`] hits nothing.
+    pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
+        self.first_hit_of(&ExactRay::of(ray).ok()?)
+    }
+
+    /// [`Scene::first_hit`] of a ray with all its digits: a camera's view ray, or any other.
+    pub fn first_hit_of(&self, ray: &ExactRay) -> Option<Root> {
+        self.first_hit_counting(ray, &mut Steps::default())
+    }
+
+    /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
+    pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
+        let mut first: Option<(u32, ObjectSeen, End)> = None;
+        // At least the first hit's t, as far as it is known.
+        let mut nearest = f64::INFINITY;
+        for (index, object) in (0..).zip(self.objects()) {
+            if let Object::Sphere(sphere) = &object
+                && SphereSeen::is_passed(sphere, ray, nearest)
+            {
+                steps.count(Step::F64);
+                continue;
+            }
+            let seen = ObjectSeen::by(&object, ray);
+            if seen.side_step() > Step::F64 {
+                steps.count(seen.side_step());
+            }
+            let Some(end) = seen.first_end(ray, steps) else { continue };
+            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_end)| {
+                let first = Hit { index: *first_index, seen: first_seen, end: *first_end };
+                Hit { index, seen: &seen, end }.is_before(&first, ray, steps)
+            });
+            if is_first {
+                nearest = seen.rough_t(ray, end).map_or(f64::INFINITY, |(t, off)| t + off * t);
+                first = Some((index, seen, end));
+            }
+        }
+        first.map(|(index, seen, end)| seen.root(index, ray, end))
+    }
+
+    /// The spheres of which `may` says so, each given by the middle and the half extents of its box;
+    /// ascending. What it says of a sphere it has to say of any box around it.
+    fn spheres_where(&self, may: impl Fn([f64; 3], [f64; 3]) -> bool) -> Vec<u32> {
+        if let Some(index) = self.index() {
+            return index.spheres_where(may);
+        }
+        let may = |sphere: &Sphere| may(sphere.center.to_array(), [sphere.radius; 3]);
+        (0..).zip(self.spheres()).filter_map(|(i, sphere)| may(sphere).then_some(i)).collect()
+    }
+}

@@ -1,0 +1,65 @@
+//! An object of a scene, and a point at which a ray meets one.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+
+use crate::scene::error::ObjectError;
+use crate::scene::plane::Plane;
+use crate::scene::sphere::Sphere;
+
+/// One object of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Object {
+    /// A sphere.
+    Sphere(Sphere),
+    /// A plane.
+    Plane(Plane),
+}
+
+/// One point at which a ray's line meets an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Root {
+    /// The object's index in the scene.
+    pub object: u32,
+    /// Where on the ray, in units of the direction's length; may be negative or 0.
+    pub t: f64,
+    /// Where in the world.
+    pub point: DVec3,
+    /// The outward unit normal there.
+    pub normal: DVec3,
+}
+
+/// The roots of a ray's line with one object, and the side of it that the origin is on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LineRoots {
+    /// The sign of the object's implicit function at the ray's origin: inside a sphere it is less than
+    /// 0, on a plane's or sphere's surface equal to it.
+    pub side: Ordering,
+    /// The points at which the line meets the object, by ascending `t`. A tangent stands once.
+    pub roots: [Option<Root>; 2],
+    /// The hit: index in `roots` of the smallest `t > 0`.
+    pub first: Option<usize>,
+}
+
+impl Object {
+    /// Checks what [`Scene::new`](crate::Scene::new) checks.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), ObjectError> {
+        match self {
+            Object::Sphere(sphere) => sphere.check(),
+            Object::Plane(plane) => plane.check(),
+        }
+    }
+
+    /// The implicit function, see [`Sphere::implicit`] and [`Plane::implicit`].
+    pub fn implicit(&self, q: DVec3) -> f64 {
+        match self {
+            Object::Sphere(sphere) => sphere.implicit(q),
+            Object::Plane(plane) => plane.implicit(q),
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! Objects as the rays of one origin see them, and which of them a ray meets first.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
+use crate::exact::big_ray::BigRoot;
+use crate::exact::bounded::dot;
+use crate::exact::double_double::DoubleDouble;
+use crate::exact::precise::{Precise, T_DOUBT, is_noise};
+use crate::exact::scale::{exponent, ldexp, split};
+use crate::exact::steps::{Step, Steps};
+use crate::scene::error::ObjectError;
+use crate::scene::object::{LineRoots, Object, Root};
+use crate::scene::plane::Plane;
+use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::roots::Roots;
+use crate::scene::sphere::Sphere;
+use crate::scene::sphere_predicates::{End, Meets, SphereSeen};
+
+/// An object as the rays of one origin see it.
+#[derive(Clone, Debug)]
+pub(crate) enum ObjectSeen {
+    Sphere(SphereSeen),
+    Plane(PlaneSeen),
+}
+
+impl ObjectSeen {
+    pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectSeen {
+        ObjectSeen::up_to(object, origin, Step::Exact)
+    }
+
+    /// From the origin of a ray, whose ladder may be cut off.
+    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectSeen {
+        ObjectSeen::up_to(object, ray.origin(), ray.last)
+    }
+
+    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectSeen {
+        match object {
+            Object::Sphere(sphere) => ObjectSeen::Sphere(SphereSeen::up_to(sphere, origin, last)),
+            Object::Plane(plane) => ObjectSeen::Plane(PlaneSeen::up_to(plane, origin, last)),
+        }
+    }
+
+    /// The step that decided on which side of the object the origin is.
+    pub(crate) fn side_step(&self) -> Step {
+        match self {
+            ObjectSeen::Sphere(seen) => seen.side_step,
+            ObjectSeen::Plane(seen) => seen.side_step,
+        }
+    }
+
+    /// The first hit's place, if the ray hits the object at all.
+    pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+        match self {
+            ObjectSeen::Sphere(seen) => seen.first_end(ray, steps),
+            ObjectSeen::Plane(seen) => seen.is_hit(ray, steps).then_some(End::Near),
+        }
+    }
+
+    /// Where the ray's line meets the object, by ascending `t`.
+    pub(crate) fn ends(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [End] {
+        match self {
+            ObjectSeen::Sphere(seen) => match seen.meets(ray, steps) {
+                Meets::Misses => &[],
+                Meets::Touches => &[End::Near],
+                Meets::Crosses => &[End::Near, End::Far],
+            },
+            ObjectSeen::Plane(seen) => {
+                if seen.meets(ray, steps) {
+                    &[End::Near]
+                } else {
+                    &[]
+                }
+            }
+        }
+    }
+
+    /// `t` there, to half an ulp of `f64`.
+    pub(crate) fn t(&self, ray: &ExactRay, end: End) -> Precise {
+        self.t_within(ray, end, T_DOUBT)
+    }
+
+    /// `t` there, with a relative error of at most `doubt`.
+    pub(crate) fn t_within(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
+        match self {
+            ObjectSeen::Sphere(seen) => seen.t(ray, end, doubt),
+            ObjectSeen::Plane(seen) => seen.t(ray, doubt),
+        }
+    }
+
+    /// `t` in `f64` and how far it may be off, as a share; `None` where it is out of range.
+    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
+        let ((t, share), scale) = match self {
+            ObjectSeen::Sphere(seen) => (seen.rough_t(ray, end)?, seen.scale),
+            ObjectSeen::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
+        };
+        let t = ldexp(t * ray.stretch, scale - ray.scale);
+        (t.is_normal() && share < 0.25).then_some((t, share))
+    }
+
+    /// Every `t`, ascending.
+    pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
+        match self.ends(ray, &mut Steps::default()) {
+            [] => Roots::None,
+            [end] => Roots::One(self.t(ray, *end).to_f64()),
+            [near, far, ..] => Roots::Two(self.t(ray, *near).to_f64(), self.t(ray, *far).to_f64()),
+        }
+    }
+
+    fn big_root(&self, ray: &ExactRay, end: End) -> BigRoot {
+        match self {
+            ObjectSeen::Sphere(seen) => seen.big_root(ray, end),
+            ObjectSeen::Plane(seen) => seen.big_root(ray),
+        }
+    }
+
+    /// Whether both are the same object given twice, which every ray meets at the same `t`.
+    fn is_same(&self, other: &ObjectSeen) -> bool {
+        match (self, other) {
+            (ObjectSeen::Sphere(one), ObjectSeen::Sphere(other)) => one.sphere() == other.sphere(),
+            (ObjectSeen::Plane(one), ObjectSeen::Plane(other)) => {
+                one.plane().is_same(other.plane())
+            }
+            _ => false,
+        }
+    }
+
+    /// The root with its point and normal.
+    ///
+    /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where the
+    /// terms cancel but for the rounding of t, a coordinate is 0.
+    pub(crate) fn root(&self, index: u32, ray: &ExactRay, end: End) -> Root {
+        let t = self.t(ray, end);
+        let (point, normal) = match self {
+            ObjectSeen::Sphere(seen) => {
+                let (sphere, normal) = (seen.sphere(), seen.normal(ray, end));
+                let coordinate = |i: usize| {
+                    let step = DoubleDouble::product(sphere.radius, normal[i]);
+                    let sum = (step + DoubleDouble::from(sphere.center[i])).hi;
+                    if sum.is_finite() { sum } else { sphere.center[i] + sphere.radius * normal[i] }
+                };
+                (DVec3::from_array(std::array::from_fn(coordinate)), normal)
+            }
+            ObjectSeen::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
+        };
+        Root { object: index, t: t.to_f64(), point, normal }
+    }
+}
+
+/// `origin + t direction`, each coordinate rounded once.
+fn point_at(ray: &ExactRay, t: Precise) -> DVec3 {
+    let coordinate = |i: usize| {
+        // A given coordinate has its own scale, in which it loses no digit.
+        let (d, k) = match ray.given() {
+            Some(direction) if direction[i] != 0.0 => {
+                let k = exponent(direction[i]);
+                (DoubleDouble::from(ldexp(direction[i], -k)), k)
+            }
+            _ => (ray.fine.d[i], ray.scale),
+        };
+        let (step, k) = (d * t.value / DoubleDouble::from(ray.stretch), t.scale + k);
+        let step = step.scaled(k);
+        let sum = (step + DoubleDouble::from(ray.origin()[i])).hi;
+        if is_noise(sum, ray.origin()[i]) {
+            0.0
+        } else if sum.is_finite() {
+            sum
+        } else {
+            (ray.origin()[i] + step.hi).clamp(f64::MIN, f64::MAX)
+        }
+    };
+    DVec3::from_array(std::array::from_fn(coordinate))
+}
+
+/// `n / |n|`, each coordinate rounded once.
+pub(crate) fn plane_normal(normal: DVec3) -> DVec3 {
+    let (normal, _) = split(normal);
+    let normal = normal.to_array().map(DoubleDouble::from);
+    let length = dot(normal, normal).square_root();
+    DVec3::from_array(normal.map(|x| (x / length).hi))
+}
+
+/// One object's hit among others.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hit<'a> {
+    pub(crate) index: u32,
+    pub(crate) seen: &'a ObjectSeen,
+    pub(crate) end: End,
+}
+
+impl Hit<'_> {
+    /// Whether this hit comes before the other one, which is of an object listed earlier: exactly,
+    /// so that of a tie the earlier one is first.
+    pub(crate) fn is_before(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> bool {
+        self.compare(other, ray, steps) == Ordering::Less
+    }
+
+    /// Which of two `t` is smaller.
+    pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
+        let rough = (self.seen.rough_t(ray, self.end), other.seen.rough_t(ray, other.end));
+        if let (Some((t, share)), Some((other_t, other_share))) = rough {
+            let doubt = 1.01 * (share * t.abs() + other_share * other_t.abs());
+            if (t - other_t).abs() > doubt {
+                steps.count(Step::F64);
+                return t.total_cmp(&other_t);
+            }
+        }
+        let is_whole = ray.last == Step::Exact;
+        if is_whole && self.end == other.end && self.seen.is_same(other.seen) {
+            steps.count(Step::F64);
+            return Ordering::Equal;
+        }
+        let (t, other_t) = (self.seen.t(ray, self.end), other.seen.t(ray, other.end));
+        if ray.last > Step::F64
+            && let Some(order) = t.compare(other_t)
+        {
+            steps.count(Step::DoubleDouble);
+            return order;
+        }
+        steps.count(ray.last);
+        if !is_whole {
+            return t.compare_rounded(other_t);
+        }
+        let (one, other) = (self.seen.big_root(ray, self.end), other.seen.big_root(ray, other.end));
+        ray.big().compare(&one, &other)
+    }
+
+    pub(crate) fn root(&self, ray: &ExactRay) -> Root {
+        self.seen.root(self.index, ray, self.end)
+    }
+}
+
+impl Sphere {
+    /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
+    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
+    /// `t` is within half an ulp, and 2^-40 of one.
+    pub fn roots(&self, ray: &Ray) -> Roots {
+        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+    }
+
+    /// [`Sphere::roots`] of a ray with all its digits.
+    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
+        if self.check().is_err() {
+            return Roots::None;
+        }
+        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+    }
+}
+
+impl Plane {
+    /// Where the ray's line meets the plane, decided exactly for the numbers as given: once, or not
+    /// at all if it is parallel (even inside the plane); nowhere for a ray that does not pass
+    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and
+    /// 2^-40 of one.
+    pub fn roots(&self, ray: &Ray) -> Roots {
+        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+    }
+
+    /// [`Plane::roots`] of a ray with all its digits.
+    pub fn roots_of(&self, ray: &ExactRay) -> Roots {
+        if self.check().is_err() {
+            return Roots::None;
+        }
+        ObjectSeen::Plane(PlaneSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+    }
+}
+
+impl Object {
+    /// Where the ray's line meets the object.
+    pub fn roots(&self, ray: &Ray) -> Roots {
+        match self {
+            Object::Sphere(sphere) => sphere.roots(ray),
+            Object::Plane(plane) => plane.roots(ray),
+        }
+    }
+
+    /// The first hit of the ray with this object alone, which is given `index`; none of an object
+    /// that does not pass [`Object::check`].
+    pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
+        self.check().ok()?;
+        let seen = ObjectSeen::by(self, ray);
+        let end = seen.first_end(ray, &mut Steps::default())?;
+        Some(seen.root(index, ray, end))
+    }
+
+    /// How the ray's line meets the object, which is given `index` in the roots; decided exactly.
+    ///
+    /// # Errors
+    /// Where the object is none, see [`Object::check`].
+    pub fn line_roots(&self, index: u32, ray: &ExactRay) -> Result<LineRoots, ObjectError> {
+        self.check()?;
+        let (seen, steps) = (ObjectSeen::by(self, ray), &mut Steps::default());
+        let side = match &seen {
+            ObjectSeen::Sphere(sphere) => sphere.side,
+            ObjectSeen::Plane(plane) => plane.side.reverse(),
+        };
+        let (ends, hit) = (seen.ends(ray, steps), seen.first_end(ray, steps));
+        let root = |n: usize| ends.get(n).map(|end| seen.root(index, ray, *end));
+        let first = hit.and_then(|hit| ends.iter().position(|end| *end == hit));
+        Ok(LineRoots { side, roots: [root(0), root(1)], first })
+    }
+}

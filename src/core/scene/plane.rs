@@ -1,0 +1,66 @@
+//! Planes, and the parts of their intersection with a ray.
+
+use glam::DVec3;
+
+use crate::scene::error::ObjectError;
+
+/// All points `q` with `normal . (q - point) = 0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Any point of the plane.
+    pub point: DVec3,
+    /// Any non-zero vector at right angles to it.
+    pub normal: DVec3,
+}
+
+/// The parts of a ray-plane intersection: `t = offset / rate`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlaneTerms {
+    /// `normal . d`: how fast the ray nears the plane; 0 where it is parallel.
+    pub rate: f64,
+    /// `normal . (point - p)`: how far there is to go.
+    pub offset: f64,
+}
+
+impl PlaneTerms {
+    /// The parts of a ray or a plane that is none.
+    pub(crate) const NONE: PlaneTerms = PlaneTerms { rate: f64::NAN, offset: f64::NAN };
+}
+
+impl Plane {
+    /// A checked plane through a point, at right angles to a normal of any length, from whatever
+    /// makes a [`DVec3`].
+    ///
+    /// # Errors
+    /// Where a coordinate is not finite or the normal is zero.
+    ///
+    /// ```
+    /// use pinhole_core::*;
+    /// let wall = Plane::new([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])?;
+    /// let normal = [0.0_f32, 0.0, 0.1];
+    /// let of_f32 = Plane::new([0.0, 0.0, -6.0], normal.map(f64::from))?;
+    /// assert!(of_f32.is_same(&wall));
+    /// assert_eq!(Plane::new([0.0; 3], [0.0; 3]), Err(ObjectError::NormalIsZero));
+    /// # Ok::<(), ObjectError>(())
+    /// ```
+    pub fn new(point: impl Into<DVec3>, normal: impl Into<DVec3>) -> Result<Plane, ObjectError> {
+        let plane = Plane { point: point.into(), normal: normal.into() };
+        plane.check().map(|()| plane)
+    }
+
+    /// Checks that point and normal are finite and the normal is not zero.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), ObjectError> {
+        for (field, value) in [("point", self.point), ("normal", self.normal)] {
+            if !value.is_finite() {
+                return Err(ObjectError::NotFinite { field, value });
+            }
+        }
+        if self.normal == DVec3::ZERO {
+            return Err(ObjectError::NormalIsZero);
+        }
+        Ok(())
+    }
+}

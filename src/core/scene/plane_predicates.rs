@@ -1,0 +1,288 @@
+//! A plane as the rays of one origin see it: the ladder's decisions and root.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
+use crate::exact::big_ray::BigRoot;
+use crate::exact::bounded::{Number, UNIT, Vector, dot, length, scaled};
+use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::dyadic::{Dyadic, cross, exact3};
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::precise::Precise;
+use crate::exact::quadratic::DirectionParts;
+use crate::exact::scale::{exponent, ldexp, split, unit};
+use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::scene::big_roots::big_offset;
+use crate::scene::plane::{Plane, PlaneTerms};
+
+/// What the rays of one origin share of a plane: `t = offset / (normal . direction)`.
+#[derive(Clone, Debug)]
+pub(crate) struct PlaneSeen {
+    plane: Plane,
+    /// The normal in units of `2^normal_scale`, which loses nothing that counts.
+    pub(crate) normal: Vector<f64>,
+    normal_length: f64,
+    normal_scale: i32,
+    /// `normal . (point - origin)` in units of `2^scale`.
+    pub(crate) offset: DoubleDouble,
+    /// Relative error of the offset.
+    offset_doubt: f64,
+    /// 0 but for extreme distances.
+    pub(crate) scale: i32,
+    /// On which side the plane is: the exact sign of the offset.
+    pub(crate) side: Ordering,
+    pub(crate) side_step: Step,
+}
+
+/// `normal . direction` with its exact sign.
+#[derive(Clone, Copy, Debug)]
+struct Rate<T> {
+    value: T,
+    doubt: f64,
+}
+
+impl<T: Number> Rate<T> {
+    /// The dot product's three `e`, and the direction's own doubt.
+    fn new(normal: &Vector<f64>, normal_length: f64, direction: &DirectionParts<T>) -> Rate<T> {
+        const SECOND_ORDER_AND_UNDERFLOW: (f64, f64) = (1.05, 1e-250);
+        let (factor, least) = SECOND_ORDER_AND_UNDERFLOW;
+        let value = dot(normal.map(T::from), direction.d);
+        let share = T::DOT + direction.doubt;
+        Rate { value, doubt: factor * share * normal_length * direction.length + least }
+    }
+
+    fn sign(&self) -> Option<Ordering> {
+        let value = self.value.near();
+        (value.abs() > self.doubt).then(|| value.total_cmp(&0.0))
+    }
+}
+
+impl PlaneSeen {
+    pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneSeen {
+        PlaneSeen::up_to(plane, origin, Step::Exact)
+    }
+
+    /// With the ladder cut off after a step.
+    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneSeen {
+        let (normal, normal_scale) = split(plane.normal);
+        let (to, rest, quartered) = difference_with_rest(plane.point, origin);
+        let to: Vector<DoubleDouble> =
+            std::array::from_fn(|i| DoubleDouble { hi: to[i], lo: rest[i] });
+        let (to, more) = scaled(to);
+        let scale = quartered + more;
+        let normal = normal.to_array();
+        let normal_length = length(normal);
+        let offset = match last {
+            Step::F64 => DoubleDouble::from(dot(normal, to.map(DoubleDouble::near))),
+            _ => dot(normal.map(DoubleDouble::from), to),
+        };
+        let reach = normal_length * length(to.map(DoubleDouble::near));
+        let mut seen = PlaneSeen {
+            plane: *plane,
+            normal,
+            normal_length,
+            normal_scale,
+            offset,
+            offset_doubt: 1.05 * DoubleDouble::DOT * reach / offset.hi.abs(),
+            scale,
+            side: (offset.hi + 0.0).total_cmp(&0.0),
+            side_step: Step::F64,
+        };
+        if seen.offset.hi.abs() <= 8.0 * UNIT * reach {
+            seen.side_step = last.min(Step::DoubleDouble);
+        }
+        /// Beyond this share, t would lose digits for the offset's sake.
+        const PLENTY: f64 = 256.0 * U2;
+        let is_sure = seen.offset_doubt <= PLENTY && offset.hi.abs() > 1e-200;
+        if !is_sure && last == Step::Exact {
+            seen.set_exact(origin);
+        }
+        seen
+    }
+
+    /// The offset from the exact number, where double-double loses its digits.
+    fn set_exact(&mut self, origin: DVec3) {
+        let exact = big_offset(&self.plane, origin);
+        self.side = exact.sign();
+        // The offset may need the exact number where its sign does not.
+        if !(self.offset_doubt < 0.5 && self.offset.hi.abs() > 1e-200) {
+            self.side_step = Step::Exact;
+        }
+        let (value, k) = exact.to_double_double();
+        // A scale of its own, so that nothing underflows.
+        self.scale = k - self.normal_scale;
+        self.offset = value;
+        self.offset_doubt = 2.0 * U2;
+    }
+
+    /// The exact sign of `normal . direction`.
+    fn rate(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
+        let rough = self.rough_rate(ray);
+        if let Some(sign) = rough.sign() {
+            steps.count(Step::F64);
+            return sign;
+        }
+        if ray.last == Step::F64 {
+            return rounded_sign(rough.value, ray.last, steps);
+        }
+        let fine = self.fine_rate(ray);
+        if let Some(sign) = fine.sign() {
+            steps.count(Step::DoubleDouble);
+            return sign;
+        }
+        if ray.last == Step::DoubleDouble {
+            return rounded_sign(fine.value.hi, ray.last, steps);
+        }
+        steps.count(Step::Exact);
+        ray.big().rate(&self.plane)
+    }
+
+    fn rough_rate(&self, ray: &ExactRay) -> Rate<f64> {
+        Rate::new(&self.normal, self.normal_length, &ray.rough)
+    }
+
+    fn fine_rate(&self, ray: &ExactRay) -> Rate<DoubleDouble> {
+        Rate::new(&self.normal, self.normal_length, &ray.fine)
+    }
+
+    /// Whether the line meets the plane: it is not parallel to it.
+    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
+        self.rate(ray, steps) != Ordering::Equal
+    }
+
+    /// Whether the ray hits the plane at a `t > 0`.
+    pub(crate) fn is_hit(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
+        self.rate(ray, steps) == self.side && self.side != Ordering::Equal
+    }
+
+    /// `t` of a line that is not parallel, with a relative error of at most `doubt`.
+    pub(crate) fn t(&self, ray: &ExactRay, doubt: f64) -> Precise {
+        if self.side == Ordering::Equal {
+            return Precise::ZERO;
+        }
+        if ray.last == Step::F64 {
+            return self.rounded_t(DoubleDouble::from(self.rough_rate(ray).value), ray);
+        }
+        let rate = self.fine_rate(ray);
+        if ray.last == Step::DoubleDouble {
+            return self.rounded_t(rate.value, ray);
+        }
+        let off = self.offset_doubt
+            + 1.05
+                * (rate.doubt / rate.value.hi.abs()
+                    + DoubleDouble::QUOTIENT
+                    + DoubleDouble::PRODUCT);
+        let t = self.offset / rate.value;
+        if off <= doubt && (1e-250..1e250).contains(&t.hi.abs()) {
+            return Precise::new(t.times(ray.stretch), self.scale - ray.scale);
+        }
+        let (t, k) = ray.big().t(&self.big_root(ray));
+        Precise::new(t, k)
+    }
+
+    /// `t` by a rate as it stands, whatever its doubt.
+    #[cold]
+    fn rounded_t(&self, rate: DoubleDouble, ray: &ExactRay) -> Precise {
+        let k = exponent(rate.hi);
+        let rate = rate.scaled(-k);
+        let t = self.offset / rate;
+        let t = if ray.last == Step::F64 { DoubleDouble::from(t.hi) } else { t };
+        Precise::new(t.times(ray.stretch), self.scale - ray.scale - k)
+    }
+
+    /// `t` in `f64` with its relative error, in units of `2^(scale - scale of the ray) / stretch`.
+    pub(crate) fn rough_t(&self, ray: &ExactRay) -> Option<(f64, f64)> {
+        let rate = self.rough_rate(ray);
+        rate.sign()?;
+        let share = rate.doubt / rate.value.abs();
+        (share < 0.25).then(|| (self.offset.hi / rate.value, 2.0 * share + 4.0 * UNIT))
+    }
+
+    /// The root in exact numbers.
+    pub(crate) fn big_root(&self, ray: &ExactRay) -> BigRoot {
+        ray.big().plane_root(&self.plane)
+    }
+
+    /// `normal . direction`, rounded, with its exact sign, in the units of the inputs.
+    pub(crate) fn rate_given(&self, ray: &ExactRay) -> f64 {
+        let rate = (self.fine_rate(ray).value / DoubleDouble::from(ray.stretch)).hi.abs();
+        let rate = ldexp(rate, self.normal_scale + ray.scale).max(f64::MIN_POSITIVE);
+        match self.rate(ray, &mut Steps::default()) {
+            Ordering::Less => -rate,
+            Ordering::Equal => 0.0,
+            Ordering::Greater => rate,
+        }
+    }
+
+    /// `normal . (point - origin)`, rounded, in the units of the inputs.
+    pub(crate) fn offset_given(&self) -> f64 {
+        ldexp(self.offset.hi, self.scale + self.normal_scale)
+    }
+
+    /// The normal's scale, see [`PlaneSeen::normal`].
+    pub(crate) fn normal_scale(&self) -> i32 {
+        self.normal_scale
+    }
+
+    /// Relative error of the offset.
+    pub(crate) fn offset_doubt(&self) -> f64 {
+        self.offset_doubt
+    }
+
+    /// The plane itself.
+    pub(crate) fn plane(&self) -> &Plane {
+        &self.plane
+    }
+}
+
+impl Plane {
+    /// The implicit function `f(q) = normal . (q - point)`: 0 on the plane, positive on the side
+    /// that the normal points to, both exactly. In world units times the normal's length; infinite
+    /// where it overflows, NaN where a number is not finite or the normal is zero.
+    pub fn implicit(&self, q: DVec3) -> f64 {
+        if self.check().is_err() || !q.is_finite() {
+            return f64::NAN;
+        }
+        // Subtracted from 0, not negated: on the plane it is 0, not -0.
+        0.0 - PlaneSeen::new(self, q).offset_given()
+    }
+
+    /// The intersection's parts for the readouts, each rounded once from more digits. They may
+    /// overflow or underflow where `t` does not; of a ray or a plane that is none, they are NaN.
+    pub fn terms(&self, ray: &Ray) -> PlaneTerms {
+        match ExactRay::of(ray) {
+            Ok(ray) => self.terms_of(&ray),
+            Err(_) => PlaneTerms::NONE,
+        }
+    }
+
+    /// [`Plane::terms`] of a ray with all its digits.
+    pub fn terms_of(&self, ray: &ExactRay) -> PlaneTerms {
+        if self.check().is_err() {
+            return PlaneTerms::NONE;
+        }
+        let seen = PlaneSeen::up_to(self, ray.origin(), ray.last);
+        PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
+    }
+
+    /// Whether both are the same set of points, exactly: the normals are parallel, and each plane's
+    /// point lies in the other. What does not pass [`Plane::check`] is no set of points.
+    pub fn is_same(&self, other: &Plane) -> bool {
+        if self.check().is_err() || other.check().is_err() {
+            return false;
+        }
+        // Most planes differ by far more than rounding: the exact numbers are for those that do not.
+        let (n, m) = (unit(self.normal), unit(other.normal));
+        if n.cross(m).length_squared() > 1e-20 {
+            return false;
+        }
+        if PlaneSeen::new(self, other.point).side != Ordering::Equal {
+            return false;
+        }
+        let normals = cross(&exact3(self.normal), &exact3(other.normal));
+        normals.iter().all(Dyadic::is_zero)
+    }
+}

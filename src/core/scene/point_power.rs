@@ -1,0 +1,67 @@
+//! The power of a point with respect to a sphere, `|q|^2 - r^2`, with its exact sign.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+
+use crate::exact::bounded::{Number, UNIT, dot};
+use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::steps::{Step, sign_of};
+use crate::scene::big_roots::big_c;
+use crate::scene::sphere::Sphere;
+
+/// `c = |q|^2 - r^2` with its exact sign.
+pub(crate) struct Power {
+    pub(crate) value: DoubleDouble,
+    /// Relative error.
+    pub(crate) doubt: f64,
+    pub(crate) sign: Ordering,
+    /// Which step knew the sign.
+    pub(crate) step: Step,
+}
+
+impl Power {
+    /// In `f64` alone, whatever the doubt.
+    pub(crate) fn rounded(q: [f64; 3], radius: f64) -> Power {
+        let (qq, rr) = (dot(q, q), radius * radius);
+        let value = qq - rr;
+        let doubt = 8.0 * UNIT * (qq + rr) / value.abs();
+        let value = DoubleDouble::from(value);
+        Power { value, doubt, sign: sign_of(value.hi), step: Step::F64 }
+    }
+
+    /// Of q and r in units of `2^scale`. In double-double where that keeps its digits, else from the
+    /// exact number: close to the sphere c is all that is left of large squares.
+    pub(crate) fn new(
+        sphere: &Sphere,
+        origin: DVec3,
+        q: [DoubleDouble; 3],
+        radius: f64,
+        (scale, last): (i32, Step),
+    ) -> Power {
+        /// Beyond this share, t would lose digits for c's sake.
+        const PLENTY: f64 = 256.0 * U2;
+        let fine_radius = DoubleDouble::from(radius);
+        let (qq, rr) = (dot(q, q), fine_radius * fine_radius);
+        let value = qq - rr;
+        // r^2 is exact.
+        let squares = qq.hi + rr.hi;
+        let doubt = (DoubleDouble::DOT + DoubleDouble::SUM) * squares / value.hi.abs();
+        // 6 roundings in f64, and one of q itself, twice.
+        let is_sure = value.hi.abs() > 8.0 * UNIT * squares && value.hi.abs() > 1e-200;
+        let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
+        if doubt <= PLENTY && value.hi.abs() > 1e-200 || last == Step::DoubleDouble {
+            return Power { value, doubt: 1.05 * doubt, sign: sign_of(value.hi), step };
+        }
+        let exact = big_c(sphere, origin);
+        // c may need the exact number where its sign does not.
+        let step = if doubt < 0.5 && value.hi.abs() > 1e-200 { step } else { Step::Exact };
+        let sign = exact.sign();
+        let (value, k) = exact.to_double_double();
+        let k = k - 2 * scale;
+        let value = value.scaled(k);
+        // Where c is too small for the scale its digits are lost, and only its sign is used.
+        let is_kept = sign == Ordering::Equal || value.hi.abs() > 1e-200;
+        Power { value, doubt: if is_kept { 2.0 * U2 } else { f64::INFINITY }, sign, step }
+    }
+}

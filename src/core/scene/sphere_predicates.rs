@@ -1,0 +1,397 @@
+//! A sphere as the rays of one origin see it: the ladder's decisions and roots.
+
+use std::cmp::Ordering;
+
+use glam::DVec3;
+
+use crate::camera::exact_ray::ExactRay;
+use crate::camera::ray::Ray;
+use crate::exact::big_ray::BigRoot;
+use crate::exact::bounded::{Number, PLAIN, UNIT, length, near, scaled};
+use crate::exact::double_double::{DoubleDouble, U2};
+use crate::exact::error_free::difference_with_rest;
+use crate::exact::precise::{Precise, T_DOUBT, is_noise};
+use crate::exact::quadratic::{Form, Quadratic, SphereParts, sphere_normal};
+use crate::exact::scale::ldexp;
+use crate::exact::steps::{Step, Steps, rounded_sign};
+use crate::scene::point_power::Power;
+use crate::scene::sphere::{Sphere, SphereQuadratic};
+
+/// How a ray's line meets a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Meets {
+    /// Not at all.
+    Misses,
+    /// In one point.
+    Touches,
+    /// In two.
+    Crosses,
+}
+
+impl From<Ordering> for Meets {
+    /// By the sign of D.
+    fn from(sign: Ordering) -> Meets {
+        match sign {
+            Ordering::Less => Meets::Misses,
+            Ordering::Equal => Meets::Touches,
+            Ordering::Greater => Meets::Crosses,
+        }
+    }
+}
+
+/// Which of the two points of a line and a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum End {
+    /// That of the smaller t.
+    Near,
+    /// That of the larger t.
+    Far,
+}
+
+impl End {
+    /// The sign of the square root in `t = (b -+ sqrt D) / a`.
+    fn sign(self) -> Ordering {
+        match self {
+            End::Near => Ordering::Less,
+            End::Far => Ordering::Greater,
+        }
+    }
+}
+
+/// What the rays of one origin share of a sphere; lengths in units of `2^scale`.
+#[derive(Clone, Debug)]
+pub(crate) struct SphereSeen {
+    sphere: Sphere,
+    pub(crate) fine: SphereParts<DoubleDouble>,
+    pub(crate) rough: SphereParts<f64>,
+    pub(crate) scale: i32,
+    /// Where the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
+    pub(crate) side: Ordering,
+    /// The step that decided so.
+    pub(crate) side_step: Step,
+}
+
+impl SphereSeen {
+    pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereSeen {
+        SphereSeen::up_to(sphere, origin, Step::Exact)
+    }
+
+    /// With the ladder cut off after a step.
+    pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereSeen {
+        let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
+        let parts: [DoubleDouble; 3] =
+            std::array::from_fn(|i| DoubleDouble { hi: q[i], lo: rest[i] });
+        let radius = ldexp(sphere.radius, -quartered);
+        let (q, radius, scale) = together(parts, radius);
+        let rounded = near(q);
+        let distance = length(rounded);
+        let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
+        let c = match last {
+            Step::F64 => Power::rounded(rounded, radius),
+            _ => Power::new(sphere, origin, q, radius, (scale + quartered, last)),
+        };
+        let fine = SphereParts {
+            q,
+            radius: DoubleDouble::from(radius),
+            c: c.value,
+            c_doubt: c.doubt,
+            distance,
+            q_doubt: 0.0,
+            form,
+        };
+        let rounding = UNIT;
+        let rough = SphereParts {
+            q: rounded,
+            radius,
+            c: c.value.hi,
+            c_doubt: c.doubt + rounding,
+            distance,
+            q_doubt: rounding,
+            form,
+        };
+        let (side, side_step, scale) = (c.sign, c.step, scale + quartered);
+        SphereSeen { sphere: *sphere, fine, rough, scale, side, side_step }
+    }
+
+    /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
+    pub(crate) fn rough_parts(sphere: &Sphere, origin: DVec3) -> Option<SphereParts<f64>> {
+        let (q, radius) = (sphere.center - origin, sphere.radius);
+        let (qq, rr) = (q.length_squared(), radius * radius);
+        // A nearer sphere's c loses more than three digits.
+        let is_plain = qq > 2.0 * rr && PLAIN.contains(&radius) && qq < PLAIN.end * PLAIN.end;
+        is_plain.then(|| SphereParts {
+            q: q.to_array(),
+            radius,
+            c: qq - rr,
+            c_doubt: 8.0 * UNIT * (qq + rr) / (qq - rr),
+            distance: qq.sqrt(),
+            q_doubt: UNIT,
+            form: Form::Far,
+        })
+    }
+
+    /// Whether `f64` alone knows that the ray misses the sphere, or hits it after `nearest`: what most
+    /// spheres of a scene are to most rays, for a tenth of what the rest costs.
+    pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
+        /// `t` that is off by less is compared as it is.
+        const SHARE: f64 = 1e-6;
+        let Some(parts) = SphereSeen::rough_parts(sphere, ray.origin()) else { return false };
+        let quadratic = Quadratic::new(&parts, &ray.rough);
+        let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = quadratic;
+        if discriminant < -discriminant_doubt || b < -b_doubt {
+            return true;
+        }
+        let is_behind =
+            |(t, off): (f64, f64)| off < SHARE && t * ray.stretch * (1.0 - 4.0 * SHARE) > nearest;
+        ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
+    }
+
+    /// Whether the ray's line meets the sphere.
+    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Meets {
+        if self.side == Ordering::Less {
+            steps.count(Step::F64);
+            return Meets::Crosses;
+        }
+        let of_sign =
+            |sure: Option<bool>| sure.map(|is| if is { Meets::Crosses } else { Meets::Misses });
+        let rough = Quadratic::new(&self.rough, &ray.rough);
+        if let Some(meets) = of_sign(sure_sign(&rough)) {
+            steps.count(Step::F64);
+            return meets;
+        }
+        if ray.last == Step::F64 {
+            return rounded_sign(rough.discriminant, ray.last, steps).into();
+        }
+        let fine = Quadratic::new(&self.fine, &ray.fine);
+        if let Some(meets) = of_sign(sure_sign(&fine)) {
+            steps.count(Step::DoubleDouble);
+            return meets;
+        }
+        if ray.last == Step::DoubleDouble {
+            return rounded_sign(fine.discriminant.hi, ray.last, steps).into();
+        }
+        steps.count(Step::Exact);
+        let big = ray.big();
+        big.meets(&big.quadratic(&self.sphere)).into()
+    }
+
+    /// Whether the centre lies ahead: the sign of b, of a line that meets the sphere.
+    fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
+        let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
+        let rough = Quadratic::new(&self.rough, &ray.rough);
+        if let Some(sign) = sure(rough.b, rough.b_doubt) {
+            return sign;
+        }
+        if ray.last == Step::F64 {
+            return rounded_sign(rough.b, ray.last, steps);
+        }
+        let fine = Quadratic::new(&self.fine, &ray.fine);
+        if let Some(sign) = sure(fine.b.hi, fine.b_doubt) {
+            steps.count(Step::DoubleDouble);
+            return sign;
+        }
+        if ray.last == Step::DoubleDouble {
+            return rounded_sign(fine.b.hi, ray.last, steps);
+        }
+        steps.count(Step::Exact);
+        let big = ray.big();
+        big.is_ahead(&big.quadratic(&self.sphere))
+    }
+
+    /// Which end of the line's chord the ray hits first: the smallest `t > 0`.
+    pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+        if self.side == Ordering::Less {
+            steps.count(Step::F64);
+            return Some(End::Far);
+        }
+        if self.meets(ray, steps) == Meets::Misses || self.ahead(ray, steps) != Ordering::Greater {
+            return None;
+        }
+        Some(if self.side == Ordering::Equal { End::Far } else { End::Near })
+    }
+
+    /// `t` at an end of a chord that is there, with a relative error of at most `doubt`.
+    pub(crate) fn t(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
+        if self.side == Ordering::Equal && self.is_origin(ray, end) {
+            return Precise::ZERO;
+        }
+        let fine = if ray.last == Step::Exact {
+            self.fine_t(ray, end, doubt)
+        } else {
+            Some(self.rounded_t(ray, end))
+        };
+        fine.map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale)).unwrap_or_else(
+            || {
+                let big = ray.big();
+                let (t, k) = big.t(&self.big_root(ray, end));
+                Precise::new(t, k)
+            },
+        )
+    }
+
+    /// `t` by the step after which the ray's ladder is cut off, in the units of
+    /// [`SphereSeen::fine_t`].
+    #[cold]
+    fn rounded_t(&self, ray: &ExactRay, end: End) -> DoubleDouble {
+        let far = end == End::Far;
+        match ray.last {
+            Step::F64 => {
+                let quadratic = Quadratic::new(&self.rough, &ray.rough);
+                DoubleDouble::from(quadratic.rounded_root(&self.rough, far))
+            }
+            _ => Quadratic::new(&self.fine, &ray.fine).rounded_root(&self.fine, far),
+        }
+    }
+
+    /// Whether this end of the chord is the origin itself, which lies on the sphere: its roots are 0
+    /// and `2 b / a`.
+    fn is_origin(&self, ray: &ExactRay, end: End) -> bool {
+        match self.ahead(ray, &mut Steps::default()) {
+            Ordering::Equal => true,
+            Ordering::Greater => end == End::Near,
+            Ordering::Less => end == End::Far,
+        }
+    }
+
+    /// `t` in double-double, where its relative error is at most `doubt`; in units of
+    /// `2^(scale of the sphere - scale of the ray) / stretch`.
+    fn fine_t(&self, ray: &ExactRay, end: End, doubt: f64) -> Option<DoubleDouble> {
+        let quadratic = Quadratic::new(&self.fine, &ray.fine);
+        let (t, off) = quadratic.root(&self.fine, end == End::Far)?;
+        let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
+        (off <= doubt && is_in_range).then_some(t)
+    }
+
+    /// `t` in `f64` with its relative error, in the same units.
+    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
+        Quadratic::new(&self.rough, &ray.rough).root(&self.rough, end == End::Far)
+    }
+
+    /// The root in exact numbers.
+    pub(crate) fn big_root(&self, ray: &ExactRay, end: End) -> BigRoot {
+        let big = ray.big();
+        let quadratic = big.quadratic(&self.sphere);
+        big.root(quadratic, end.sign())
+    }
+
+    /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
+    pub(crate) fn normal(&self, ray: &ExactRay, end: End) -> DVec3 {
+        if ray.last != Step::Exact {
+            return self.rounded_normal(ray, end);
+        }
+        // t d is off by this share of its length, about |q|; a radius small against that needs more.
+        let reach = self.fine.distance + self.fine.radius.hi;
+        let is_enough =
+            (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
+        let t = match self.fine_t(ray, end, T_DOUBT) {
+            Some(t) if is_enough => t,
+            _ if self.side == Ordering::Equal && self.is_origin(ray, end) => {
+                DoubleDouble::from(0.0)
+            }
+            _ => return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end)),
+        };
+        let normal = sphere_normal(self.fine.q, &ray.fine, t);
+        DVec3::from_array(std::array::from_fn(|i| {
+            let is_noise = is_noise(normal[i] * self.fine.radius.hi, self.fine.q[i].hi);
+            if is_noise { 0.0 } else { normal[i] }
+        }))
+    }
+
+    /// The normal by the step after which the ray's ladder is cut off.
+    #[cold]
+    fn rounded_normal(&self, ray: &ExactRay, end: End) -> DVec3 {
+        let is_origin = self.side == Ordering::Equal && self.is_origin(ray, end);
+        let t = if is_origin { DoubleDouble::default() } else { self.rounded_t(ray, end) };
+        DVec3::from_array(match ray.last {
+            Step::F64 => sphere_normal(self.rough.q, &ray.rough, t.hi),
+            _ => sphere_normal(self.fine.q, &ray.fine, t),
+        })
+    }
+
+    /// The quadratic's parts, rounded, in units of the ray's and the sphere's scales. D is 0 where
+    /// it is exactly 0, and has its right sign.
+    pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
+        let fine = Quadratic::new(&self.fine, &ray.fine);
+        let discriminant = match self.meets(ray, &mut Steps::default()) {
+            Meets::Touches => 0.0,
+            Meets::Crosses => fine.discriminant.hi.max(f64::MIN_POSITIVE),
+            Meets::Misses => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
+        };
+        (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
+    }
+
+    /// The sphere and where it is seen from.
+    pub(crate) fn sphere(&self) -> &Sphere {
+        &self.sphere
+    }
+}
+
+/// The sign of D where it is beyond doubt.
+fn sure_sign<T: Number>(quadratic: &Quadratic<T>) -> Option<bool> {
+    let discriminant = quadratic.discriminant.near();
+    (discriminant.abs() > quadratic.discriminant_doubt).then_some(discriminant > 0.0)
+}
+
+/// q and r in units of a common `2^k`, which is 1 but for extreme lengths.
+fn together(q: [DoubleDouble; 3], radius: f64) -> ([DoubleDouble; 3], f64, i32) {
+    let largest = q.iter().map(|x| x.hi.abs()).fold(radius, f64::max);
+    if PLAIN.contains(&largest) {
+        return (q, radius, 0);
+    }
+    let with_radius =
+        [DoubleDouble::from(largest), DoubleDouble::default(), DoubleDouble::default()];
+    let (_, k) = scaled(with_radius);
+    let by = |x: f64| ldexp(x, -k);
+    (q.map(|x| DoubleDouble { hi: by(x.hi), lo: by(x.lo) }), by(radius), k)
+}
+
+impl Sphere {
+    /// The implicit function `f(q) = |q - center|^2 - r^2`: 0 on the sphere, negative inside, both
+    /// exactly. In squared world units; infinite where it overflows, NaN where a number is not finite
+    /// or the radius not positive.
+    pub fn implicit(&self, q: DVec3) -> f64 {
+        if self.check().is_err() || !q.is_finite() {
+            return f64::NAN;
+        }
+        let seen = SphereSeen::new(self, q);
+        ldexp(seen.fine.c.hi, 2 * seen.scale)
+    }
+
+    /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
+    /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
+    pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
+        match ExactRay::of(ray) {
+            Ok(ray) => self.quadratic_of(&ray),
+            Err(_) => SphereQuadratic::NONE,
+        }
+    }
+
+    /// [`Sphere::quadratic`] of a ray with all its digits.
+    pub fn quadratic_of(&self, ray: &ExactRay) -> SphereQuadratic {
+        if self.check().is_err() {
+            return SphereQuadratic::NONE;
+        }
+        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
+        let (a, b, c, discriminant) = seen.quadratic(ray);
+        let (k, stretch) = (ray.scale, ray.stretch);
+        let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
+        // What underflows keeps its sign.
+        let least = if discriminant == 0.0 { 0.0 } else { f64::from_bits(1) };
+        SphereQuadratic {
+            a: ldexp(a / stretch / stretch, 2 * k),
+            b: 0.0 - ldexp(b / stretch, k + seen.scale),
+            c: ldexp(c, 2 * seen.scale),
+            discriminant: scaled.abs().max(least).copysign(discriminant),
+        }
+    }
+
+    /// `sqrt D` of [`Sphere::quadratic_of`], also where D itself is out of range; `None` where D is
+    /// negative, and of a sphere that is none. Infinite where it overflows.
+    pub fn root_of_discriminant_of(&self, ray: &ExactRay) -> Option<f64> {
+        self.check().ok()?;
+        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
+        let (.., discriminant) = seen.quadratic(ray);
+        (discriminant >= 0.0)
+            .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale))
+    }
+}

@@ -1,0 +1,150 @@
+//! What steering gives: a camera, or the reason why there is none; and the turns that it is made of.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::camera::basis::{Basis, BasisError};
+use crate::camera::viewport::ViewportError;
+use crate::camera::{Camera, CameraError};
+use crate::exact::decimal::shortest;
+use crate::exact::scale::{angle_between, unit};
+
+/// The smallest angle between up, or -up, and the view that [`Camera::orbited`] and
+/// [`Camera::looked_round`] go to, in radians: 1 degree.
+pub const POLE_GAP: f64 = std::f64::consts::PI / 180.0;
+
+/// Within this angle of up, or of -up, a handle that is dragged takes up along, in radians:
+/// 5 degrees.
+pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
+
+/// The most that rounding may turn u, v and w besides what the hand did, in radians.
+pub const ROUNDING_TURN: f64 = 1e-6;
+
+/// What a drag of a handle made of a camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Steered {
+    /// The camera after it.
+    pub camera: Camera,
+    /// Whether up was changed, because the view came within [`CONE`] of it.
+    pub up_went_along: bool,
+}
+
+/// Why a camera cannot be steered so.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SteerError {
+    /// There would be no camera, or there was none before.
+    Camera(CameraError),
+    /// A number that is NaN or infinite.
+    NotFinite {
+        /// What it stands for: `yaw`, `pitch`, `forward`, `value`.
+        field: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// A number that is not positive and finite.
+    NotPositive {
+        /// What it stands for: `factor`, `scale`, `step`, `pixel`.
+        field: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// The camera's basis is set by hand: it has no up to drag.
+    NoUp,
+    /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
+    Unsteady {
+        /// By how many radians.
+        turn: f64,
+    },
+}
+
+impl fmt::Display for SteerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SteerError::Camera(e) => e.fmt(f),
+            SteerError::NotFinite { field, value } => {
+                write!(f, "{field} is {}: it must be a finite number", shortest(*value))
+            }
+            SteerError::NotPositive { field, value } => {
+                write!(f, "{field} is {}: it must be finite and greater than 0", shortest(*value))
+            }
+            SteerError::NoUp => write!(f, "the basis is set by hand: there is no up to drag"),
+            SteerError::Unsteady { turn } => write!(
+                f,
+                "rounded, eye, at and up would turn the camera by {turn:.1e} radians: move eye and at \
+                 apart or nearer to the origin, or up away from the view direction"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SteerError {}
+
+impl From<CameraError> for SteerError {
+    fn from(e: CameraError) -> Self {
+        SteerError::Camera(e)
+    }
+}
+
+impl From<BasisError> for SteerError {
+    fn from(e: BasisError) -> Self {
+        SteerError::Camera(e.into())
+    }
+}
+
+impl From<ViewportError> for SteerError {
+    fn from(e: ViewportError) -> Self {
+        SteerError::Camera(e.into())
+    }
+}
+
+pub(super) fn check_finite(field: &'static str, value: f64) -> Result<(), SteerError> {
+    if value.is_finite() { Ok(()) } else { Err(SteerError::NotFinite { field, value }) }
+}
+
+pub(super) fn check_positive(field: &'static str, value: f64) -> Result<(), SteerError> {
+    let is_positive = value.is_finite() && value > 0.0;
+    if is_positive { Ok(()) } else { Err(SteerError::NotPositive { field, value }) }
+}
+
+/// A turn about an axis of length 1, right-handed: `x cos + (k x x) sin + k (k . x) (1 - cos)` (O.
+/// Rodrigues 1840), written so that a small angle keeps its digits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Turn {
+    axis: DVec3,
+    sin: f64,
+    one_minus_cos: f64,
+}
+
+impl Turn {
+    pub(super) fn about(axis: DVec3, radians: f64) -> Turn {
+        let half = (0.5 * radians).sin();
+        Turn { axis, sin: radians.sin(), one_minus_cos: 2.0 * half * half }
+    }
+
+    pub(super) fn of(&self, x: DVec3) -> DVec3 {
+        let across = self.axis.cross(x);
+        x + self.sin * across + self.one_minus_cos * self.axis.cross(across)
+    }
+
+    pub(super) fn of_frame(&self, Basis { u, v, w }: &Basis) -> Basis {
+        Basis { u: self.of(*u), v: self.of(*v), w: self.of(*w) }
+    }
+}
+
+/// The nearest basis with this w: unit and orthogonal but for one rounding of each coordinate.
+pub(super) fn orthonormal(basis: &Basis) -> Basis {
+    let w = unit(basis.w);
+    let u = unit(basis.v.cross(w));
+    // Added to 0, a negative zero is 0, which readers expect to see.
+    Basis { u: u + DVec3::ZERO, v: w.cross(u) + DVec3::ZERO, w: w + DVec3::ZERO }
+}
+
+/// The camera, if its basis is this one but for rounding.
+pub(super) fn steady(camera: Camera, meant: &Basis) -> Result<Camera, SteerError> {
+    let found = camera.basis()?;
+    let turn = angle_between(found.v, meant.v).max(angle_between(found.w, meant.w));
+    if turn <= ROUNDING_TURN { Ok(camera) } else { Err(SteerError::Unsteady { turn }) }
+}

@@ -1,0 +1,32 @@
+//! The tests of pinhole-core, in one program.
+#![allow(
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    reason = "a test fails by panicking, and tells its seed and its levels"
+)]
+
+mod common;
+mod support;
+
+mod along;
+mod basis;
+mod basis_steps;
+mod counts;
+mod crowds;
+mod crowds_alike;
+mod difference;
+mod doors;
+mod errors;
+mod everyday;
+mod exact_answers;
+mod ladder;
+mod levels;
+mod methods;
+mod painted;
+mod picture;
+mod projection;
+mod readme;
+mod roots;
+mod shading;
+mod steering;
+mod steps;
