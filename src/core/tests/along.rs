@@ -1,8 +1,8 @@
 //! The implicit function along a ray.
 
 use crate::common::oracle::{Big, Big3, big, near};
-use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3};
 use crate::common::seed::config;
+use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3};
 use pinhole_core::*;
 use pinhole_reference::Family;
 use proptest::prelude::*;

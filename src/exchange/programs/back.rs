@@ -7,10 +7,6 @@ use pinhole_core::{
     Viewport, extent_of_fov, fov_of_extent,
 };
 
-use super::Format;
-use super::Taken;
-use super::Text;
-use super::Written;
 use super::affine::Affine;
 use super::sheet::n;
 use super::{Check, Format, Importer, Subject, Taken, Text, Written};

@@ -3,12 +3,6 @@
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
-use super::Format;
-use super::Subject;
-use super::Taken;
-use super::Text;
-use super::Unsayable;
-use super::Written;
 use super::back::image_of;
 use super::opencv::{off_centre, stance, translation, viewport_of};
 use super::sheet::{Sheet, flipped, n};

@@ -3,12 +3,6 @@
 
 use pinhole_core::{Camera, Orientation, Viewport};
 
-use super::Format;
-use super::Subject;
-use super::Taken;
-use super::Text;
-use super::Unsayable;
-use super::Written;
 use super::back::image_of;
 use super::literal::{Source, last_part};
 use super::sheet::{Sheet, commas, n, real};

@@ -10,6 +10,5 @@ mod grading;
 mod lines;
 mod mistakes;
 
-use proptest::prelude::ProptestConfig;
 
 use common::seed::config;

@@ -6,6 +6,8 @@ use egui::{
     pos2, vec2,
 };
 
+use pinhole_lecture::grading::{Cell, Graded};
+
 use crate::grades::AnswersAtHand;
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};

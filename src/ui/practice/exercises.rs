@@ -3,7 +3,7 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_lecture::exercises::{Exercise, Part, asked, question, solution, title};
+use pinhole_lecture::exercises::{self, Exercise, Part};
 
 use crate::exercises::{Exercises, LARGEST_SEED, Said, Typed};
 use crate::ui::action::{Action, MadeUp};
@@ -55,7 +55,7 @@ pub(crate) fn ui(
 fn choose(ui: &mut Ui, exercises: &mut Exercises) {
     let chosen = exercises.question().exercise;
     for &exercise in Exercise::ALL {
-        let text = RichText::new(title(exercise)).size(15.0);
+        let text = RichText::new(exercises::title(exercise)).size(15.0);
         let response = ui.add(egui::Button::selectable(exercise == chosen, text).wrap());
         if response.clicked() && exercise != chosen {
             *exercises = Exercises::open(exercise, None);
@@ -65,10 +65,10 @@ fn choose(ui: &mut Ui, exercises: &mut Exercises) {
 
 fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions: &mut Vec<Action>) {
     let question = exercises.question().clone();
-    ui.heading(RichText::new(title(question.exercise)).size(22.0).strong());
+    ui.heading(RichText::new(exercises::title(question.exercise)).size(22.0).strong());
     source(ui, exercises);
     ui.add_space(8.0);
-    for paragraph in question(&question.given) {
+    for paragraph in exercises::question(&question.given) {
         marked_text::label(ui, &paragraph, TEXT);
     }
     ui.add_space(10.0);
@@ -202,7 +202,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
 
 /// The right answer, below the fields.
 fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
-    let text = format!("{} {}", asked(part), solution(part, style.digits));
+    let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
         ui.add(egui::Label::new(RichText::new(text).strong()).wrap());

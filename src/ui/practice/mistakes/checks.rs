@@ -14,7 +14,7 @@ const VERDICT: f32 = 58.0;
 const FORMULA: f32 = 176.0;
 
 /// The checks as a table, those that find the mistake first.
-pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     if wrong.checks.is_empty() {
         ui.label("Without a wrong camera there is nothing to check.");
         return;
@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
 }
 
 /// `2 of 14 checks find it`
-pub(super) fn summary(wrong: &Wrong) -> String {
+pub(super) fn summary(wrong: &ComparedCamera) -> String {
     let (all, failing) = (wrong.checks.len(), failing(wrong).count());
     match failing {
         0 => format!("None of {all} checks finds it"),
@@ -39,7 +39,7 @@ pub(super) fn summary(wrong: &Wrong) -> String {
     }
 }
 
-pub(super) fn failing(wrong: &Wrong) -> impl Iterator<Item = &Checked> {
+pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> {
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 

@@ -37,7 +37,7 @@ pub(super) fn buttons(
 }
 
 /// The question, or what is to be said of the answer.
-pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &Wrong, camera: &Camera) {
+pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &ComparedCamera, camera: &Camera) {
     let Some(guess) = gallery.guess else { return };
     let Some(answer) = guess.answer else {
         ui.label(RichText::new("Which mistake is it?").size(18.0).strong());
@@ -69,7 +69,7 @@ pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &Wrong, camera: &Ca
     ui.add_space(6.0);
 }
 
-fn looks_the_same(camera: &Camera, answer: Mistake, wrong: &Wrong) -> bool {
+fn looks_the_same(camera: &Camera, answer: Mistake, wrong: &ComparedCamera) -> bool {
     match (WrongCamera::new(camera, answer), &wrong.camera) {
         (Ok(answer), Ok(wrong)) => answer.sees_the_same(wrong),
         _ => false,

@@ -49,7 +49,7 @@ fn title(gallery: &Gallery) -> String {
 }
 
 /// What a screen reader says of the wrong picture.
-pub(crate) fn spoken(wrong: &Wrong, gallery: &Gallery) -> String {
+pub(crate) fn spoken(wrong: &ComparedCamera, gallery: &Gallery) -> String {
     match (why_not(wrong, gallery), seen(wrong)) {
         (Some(why), _) => why,
         (None, Some(seen)) if gallery.is_told() => format!("{}: {seen}", wrong.mistake.name()),
@@ -58,7 +58,7 @@ pub(crate) fn spoken(wrong: &Wrong, gallery: &Gallery) -> String {
 }
 
 /// Why there is no wrong picture, without its name as long as that is to be guessed.
-fn why_not(wrong: &Wrong, gallery: &Gallery) -> Option<String> {
+fn why_not(wrong: &ComparedCamera, gallery: &Gallery) -> Option<String> {
     let why = wrong.why_not()?;
     Some(match gallery.is_told() {
         true => why,
@@ -67,7 +67,7 @@ fn why_not(wrong: &Wrong, gallery: &Gallery) -> Option<String> {
 }
 
 /// `12,345 of 90,000 pixels shown see something else`
-fn seen(wrong: &Wrong) -> Option<String> {
+fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
     let (differing, pixels) = (grouped(seen.differing as u64), grouped(seen.pixels as u64));
     Some(match seen.differing {
@@ -78,7 +78,7 @@ fn seen(wrong: &Wrong) -> Option<String> {
 }
 
 /// Why there is no wrong picture, in its place.
-pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &Wrong, gallery: &Gallery) {
+pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &ComparedCamera, gallery: &Gallery) {
     let fill = ui.visuals().faint_bg_color;
     ui.painter().rect_filled(rect, 4.0, fill);
     let inside = rect.shrink(16.0);
@@ -154,7 +154,7 @@ fn list(ui: &mut Ui, gallery: &mut Gallery) {
 }
 
 /// What is done wrong, how it shows, and the basis right against wrong.
-fn explanation(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     let mistake = wrong.mistake;
     if let Some(why) = wrong.why_not() {
         ui.label(RichText::new(why).strong());
