@@ -90,7 +90,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
         if let Some(document) = exercises.document() {
             let hint = "Makes this question's camera, and what its ray meets, the open scene";
             if ui.button("Open its camera").on_hover_text(hint).clicked() {
-                let title = title(question.exercise).to_owned();
+                let title = exercises::title(question.exercise).to_owned();
                 let made_up = MadeUp { document, title, uv: question.uv() };
                 actions.push(Action::Show(Box::new(made_up)));
                 ui.ctx().request_repaint();
@@ -156,9 +156,9 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
     ui.horizontal_wrapped(|ui| {
         let color = vector_color(ui, name).unwrap_or(Color32::PLACEHOLDER);
         let wide = egui::vec2(90.0, 30.0);
-        let text = RichText::new(format!("{} =", asked(part))).size(TEXT + 1.0);
+        let text = RichText::new(format!("{} =", exercises::asked(part))).size(TEXT + 1.0);
         let text = if part.count() == 0 {
-            RichText::new(asked(part)).size(TEXT)
+            RichText::new(exercises::asked(part)).size(TEXT)
         } else {
             text.color(color)
         };
