@@ -14,7 +14,7 @@ use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]

@@ -14,8 +14,8 @@ use crate::present::{self, FrameTimes, PresentError, Program, WindowOptions, mot
 use crate::store::{Remembered, Store};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// Why the window did not open, or broke off.
 #[derive(Debug)]

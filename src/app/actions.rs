@@ -14,7 +14,7 @@ use crate::lessons::{self, Place, Which};
 use crate::panels::dialogs::{Dialog, PathField};
 use crate::panels::objects;
 use crate::session::{Selection, Session, ViewLayout};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
 /// times nearer.

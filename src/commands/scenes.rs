@@ -1,7 +1,7 @@
 //! `pinhole scenes`: the built-in scenes, a line each.
 
 use super::{CommandError, to_stdout};
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::builtin;
 
 pub(super) fn run() -> Result<(), CommandError> {
     let scenes = builtin::all();

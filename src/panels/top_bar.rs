@@ -14,8 +14,8 @@ use crate::panels::{compare, play};
 use crate::presenter::{Range, SMALLEST_TEXT};
 use crate::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 use crate::verbs::shortcut;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// What the history would undo and redo.
 pub(crate) struct Steps<'a> {

@@ -33,8 +33,8 @@ use crate::play::Kind;
 use crate::presenter::Full;
 use crate::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 use crate::translator::Target;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]

@@ -9,7 +9,7 @@ use pinhole::arguments::View;
 use pinhole::commands::render_view::{RenderOptions, render_view};
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::builtin;
 
 use super::{Run, entries, run_in};
 

@@ -13,7 +13,7 @@ use pinhole::app::App;
 use pinhole::files::OpenDocument;
 use pinhole::store::Remembered;
 use pinhole_core::{ImageSize, Pixel};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 use crate::screen::{Running, Screen, wait_for};
 use crate::whole_window;
