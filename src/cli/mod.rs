@@ -25,7 +25,7 @@ use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, PosedCamera};
 use crate::cli::arguments::Command;
 use crate::model::session::Selection;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, scene_file};
 
 /// Why a command did not do what it was asked to.

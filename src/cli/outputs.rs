@@ -13,7 +13,7 @@ use super::named;
 use super::to_stdout;
 use crate::chart::{Figure, PNG_SCALE};
 use pinhole_exchange::images::png;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::builtin;
 use pinhole_exchange::{FileError, atomic};
 
 /// The outputs that were asked for.

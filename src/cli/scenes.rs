@@ -2,7 +2,7 @@
 
 use super::CommandError;
 use super::to_stdout;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::builtin;
 
 pub(super) fn run() -> Result<(), CommandError> {
     let scenes = builtin::all();

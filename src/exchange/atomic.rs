@@ -25,7 +25,7 @@ pub fn write(
     replace(path, content).map_err(|error| FileError::unwritable(path, &error))
 }
 
-/// Whether [`write()`] has a place to write to, for those with long work before it. Nothing is
+/// Checks that [`write()`] has a place to write to, for those with long work before it. Nothing is
 /// written, so the disk may still turn out to be full, or the folder not ours to write in.
 ///
 /// # Errors
@@ -77,7 +77,7 @@ impl Draft {
         Ok(Draft { new, path: path.to_owned() })
     }
 
-    /// What is written so far, to write on.
+    /// Returns the file as written so far, to write on.
     ///
     /// # Errors
     /// Where the system has no more open files.
@@ -126,7 +126,7 @@ fn temporary_in(directory: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(directory)
 }
 
-/// What a new file gets from the system, which takes the user's mask from it; a temporary file
+/// Permissions that a new file gets from the system, less the user's mask; a temporary file
 /// would be its owner's alone.
 #[cfg(unix)]
 fn default_permissions() -> Option<Permissions> {
@@ -139,7 +139,7 @@ fn default_permissions() -> Option<Permissions> {
     None
 }
 
-/// To a device or pipe, where nothing can be sought or replaced.
+/// Writes to a device or pipe, where nothing can be sought or replaced.
 fn write_through(
     target: &Path,
     content: impl FnOnce(&mut File) -> io::Result<()>,

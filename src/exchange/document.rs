@@ -11,7 +11,7 @@ use pinhole_core::{Camera, Plane, Rgb, Scene, SceneError, Sphere};
 /// Objects are counted from 0: the spheres, then those of the CSV file, then the planes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
-    /// What to look for in this scene: the comment at the head of its file, without the `#`s.
+    /// A hint at what to look for: the comment at the head of the scene's file, without the `#`s.
     pub note: String,
     /// The edited camera.
     pub camera: Camera,
@@ -29,7 +29,7 @@ pub struct Document {
 pub struct Shared<T>(Arc<Vec<T>>);
 
 impl<T> Shared<T> {
-    /// Whether both are one list, and not only alike.
+    /// Returns true where both are one list, and not only alike.
     pub fn is_same(&self, other: &Shared<T>) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
@@ -85,7 +85,7 @@ impl<T: Clone> DerefMut for Shared<T> {
 /// An object with what only people need: its name and colour.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item<S> {
-    /// What it is called, if anything.
+    /// Its name, if it has one.
     pub name: Option<String>,
     /// Its own colour; without one it has its kind's [`default_color`].
     pub color: Option<Rgb>,
@@ -98,9 +98,9 @@ pub struct Item<S> {
 pub struct CsvSpheres {
     /// The path as the scene file gives it: relative to the scene file.
     pub path: String,
-    /// Where the file was found.
+    /// Path at which the file was found.
     pub file: PathBuf,
-    /// In the file's order.
+    /// Spheres in the file's order.
     pub items: Arc<Vec<Item<Sphere>>>,
 }
 
@@ -154,17 +154,17 @@ impl Document {
         self.csv_spheres.as_ref().map_or(&[], |csv| csv.items.deref())
     }
 
-    /// How many spheres there are, the CSV file's included: the index of the first plane.
+    /// Returns the number of spheres, the CSV file's included: the index of the first plane.
     pub fn sphere_count(&self) -> usize {
         self.spheres.len() + self.csv_items().len()
     }
 
-    /// How many objects there are.
+    /// Returns the number of objects.
     pub fn object_count(&self) -> usize {
         self.sphere_count() + self.planes.len()
     }
 
-    /// What lists and readouts call an object: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
+    /// Returns an object's title in lists and readouts: `sphere 0`, `sphere 1 “ball”`, `plane 2`.
     pub fn title_of(&self, index: usize) -> String {
         let kind = if index < self.sphere_count() { "sphere" } else { "plane" };
         match self.name_of(index as u32) {

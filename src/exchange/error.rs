@@ -12,7 +12,7 @@ use std::path::Path;
 pub struct FileError {
     /// The file, as the user gave it.
     pub file: String,
-    /// Where in the file; `None` for the file as a whole.
+    /// Place in the file; `None` for the file as a whole.
     pub place: Option<Place>,
     /// The field at fault, its value, and what would be right.
     pub problem: String,

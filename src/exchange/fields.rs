@@ -10,7 +10,9 @@ use crate::{FileError, Place, suggest};
 
 /// The text that is read, and what messages call it.
 pub struct Source<'a> {
+    /// Text of the file.
     pub text: &'a str,
+    /// Path of the file, for messages.
     pub path: &'a Path,
 }
 
@@ -38,6 +40,7 @@ enum Entry<'a> {
 }
 
 impl Source<'_> {
+    /// Returns an error at a place of the file.
     pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
         FileError {
             file: self.path.display().to_string(),
@@ -53,7 +56,7 @@ impl<'a> Section<'a> {
         Section { source, name: String::new(), table, span: 0..0 }
     }
 
-    /// What messages call a field of this table.
+    /// Returns a field's name in messages, its table's before it.
     pub fn path_of(&self, key: &str) -> String {
         if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
     }
@@ -226,7 +229,7 @@ impl<'a> Field<'a> {
         self.sections_named(|k| format!("{}[{k}]", self.name))
     }
 
-    /// The same; errors count them from 1, as people do.
+    /// Returns the tables of a list; errors count them from 1, as people do.
     ///
     /// # Errors
     /// Where it is no array of tables.

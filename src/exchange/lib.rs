@@ -2,7 +2,8 @@
 //!
 //! - [`document`]: [`document::Document`], which is what a scene file holds: a camera, named and coloured
 //!   objects, and a note.
-//! - [`scene_file`]: reads and writes it as TOML; the scenes that come with the program.
+//! - [`scene_file`]: reads and writes it as TOML.
+//! - [`scenes`]: the scenes that come with the program, and what a scene on the command line means.
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, OpenEXR and what every SVG has in common.
@@ -23,6 +24,7 @@ pub mod fields;
 pub mod images;
 pub mod programs;
 pub mod scene_file;
+pub mod scenes;
 mod suggest;
 
 pub use error::{FileError, Place};

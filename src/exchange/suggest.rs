@@ -15,7 +15,7 @@ fn tolerance(word: &str, name: &str) -> usize {
     word.chars().count().max(name.chars().count()) / 3
 }
 
-/// How many letters to insert, remove, replace or swap with their neighbour (Damerau's distance in
+/// Counts the letters to insert, remove, replace or swap with their neighbour (Damerau's distance in
 /// the restricted form, as in Boytsov, *Indexing methods for approximate dictionary searching*,
 /// ACM JEA 16, 2011, section 3.1).
 fn distance(a: &str, b: &str) -> usize {

@@ -70,7 +70,7 @@ mod tests {
     use pinhole_lecture::mistakes::visible;
 
     use super::*;
-    use pinhole_exchange::scene_file::builtin;
+    use pinhole_exchange::scenes::builtin;
 
     #[test]
     fn riddles_are_of_what_shows_and_never_twice_the_same() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pinhole_exchange::document::Document;
 use pinhole_exchange::programs::{Sheet, Written};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 use pinhole_exchange::{FileError, atomic, scene_file};
 

@@ -17,8 +17,8 @@ use crate::ui::motion;
 use crate::ui::program::{FrameTimes, Program};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// Why the window did not open, or broke off.
 #[derive(Debug)]

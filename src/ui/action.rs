@@ -16,7 +16,7 @@ use crate::model::presenting::Full;
 use crate::model::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
 use crate::view::derivation::Markup;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]

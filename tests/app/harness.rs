@@ -11,7 +11,7 @@ use pinhole::ui::app::App;
 use crate::support::{self, whole_window};
 use pinhole::model::files::OpenDocument;
 use pinhole::model::store::{Remembered, Store};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// The window is this large, in points, unless a test says otherwise.
 pub(crate) const SIZE: egui::Vec2 = vec2(1280.0, 1000.0);

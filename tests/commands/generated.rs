@@ -9,7 +9,7 @@ use clap_complete::Shell;
 use clap_mangen::roff::{Roff, roman};
 use expect_test::expect_file;
 use pinhole::cli::arguments::Arguments;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::builtin;
 
 use super::entries;
 use super::run;

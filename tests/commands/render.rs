@@ -9,7 +9,7 @@ use pinhole::cli::arguments::View;
 use pinhole::cli::render_view::{RenderOptions, render_view};
 use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, shade, trace_as};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::builtin;
 
 use super::Run;
 use super::entries;

@@ -1,7 +1,7 @@
 //! Out and back: the same camera, to the last digits.
 
 use pinhole_core::{
-    Basis, Camera, DVec3, ImageSize, Orientation, OrientationKind, Pixel, Plane, Sphere, Viewport,
+    Basis, Camera, DVec3, ImageSize, Orientation, OrientationKind, Pixel, Plane, Viewport,
 };
 use pinhole_exchange::document::{Document, Item};
 use pinhole_exchange::programs::{FORMATS, Format, Importer, Subject, Text, With, recognised};

@@ -13,7 +13,7 @@ use std::process::Command;
 use expect_test::expect_file;
 use pinhole_core::{Camera, DVec3, Orientation, Pixel, PosedCamera, Viewport};
 use pinhole_exchange::code::{LANGUAGES, Language};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// The Rust of two cameras, as a part of this program.
 mod glam_look_at {

@@ -5,8 +5,9 @@ use std::path::Path;
 use pinhole::model::inspection::Inspection;
 use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Viewport};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::{self, builtin};
+use pinhole_exchange::scene_file;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 fn read(text: &str) -> Document {
     scene_file::parse(text, Path::new("scene.toml"), Path::new("")).unwrap()

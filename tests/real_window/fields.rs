@@ -10,7 +10,8 @@ use egui::accesskit::Role;
 use egui::vec2;
 use pinhole::model::store::{RememberedRay, Store};
 use pinhole_core::{Pixel, shortest};
-use pinhole_exchange::scene_file::{self, builtin};
+use pinhole_exchange::scene_file;
+use pinhole_exchange::scenes::builtin;
 
 use crate::screen::{Screen, wait_for};
 use crate::window::{Setting, Window, binary};

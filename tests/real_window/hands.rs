@@ -13,7 +13,8 @@ use egui_kittest::kittest::Queryable as _;
 use pinhole::model::store::Store;
 use pinhole_core::Orientation;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::scene_file::{self, builtin};
+use pinhole_exchange::scene_file;
+use pinhole_exchange::scenes::builtin;
 
 use crate::screen::{Screen, wait_for};
 use crate::window::{Setting, Window};

@@ -13,7 +13,7 @@ use pinhole::model::files::OpenDocument;
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{ImageSize, Pixel};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 use crate::screen::{Running, Screen, wait_for};
 use crate::whole_window;

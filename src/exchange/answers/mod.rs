@@ -42,7 +42,7 @@ pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
         .collect()
 }
 
-/// What kind of answers a file holds, by its first bytes; `None` of one that holds none.
+/// Returns the kind of answers in a file, by its first bytes; `None` where it holds none.
 pub fn kind_of(bytes: &[u8]) -> Option<Kind> {
     if png::is_png(bytes) {
         return Some(Kind::Picture);
@@ -60,7 +60,7 @@ pub fn kind_of(bytes: &[u8]) -> Option<Kind> {
     }
 }
 
-/// Whether a file that is dropped on the window is meant as answers: it holds some, or is a table
+/// Returns true for a file that is meant as answers when it is dropped: it holds some, or is a table
 /// that is none of spheres either.
 pub fn are_meant(path: &Path, bytes: &[u8]) -> bool {
     let is_table = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
@@ -245,11 +245,11 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     Ok(Answers::Hits(hits))
 }
 
-/// What a cell of a hit must be.
+/// Right value of a cell of a hit, for messages.
 const NO_NUMBER: &str =
     "it must be a finite number; a miss leaves its cells empty, or has inf in them";
 
-/// What languages print where nothing is hit: `inf` and `nan`, C's `-nan(ind)` too. A number too large
+/// Returns true for what languages print where nothing is hit: `inf`, `nan`, C's `-nan(ind)`. A number too large
 /// for a double is none.
 fn stands_for_a_miss(cell: &[u8]) -> bool {
     let text = std::str::from_utf8(cell).unwrap_or_default().to_ascii_lowercase();
@@ -289,7 +289,7 @@ fn vector(row: &Row, first: usize) -> Result<Measured, FileError> {
 /// is a number of six digits off.
 const ROUNDING_SHARE: f64 = 0.5e-5;
 
-/// Of a vector whose length is its own affair, digits count as a share of it: a tiny one written to six
+/// Measures a vector's digits as a share of its length, which is its own affair: a tiny one written to six
 /// decimals says nothing of where it points.
 fn relative(vector: Measured) -> Measured {
     let most = ROUNDING_SHARE * vector.value.abs().max_element();

@@ -6,13 +6,13 @@ use super::{COLUMN, ROW, whole};
 use crate::FileError;
 use crate::csv::table::Row;
 
-/// Which pixels are answered so far.
+/// Pixels that are answered so far.
 pub(super) struct Pixels {
     image: ImageSize,
     count_from: u32,
     /// A bit a pixel, with a row and a column to spare.
     seen: Vec<u64>,
-    /// Whether a row or column of 0 was read.
+    /// True once a row or column of 0 was read.
     has_zero: bool,
     /// The first row or column of H or W, which is none unless all count from 1.
     beyond: Option<FileError>,
@@ -71,7 +71,7 @@ impl Pixels {
         row.error(column, &right)
     }
 
-    /// Whether all that was read fits together.
+    /// Checks that all that was read fits together.
     pub(super) fn finish(self) -> Result<(), FileError> {
         match self.beyond {
             Some(error) if self.has_zero => Err(error),

@@ -30,13 +30,13 @@ use numbers::Numbers;
 /// A language, or a library for vectors in one.
 #[derive(Debug)]
 pub struct Language {
-    /// What `pinhole export --to` calls it.
+    /// Name on the command line, after `--to`.
     pub name: &'static str,
-    /// What people call it.
+    /// Name on the screen.
     pub label: &'static str,
-    /// What a file of it may be called.
+    /// Proposed name of its file.
     pub file: &'static str,
-    /// In which precision its numbers are.
+    /// Precision of its numbers.
     pub precision: Precision,
     write: fn(&Numbers) -> String,
 }
@@ -63,9 +63,9 @@ pub static LANGUAGES: [Language; 6] = [
 /// A number that a language's precision has no place for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutOfRange {
-    /// Which language.
+    /// Name of the language.
     pub language: &'static str,
-    /// Which number, as `eye` or `distance`.
+    /// Name of the number, as `eye` or `distance`.
     pub field: &'static str,
     /// The number.
     pub value: f64,
@@ -86,7 +86,7 @@ impl fmt::Display for OutOfRange {
 impl std::error::Error for OutOfRange {}
 
 impl Language {
-    /// How its files end, without the dot.
+    /// Returns the ending of its files, without the dot.
     pub fn ending(&self) -> &'static str {
         self.file.rsplit('.').next().unwrap_or_default()
     }

@@ -28,7 +28,7 @@ pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> i
     encode_as::<3>(ColorType::Rgb, out, width, height, pixels)
 }
 
-/// The same with the pixels' opacity; their colours are not premultiplied.
+/// Writes a PNG with the pixels' opacity; their colours are not premultiplied.
 ///
 /// # Errors
 /// Where `out` does not take them.
@@ -72,7 +72,7 @@ pub struct Animated<W: Write> {
 }
 
 impl<W: Write> Animated<W> {
-    /// Of so many frames of `width` x `height` sRGB pixels, so many a second; shown over and over, or
+    /// Begins an animation of so many frames of `width` x `height` sRGB pixels, so many a second; shown over and over, or
     /// once.
     ///
     /// # Errors
@@ -137,7 +137,7 @@ impl Decoded {
     }
 }
 
-/// Whether bytes begin as a PNG does.
+/// Returns true for bytes that begin as a PNG does.
 pub fn is_png(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG\r\n\x1a\n")
 }

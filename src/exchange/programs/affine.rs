@@ -37,14 +37,15 @@ impl Affine {
         })
     }
 
-    /// From 16 numbers, column after column; `None` of any other count, or where the last row is not 0 0 0 1.
+    /// Makes a map of 16 numbers, column after column; `None` of any other count, or where the last row is not
+    /// 0 0 0 1.
     pub(crate) fn of_columns(m: &[f64]) -> Option<Affine> {
         let column = |k: usize| DVec3::new(m[4 * k], m[4 * k + 1], m[4 * k + 2]);
         let is_affine = m.len() == 16 && [m[3], m[7], m[11]] == [0.0; 3] && m[15] == 1.0;
         is_affine.then(|| Affine { x: column(0), y: column(1), z: column(2), at: column(3) })
     }
 
-    /// From 12 or 16 numbers, row after row; `None` of any other count, or where the last row is not
+    /// Makes a map of 12 or 16 numbers, row after row; `None` of any other count, or where the last row is not
     /// 0 0 0 1.
     pub(crate) fn of_rows(m: &[f64]) -> Option<Affine> {
         let is_affine = match m.len() {
@@ -91,7 +92,7 @@ impl Affine {
         Some(Affine { at: -inverse.direction(self.at), ..inverse })
     }
 
-    /// By how much it scales, where it does so alike in all directions.
+    /// Returns the factor by which it scales, where it does so alike in all directions.
     pub(crate) fn scale(&self) -> Option<f64> {
         let [x, y, z] = [self.x, self.y, self.z].map(DVec3::length);
         let alike = (x - y).abs() <= 1e-9 * x && (x - z).abs() <= 1e-9 * x && x > 0.0;

@@ -13,7 +13,7 @@ use super::{Check, Format, Importer, Subject, Taken, Text, Written};
 use crate::FileError;
 use crate::document::Item;
 
-/// Where a camera stands and how it is turned, as read: right, up and backwards of any length.
+/// A camera's eye and axes as read: right, up and backwards of any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stance {
     pub(crate) eye: DVec3,
@@ -23,7 +23,7 @@ pub(crate) struct Stance {
 }
 
 impl Stance {
-    /// Of a camera that looks along its own -z with y up, by its frame in the world.
+    /// Returns the pose of a camera that looks along its own -z with y up, by its frame in the world.
     pub(crate) fn of(frame: &Affine) -> Stance {
         Stance { eye: frame.at, right: frame.x, up: frame.y, backwards: frame.z }
     }
@@ -76,7 +76,7 @@ impl Stance {
     }
 }
 
-/// What is made of a mirrored camera: the picture stays, the world is seen in a mirror.
+/// Note on a mirrored camera: the picture stays, the world is seen in a mirror.
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is \
                                    negated, so that the picture is the same";
 
@@ -176,7 +176,7 @@ fn without_noise(axis: DVec3) -> DVec3 {
     }))
 }
 
-/// Those of a text's objects that could be read; of the others a note says how many there are, and
+/// Keeps the objects that could be read; of the others a note says how many there are, and
 /// what is wrong with the first: no object spoils the camera. After so many faults that the text is of
 /// another kind, it is read no further: each one's line takes a pass over the text.
 pub(crate) fn readable<T>(
@@ -253,7 +253,7 @@ pub(crate) fn image_of_aspect(
     image
 }
 
-/// What is said of an image whose size is not given: what is not said, and why this size is taken.
+/// Returns the note on an image whose size is not given: what is not said, and why this size is taken.
 pub(crate) fn size_taken(unsaid: &str, image: ImageSize, taken: &str) -> String {
     format!("{unsaid}: {} × {}{taken}", image.width(), image.height())
 }
@@ -267,7 +267,7 @@ pub(crate) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
     ImageSize::new(width as u32, height as u32).map_err(|error| error.to_string())
 }
 
-/// Whether what was written makes a camera that sends out other rays; by how much.
+/// Returns a note where the numbers that were written make a camera with other rays, and by how much.
 pub(super) fn difference(format: &Format, written: &Written, subject: &Subject) -> Option<String> {
     const ENOUGH: f64 = 1e-9;
     let posed = subject.posed();

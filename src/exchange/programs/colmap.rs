@@ -82,7 +82,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     Ok(Written { files, notes })
 }
 
-/// Which parameters each model begins with: fx, fy or one f, and how many follow cx, cy.
+/// Models and their parameters: whether fx and fy differ, and how many numbers follow cx, cy.
 const MODELS: [(&str, bool, usize); 6] = [
     ("SIMPLE_PINHOLE", false, 0),
     ("PINHOLE", true, 0),
@@ -111,7 +111,7 @@ struct ImageLine<'t> {
 struct Lines<'t> {
     cameras: Vec<Line<'t>>,
     images: Vec<ImageLine<'t>>,
-    /// Those that are none of them.
+    /// Lines that are none of them.
     others: Vec<&'t str>,
 }
 

@@ -28,14 +28,14 @@ pub(crate) fn parse(text: &Text) -> Result<Value, FileError> {
     })
 }
 
-/// Where serde_json is at fault: its columns are bytes, and 0 before the first one.
+/// Place of serde_json's error: its columns are bytes, and 0 before the first one.
 fn place(text: &str, error: &serde_json::Error) -> Place {
     let lines = text.split_inclusive('\n').take(error.line().saturating_sub(1));
     let start: usize = lines.map(str::len).sum();
     Place::of_byte(text.as_bytes(), start + error.column().saturating_sub(1))
 }
 
-/// Whether the text is an object of JSON at all.
+/// Returns true for a text that begins as an object of JSON.
 pub(crate) fn looks_like(text: &str) -> bool {
     text.trim_start().starts_with('{')
 }

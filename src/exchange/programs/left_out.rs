@@ -2,20 +2,20 @@
 
 use std::collections::HashMap;
 
-/// How often each thing is said, in the order of the text.
+/// Kinds of things that are left out, with how often, in the order of the text.
 #[derive(Debug, Default)]
 pub(super) struct LeftOut {
     counts: Vec<(String, usize)>,
     places: HashMap<String, usize>,
-    /// Of kinds beyond the most that are told.
+    /// Number of things of kinds beyond the most that are told.
     others: usize,
 }
 
-/// So many kinds are told by name.
+/// Maximum number of kinds that are told by name.
 const MOST_KINDS: usize = 20;
 
 impl LeftOut {
-    /// One more of this kind, which is `said`, as "left out: Pinhole has spheres and planes".
+    /// Counts one more of this kind, which is `said`, as "left out: Pinhole has spheres and planes".
     pub(super) fn add(&mut self, kind: &str, said: &str) {
         let kind: String = kind.chars().filter(|c| !c.is_control()).take(40).collect();
         let note = format!("{kind} {said}");

@@ -44,13 +44,13 @@ pub use terms::{Axis, Pixels, Terms};
 /// A program, or a habit of writing cameras, that Pinhole exchanges them with.
 #[derive(Debug)]
 pub struct Format {
-    /// What `--to` calls it.
+    /// Name on the command line, after `--to`.
     pub name: &'static str,
-    /// What people call it.
+    /// Name on the screen.
     pub label: &'static str,
-    /// The same in a word or two.
+    /// Name in a word or two.
     pub short: &'static str,
-    /// How its files end, without the dot.
+    /// Ending of its files, without the dot.
     pub ending: &'static str,
     /// Its conventions.
     pub terms: Terms,
@@ -61,20 +61,20 @@ pub struct Format {
 /// A reader of another program's files, or of numbers that are pasted.
 #[derive(Debug)]
 pub struct Importer {
-    /// What `--from` calls it.
+    /// Name on the command line, after `--from`.
     pub name: &'static str,
-    /// What people call it.
+    /// Name on the screen.
     pub label: &'static str,
     read: fn(&Text, &Camera) -> Result<Taken, FileError>,
     claims: fn(&str) -> bool,
 }
 
-/// How a camera is made of what was written, to see how well the numbers keep it.
+/// A way to a camera from what was written, to see how well the numbers keep it.
 #[derive(Clone, Copy, Debug)]
 enum Check {
-    /// By the importer of the same name.
+    /// The importer of the same name reads it.
     Import,
-    /// From the numbers that are written: no text of the format is read.
+    /// The numbers that are written make it: no text of the format is read.
     Numbers(fn(&Subject) -> Result<Camera, Unsayable>),
 }
 
@@ -107,12 +107,12 @@ pub static IMPORTERS: [Importer; 10] = [
     literal::IMPORTER,
 ];
 
-/// What was written: one text, or several where the format has several files.
+/// An exported scene: one text, or several where the format has several files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Written {
     /// Each file's name and text; the first one's name is only a proposal where there is but one.
     pub files: Vec<(&'static str, Sheet)>,
-    /// What the format cannot say, or says in another way.
+    /// Notes on what the format cannot say, or says in another way.
     pub notes: Vec<String>,
 }
 
@@ -133,11 +133,11 @@ impl std::error::Error for Unsayable {}
 pub struct Text<'a> {
     /// The file as the user gave it.
     pub path: &'a Path,
-    /// What is in it.
+    /// Its contents.
     pub text: &'a str,
 }
 
-/// What was read.
+/// An imported scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Taken {
     /// The camera.
@@ -146,7 +146,7 @@ pub struct Taken {
     pub spheres: Vec<Item<Sphere>>,
     /// The planes.
     pub planes: Vec<Item<Plane>>,
-    /// What could not be taken over, and what the text does not say.
+    /// Notes on what could not be taken over, and what the text does not say.
     pub notes: Vec<String>,
 }
 
@@ -180,7 +180,7 @@ impl Importer {
         IMPORTERS.iter().find(|importer| importer.name == name)
     }
 
-    /// What the text says. What it leaves open, such as the image's size or the viewport's distance,
+    /// Reads the text. What it leaves open, such as the image's size or the viewport's distance,
     /// is as in the camera `at_hand`.
     ///
     /// # Errors
@@ -195,7 +195,7 @@ impl Importer {
         }
     }
 
-    /// Whether the text is one of this format, as far as its first words tell.
+    /// Returns true for a text of this format, as far as its words tell.
     pub fn claims(&self, text: &str) -> bool {
         (self.claims)(text)
     }
@@ -247,7 +247,7 @@ pub fn recognised_file(text: &Text) -> Result<&'static Importer, FileError> {
     Importer::named(name).ok_or_else(|| FileError::of_file(text.path, unknown()))
 }
 
-/// What is said of a text that is no camera.
+/// Returns the message on a text that is no camera.
 pub fn unknown() -> String {
     let labels: Vec<&str> = IMPORTERS.iter().map(|importer| importer.label).collect();
     format!("no camera of a known form: it may be {}", labels.join(", "))

@@ -60,7 +60,7 @@ pub(crate) fn n(x: f64) -> String {
     shortest(x)
 }
 
-/// The same, with a point or an exponent: where `1` would be a whole number and divided as one.
+/// Writes a number with a point or an exponent, where `1` would be a whole number and divided as one.
 pub(crate) fn real(x: f64) -> String {
     let text = shortest(x);
     if text.contains(['.', 'e']) { text } else { format!("{text}.0") }
@@ -76,7 +76,7 @@ pub(crate) fn spaces(v: DVec3) -> String {
     v.to_array().map(shortest).join(" ")
 }
 
-/// The same, each number marked.
+/// Writes a vector's numbers, each of them marked.
 pub(crate) fn flipped_all(v: DVec3, between: &str) -> String {
     v.to_array().map(|x| flipped(shortest(x))).join(between)
 }

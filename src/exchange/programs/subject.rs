@@ -7,24 +7,24 @@ use super::Unsayable;
 use super::sheet::n;
 use crate::document::Document;
 
-/// What goes with the camera.
+/// Objects that go with the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum With {
-    /// Nothing.
+    /// None.
     CameraAlone,
     /// The objects that the format has.
     #[default]
     Objects,
-    /// Those, and meshes in place of those that it does not have.
+    /// Objects that the format has, and meshes in place of the others.
     Meshes,
 }
 
-/// What is exported.
+/// A scene that is exported.
 #[derive(Clone, Debug)]
 pub struct Subject<'a> {
     /// The scene.
     pub document: &'a Document,
-    /// What goes with the camera.
+    /// Objects that go with the camera.
     pub with: With,
     posed: PosedCamera,
 }
@@ -36,7 +36,7 @@ pub(crate) struct Thing<S> {
     pub(crate) title: String,
 }
 
-/// How far a ratio of sides may be off 1 to count as square: a few roundings.
+/// Maximum distance from 1 of a ratio of sides that counts as square: a few roundings.
 const SQUARE: f64 = 1e-14;
 
 impl<'a> Subject<'a> {
@@ -148,7 +148,7 @@ impl<'a> Subject<'a> {
         Thing { shape, color, title: self.document.title_of(index) }
     }
 
-    /// How near and how far a program has to look that cannot look everywhere.
+    /// Returns the nearest and the farthest distance for a program that cannot look everywhere.
     pub(crate) fn clip(&self) -> (f64, f64) {
         let eye = self.posed.eye();
         let spheres = self.spheres();
@@ -173,7 +173,7 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// What is said where a square stands for a plane.
+/// Returns the note on a square that stands for a plane.
 pub(crate) fn square_note(title: &str, program: &str, half: f64) -> String {
     format!(
         "{title} is infinite, and {program} has no infinite plane: written as a square that reaches {} \

@@ -4,7 +4,7 @@ use pinhole_core::DVec3;
 
 use super::Subject;
 
-/// What an axis of a format's camera points along.
+/// Direction of an axis of a format's camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "u, v, w of the camera, and their opposites")]
 pub enum Axis {
@@ -16,41 +16,41 @@ pub enum Axis {
     MinusW,
 }
 
-/// How a format counts pixels, and where it has their centres.
+/// A format's count of pixels, and the place of their centres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pixels {
     /// x right, y down from the image's corner: centres at halves. As here.
     Corner,
-    /// The same with centres at whole numbers.
+    /// x right, y down, centres at whole numbers.
     AtCentre,
     /// y up from the lower left corner, centres at halves.
     FromBottom,
     /// Rows and columns from 1.
     FromOne,
-    /// As here, but the column comes first.
+    /// Row and column from 0, the column first.
     ColumnFirst,
-    /// From -1 to 1 across the image, y up.
+    /// -1 to 1 across the image, y up.
     Device,
 }
 
 /// A format's conventions.
 #[derive(Debug)]
 pub struct Terms {
-    /// What its camera's x, y and z point along.
+    /// Directions of its camera's x, y and z.
     pub axes: [Axis; 3],
-    /// What the camera is given by.
+    /// Numbers that the camera is given by.
     pub given_by: &'static str,
-    /// Where its pixels are.
+    /// Places of its pixels.
     pub pixels: Pixels,
-    /// How the field of view is given.
+    /// Measure of the field of view.
     pub view: &'static str,
     /// Its number for a camera.
     pub(super) field: fn(&Subject) -> String,
-    /// What becomes of the viewport's distance.
+    /// Counterpart of the viewport's distance.
     pub distance: &'static str,
-    /// Which pixels it can have.
+    /// Shapes of pixels that it can have.
     pub shape: &'static str,
-    /// What it reckons in.
+    /// Precision that it computes in.
     pub lengths: &'static str,
 }
 
@@ -67,7 +67,7 @@ impl Axis {
         }
     }
 
-    /// Whether it is the opposite of u, v or w.
+    /// Returns true for the opposites of u, v and w.
     pub fn is_flipped(self) -> bool {
         matches!(self, Axis::MinusU | Axis::MinusV | Axis::MinusW)
     }
@@ -84,7 +84,7 @@ impl Axis {
         }
     }
 
-    /// What lies there: `right`, `up`, `backwards` and their opposites.
+    /// Returns the direction in words: `right`, `up`, `backwards` and their opposites.
     pub fn meaning(self) -> &'static str {
         match self {
             Axis::U => "right",
@@ -101,7 +101,7 @@ impl Terms {
     /// The axes of a camera here.
     pub const OURS: [Axis; 3] = [Axis::U, Axis::V, Axis::W];
 
-    /// Whether its camera's axes are right-handed.
+    /// Returns true where its camera's axes are right-handed.
     pub fn is_right_handed(&self) -> bool {
         let [x, y, z] = self.axes.map(Axis::direction);
         x.cross(y).dot(z) > 0.0

@@ -128,7 +128,7 @@ fn edit_basis(table: &mut dyn TableLike, old: &Basis, new: &Basis) -> Option<()>
     set_vector(table, "w", old.w, new.w)
 }
 
-/// How a list of objects is written and edited.
+/// Functions that write and edit a list of objects.
 struct Objects<S> {
     key: &'static str,
     fields: fn(&Item<S>) -> String,
@@ -184,7 +184,7 @@ impl<S> Objects<S> {
     }
 }
 
-/// Where in the file a table goes that is put into a list: behind the one before it, or before the
+/// Returns the place in the file of a table that is put into a list: behind the one before it, or before the
 /// first one.
 fn position_at(tables: &ArrayOfTables, index: usize) -> Option<isize> {
     tables.get(index.saturating_sub(1)).and_then(Table::position)

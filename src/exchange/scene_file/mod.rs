@@ -55,7 +55,7 @@ use crate::document::Document;
 use crate::{FileError, Place, atomic};
 
 pub use fault::camera_fault;
-pub(crate) use read::{TABLES, not_toml, tables};
+pub use read::{TABLES, not_toml, tables};
 pub use write::to_text;
 
 /// The format version that this program reads and writes.
@@ -83,7 +83,7 @@ pub fn parse(text: &str, path: &Path, base: &Path) -> Result<Document, FileError
     read::document(text, path, Some(base))
 }
 
-/// What was written by [`save`].
+/// A document as [`save`] wrote it.
 #[derive(Clone, Debug)]
 pub struct Saved {
     /// The document as a reader of the file finds it. It shares the CSV file's spheres with the one
@@ -129,7 +129,7 @@ pub fn save_over(
     Ok(Saved { document: written, text })
 }
 
-/// How a scene file in `folder` names `file`: by `written` if that means the same file from there,
+/// Returns the name of `file` in a scene file in `folder`: `written` if that means the same file from there,
 /// else by the relative path, else by the whole path.
 fn path_from(folder: &Path, written: &str, file: &Path) -> Option<String> {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
@@ -150,7 +150,7 @@ fn resolved(path: &Path) -> Option<PathBuf> {
         .or_else(|| std::path::absolute(path).ok())
 }
 
-/// From one absolute path to another, by way of the folder that they share. Without one, as on two
+/// Returns the path from one absolute path to another, by way of the folder that they share. Without one, as on two
 /// drives, there is none.
 fn relative_path(folder: &Path, file: &Path) -> Option<PathBuf> {
     let shared = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();

@@ -15,8 +15,8 @@ use crate::images::color;
 
 const TOP: &[&str] = &["pinhole", "spheres", "camera", "viewport", "image", "sphere", "plane"];
 /// The tables of a scene.
-pub(crate) const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
-/// Those of [`TOP`] that must stand before the first table.
+pub const TABLES: [&str; 5] = ["camera", "viewport", "image", "sphere", "plane"];
+/// Fields of [`TOP`] that must stand before the first table.
 const BEFORE_TABLES: &[&str] = &["pinhole", "spheres"];
 
 /// Reads a document; without a `base` folder, the CSV file is named but not read.
@@ -41,7 +41,7 @@ pub(super) fn document(
 }
 
 /// Reads the tables [`TABLES`] that are there; each replaces what the document has for it.
-pub(crate) fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
+pub fn tables(root: &Section, document: &mut Document) -> Result<(), FileError> {
     let camera = &mut document.camera;
     if let Some(section) = root.get("camera") {
         let Camera { viewport, image, .. } = *camera;
@@ -63,7 +63,7 @@ pub(crate) fn tables(root: &Section, document: &mut Document) -> Result<(), File
 }
 
 /// Says a syntax error in the words of someone who does not know the grammar, where that is common.
-pub(crate) fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
+pub fn not_toml(source: &Source, error: &toml_edit::TomlError) -> FileError {
     let span = error.span().unwrap_or(0..0);
     let found = source.text.get(span.clone()).unwrap_or_default();
     let message = match error.message() {

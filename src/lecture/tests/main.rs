@@ -10,5 +10,4 @@ mod grading;
 mod lines;
 mod mistakes;
 
-
 use common::seed::config;

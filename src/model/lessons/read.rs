@@ -21,9 +21,9 @@ use crate::model::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::fields::{Field, Section, Source};
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
 use pinhole_exchange::scene_file::{TABLES, not_toml, tables};
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;

@@ -14,7 +14,7 @@ use crate::ui::action::{Action, MadeUp, ObjectMove, Observe};
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::panels::objects;
 use crate::view::derive::Deriver;
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
 /// times nearer.

@@ -10,7 +10,7 @@ use crate::grades::{AnswersAtHand, AnswersFile};
 use crate::model::session::ViewLayout;
 use crate::ui::action::Action;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, answers};
 
 /// No larger file is graded in the window: two million answers, which take some seconds.

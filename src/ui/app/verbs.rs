@@ -212,7 +212,7 @@ fn object(document: &Document, index: usize) -> Verb {
 
 /// A file that was opened lately.
 fn recent(path: &std::path::Path) -> Verb {
-    use pinhole_exchange::scene_file::argument::SceneSource;
+    use pinhole_exchange::scenes::SceneSource;
     Verb {
         group: Group::File,
         name: format!("open {}", path.display()).into(),

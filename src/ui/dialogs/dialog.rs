@@ -7,7 +7,7 @@ use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
 use super::export::ExportForm;
 use crate::ui::action::Action;
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// The dialog that is open.
 #[derive(Clone, Debug, PartialEq)]

@@ -16,8 +16,8 @@ use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
 use crate::ui::scene::compare;
 use crate::view::derivation::Markup;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// What the history would undo and redo.
 pub(crate) struct Steps<'a> {

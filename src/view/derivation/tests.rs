@@ -2,7 +2,7 @@ use expect_test::{Expect, expect};
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel};
 
 use super::*;
-use pinhole_exchange::scene_file::argument::SceneSource;
+use pinhole_exchange::scenes::SceneSource;
 
 /// A built-in scene's ledger.
 fn document(scene: &str) -> Document {
@@ -266,7 +266,7 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
 
 #[test]
 fn nothing_is_no_number() {
-    for scene in pinhole_exchange::scene_file::builtin::all() {
+    for scene in pinhole_exchange::scenes::builtin::all() {
         let document = document(scene.name);
         for selection in [WARM_UP, Selection::Pixel(Pixel { row: 0, column: 0 })] {
             let text = of(&document, selection, 17, false).to_string();

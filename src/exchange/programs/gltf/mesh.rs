@@ -177,7 +177,7 @@ fn sphere() -> Shape {
     Shape { points, triangles }
 }
 
-/// From -1 to 1 in x and y.
+/// A square from -1 to 1 in x and y.
 fn square() -> Shape {
     let points = vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
     Shape { points, triangles: vec![[0, 1, 2], [0, 2, 3]] }

@@ -228,7 +228,7 @@ fn node_of_camera(
     Ok(Some(taken))
 }
 
-/// Which nodes are in the scene that is shown: the one of number `scene`, else the first one; all where
+/// Marks the nodes of the scene that is shown: the one of number `scene`, else the first one; all where
 /// there are no scenes.
 fn shown(root: &Node, nodes: &[Node]) -> Result<Vec<bool>, FileError> {
     let Some(scenes) = root.get("scenes") else { return Ok(vec![true; nodes.len()]) };

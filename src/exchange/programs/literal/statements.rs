@@ -13,9 +13,9 @@ pub(crate) struct Statement<'t> {
     pub(crate) target: &'t str,
     /// Function that is called; empty where nothing is.
     pub(crate) called: &'t str,
-    /// Whether `new` stands before the call.
+    /// True where `new` stands before the call.
     pub(crate) is_new: bool,
-    /// What stands between the commas.
+    /// Arguments of the call, or values.
     pub(crate) arguments: Vec<Argument<'t>>,
 }
 
@@ -30,7 +30,7 @@ pub(crate) struct Argument<'t> {
     pub(crate) numbers: Option<Vec<f64>>,
     /// The angle in degrees, where `radians(...)` stands around it.
     pub(crate) degrees: Option<f64>,
-    /// Whether it is a quotient such as 4 / 3, which is 1 in C.
+    /// True for a quotient such as 4 / 3, which is 1 in C.
     pub(crate) divides_whole: bool,
 }
 
@@ -42,7 +42,7 @@ const MAKERS: [&str; 10] = [
 /// Functions that take an angle in degrees to radians.
 const RADIANS: [&str; 4] = ["radians", "deg2rad", "degToRad", "DegToRad"];
 
-/// What may stand before the name of a variable.
+/// Words that may stand before the name of a variable.
 const DECLARATIONS: [&str; 8] =
     ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
 
@@ -159,7 +159,7 @@ impl<'t> Reader<'_, 't> {
         self.peek().is_none().then_some(made)
     }
 
-    /// What stands in the brackets of a call.
+    /// Reads the arguments in the brackets of a call.
     fn call(&mut self) -> Option<Vec<Argument<'t>>> {
         let mut arguments = Vec::new();
         if !self.takes(Kind::Open) {
@@ -174,7 +174,7 @@ impl<'t> Reader<'_, 't> {
         Some(arguments)
     }
 
-    /// What stands up to a comma, a bracket that closes, or the end.
+    /// Reads an argument, up to a comma, a bracket that closes, or the end.
     fn argument(&mut self) -> Argument<'t> {
         let start = self.next;
         let mut argument = Argument { at: self.at(start), ..Argument::default() };

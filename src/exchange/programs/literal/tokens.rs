@@ -104,7 +104,7 @@ fn closing(open: char) -> char {
 
 /// Length of the comment with which a text begins; 0 without one.
 fn comment(text: &str) -> usize {
-    /// What a preprocessor leaves out cannot be told without running it.
+    /// Directives by which lines are left out, which cannot be told without running them.
     const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
     let is_directive = DIRECTIVES.iter().any(|directive| text.starts_with(directive));
     if text.starts_with("//") || (text.starts_with('#') && !is_directive) {

@@ -12,15 +12,15 @@ use crate::programs::affine::Affine;
 
 pub(super) struct File<'a, 'x> {
     text: &'a Text<'a>,
-    /// What `$name` stands for.
+    /// Values of `$name`.
     defaults: HashMap<&'x str, String>,
-    /// What has an id.
+    /// Elements by their id.
     ids: HashMap<&'x str, Node<'x, 'x>>,
     /// Before version 2, names were written as `toWorld`.
     pub(super) is_old: bool,
 }
 
-/// No value and no name of a default is longer.
+/// Maximum length of a value, and of a default's name.
 const LONGEST: usize = 4096;
 const LONGEST_NAME: usize = 64;
 
@@ -159,7 +159,7 @@ impl<'a, 'x> File<'a, 'x> {
         }
     }
 
-    /// By x, y and z, each 0 where it is left out, or by one value.
+    /// Reads a point by x, y and z, each 0 where it is left out, or by one value.
     pub(super) fn point(&self, node: Node<'x, 'x>) -> Result<DVec3, FileError> {
         if node.has_attribute("value") {
             return self.vector(node, "value");

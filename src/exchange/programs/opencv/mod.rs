@@ -86,7 +86,7 @@ pub(super) fn viewport_of(
     Viewport { width, height, distance }
 }
 
-/// What is said of a principal point that is not in the middle.
+/// Notes a principal point that is not in the middle.
 pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: &mut Vec<String>) {
     let [right, down] = k.off_centre(image);
     if right.abs().max(down.abs()) > 1e-9 * f64::from(image.width().max(image.height())) {
@@ -99,7 +99,7 @@ pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: 
     }
 }
 
-/// From R's rows and t, in OpenCV's axes.
+/// Returns the pose by R's rows and t, in OpenCV's axes.
 pub(super) fn stance([x, y, z]: [DVec3; 3], t: DVec3) -> Stance {
     // eye = -R^T t
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);

@@ -47,7 +47,7 @@ pub(super) fn claims(text: &str) -> bool {
         || any(&K_NAMES, &|_| true) && (any(&R_NAMES, &|_| true) || any(&VECTOR_NAMES, &|_| true))
 }
 
-/// What stands behind a name and its `=` or `:`.
+/// Finds the texts behind a name and its `=` or `:`.
 fn given<'t>(text: &'t str, name: &str) -> impl Iterator<Item = &'t str> {
     let is_of_name = |c: char| c.is_alphanumeric() || matches!(c, '_' | '.');
     let length = name.len();
@@ -81,7 +81,7 @@ impl Reader<'_, '_> {
         FileError::of_file(self.text.path, format!("{name} is missing: {right}"))
     }
 
-    /// What one of these names is given, of one of these counts of numbers.
+    /// Returns the value that one of these names is given, of one of these counts of numbers.
     ///
     /// # Errors
     /// Where one is given by no numbers, where none has so many, and where two are given.

@@ -45,14 +45,14 @@ const WITH_PARAMETERS: [&str; 27] = [
 
 const MOTION: &str = "motion is left out: everything stands as when the shutter opens";
 
-/// What the attributes hold.
+/// Attributes in force.
 #[derive(Clone, Copy)]
 struct State {
-    /// From the world to the camera, or from an object to the world.
+    /// Map from the world to the camera, or from an object to the world.
     transform: Affine,
     /// `LookAt`'s three, where nothing but a mirror stands beside it.
     look_at: Option<[DVec3; 3]>,
-    /// Whether transformations go for the time when the shutter opens.
+    /// True where transformations go for the time when the shutter opens.
     at_start: bool,
     paint: Paint,
 }
@@ -75,7 +75,7 @@ impl State {
     }
 }
 
-/// What is known of the scene so far.
+/// The scene as far as it is read.
 #[derive(Default)]
 struct Found<'t> {
     look_at: Option<[DVec3; 3]>,
@@ -89,7 +89,7 @@ struct Found<'t> {
     /// `AttributeBegin` and the like that are not ended,
     /// and whether each is an `ObjectBegin`.
     saved: Vec<(State, bool)>,
-    /// How many of them are: what is in those stands nowhere by itself.
+    /// Number of open `ObjectBegin`s: what is in those stands nowhere by itself.
     objects: usize,
     notes: Vec<String>,
 }
@@ -107,15 +107,15 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     found.finish(text, at_hand)
 }
 
-/// What a directive does to the current transformation.
+/// A change of the current transformation by a directive.
 struct Step {
     map: Affine,
     look_at: Option<[DVec3; 3]>,
-    /// Whether the map takes the current one's place.
+    /// True where the map takes the current one's place.
     is_whole: bool,
 }
 
-/// From the world to the camera.
+/// Returns the map from the world to the camera.
 fn look_at([eye, at, up]: [DVec3; 3]) -> Option<Affine> {
     let z = (at - eye).try_normalize()?;
     let x = up.cross(z).try_normalize()?;
@@ -123,7 +123,7 @@ fn look_at([eye, at, up]: [DVec3; 3]) -> Option<Affine> {
 }
 
 impl<'t> Found<'t> {
-    /// What a directive does to the current transformation; `None` of one that does nothing.
+    /// Returns a directive's change of the current transformation; `None` of one that changes nothing.
     fn step(
         &self,
         reader: &mut Reader<'t>,

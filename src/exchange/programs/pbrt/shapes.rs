@@ -10,10 +10,10 @@ use crate::programs::affine::Affine;
 use crate::programs::left_out::LeftOut;
 use crate::programs::sheet::{byte_of_light, n};
 
-/// What a material says of its colour.
+/// A material's colour, as far as it gives one.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Paint {
-    /// No material was given.
+    /// Colour of a shape without a material.
     Unsaid,
     Plain([u8; 3]),
     /// A texture, a spectrum, a metal.
@@ -99,7 +99,7 @@ impl<'t> Shapes<'t> {
         self.spheres.push(Item { name: None, color, shape });
     }
 
-    /// What was left out.
+    /// Notes what was left out.
     pub(super) fn tell(&self, notes: &mut Vec<String>) {
         if self.faults.0 > 0 {
             notes.push(format!("{} of sphere left out: {}", self.faults.0, self.faults.1));

@@ -17,7 +17,7 @@ pub(super) enum Token<'t> {
     Close,
 }
 
-/// What follows a directive: its string, as a shape's kind, and the values by name.
+/// A directive's string, as a shape's kind, and its values by name.
 pub(super) struct Parameters<'t> {
     pub(super) kind: Option<&'t str>,
     values: HashMap<&'t str, (&'t str, Vec<Token<'t>>)>,

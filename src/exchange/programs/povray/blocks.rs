@@ -74,11 +74,11 @@ struct Shot<'t> {
     inside: Piece<'t>,
     /// The name that it is declared by.
     name: Option<&'t str>,
-    /// What is not worked out and decides whether it counts.
+    /// Condition that is not worked out and decides whether it counts.
     under: Option<Piece<'t>>,
 }
 
-/// What stands in a scene under no other block, each block as what is in its braces.
+/// Blocks of a scene that stand in no other one, each as the text in its braces.
 #[derive(Default)]
 pub(super) struct Blocks<'t> {
     cameras: Vec<Shot<'t>>,
@@ -235,7 +235,7 @@ impl<'t> Blocks<'t> {
         Err(code.fault("camera", trimmed(shot.inside), "it is declared by too many other names"))
     }
 
-    /// What is left out because of where or what it is.
+    /// Notes the blocks that are left out because of where or what they are.
     pub(super) fn left_out(&self, notes: &mut Vec<String>) {
         self.others.tell(notes);
         if self.is_declared {

@@ -3,23 +3,23 @@
 use super::source::{Code, Piece, split};
 use super::values::{OPENING, Values};
 
-/// What `#if` and the like make of what stands behind them.
+/// State of a branch of `#if` and the like.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Branch {
     Taken,
     Skipped,
-    /// By what is not worked out here.
+    /// Depends on a condition that is not worked out here.
     Open,
 }
 
 /// A directive that is not ended.
 struct Begun<'t> {
     branch: Branch,
-    /// Whether this branch or one before it is taken.
+    /// True once this branch or one before it is taken.
     was_taken: bool,
-    /// What is in its brackets, or its word where it has none.
+    /// Text in its brackets, or its word where it has none.
     condition: Piece<'t>,
-    /// What a `#switch` is on, where it is one.
+    /// Value of a `#switch`, where it is one.
     switch: Option<Option<f64>>,
 }
 
@@ -29,7 +29,7 @@ pub(super) struct Branches<'t> {
     begun: Vec<Begun<'t>>,
     skipped: usize,
     open: Vec<Piece<'t>>,
-    /// Which of them `#break` leaves.
+    /// Indices of those that `#break` leaves.
     left_by_break: Vec<usize>,
 }
 

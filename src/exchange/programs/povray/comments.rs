@@ -25,7 +25,7 @@ pub(super) fn without_comments(text: &str) -> String {
     plain + rest
 }
 
-/// How long the block comment is with which a text begins.
+/// Returns the length of the block comment with which a text begins.
 fn block(text: &str) -> usize {
     let (mut depth, mut at) = (0_usize, 0);
     while let Some(next) = text[at..].find(['/', '*']) {

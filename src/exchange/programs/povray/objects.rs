@@ -11,7 +11,7 @@ use crate::programs::affine::Affine;
 use crate::programs::back::{readable, settled};
 use crate::programs::sheet::byte_of_light;
 
-/// What is read of a scene's objects.
+/// Reader of a scene's objects.
 pub(super) struct Objects<'c, 't> {
     code: &'c Code<'c>,
     values: &'c Values<'t>,
@@ -42,7 +42,7 @@ impl<'c, 't> Objects<'c, 't> {
         readable(blocks.planes.iter().map(|block| self.plane(*block)), "plane", notes)
     }
 
-    /// What is said of colours that are there and could not be read.
+    /// Notes colours that are there and could not be read.
     pub(super) fn colors(&self, notes: &mut Vec<String>) {
         if self.unpainted > 0 {
             notes.push(format!(
@@ -129,8 +129,8 @@ impl<'c, 't> Objects<'c, 't> {
         }
     }
 
-    /// Where what follows an object's numbers puts it, one step after the other; of what stands in so many
-    /// `transform { ... }`.
+    /// Returns the map that an object's modifiers make, one step after the other; `depth` counts the
+    /// `transform { ... }` around them.
     fn steps(&self, modifiers: Piece, depth: usize) -> Result<Affine, FileError> {
         const DEEPEST: usize = 8;
         const RIGHT: &str = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix \
@@ -212,7 +212,7 @@ fn light(value: &Value) -> Option<[f64; 3]> {
     }
 }
 
-/// What stands behind a word, up to the next one.
+/// Returns the text behind a word, up to the next one.
 fn given<'p>(code: &Code, open: Piece<'p>) -> Piece<'p> {
     let end = match code.bracketed(open) {
         Some(inside) => inside.text.len() + 2,
@@ -238,7 +238,7 @@ fn rotation(degrees: DVec3) -> Affine {
         .fold(Affine::IDENTITY, |before, turn| turn.of(&before))
 }
 
-/// Where x, y, z and the origin come to lie.
+/// Returns the map that takes x, y, z and the origin to these places.
 fn matrix(m: &[f64]) -> Option<Affine> {
     let row = |k: usize| DVec3::new(m[k], m[k + 1], m[k + 2]);
     (m.len() == 12).then(|| Affine { x: row(0), y: row(3), z: row(6), at: row(9) })

@@ -10,7 +10,7 @@ use crate::FileError;
 use crate::programs::back::{Mirrored, Stance, image_of, image_of_aspect, settled, size_taken};
 use crate::programs::{Taken, Text};
 
-/// What a camera of ours has.
+/// Words of a pinhole camera.
 const OWN: [&str; 8] =
     ["perspective", "location", "right", "up", "direction", "sky", "look_at", "angle"];
 
@@ -25,17 +25,17 @@ const OTHER_PROJECTIONS: [&str; 7] = [
     "spherical",
 ];
 
-/// What moves a camera as a whole.
+/// Words that move a camera as a whole.
 const MOVES: [&str; 5] = ["rotate", "translate", "scale", "matrix", "transform"];
 
-/// What blurs, as a lens does.
+/// Words that blur, as a lens does.
 const BLUR: [&str; 6] =
     ["aperture", "focal_point", "blur_samples", "confidence", "variance", "bokeh"];
 
-/// What bends the rays.
+/// Word that bends the rays.
 const BENT: &str = "normal";
 
-/// What may stand in a camera, after whose value the next one begins.
+/// Returns the words that may stand in a camera, each with its value behind it.
 fn camera_words() -> impl Iterator<Item = &'static str> {
     let lists: [&[&str]; 5] = [&OWN, &OTHER_PROJECTIONS, &MOVES, &BLUR, &[BENT]];
     lists.into_iter().flatten().copied()
@@ -119,7 +119,7 @@ fn by_ratio<'t>(
     Ok((view, at_hand, values))
 }
 
-/// What follows a word of a camera, up to the next one.
+/// Returns the value of a word of a camera: the text up to the next one.
 fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     let at = *words(camera, word).last()?;
     let rest = camera.from(at + word.len());
@@ -127,7 +127,7 @@ fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     Some(trimmed(Piece { text: &rest.text[..next.unwrap_or(rest.text.len())], ..rest }))
 }
 
-/// What a camera says.
+/// Values of a camera.
 struct View {
     location: DVec3,
     right: DVec3,
@@ -204,7 +204,7 @@ impl View {
         self.right.length() / self.up.length()
     }
 
-    /// As POV-Ray turns the camera towards `look_at`: right, up and direction keep their lengths, and
+    /// Turns the camera towards `look_at` as POV-Ray does: right, up and direction keep their lengths, and
     /// the camera its handedness.
     fn frame(&self) -> Frame {
         let View { right, up, direction, .. } = *self;

@@ -13,7 +13,7 @@ pub(super) struct Code<'a> {
     path: &'a Path,
     text: &'a str,
     plain: String,
-    /// Where each bracket opens and closes, in order.
+    /// Places where each bracket opens and closes, in order.
     brackets: Vec<(usize, usize)>,
 }
 
@@ -57,12 +57,12 @@ impl<'a> Code<'a> {
         FileError::of_file(self.path, format!("{field} is missing: {right}"))
     }
 
-    /// Of axes that are no rotation.
+    /// Returns the error of axes that are no rotation.
     pub(super) fn rotation(&self, field: &str, right: &str) -> FileError {
         FileError::of_file(self.path, format!("{field} is no rotation: {right}"))
     }
 
-    /// What stands between the bracket with which the piece begins and the one that closes it.
+    /// Returns the text between the bracket with which the piece begins and the one that closes it.
     pub(super) fn bracketed<'t>(&self, piece: Piece<'t>) -> Option<Piece<'t>> {
         let found = self.brackets.binary_search_by_key(&piece.at, |(open, _)| *open).ok()?;
         let end = self.brackets[found].1 - piece.at;
@@ -122,7 +122,7 @@ pub(super) fn split(piece: Piece) -> Vec<Piece> {
     parts
 }
 
-/// Where each bracket opens and closes, in order, in one pass over the text.
+/// Finds where each bracket opens and closes, in order, in one pass over the text.
 fn matched(text: &str) -> Vec<(usize, usize)> {
     let mut open: Vec<(u8, usize)> = Vec::new();
     let mut pairs = Vec::new();
@@ -146,12 +146,12 @@ fn matched(text: &str) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// Whether a word goes on with it: letters, digits and `_`.
+/// Returns true for what a word is made of: letters, digits and `_`.
 pub(super) fn is_of_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// Where a word stands that is no part of a longer one.
+/// Finds a word where it is no part of a longer one.
 pub(super) fn words(within: Piece, word: &str) -> Vec<usize> {
     let text = within.text;
     let alone = |at: &usize| {

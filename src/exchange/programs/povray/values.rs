@@ -32,7 +32,7 @@ const DEEPEST: usize = 32;
 /// One number, or those of a vector or colour.
 pub(super) type Value = Vec<f64>;
 
-/// How a name is declared.
+/// Declaration of a name.
 #[derive(Clone, Copy)]
 enum Declared<'t> {
     Once(Piece<'t>),
@@ -89,17 +89,17 @@ impl<'t> Values<'t> {
         Values { names, image, known: RefCell::default() }
     }
 
-    /// The same names, where the image has this size.
+    /// Returns the names with their values where the image has this size.
     pub(super) fn with_image(self, image: ImageSize) -> Values<'t> {
         Values { image, known: RefCell::default(), ..self }
     }
 
-    /// Whether it is a name that comes to no one value.
+    /// Returns true for a name that has more than one value.
     pub(super) fn is_changed(&self, name: &str) -> bool {
         matches!(self.names.get(name), Some(Declared::Changed))
     }
 
-    /// What an expression comes to, if it is one and nothing else.
+    /// Evaluates a piece that is one expression and nothing else.
     pub(super) fn whole(&self, piece: Piece) -> Option<Value> {
         let (value, rest) = self.prefix(piece)?;
         after_spaces(rest).text.is_empty().then_some(value)
@@ -116,7 +116,7 @@ impl<'t> Values<'t> {
         vector(&self.whole(piece)?)
     }
 
-    /// Whether a condition holds: a number that is not 0, or two that are compared. Angle brackets
+    /// Evaluates a condition: a number that is not 0, or two that are compared. Angle brackets
     /// stand in it as square ones.
     pub(super) fn condition(&self, piece: Piece) -> Option<bool> {
         let (left, rest) = self.prefix(piece)?;
@@ -138,7 +138,7 @@ impl<'t> Values<'t> {
         })
     }
 
-    /// What the expression with which a piece begins comes to, and what follows it.
+    /// Evaluates the expression with which a piece begins, and returns what follows it too.
     pub(super) fn prefix<'p>(&self, piece: Piece<'p>) -> Option<(Value, Piece<'p>)> {
         let mut reader = Reader { values: self, rest: piece.text, depth: DEEPEST };
         let value = reader.sum()?;
@@ -178,7 +178,7 @@ pub(super) fn word_of(piece: Piece) -> Piece {
     Piece { text: &piece.text[..end], ..piece }
 }
 
-/// What follows every `#` that stands in no string.
+/// Finds the text behind every `#` that stands in no string.
 fn directives<'t>(code: &'t Code) -> impl Iterator<Item = Piece<'t>> {
     let mut rest = code.whole();
     std::iter::from_fn(move || {
@@ -372,7 +372,7 @@ fn function(name: &str, given: &[Value]) -> Option<Value> {
     number.is_finite().then(|| vec![number])
 }
 
-/// Whether a word stands anywhere in a piece.
+/// Returns true where a word stands anywhere in a piece.
 pub(super) fn has(piece: Piece, word: &str) -> bool {
     !words(piece, word).is_empty()
 }

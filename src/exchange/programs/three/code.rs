@@ -18,10 +18,10 @@ pub(super) fn claims(text: &str) -> bool {
     text.match_indices("PerspectiveCamera").any(|(at, _)| is_made(at))
 }
 
-/// What the statements give.
+/// Values that the statements give.
 #[derive(Default)]
 struct Given<'t> {
-    /// What the camera is called.
+    /// Name of the camera.
     name: Option<&'t str>,
     /// fov in degrees, and aspect.
     lens: Option<(f64, f64)>,

@@ -83,7 +83,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     Ok(Written::of("scene.json", Sheet::of(&text), notes))
 }
 
-/// What stands for the objects.
+/// Meshes that stand for the objects.
 #[derive(Default)]
 struct Things {
     geometries: Vec<String>,

@@ -37,8 +37,8 @@ use crate::model::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 use crate::model::translator::Target;
 use crate::ui::action::{Action, GhostMove, PlayMove, Switch};
 use crate::view::derivation::Markup;
-use pinhole_exchange::scene_file::argument::SceneSource;
-use pinhole_exchange::scene_file::builtin;
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::scenes::builtin;
 
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]

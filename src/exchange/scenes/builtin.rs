@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use crate::{FileError, scene_file, suggest};
 use crate::document::Document;
+use crate::{FileError, scene_file, suggest};
 
 /// A scene that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Builtin {
-    /// What it is opened by.
+    /// Name that it is opened by.
     pub name: &'static str,
     /// Its file: a scene file.
     pub text: &'static str,
@@ -24,7 +24,7 @@ macro_rules! scenes {
     };
 }
 
-/// In the lecture's order: the canonical camera, what may change about it, then where numbers get
+/// Built-in scenes in the lecture's order: the canonical camera, what may change about it, then where numbers get
 /// difficult.
 const ALL: &[Builtin] = scenes![
     "canonical",

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::builtin::{self, Builtin};
-use crate::{FileError, scene_file};
 use crate::document::Document;
+use crate::{FileError, scene_file};
 
-/// Where a scene comes from.
+/// Origin of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SceneSource {
     /// A scene file.
