@@ -5,7 +5,6 @@ use std::time::Duration;
 use egui::{Context, Key, Vec2};
 
 use super::App;
-use crate::model::session::ViewLayout;
 use crate::ui::frame_times::{FrameWork, WorkTimes};
 use crate::view::adaptive_resolution::{Coarseness, Governor, REST};
 
