@@ -12,19 +12,19 @@ use crate::model::overlay_items::Item;
 pub enum Shape {
     /// A chain of straight lines; closed if it ends where it began.
     Line {
-        /// Its corners.
+        /// The corners.
         points: Vec<[f32; 2]>,
         /// Width in dots.
         width: f32,
     },
     /// A filled polygon.
     Polygon {
-        /// Its corners.
+        /// The corners.
         points: Vec<[f32; 2]>,
     },
     /// A filled disc.
     Disc {
-        /// Its centre.
+        /// The centre.
         center: [f32; 2],
         /// Radius in dots.
         radius: f32,
@@ -38,9 +38,9 @@ pub struct Mark {
     pub item: Item,
     /// The concept that is hovered when the pointer is on this mark.
     pub thing: Option<Thing>,
-    /// Its shape and position.
+    /// The shape and position.
     pub shape: Shape,
-    /// Its colour.
+    /// The colour.
     pub color: Color32,
     /// A casing around it, so that it stands out from what it crosses.
     pub halo: Option<Color32>,
@@ -57,9 +57,9 @@ pub struct Label {
     pub item: Item,
     /// The middle of the text, in dots.
     pub position: [f32; 2],
-    /// Its text.
+    /// The text.
     pub text: String,
-    /// Its colour.
+    /// The colour.
     pub color: Color32,
     /// The colour of a soft edge around the letters.
     pub halo: Color32,
@@ -85,7 +85,7 @@ pub struct Drawing {
 pub struct Target {
     /// The concept.
     pub thing: Thing,
-    /// Its shape, in dots.
+    /// The shape, in dots.
     pub shape: Shape,
 }
 

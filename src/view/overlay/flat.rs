@@ -120,7 +120,7 @@ impl Flat {
 
     /// Computes a part of a row of dots at once: the result of [`Flat::at`] for each dot of the
     /// span, and the share of it that grid lines cover. The loops over `f32` are plain so that the
-    /// compiler vectorizes them.
+    /// compiler vectorises them.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,

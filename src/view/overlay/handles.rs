@@ -16,7 +16,7 @@ pub struct Handles {
     pub marks: Vec<HandleMark>,
     /// Arrows that are drawn only for their handles: the normals of planes.
     pub stems: Vec<[DVec3; 2]>,
-    /// The guides of the hovered handle.
+    /// The guides of the hovered or held handle.
     pub guides: Vec<Guide>,
     /// Length of the basis arrows in the world, while one of them is held.
     pub arrow: Option<f64>,
@@ -27,11 +27,11 @@ pub struct Handles {
 /// A handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandleMark {
-    /// Its position in the world.
+    /// The position in the world.
     pub at: DVec3,
-    /// Its form.
+    /// The form.
     pub knob: Knob,
-    /// Its state: plain, hovered or held.
+    /// The state: plain, hovered or held.
     pub state: KnobState,
 }
 
@@ -91,7 +91,7 @@ const LARGE: f64 = 10.0;
 /// Distance from the edge to the empty middle, in points.
 const RIM: f64 = 2.4;
 
-/// Returns the world length that covers so many points on the screen at a point; 0 where it is not
+/// Returns the world length that covers `points` points on the screen at a point; 0 where it is not
 /// seen.
 pub fn length_of_points(observer: &PosedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     of_points(observer, at, (points, points), scale)

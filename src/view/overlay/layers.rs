@@ -69,7 +69,7 @@ const HALF_VIEWPORT: f64 = 0.5;
 const SEEN_THROUGH: f32 = 0.25;
 
 impl<'a> PictureLookup<'a> {
-    /// Returns `None` for an incomplete picture and for one of another image.
+    /// Builds the table; returns `None` if the picture is incomplete or of another image.
     pub(crate) fn new(picture: &'a Picture, image: ImageSize) -> Option<Self> {
         if !picture.is_whole() || picture.image != image {
             return None;

@@ -10,7 +10,7 @@ use crate::view::overlay::drawing::Drawing;
 use crate::view::overlay::path::{Ink, Outline, Path};
 
 /// Rows of dots that are painted at a time. The number does not depend on the number of threads, so
-/// the dots do not, either.
+/// neither do the dots.
 const BAND: usize = 128;
 
 impl Drawing {

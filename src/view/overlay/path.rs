@@ -6,7 +6,7 @@ use egui::Color32;
 
 use crate::view::overlay::drawing::{Drawing, Mark, Shape};
 
-/// Width of a mark's casing on each side, in points; and its greatest width as a share of a line's.
+/// Width of a mark's casing on each side, in points; and its greatest share of a line's width.
 const HALO_WIDTH: f32 = 1.25;
 const HALO_SHARE: f32 = 0.5;
 
@@ -29,16 +29,16 @@ pub struct Path<'a> {
 pub enum Outline<'a> {
     /// A chain of straight lines.
     Chain {
-        /// Its corners.
+        /// The corners.
         points: Cow<'a, [[f32; 2]]>,
         /// True if the last corner is joined to the first.
         closed: bool,
     },
     /// A circle.
     Circle {
-        /// Its centre.
+        /// The centre.
         center: [f32; 2],
-        /// Its radius.
+        /// The radius.
         radius: f32,
     },
 }
