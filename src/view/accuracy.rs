@@ -1,34 +1,35 @@
-//! What another method gets wrong in a picture: pixel by pixel against the ladder, and as colours.
-//! Pure.
+//! Error maps: another method's picture compared with the ladder's, pixel by pixel, and in colours.
+//! This module is pure.
 
 use egui::Color32;
 use pinhole_core::methods::Traced;
 use pinhole_core::{Frame, NO_OBJECT, Raster};
 
-/// How one pixel's answer compares with the truth.
+/// The error of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PixelError {
-    /// Nothing is hit, and the method says so.
+    /// The ray hits nothing, and the method agrees.
     Miss,
-    /// The right object, and t so many ulps of `f64` off.
+    /// The object is right; the value is the error of t in ulps of `f64`.
     Ulps(f64),
-    /// Another object, a hit that is none, or a miss that is none.
+    /// The method finds another object, a false hit or a false miss.
     Wrong,
 }
 
-/// A method's picture against the truth.
+/// A method's picture compared with the truth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
-    /// Of every pixel of the raster, row by row.
+    /// The error of every pixel of the raster, row by row.
     pub errors: Vec<PixelError>,
-    /// How many pixels are wrong.
+    /// Number of wrong pixels.
     pub wrong: usize,
-    /// The largest error in t where the object is right, in ulps of `f64`; `None` without any.
+    /// Largest error in t where the object is right, in ulps of `f64`; `None` if there is no such
+    /// pixel.
     pub largest: Option<f64>,
 }
 
 impl Comparison {
-    /// Compares what the same raster holds by the ladder and by another method.
+    /// Compares the ladder's answers with another method's on the same raster.
     pub fn new(truth: &Frame, traced: &Traced) -> Comparison {
         let hits = truth.object.iter().zip(&truth.t).zip(traced.object.iter().zip(&traced.t));
         let errors: Vec<PixelError> =
@@ -55,22 +56,22 @@ fn error_of(object: u32, t: f64, by: u32, t_by: f64) -> PixelError {
     PixelError::Ulps((t_by - t).abs() / ulp(t))
 }
 
-/// The distance from a positive number to the next `f64`.
+/// Returns the distance from a positive number to the next `f64`.
 fn ulp(t: f64) -> f64 {
     (t.next_up() - t).max(f64::from_bits(1))
 }
 
-/// Where the colours end, in powers of ten of an ulp of `f64`: no digit of t is right.
+/// Upper end of the colour scale, in powers of ten of an ulp of `f64`: no digit of t is right.
 pub(crate) const DECADES: f64 = 16.0;
 
-/// Pixels where nothing is hit.
+/// Colour of pixels where nothing is hit.
 const NOTHING: Color32 = Color32::from_rgb(0x2a, 0x2d, 0x33);
 
-/// Wrong pixels, in the map and in its legend.
+/// Colour of wrong pixels, in the map and in its legend.
 pub(crate) const WRONG: Color32 = Color32::from_rgb(0xff, 0x2d, 0x55);
 
-/// Viridis (van der Walt and Smith 2015): even steps for every eye, and darker is less also without
-/// colours.
+/// The colour map Viridis (van der Walt and Smith 2015): perceptually uniform, also for
+/// colour-blind viewers, and of increasing brightness.
 const VIRIDIS: [[u8; 3]; 10] = [
     [68, 1, 84],
     [72, 40, 120],
@@ -84,7 +85,7 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [253, 231, 37],
 ];
 
-/// The colour of an error: one ulp or less is the darkest, no right digit the brightest.
+/// Returns the colour of an error: the darkest up to one ulp, the brightest if no digit is right.
 pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     let share = (ulps.max(1.0).log10() / DECADES).clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
     let index = (share as usize).min(VIRIDIS.len() - 2);
@@ -96,7 +97,7 @@ pub(crate) fn color_of_ulps(ulps: f64) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The map's colours, a pixel of the raster each.
+/// Returns the map's colours, one for each pixel of the raster.
 pub(crate) fn colors(comparison: &Comparison) -> Vec<Color32> {
     let color = |error: &PixelError| match error {
         PixelError::Miss => NOTHING,
@@ -106,11 +107,11 @@ pub(crate) fn colors(comparison: &Comparison) -> Vec<Color32> {
     comparison.errors.iter().map(color).collect()
 }
 
-/// The least size of a mark, in points: seen from the back row also where a pixel is a dot.
+/// Least size of a mark, in points: visible from the back row even if a pixel is one dot.
 const MARK: f32 = 5.0;
 
-/// Marks the wrong pixels in a buffer of `width` dots a row that shows all of the raster: squares
-/// with a white edge, so that they are told from colours by shape too.
+/// Marks the wrong pixels in a buffer of `width` dots a row that shows the whole raster. The marks
+/// are squares with a white edge, so that they differ from the map by shape, too.
 pub(crate) fn mark_wrong(
     comparison: &Comparison,
     raster: &Raster,
@@ -136,7 +137,8 @@ pub(crate) fn mark_wrong(
             (rows, across(index % columns, columns, width))
         })
         .collect();
-    // All edges first: where many are wrong, they leave one area with one edge.
+    // All edges are painted first: where many pixels are wrong, the marks merge into one area with
+    // one edge.
     for (grow, color) in [(edge, Color32::WHITE), (0, WRONG)] {
         for ((top, bottom), (left, right)) in &marks {
             let columns = left.saturating_sub(grow)..(right + grow).min(width);

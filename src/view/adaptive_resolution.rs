@@ -1,11 +1,11 @@
-//! How much coarser pictures are while a hand moves them than they could be: a scene too heavy for a
-//! frame is followed at once with fewer pixels, and shown with all of them as soon as the hand rests.
+//! Adaptive resolution: while something is dragged in a scene too heavy for one frame, pictures are
+//! traced with fewer pixels; as soon as the drag rests, they are traced with all of them.
 
 use std::time::Duration;
 
 use pinhole_core::{ImageSize, Raster};
 
-/// Of how many rows and columns that a view can show one is traced.
+/// The step between traced rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Coarseness(u32);
 
@@ -16,19 +16,19 @@ impl Default for Coarseness {
 }
 
 impl Coarseness {
-    /// Everything that can be shown is traced.
+    /// Full resolution: all pixels that can be shown are traced.
     pub const NONE: Coarseness = Coarseness(1);
 
-    /// One row and column of 8: what moves can still be told.
+    /// Lowest resolution: one row and column in 8 is traced; motion can still be followed.
     pub const MOST: Coarseness = Coarseness(8);
 
-    /// The pixels to trace of an image shown on so many columns and rows of dots.
+    /// Returns the pixels to trace of an image shown on `columns` x `rows` dots.
     pub(crate) fn raster(self, image: ImageSize, [columns, rows]: [u32; 2]) -> Raster {
         let some = |dots: u32, count: u32| dots.min(count).div_ceil(self.0);
         Raster::shown_on(image, some(columns, image.width()), some(rows, image.height()))
     }
 
-    /// What is said on a picture that is coarser than it could be.
+    /// Returns the note on a picture with reduced resolution.
     pub(crate) fn told(self) -> Option<String> {
         let Coarseness(step) = self;
         let ending = match step {
@@ -41,22 +41,23 @@ impl Coarseness {
     }
 }
 
-/// A picture that is traced faster than this leaves time for the rest of a frame at 60 Hz.
+/// Longest time for tracing a picture that leaves time for the rest of a frame at 60 Hz.
 const BUDGET: Duration = Duration::from_millis(8);
 
-/// A finer picture has to fit well, not barely: else it would be coarser again in the next frame.
+/// Greatest share of the budget that a finer picture may take. A share near 1 would make the next
+/// frame coarser again.
 const COMFORT: f64 = 0.6;
 
-/// So many seconds without a move, and the hand rests.
+/// Seconds without a move after which a drag counts as resting.
 pub(crate) const REST: f64 = 0.15;
 
-/// Chooses the coarseness from what the pictures so far took.
+/// Chooses the coarseness from the times of earlier pictures.
 #[derive(Debug)]
 pub(crate) struct Governor {
     budget: Duration,
-    /// For a hand that moves.
+    /// The coarseness during a drag.
     moving: Coarseness,
-    /// When a hand moved last, in seconds.
+    /// Time of the last move, in seconds.
     moved_at: f64,
 }
 
@@ -67,12 +68,12 @@ impl Default for Governor {
 }
 
 impl Governor {
-    /// One that lets pictures take this long while the hand moves.
+    /// Creates a governor with a time budget for pictures during a drag.
     pub(crate) fn within(budget: Duration) -> Governor {
         Governor { budget, ..Governor::default() }
     }
 
-    /// The coarseness now, and whether a hand `moves` just now what is seen.
+    /// Returns the current coarseness; `moves` is true if the view is being moved right now.
     pub(crate) fn now(&mut self, moves: bool, time: f64) -> Coarseness {
         if moves {
             self.moved_at = time;
@@ -80,15 +81,15 @@ impl Governor {
         if self.is_followed(time) { self.moving } else { Coarseness::NONE }
     }
 
-    /// Whether a hand moved not long ago.
+    /// Returns true if something was moved recently.
     pub(crate) fn is_followed(&self, time: f64) -> bool {
         time - self.moved_at < REST
     }
 
-    /// New pictures were traced in this time.
+    /// Takes note of the time in which new pictures were traced.
     pub(crate) fn took(&mut self, coarseness: Coarseness, traced_in: Duration) {
         let step = f64::from(coarseness.0);
-        // Time goes with the pixels, which go with the square of the step; at most, that is.
+        // The time is at most proportional to the number of pixels, and so to 1 / step^2.
         let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
         let next = if share > 1.0 {
             (step * share.sqrt()).ceil()

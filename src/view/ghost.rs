@@ -1,4 +1,4 @@
-//! The camera at hand against the ghost: in numbers and as a map.
+//! Comparison of the edited camera with the ghost: in numbers and as a map.
 
 use egui::Color32;
 use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, PosedCamera, Scene};
@@ -7,24 +7,25 @@ use crate::model::inspection::Inspection;
 use crate::model::session::Selection;
 use pinhole_lecture::mistakes::Seen;
 
-/// The camera at hand against the ghost.
+/// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
-    /// The ghost, with the image that the camera at hand has: pixel by pixel they are compared.
+    /// The ghost, with the edited camera's image, so that they are compared pixel by pixel.
     pub ghost: PosedCamera,
-    /// From the ghost to the camera at hand.
+    /// The difference from the ghost to the edited camera.
     pub difference: CameraDifference,
-    /// How many pixels are shown, and how many of them see another object.
+    /// Number of shown pixels, and of those among them that see another object.
     pub seen: Seen,
-    /// The ghost's ray through the selected place.
+    /// The ghost's ray through the selected position.
     pub inspection: Inspection,
 }
 
 impl AgainstGhost {
-    /// The frames are of the same rows and columns, with the objects that are seen.
+    /// Compares two cameras by their frames, which must have the same rows and columns and contain
+    /// the objects.
     ///
     /// # Errors
-    /// Where one of the cameras has no basis.
+    /// One of the cameras has no basis.
     pub fn new(
         (now, now_frame): (&Camera, &Frame<f32>),
         (then, ghost, ghost_frame): (&Camera, &PosedCamera, &Frame<f32>),
@@ -45,12 +46,12 @@ impl AgainstGhost {
     }
 }
 
-/// What is the same, faded; what the camera sees another object in, dark on that.
+/// Returns the map of differences: equal pixels are pale, pixels that see another object are dark.
 pub(crate) fn difference_map(now: &Frame<f32>, ghost: &Frame<f32>) -> Vec<Color32> {
     let color = |(now, ghost): (&u32, &u32)| match (now == ghost, *now == NO_OBJECT) {
         (true, true) => Color32::from_gray(0xf0),
         (true, false) => Color32::from_gray(0xc4),
-        // Something where the ghost sees nothing, the other way round, and one for another.
+        // An object where the ghost sees none, none where it sees one, and one instead of another.
         (false, _) if *ghost == NO_OBJECT => Color32::from_rgb(0xc8, 0x10, 0x58),
         (false, true) => Color32::from_rgb(0x00, 0x4a, 0x86),
         (false, false) => Color32::from_rgb(0x3a, 0x18, 0x40),

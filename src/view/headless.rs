@@ -1,20 +1,20 @@
-//! Drawing with egui into a picture, without a window.
+//! Headless drawing: draws with egui into a picture, without a window.
 
 use super::painter::Painter;
 use crate::view::typesetting::fonts;
 use egui::epaint::{ClippedPrimitive, ClippedShape};
 use egui::{Color32, LayerId, RawInput, Rect, Vec2, ViewportId};
 
-/// Draws with egui's painter over pixels: text with the window's very fonts and glyphs.
+/// Draws with egui's painter over pixels; text has the same fonts and glyphs as in the window.
 ///
-/// Positions are in points from the left top corner; a picture has `pixels_per_point` pixels to
-/// a point. `pixels` are rows of `size[0]` from the top.
+/// Positions are in points from the top left corner; `pixels_per_point` pixels make up one point.
+/// `pixels` are rows of length `size[0]` from the top.
 ///
 /// ```
 /// use egui::{Align2, Color32, FontId, pos2};
 /// let size = [80, 20];
 /// let mut pixels = vec![Color32::BLACK; size[0] * size[1]];
-/// pinhole::present::headless::draw_text(&mut pixels, size, 1.0, |painter| {
+/// pinhole::view::headless::draw_text(&mut pixels, size, 1.0, |painter| {
 ///     let font = FontId::proportional(14.0);
 ///     painter.text(pos2(2.0, 2.0), Align2::LEFT_TOP, "θ = 45°", font, Color32::WHITE);
 /// });
@@ -28,8 +28,8 @@ pub fn draw_text(
 ) {
     let mut draw = Some(draw);
     draw_ui(pixels, size, pixels_per_point, |ui| {
-        // A pass may be run twice; what the first one drew is then dropped. Nothing here asks
-        // for it.
+        // A pass may run twice; what the first one drew is then dropped. Nothing here requests a
+        // second pass.
         if let Some(draw) = draw.take() {
             draw(&egui::Painter::new(ui.clone(), LayerId::background(), ui.max_rect()));
         }
@@ -48,7 +48,7 @@ pub fn draw_ui(
     Sheet::draw(&ctx, size, pixels_per_point, ui).paint(pixels, size);
 }
 
-/// One pass of a user interface: what it drew, and what is needed to draw that into pixels.
+/// One pass of a user interface: the shapes it drew, and the data to paint them into pixels.
 #[derive(Debug)]
 pub struct Sheet {
     shapes: Vec<ClippedShape>,
@@ -58,8 +58,8 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Runs the first pass of a context, on a screen of so many pixels, of which there are so many to a
-    /// point. Later passes would lack the letters that the first one has.
+    /// Runs the first pass of a context, on a screen of `size` pixels with `pixels_per_point`
+    /// pixels per point. Later passes would lack the glyphs that the first one uploads.
     pub fn draw(
         ctx: &egui::Context,
         size: [usize; 2],
@@ -75,7 +75,7 @@ impl Sheet {
         Sheet { shapes: output.shapes, primitives, painter, pixels_per_point }
     }
 
-    /// What was drawn, in points.
+    /// Returns the drawn shapes, in points.
     pub fn shapes(&self) -> &[ClippedShape] {
         &self.shapes
     }
@@ -86,7 +86,7 @@ impl Sheet {
     }
 }
 
-/// Input without events, for a screen of some pixels.
+/// Returns input without events for a screen of `size` pixels.
 fn input(size: [usize; 2], pixels_per_point: f32) -> RawInput {
     let points = Vec2::new(size[0] as f32, size[1] as f32) / pixels_per_point;
     let mut input = RawInput {

@@ -1,5 +1,5 @@
-//! From the document to what is shown: pure functions of their arguments. [`derive`](mod@derive) puts
-//! them together and remembers what has not changed.
+//! Everything shown, as pure functions of the document and the session. [`derive`](mod@derive)
+//! combines them and remembers what has not changed.
 
 pub mod accuracy;
 pub mod adaptive_resolution;

@@ -1,5 +1,10 @@
+<<<<<<< HEAD
 //! What the plot of f(p + t d) shows: which objects, over which t, each in its own unit, and what is
 //! said of each. Pure; the arithmetic is [`pinhole_lecture`]'s.
+=======
+//! The plot of f(p + t d): its objects, the range of t, each curve's unit, and the description of
+//! each curve. This module is pure; the arithmetic is in [`pinhole_core::lecture`].
+>>>>>>> docs-a
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -11,16 +16,16 @@ use crate::model::inspection::Inspection;
 use crate::model::number::written;
 use crate::model::session::Heights;
 
-/// More curves than this cannot be told apart.
+/// Maximum number of curves that can be told apart.
 pub const MOST: usize = 8;
 
-/// Zeros farther out than so many times the first hit are said in words only.
+/// Distance, in multiples of the first hit's t, beyond which zeros are only described in words.
 const FAR: f64 = 8.0;
 
-/// Values at this many times from one end of the plot to the other.
+/// Number of intervals between the samples of a curve.
 const SAMPLES: usize = 160;
 
-/// Of each curve t and height, by ascending t.
+/// The samples (t, height) of each curve, by ascending t.
 pub type Samples = Vec<Vec<(f64, f64)>>;
 
 /// Everything that the plot shows.
@@ -28,55 +33,64 @@ pub type Samples = Vec<Vec<(f64, f64)>>;
 pub struct Plot {
     /// The objects' functions.
     pub curves: Arc<Vec<Curve>>,
-    /// How many objects have none.
+    /// Number of objects without a curve.
     pub left_out: usize,
-    /// From which t to which one.
+    /// The range of t.
     pub range: RangeInclusive<f64>,
-    /// How values of f, in their curve's unit, become heights.
+    /// The scale that turns values of f, in their curve's unit, into heights.
     pub heights: Heights,
-    /// Its curves within that range, t and height.
+    /// The curves' samples within the range.
     pub samples: Arc<Samples>,
-    /// The t of the point that walks, and there each curve's f.
+    /// The t of the point that moves along the ray, and each curve's f there.
     pub walked: Option<(f64, Arc<Vec<f64>>)>,
 }
 
 /// One object's f along the ray.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Which object, and how it looks.
+    /// The object and its look.
     pub named: Named,
-    /// Its place among the curves, which decides its dashes.
+    /// Index among the curves, which determines the dashes.
     pub place: usize,
-    /// Where its zeros are, and why.
+    /// The derivation of its zeros.
     pub derivation: ObjectDerivation,
+<<<<<<< HEAD
     /// f is drawn in multiples of this.
     unit: ImplicitUnit,
     /// f at the eye.
     at_eye: f64,
     /// Where a sphere's parabola turns, and a, its curvature.
     vertex: Option<(ParabolaVertex, f64)>,
+=======
+    /// The unit of f in the plot.
+    unit: Unit,
+    /// The value of f at the eye.
+    at_eye: f64,
+    /// The vertex of a sphere's parabola, and its curvature a.
+    vertex: Option<(Vertex, f64)>,
+>>>>>>> docs-a
 }
 
 /// An object with a curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Named {
-    /// Which object.
+    /// Index of the object.
     pub object: u32,
-    /// What lists call it.
+    /// The title in lists.
     pub title: String,
-    /// What stands at the curve.
+    /// The label at the curve.
     pub name: String,
-    /// Its colour in the views.
+    /// The colour in the views.
     pub color: Rgb,
 }
 
-/// A number as people write it.
+/// Formats a number for people.
 fn number(x: f64, digits: usize) -> String {
     written(x + 0.0, digits)
 }
 
-/// The objects to show: all where they are few, otherwise those that the ray meets first, then those
-/// behind the eye.
+/// Returns the objects to show: all if they are few, otherwise those that the ray meets first,
+/// followed by those behind the eye.
 pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     if scene.len() <= MOST {
         return (0..scene.len() as u32).collect();
@@ -93,7 +107,7 @@ pub fn shown(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     shown
 }
 
-/// The functions of these objects along the ray.
+/// Returns the functions of some objects along the ray.
 pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
     let of = |(place, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
@@ -111,7 +125,7 @@ fn along<'a>(scene: &Scene, ray: &ExactRay<'a>, object: u32) -> Option<AlongRay<
     AlongRay::new(&scene.object(object)?, *ray).ok()
 }
 
-/// Each curve's t and height over a range.
+/// Returns each curve's t and height over a range.
 pub fn samples(
     curves: &[Curve],
     scene: &Scene,
@@ -126,13 +140,14 @@ pub fn samples(
     curves.iter().map(of).collect()
 }
 
-/// Each curve's f at t.
+/// Returns each curve's f at t.
 pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f64> {
     let of = |curve: &Curve| Some(along(scene, ray, curve.named.object)?.value(t));
     curves.iter().map(|curve| of(curve).unwrap_or(f64::NAN)).collect()
 }
 
-/// Which t the plot shows: all zeros that are not far, the eye, the viewport, and where one walks.
+/// Returns the range of t of the plot: all zeros that are not far, the eye, the viewport, and the
+/// moving point.
 pub fn range(curves: &[Curve], walked: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
@@ -147,18 +162,19 @@ pub fn range(curves: &[Curve], walked: Option<f64>) -> RangeInclusive<f64> {
 }
 
 impl Curve {
-    /// Whether it is a straight line: a plane's.
+    /// Returns true if it is a straight line, that is, a plane's.
     pub(crate) fn is_straight(&self) -> bool {
         self.vertex.is_none()
     }
 
-    /// Where something is to be seen: zeros, and where a sphere is missed most narrowly.
+    /// Returns the t of notable points: the zeros, or the vertex of the parabola if the sphere is
+    /// missed.
     fn landmarks(&self) -> Vec<f64> {
         let zeros: Vec<f64> = self.derivation.roots().map(|root| root.t).collect();
         if zeros.is_empty() { self.vertex.map(|(v, _)| v.t).into_iter().collect() } else { zeros }
     }
 
-    /// What f is drawn in multiples of, in words.
+    /// Describes the unit of f in words.
     pub(crate) fn unit_words(&self, digits: usize) -> String {
         let unit = number(self.unit.value, digits);
         match self.unit.origin {
@@ -169,12 +185,12 @@ impl Curve {
         }
     }
 
-    /// The height of a value of f.
+    /// Returns the height of a value of f.
     pub(crate) fn height(&self, f: f64, heights: Heights) -> f64 {
         heights.of(f / self.unit.value)
     }
 
-    /// t and height, by ascending t: evenly, and closely where a parabola turns.
+    /// Returns t and height by ascending t: evenly spaced, and denser around a parabola's vertex.
     fn samples(
         &self,
         along: &AlongRay,
@@ -196,7 +212,7 @@ impl Curve {
         ts.into_iter().map(height).filter(|(_, y)| y.is_finite()).collect()
     }
 
-    /// What the curve says, in words.
+    /// Describes the curve in words.
     pub(crate) fn words(&self, digits: usize) -> String {
         let zeros: Vec<String> =
             self.derivation.roots().map(|root| number(root.t, digits)).collect();
@@ -239,12 +255,12 @@ impl Curve {
         }
     }
 
-    /// Whether a point with this value of f is inside of a sphere.
+    /// Returns true if a point with this value of f is inside a sphere.
     pub(crate) fn is_inside(&self, f: f64) -> bool {
         !self.is_straight() && f < 0.0
     }
 
-    /// A value of f, and what it means.
+    /// Formats a value of f with its meaning.
     pub(crate) fn reading(&self, f: f64, digits: usize) -> String {
         let meaning = match (f.partial_cmp(&0.0), self.is_straight()) {
             (Some(std::cmp::Ordering::Less), false) => "< 0: inside",

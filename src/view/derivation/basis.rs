@@ -1,4 +1,4 @@
-//! From view and up to u, v, w; or the checks of a basis that is set by hand.
+//! Derivation of u, v, w from view and up, or the checks of a basis that is set by hand.
 
 use pinhole_core::{BasisError, BasisVector, Camera, DVec3};
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross};
@@ -64,7 +64,7 @@ fn derived(of: &BasisFromUp, numbers: Numbers) -> Vec<Line> {
     lines
 }
 
-/// w, or why there is none.
+/// Returns the line of w, or of the reason why there is none.
 fn normalized(of: &BasisFromUp, numbers: Numbers) -> Option<Line> {
     let formula = equation(W, normalize(negative(VIEW)));
     let (Some(view), Some(backwards), Some(w)) = (of.view, of.backwards, of.w) else {
@@ -74,7 +74,7 @@ fn normalized(of: &BasisFromUp, numbers: Numbers) -> Option<Line> {
     Some(Line::of(Thing::W, followed(formula, quotient, numbers.equals_vector(w))))
 }
 
-/// `up x w` and its length, which is the parallelogram's area.
+/// Returns the lines of `up x w` and of its length, which is the parallelogram's area.
 fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
     let put_in = times(numbers.vector(cross.first.vector), numbers.vector(cross.second.vector));
     let product = equation(times(UP, W), put_in);
@@ -92,12 +92,13 @@ fn crossed(cross: &Cross, numbers: Numbers) -> Vec<Line> {
     lines
 }
 
-/// A vector over its length, with the numbers put in.
+/// Returns a vector divided by its length, with the numbers put in.
 fn quotient(vector: DVec3, length: f64, numbers: Numbers) -> Formula {
     fraction(numbers.decimals(vector), numbers.divisor(length))
 }
 
-/// The symbols, the numbers put in, and the result, which is left out where it says the same.
+/// Returns the symbols, the numbers put in, and the result. The numbers are left out if they are
+/// the same as the result.
 fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
     let begins = format!("= {put_in} ");
     if !put_in.begins_rounded() && result.to_string().starts_with(&begins) {
@@ -106,7 +107,7 @@ fn followed(symbols: Formula, put_in: Formula, result: Formula) -> Formula {
     row([equation(symbols, put_in), result])
 }
 
-/// The line that fails, and why.
+/// Returns the line that fails, with the reason.
 fn failed(thing: Thing, formula: Formula, why: Option<BasisError>) -> Line {
     let why = why.map_or_else(String::new, letters::told);
     Line { is_fault: true, ..Line::of(thing, formula).noted(why) }

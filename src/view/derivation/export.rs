@@ -1,4 +1,4 @@
-//! The ledger as text for slides and notes: LaTeX, and Markdown with `$formulas$`.
+//! The derivation as text for slides and notes: LaTeX, and Markdown with `$formulas$`.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use super::Line;
 use super::left_out;
 use crate::view::formula::latex;
 
-/// What the ledger is written in.
+/// The markup language of an exported derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Markup {
     /// LaTeX with amsmath.
@@ -17,7 +17,7 @@ pub enum Markup {
 }
 
 impl Ledger {
-    /// As text for slides or notes.
+    /// Writes the derivation for slides or notes.
     pub fn written_in(&self, markup: Markup) -> String {
         match markup {
             Markup::Latex => self.to_latex(),
@@ -25,7 +25,7 @@ impl Ledger {
         }
     }
 
-    /// For LaTeX with amsmath: a heading and an `align*` for each section.
+    /// Writes LaTeX with amsmath: a heading and an `align*` for each section.
     fn to_latex(&self) -> String {
         let mut out = String::from("% needs \\usepackage{amsmath}\n");
         // Writing to a string cannot fail.
@@ -43,7 +43,7 @@ impl Ledger {
         out
     }
 
-    /// As Markdown: a heading and a list for each section.
+    /// Writes Markdown: a heading and a list for each section.
     fn to_markdown(&self) -> String {
         let mut out = String::new();
         for (k, section) in self.sections.iter().enumerate() {
@@ -72,7 +72,7 @@ fn latex_line(line: &Line) -> String {
     }
 }
 
-/// Text in which nothing is a mark.
+/// Escapes the characters that Markdown treats as markup.
 fn markdown(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,8 +1,13 @@
-//! The ledger: how every number comes about, line by line in the lecture's order, each with its
-//! symbols, the numbers put in, and the result.
+//! The derivation of every number of the camera and of the selected ray, line by line in the
+//! lecture's order. Each line has its symbols, the numbers put in, and the result.
 //!
+<<<<<<< HEAD
 //! Pure: from the document, how it is looked at and what was derived of it to [`Section`]s of
 //! [`Line`]s. All that is calculated here comes from [`pinhole_lecture`].
+=======
+//! This module is pure: it turns the document, the view settings and the derived values into
+//! [`Section`]s of [`Line`]s. All arithmetic is in [`pinhole_core::lecture`].
+>>>>>>> docs-a
 
 mod basis;
 mod export;
@@ -31,28 +36,29 @@ use pinhole_exchange::document::Document;
 use crate::model::derivation_sections::{LedgerSection, LedgerSections};
 pub use export::Markup;
 
-/// Of so many objects, all are listed; of more, as many: those that the ray hits first.
+/// Maximum number of objects that are listed. Of more objects, those that the ray hits first are
+/// listed.
 pub const LISTED: usize = 6;
 
-/// All that is shown.
+/// The whole derivation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ledger {
-    /// From top to bottom.
+    /// The sections from top to bottom.
     pub sections: Vec<Section>,
-    /// How many objects are not listed.
+    /// Number of objects that are not listed.
     pub left_out: usize,
 }
 
-/// Lines under one title.
+/// The lines under one title.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
-    /// Which one.
+    /// The kind of section.
     pub section: LedgerSection,
-    /// Of the objects' sections, whose it is.
+    /// Index of the object, in the section of an object.
     pub object: Option<u32>,
-    /// What stands above it.
+    /// The title above it.
     pub title: String,
-    /// In the lecture's order.
+    /// The lines in the lecture's order.
     pub lines: Vec<Line>,
 }
 
@@ -61,13 +67,13 @@ pub struct Section {
 pub struct Line {
     /// The formula.
     pub formula: Formula,
-    /// What it is about.
+    /// The concept that it is about.
     pub thing: Option<Thing>,
-    /// What else lights it.
+    /// Other concepts that highlight it.
     pub also: &'static [Thing],
-    /// What is said behind it; may be empty.
+    /// The note behind it; may be empty.
     pub note: String,
-    /// The derivation fails here, and the note says why.
+    /// True if the derivation fails here; the note then says why.
     pub is_fault: bool,
 }
 
@@ -84,7 +90,7 @@ impl Line {
         Line { note: note.into(), ..self }
     }
 
-    /// Whether it is lit with this thing.
+    /// Returns true if the line is highlighted together with this concept.
     pub fn is_about(&self, thing: Thing) -> bool {
         self.thing == Some(thing) || self.also.contains(&thing)
     }
@@ -101,7 +107,7 @@ impl fmt::Display for Line {
 }
 
 impl fmt::Display for Ledger {
-    /// As plain text, a line each.
+    /// Writes plain text, one line for each step.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (k, section) in self.sections.iter().enumerate() {
             writeln!(f, "{}{}", if k == 0 { "" } else { "\n" }, section.title)?;
@@ -116,7 +122,7 @@ impl fmt::Display for Ledger {
     }
 }
 
-/// What is said of objects that are not listed.
+/// Returns the note about objects that are not listed.
 pub fn left_out(count: usize) -> String {
     match count {
         1 => "1 more object is not listed".to_owned(),
@@ -124,30 +130,30 @@ pub fn left_out(count: usize) -> String {
     }
 }
 
-/// What the ledger is made of.
+/// The inputs of the derivation.
 #[derive(Clone, Copy, Debug)]
 pub struct Sources<'a> {
     /// The document.
     pub document: &'a Document,
     /// The camera with its basis.
     pub posed: Option<&'a PosedCamera>,
-    /// The scene, if every object is one.
+    /// The scene, if all objects are valid.
     pub scene: Option<&'a Scene>,
     /// The selected ray.
     pub inspection: Option<&'a Inspection>,
-    /// Why there is no new picture, if there is none.
+    /// The reason why there is no new picture, if there is none.
     pub fault: Option<Fault>,
-    /// Which ray is selected.
+    /// The selected pixel or position.
     pub selection: Selection,
-    /// Which sections there are.
+    /// The sections to show.
     pub sections: LedgerSections,
     /// Significant digits.
     pub digits: usize,
-    /// Rows and columns are counted from 1.
+    /// True if rows and columns are counted from 1.
     pub from_one: bool,
 }
 
-/// Makes the ledger.
+/// Computes the derivation.
 pub fn ledger(of: &Sources) -> Ledger {
     let numbers = Numbers { digits: of.digits, from_one: of.from_one };
     let mut ledger = Ledger::default();
@@ -185,7 +191,7 @@ pub fn ledger(of: &Sources) -> Ledger {
     ledger
 }
 
-/// The selected ray, and how it comes about.
+/// Returns the selected ray and its derivation.
 fn exact_ray(posed: &PosedCamera, selection: Selection) -> Option<(ExactRay<'_>, RayDerivation)> {
     let selection = selection.inside(posed.image());
     let derived = match selection {
@@ -227,7 +233,8 @@ fn add_objects(
     }
 }
 
-/// All objects where they are few, else those that the ray hits first and then the first ones.
+/// Returns all objects if they are few; otherwise those that the ray hits first, followed by the
+/// first ones.
 fn listed(scene: &Scene, inspection: &Inspection) -> Vec<u32> {
     let count = scene.len() as u32;
     if scene.len() <= LISTED {

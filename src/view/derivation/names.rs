@@ -1,4 +1,4 @@
-//! The names that the lecture's formulas are written with.
+//! Names and operators of the lecture's formulas.
 
 use crate::view::formula::{Formula, Ink, Operator, parentheses, row, word};
 
@@ -18,33 +18,33 @@ pub(super) const HIT: Formula = Formula::Vector("hit", Ink::Text);
 pub(super) const T: Formula = Formula::Scalar("t");
 pub(super) const DISTANCE: Formula = Formula::Scalar("distance");
 
-/// `left = right`, or `left ≈ right` where digits are left out on the right.
+/// Returns `left = right`, or `left ≈ right` if digits are left out on the right.
 pub(super) fn equation(left: Formula, right: Formula) -> Formula {
     let relation = if right.begins_rounded() { Operator::Approximately } else { Operator::Equals };
     row([left, relation.into(), right])
 }
 
-/// `left sign right`
+/// Returns `left sign right`.
 pub(super) fn joined(left: Formula, sign: Operator, right: Formula) -> Formula {
     row([left, sign.into(), right])
 }
 
-/// `a − b`
+/// Returns `a − b`.
 pub(super) fn minus(a: Formula, b: Formula) -> Formula {
     joined(a, Operator::Minus, b)
 }
 
-/// `a × b`
+/// Returns `a × b`.
 pub(super) fn times(a: Formula, b: Formula) -> Formula {
     joined(a, Operator::Times, b)
 }
 
-/// `a · b`
+/// Returns `a · b`.
 pub(super) fn dot(a: Formula, b: Formula) -> Formula {
     joined(a, Operator::Dot, b)
 }
 
-/// `normalize(x)`
+/// Returns `normalize(x)`.
 pub(super) fn normalize(of: Formula) -> Formula {
     row([word("normalize"), parentheses(of)])
 }

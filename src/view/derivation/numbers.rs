@@ -1,5 +1,5 @@
-//! Numbers and vectors as formulas: exact where their form is recognised, to so many digits
-//! otherwise, or both.
+//! Numbers and vectors as formulas: exact if their form is recognised, otherwise rounded to some
+//! digits, or both.
 
 use pinhole_core::{DVec3, Pixel};
 use pinhole_lecture::{NumberForm, VectorForm};
@@ -7,30 +7,30 @@ use pinhole_lecture::{NumberForm, VectorForm};
 use crate::model::number::significant;
 use crate::view::formula::{Formula, Operator, fraction, number, root, rounded, row, tuple};
 
-/// How numbers are written.
+/// The number format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Numbers {
     /// Significant digits.
     pub(super) digits: usize,
-    /// Rows and columns counted from 1, as the course does.
+    /// True if rows and columns are counted from 1, as some courses do.
     pub(super) from_one: bool,
 }
 
 impl Numbers {
-    /// The number to so many digits.
+    /// Returns the number rounded to `digits` digits.
     pub(super) fn decimal(self, x: f64) -> Formula {
         let digits = significant(x, self.digits);
         if self.is_whole(x) { number(&digits) } else { rounded(&digits) }
     }
 
-    /// Whether so many digits are all that it has, but for the noise of rounding.
+    /// Returns true if the number has no more than `digits` digits, apart from rounding errors.
     fn is_whole(self, x: f64) -> bool {
         let fits = |x: f64| significant(x, self.digits).parse() == Ok(x);
         let recognised = || NumberForm::of(x).filter(|form| form.decimals().is_some());
         fits(x) || recognised().is_some_and(|form| fits(form.value()))
     }
 
-    /// To so many digits.
+    /// Returns the vector rounded to `digits` digits.
     pub(super) fn decimals(self, v: DVec3) -> Formula {
         tuple(v.to_array().map(|x| self.decimal(x)))
     }
@@ -39,7 +39,7 @@ impl Numbers {
         v.to_array().into_iter().all(|x| self.is_whole(x))
     }
 
-    /// Its exact form, where that says more than its digits.
+    /// Returns the number's exact form, if it says more than its digits.
     fn form(self, x: f64) -> Option<NumberForm> {
         NumberForm::of(x).filter(|_| !self.is_whole(x))
     }
@@ -48,35 +48,36 @@ impl Numbers {
         VectorForm::of(v).filter(|_| !self.are_whole(v))
     }
 
-    /// In one form: the exact one, or to so many digits.
+    /// Returns the exact form if there is one, otherwise the rounded number.
     pub(super) fn scalar(self, x: f64) -> Formula {
         self.form(x).map_or_else(|| self.decimal(x), exact)
     }
 
-    /// In one form: the exact one, or to so many digits.
+    /// Returns the exact form if there is one, otherwise the rounded vector.
     pub(super) fn vector(self, v: DVec3) -> Formula {
         self.vector_form(v).map_or_else(|| self.decimals(v), |form| self.exact_vector(form))
     }
 
-    /// As what something is divided by: exact if that is no fraction itself.
+    /// Returns the number as a denominator: exact unless its form is a fraction itself.
     pub(super) fn divisor(self, x: f64) -> Formula {
         let form = self.form(x).filter(|form| !form.is_root_below() && form.denominator() == 1);
         form.map_or_else(|| self.decimal(x), exact)
     }
 
-    /// `= 5 sqrt 2 ≈ 7.0711`, `= 0.2`, `≈ 0.14286`: what stands behind a derivation.
+    /// Returns the result of a derivation: `= 5 sqrt 2 ≈ 7.0711`, `= 0.2`, `≈ 0.14286`.
     pub(super) fn equals(self, x: f64) -> Formula {
         let exact = self.form(x).map(exact);
         result(exact, self.decimal(x), self.is_whole(x))
     }
 
-    /// The same of a vector.
+    /// Returns the result of a derivation for a vector.
     pub(super) fn equals_vector(self, v: DVec3) -> Formula {
         let exact = self.vector_form(v).map(|form| self.exact_vector(form));
         result(exact, self.decimals(v), self.are_whole(v))
     }
 
-    /// A recognised vector; coordinates that so many digits suffice for are written with them.
+    /// Returns a recognised vector; coordinates for which `digits` digits suffice are written as
+    /// decimals.
     fn exact_vector(self, form: VectorForm) -> Formula {
         let VectorForm::Common { whole, factor } = form else {
             return tuple(form.entries().map(|entry| self.scalar(entry.value())));
@@ -90,7 +91,7 @@ impl Numbers {
         if m > 1 { fraction(above, number(&m.to_string())) } else { above }
     }
 
-    /// An angle in radians, in degrees.
+    /// Returns an angle, given in radians, in degrees.
     pub(super) fn degrees(self, angle: f64) -> Formula {
         match self.decimal(angle.to_degrees()) {
             Formula::Number(digits) => Formula::Number(digits + "°"),
@@ -99,7 +100,7 @@ impl Numbers {
         }
     }
 
-    /// A pixel's row and column as they are counted.
+    /// Returns a pixel's row and column, counted from 0 or 1 as set.
     pub(super) fn counted(self, pixel: Pixel) -> (u32, u32) {
         let from = u32::from(self.from_one);
         (pixel.row + from, pixel.column + from)
@@ -115,7 +116,7 @@ fn result(exact: Option<Formula>, decimals: Formula, is_whole: bool) -> Formula 
     row(exact.into_iter().chain([relation(is_whole).into(), decimals]))
 }
 
-/// A recognised number.
+/// Returns the formula of a recognised number.
 fn exact(form: NumberForm) -> Formula {
     let (n, k, m) = (form.numerator(), form.root(), form.denominator());
     let size = n.unsigned_abs();

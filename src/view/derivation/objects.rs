@@ -1,4 +1,5 @@
-//! Where the selected ray meets one object: the numbers that decide, the roots, the hit, the normal.
+//! Intersection of the selected ray with one object: the deciding numbers, the roots, the hit, the
+//! normal.
 
 use pinhole_core::{Ray, Root};
 use pinhole_lecture::{
@@ -21,7 +22,7 @@ const C: Formula = Formula::Scalar("c");
 const R: Formula = Formula::Scalar("r");
 const DISCRIMINANT: Formula = Formula::Scalar("D");
 
-/// One object's lines in the making.
+/// The lines of one object while they are built.
 struct Sheet<'a> {
     object: u32,
     ray: Ray,
@@ -83,7 +84,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// a, b, c and D, and what D says.
+    /// Adds a, b, c and D, and the meaning of D.
     fn quadratic(&mut self, of: &SphereDerivation) {
         let (numbers, quadratic) = (self.numbers, &of.quadratic);
         let d = || numbers.vector(self.ray.direction);
@@ -161,7 +162,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// The point of the object's own hit.
+    /// Adds the point of the object's own hit.
     fn hit(&mut self, t: Formula, k: usize, hit: &Root) {
         let numbers = self.numbers;
         let put_in = along(
@@ -188,7 +189,7 @@ impl Sheet<'_> {
     }
 }
 
-/// What the discriminant says.
+/// Returns the meaning of the discriminant.
 fn meaning(meeting: SphereMeeting) -> &'static str {
     match meeting {
         SphereMeeting::Missed => "𝐷 < 0: the line passes by",
@@ -200,7 +201,7 @@ fn meaning(meeting: SphereMeeting) -> &'static str {
     }
 }
 
-/// What a power is taken of: in parentheses unless it is a number or name without a sign.
+/// Returns the base of a power: in parentheses unless it is a number or name without a sign.
 fn squared(base: Formula) -> Formula {
     match base {
         plain @ (Formula::Number(_) | Formula::Rounded(_) | Formula::Scalar(_)) => plain,

@@ -1,4 +1,4 @@
-//! From a pixel, or a place (u, v), to its view ray.
+//! Derivation of the view ray of a pixel or of a position (u, v).
 
 use pinhole_core::{PixelOfUv, PosedCamera};
 use pinhole_lecture::{PixelShares, RayDerivation};
@@ -54,12 +54,12 @@ pub(super) fn lines(
     lines
 }
 
-/// `p + t d`
+/// Returns `p + t d`.
 pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
     joined(p, Operator::Plus, row([t, d]))
 }
 
-/// Where u and v come from: the shares of the image's width and height.
+/// Derives u and v from the shares of the image's width and height.
 fn of_pixel(
     posed: &PosedCamera,
     shares: &PixelShares,
@@ -72,7 +72,8 @@ fn of_pixel(
     let pixel = row([rows, word("column"), place("j", j)]);
     let counted = if numbers.from_one { "counted from 1" } else { "counted from 0" };
     let half = || number("0.5");
-    // To the pixel's centre: forward from its edge, or back from the next one's.
+    // The pixel's centre lies half a pixel after its edge, or half a pixel before the next pixel's
+    // edge.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
     let (viewport, image) = (posed.viewport(), posed.image());
@@ -108,7 +109,7 @@ fn of_pixel(
     ]
 }
 
-/// A place that is given, and what it is in the image.
+/// Returns the line of a given (u, v), with its position in the image.
 fn of_uv(
     posed: &PosedCamera,
     ray: &RayDerivation,

@@ -4,7 +4,7 @@ use pinhole_core::{DVec2, DVec3, Orientation, Pixel};
 use super::*;
 use pinhole_exchange::scenes::SceneSource;
 
-/// A built-in scene's ledger.
+/// Returns the document of a built-in scene.
 fn document(scene: &str) -> Document {
     SceneSource::of(scene.as_ref()).expect("a scene").load().expect("a document")
 }
@@ -296,7 +296,7 @@ fn digits_follow_the_setting() {
         .assert_eq(&text(3).lines().take(9).map(|line| format!("{line}\n")).collect::<String>());
 }
 
-/// Whether what is opened in LaTeX is closed.
+/// Returns true if every LaTeX group that is opened is closed.
 fn is_balanced(latex: &str) -> bool {
     let count = |part: &str| latex.matches(part).count();
     let escaped = |brace: &str| count(&format!("\\{brace}"));

@@ -1,4 +1,4 @@
-//! A student's answers graded against the document, and the map of where they are wrong.
+//! Grading of a student's answers against the document, and the map of the wrong ones.
 
 use std::sync::Arc;
 
@@ -21,28 +21,28 @@ use crate::view::overlay::{Picture, Style};
 use pinhole_exchange::answers;
 use pinhole_exchange::document::Document;
 
-/// What a grade is made of: the camera, the objects and their colours by number, and the answers.
+/// The inputs of a grade: the camera, the objects and their colours by number, and the answers.
 type Key = (Camera, u64, u64, AnswersAtHand);
 
-/// What the map is made of.
+/// The inputs of the map.
 type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
 
-/// The grade, or why there is none.
+/// A grade, or the reason why there is none.
 pub type Grading = Result<Arc<Graded>, Arc<str>>;
 
-/// Remembers the grade and its map.
+/// A cache of the grade and its map.
 #[derive(Debug, Default)]
 pub(super) struct GradedAnswers {
     graded: Memo<Key, Grading>,
     view: Memo<ViewKey, Option<Shown>>,
-    /// How many times answers were graded, which tells one grade from the next.
+    /// Number of gradings so far, which distinguishes one grade from the next.
     count: u64,
 }
 
 impl GradedAnswers {
-    /// Grades anew where something changed, if the layout shows it. Nothing older than the document
-    /// is ever shown: where that has a fault, this is not called, and there is no grade; nor is there
-    /// while a hand moves.
+    /// Grades again if something changed and the layout shows it. A grade never belongs to an older
+    /// document: while the document has a fault, this is not called and there is no grade. During a
+    /// drag there is no new grade, either.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
@@ -54,7 +54,7 @@ impl GradedAnswers {
     ) {
         let (Some(size), Some(at_hand)) = (sizes.answers, &session.answers) else { return };
         let key = (*right.camera, world.generation, world.palette, at_hand.clone());
-        // Grading traces by the student's program in many variants: it waits until the hand rests.
+        // Grading traces many variants of the student's program, so it waits until the drag rests.
         if sizes.under_hand && !self.graded.knows(&key) {
             return;
         }
@@ -83,7 +83,7 @@ fn graded(
     let AnswersAtHand { file, count_from } = at_hand;
     let answers = answers::parse(&file.path, &file.bytes, camera.image, *count_from)
         .map_err(|error| Arc::from(error.to_string()))?;
-    // Its own colours, also where the window shows others.
+    // The document's colours, even if the window shows others.
     let color_of = |object| document.color_of(object);
     let truth = Truth { camera, scene: &world.scene, color_of: &color_of };
     let grade = grade(&truth, &answers, None).map_err(|error| Arc::from(error.to_string()))?;
@@ -101,8 +101,8 @@ fn map(
     Some(shown_beside(&picture, (right.posed, right.inspection), items, size, sizes))
 }
 
-/// The map as a picture of as many pixels as are shown; one that stands for several is wrong where
-/// one of them is.
+/// Returns the map as a picture with as many pixels as are shown. A pixel that stands for several
+/// is wrong if one of them is.
 fn picture(graded: &Graded, size: [u32; 2]) -> Option<Picture> {
     let cells = graded.map()?;
     let image: ImageSize = graded.image;

@@ -1,4 +1,4 @@
-//! A picture beside the camera's own: of the same image, with what belongs to the image drawn over it.
+//! A picture beside the camera's own, of the same image and with the image's overlay items.
 
 use pinhole_core::PosedCamera;
 
@@ -10,7 +10,7 @@ use crate::model::overlay_items::OverlayItems;
 use crate::view::overlay;
 use crate::view::overlay::{CameraView, Picture};
 
-/// Shows a picture in so many dots, with the items of the camera that it belongs to.
+/// Shows a picture in `size` dots, with the overlay items of the camera it belongs to.
 pub(super) fn shown_beside(
     picture: &Picture,
     (posed, inspection): (&PosedCamera, &Inspection),

@@ -1,4 +1,4 @@
-//! What is derived: everything that one frame shows.
+//! The derived values: everything that one frame shows.
 
 use std::sync::Arc;
 
@@ -16,7 +16,8 @@ use crate::view::ghost::AgainstGhost;
 use crate::view::overlay::{Drawing, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
 
-/// How large the views are, in physical pixels; `None` where one is not shown.
+/// Sizes of the views in physical pixels (`None` for views that are not shown), and other view
+/// settings.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ViewSizes {
     /// Width and height of the world view.
@@ -29,94 +30,100 @@ pub struct ViewSizes {
     pub wrong: Option<[u32; 2]>,
     /// Width and height of the ghost's picture.
     pub ghost: Option<[u32; 2]>,
-    /// Width and height of the map of where a student's answers are wrong.
+    /// Width and height of the map of a student's wrong answers.
     pub answers: Option<[u32; 2]>,
     /// Physical pixels per point.
     pub scale: f32,
     /// Colours of the world view.
     pub style: Style,
-    /// What the pictures are for.
+    /// The purpose of the pictures.
     pub purpose: Purpose,
-    /// How much is left out of new pictures of the scene.
+    /// The coarseness of new pictures of the scene.
     pub coarseness: Coarseness,
-    /// A hand moves what is seen: what takes long and can wait does.
+    /// True if something is being dragged: slow work that can wait is put off.
     pub under_hand: bool,
 }
 
-/// What pictures are for.
+/// The purpose of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Purpose {
-    /// The window: marks are painted into them.
+    /// A view of the window: marks are painted into the picture.
     #[default]
     Window,
-    /// A figure: marks stay apart from them.
+    /// A figure: marks stay apart from the picture.
     Figure {
-        /// Where no ray meets anything, they are transparent.
+        /// True if the picture is transparent where no ray hits anything.
         clear: bool,
     },
 }
 
 impl Purpose {
-    /// Whether pictures are transparent where no ray meets anything.
+    /// Returns true if pictures are transparent where no ray hits anything.
     pub(super) fn is_clear(self) -> bool {
         self == Purpose::Figure { clear: true }
     }
 }
 
-/// One frame's worth of everything that is shown. Panels, views and readouts get this and cannot
-/// write back, so all of them show the same frame.
+/// Everything that one frame shows. Panels, views and readouts read it and cannot write to it, so
+/// all of them show the same frame.
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
     /// The camera with its basis.
     pub posed: Option<PosedCamera>,
-    /// How close up is to the view direction.
+    /// The angle between up and the view direction.
     pub up_angle: Option<UpAngle>,
     /// The selected ray.
     pub inspection: Option<Arc<Inspection>>,
-    /// The scene, if every object is one.
+    /// The scene, if all objects are valid.
     pub scene: Option<Arc<Scene>>,
-    /// Why the pictures are older than the document, where they are.
+    /// The reason why the pictures are older than the document, if they are.
     pub fault: Option<Fault>,
-    /// What the camera sees.
+    /// The camera view.
     pub camera_view: Option<Shown>,
-    /// The scene with the camera in it.
+    /// The world view: the scene with the camera in it.
     pub world_view: Option<Shown>,
-    /// How far up the ladder the camera's picture had to go.
+    /// Number of decisions at each step of the ladder for the camera's picture.
     pub steps: Option<Steps>,
-    /// What the camera's picture left out, and what was left to do.
+    /// Counts of the objects that the camera's picture dropped and looked at.
     pub counts: Option<Counts>,
-    /// How much was left out of the camera's and the observer's picture.
+    /// The coarseness of the camera's and of the observer's picture.
     pub coarseness: [Coarseness; 2],
-    /// Why no other method than the ladder was let at the scene, where one should have been.
+    /// The reason why only the ladder drew the scene, if another method should have.
     pub too_many: Option<TooMany>,
-    /// The ladder's answer for the pixels that are shown, where another method stands beside it.
+    /// The ladder's answer for the shown pixels, if another method is compared with it.
     pub truth: Option<Arc<Frame>>,
-    /// What drew the camera's picture, where the ladder did not.
+    /// The method that drew the camera's picture, if it was not the ladder.
     pub drawn_by: Option<Arc<Compared>>,
-    /// The method of the error map, and where it errs.
+    /// The method of the error map, and its errors.
     pub compared: Option<Arc<Compared>>,
     /// The error map.
     pub error_map: Option<Shown>,
-    /// How every number comes about, where the layout shows it.
+    /// The derivation of all numbers, if the layout shows it.
     pub ledger: Option<Arc<Ledger>>,
-    /// Every object's f(p + t d), where the layout shows it.
+    /// The functions f(p + t d) of all objects, if the layout shows them.
     pub plot: Option<Plot>,
+<<<<<<< HEAD
     /// The wrong camera beside the right one, or why there is none.
     pub wrong: Option<Arc<ComparedCamera>>,
     /// What it sees.
+=======
+    /// The wrong camera beside the right one, or the reason why there is none.
+    pub wrong: Option<Arc<Wrong>>,
+    /// The wrong camera's picture.
+>>>>>>> docs-a
     pub wrong_view: Option<Shown>,
-    /// The ghost, with the image that the camera has.
+    /// The ghost, with the camera's image.
     pub ghost: Option<PosedCamera>,
-    /// The camera against the ghost, where the layout shows it.
+    /// The camera compared with the ghost, if the layout shows it.
     pub against_ghost: Option<Arc<AgainstGhost>>,
-    /// What the ghost sees, or where that differs.
+    /// The ghost's picture, or the map of differences.
     pub ghost_view: Option<Shown>,
-    /// A student's answers graded, where the layout shows it, or why they cannot be; `None` where
-    /// there are none, or nothing to grade by.
+    /// The grade of a student's answers, if the layout shows it, or the reason why they cannot be
+    /// graded; `None` if there are no answers, or nothing to grade them by.
     pub answers: Option<Grading>,
-    /// Where in the image they are wrong.
+    /// The map of the wrong answers in the image.
     pub answers_view: Option<Shown>,
-    /// What the observer sees where in the world view.
+    /// The observer's traced frame in the world view.
     pub world_frame: Option<Arc<Frame<f32>>>,
 }
 
@@ -125,16 +132,16 @@ pub struct Derived {
 pub struct Shown {
     /// The pixels, at physical resolution.
     pub image: Arc<ColorImage>,
-    /// Text, in physical pixels of the image.
+    /// The labels, in physical pixels of the image.
     pub labels: Arc<Vec<Label>>,
-    /// What can be pointed at, in physical pixels of the image.
+    /// The regions that can be hovered, in physical pixels of the image.
     pub targets: Arc<Vec<Target>>,
-    /// What is painted over the image, or is to be where that is left to a figure.
+    /// The marks painted over the image, or to be painted by a figure.
     pub marks: Arc<Vec<Mark>>,
 }
 
 impl Shown {
-    /// A view of so many columns and rows, with what is drawn over it.
+    /// Creates a view of `size` pixels from its pixels and its overlay.
     pub(super) fn new(size: [u32; 2], pixels: Vec<egui::Color32>, drawing: Drawing) -> Shown {
         let size = size.map(|n| n as usize);
         Shown {

@@ -1,4 +1,4 @@
-//! What the ghost sees, beside what the camera sees.
+//! The ghost's picture beside the camera's.
 
 use std::sync::Arc;
 
@@ -18,16 +18,17 @@ use crate::view::ghost::{AgainstGhost, difference_map};
 use crate::view::overlay::{Picture, Style};
 use pinhole_exchange::document::Document;
 
-/// What is compared: both cameras, the objects and colours by number, the pixels, and the ray.
+/// The inputs of a comparison: both cameras, the objects and colours by number, the pixels, and the
+/// ray.
 type Key = (Camera, Camera, u64, u64, Raster, Shade, Selection);
 
-/// What is drawn over it.
+/// The inputs of the overlay on it.
 type ViewKey = (u64, Beside, Selection, [u32; 2], OverlayItems, f32, Style);
 
-/// The camera against the ghost, the ghost's picture, and where the two differ.
+/// The camera compared with the ghost, the ghost's picture, and the map of differences.
 type Made = Option<(Arc<AgainstGhost>, [Arc<Picture>; 2])>;
 
-/// Remembers what the ghost saw.
+/// A cache of the ghost's picture.
 #[derive(Debug, Default)]
 pub(super) struct GhostPictures {
     made: Memo<Key, Made>,
@@ -36,12 +37,12 @@ pub(super) struct GhostPictures {
 }
 
 impl GhostPictures {
-    /// How many times the ghost's picture was made so far.
+    /// Returns how many times the ghost's picture was traced so far.
     pub(super) fn count(&self) -> u64 {
         self.count
     }
 
-    /// Compares, if the layout shows it and there are two cameras to compare.
+    /// Compares the cameras, if the layout shows it and there are two.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,

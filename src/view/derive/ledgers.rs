@@ -1,4 +1,4 @@
-//! The ledger, remembered on its inputs.
+//! A cache of the derivation, keyed by its inputs.
 
 use std::sync::Arc;
 
@@ -9,11 +9,11 @@ use crate::model::session::{Selection, Session};
 use crate::view::derivation::{Ledger, Sources, ledger};
 use pinhole_exchange::document::Document;
 
-/// The last ledger, and what it was made of.
+/// The last derivation and its inputs.
 #[derive(Debug, Default)]
 pub(super) struct Ledgers(Option<(Document, Looked, Arc<Ledger>)>);
 
-/// What besides the document it is made of.
+/// The inputs of the derivation besides the document.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Looked {
     selection: Selection,
@@ -24,7 +24,7 @@ struct Looked {
 }
 
 impl Ledgers {
-    /// The ledger, where the layout shows it.
+    /// Returns the derivation, if the layout shows it.
     pub(super) fn of(
         &mut self,
         document: &Document,
@@ -41,7 +41,7 @@ impl Ledgers {
             from_one: session.settings.count_from_one,
             fault: derived.fault,
         };
-        // Compared before it is cloned: a document can be large.
+        // The document is compared before it is cloned, because it can be large.
         match &self.0 {
             Some((known, as_looked, made)) if *as_looked == looked && known == document => {
                 Some(Arc::clone(made))

@@ -1,10 +1,10 @@
-//! Values that are made once for each input.
+//! Caches that hold the value of the last input.
 
 use std::sync::Arc;
 
 use crate::view::adaptive_resolution::Coarseness;
 
-/// A value remembered with what it was made from.
+/// A value with the key it was made from.
 #[derive(Debug)]
 pub(super) struct Memo<K, V>(Option<(K, V)>);
 
@@ -15,7 +15,8 @@ impl<K, V> Default for Memo<K, V> {
 }
 
 impl<K: PartialEq, V: Clone> Memo<K, V> {
-    /// The value made from `key`: the last one if the key is the last one.
+    /// Returns the value made from `key`; it is made again only if the key differs from the last
+    /// one.
     pub(super) fn get(&mut self, key: K, make: impl FnOnce(&K) -> V) -> V {
         match &self.0 {
             Some((known, value)) if *known == key => value.clone(),
@@ -29,13 +30,13 @@ impl<K: PartialEq, V: Clone> Memo<K, V> {
 }
 
 impl<K: PartialEq, V> Memo<K, V> {
-    /// Whether the value made from `key` is at hand.
+    /// Returns true if the cached value was made from `key`.
     pub(super) fn knows(&self, key: &K) -> bool {
         self.0.as_ref().is_some_and(|(known, _)| known == key)
     }
 }
 
-/// A part of a key that is the same only if it is the very same value.
+/// A part of a key that compares by identity: it equals only the very same value.
 #[derive(Debug)]
 pub(super) struct Same<T>(pub(super) Arc<T>);
 
@@ -45,7 +46,7 @@ impl<T> PartialEq for Same<T> {
     }
 }
 
-/// How fine a picture of something is: a coarser one never takes its place.
+/// The resolution of a picture of something: a coarser picture never replaces a finer one.
 #[derive(Debug)]
 pub(super) struct Fineness<K>(Option<(K, Coarseness)>);
 
@@ -56,7 +57,7 @@ impl<K> Default for Fineness<K> {
 }
 
 impl<K: PartialEq> Fineness<K> {
-    /// The coarseness to show this in: what is wanted, or finer where it was already.
+    /// Returns the coarseness to use: the wanted one, or a finer one if there already was one.
     pub(super) fn at_most(&mut self, key: K, wanted: Coarseness) -> Coarseness {
         let known = self.0.as_ref().filter(|(known, _)| *known == key);
         let coarseness = known.map_or(wanted, |(_, known)| wanted.min(*known));

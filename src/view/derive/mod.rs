@@ -1,5 +1,5 @@
-//! From the document to everything that is shown: pure, and remembered on its inputs, so that an
-//! idle window does no work and one drag does only what it changes.
+//! Derivation of everything shown from the document: a pure function, with caches keyed by its
+//! inputs, so that an idle window does no work and a drag recomputes only what it changes.
 
 mod answers;
 mod beside;
@@ -46,7 +46,7 @@ use crate::view::overlay;
 use crate::view::overlay::{Backdrop, CameraView, Handles, Lit, Loupe, Picture, Style, WorldView};
 use pinhole_exchange::document::Document;
 
-/// Makes [`Derived`]s, each from its arguments alone; what it remembers only saves work.
+/// Computes [`Derived`] values, each from its arguments alone; its caches only save work.
 #[derive(Debug, Default)]
 pub struct Deriver {
     objects: Objects,
@@ -60,7 +60,7 @@ pub struct Deriver {
     wrong: WrongPictures,
     ghosts: GhostPictures,
     answers: GradedAnswers,
-    /// What the camera saw before the document got a fault.
+    /// The camera's picture from before the document got a fault.
     last_good: Option<GoodPicture>,
 }
 
@@ -99,7 +99,7 @@ struct WorldViewKey {
 }
 
 impl CameraViewKey {
-    /// What this is the key of.
+    /// Returns the camera view of this key.
     fn view<'a>(
         &'a self,
         picture: &'a Picture,
@@ -121,7 +121,7 @@ impl CameraViewKey {
 }
 
 impl Deriver {
-    /// How many pictures have been traced so far; an idle window traces none.
+    /// Returns the number of pictures traced so far; an idle window traces none.
     pub fn traced(&self) -> u64 {
         self.pictures.traced()
             + self.world_pictures.traced()
@@ -129,15 +129,15 @@ impl Deriver {
             + self.ghosts.count()
     }
 
-    /// Everything to show of this document.
+    /// Derives everything to show of a document.
     ///
-    /// Who keeps the last one's [`Derived::scene`] has it as it was, at the price of a copy where an
-    /// object changed.
+    /// A caller who keeps the last [`Derived::scene`] keeps it unchanged, at the cost of a copy
+    /// when an object changes.
     pub fn derive(&mut self, document: &Document, session: &Session, sizes: &ViewSizes) -> Derived {
         self.derive_watched(document, session, sizes, &|_| ())
     }
 
-    /// The same, telling what its time is spent on.
+    /// Does the same as [`Deriver::derive`] and reports to `watch` what the time is spent on.
     pub fn derive_watched(
         &mut self,
         document: &Document,
@@ -145,8 +145,8 @@ impl Deriver {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> Derived {
-        // On one of rayon's threads from the start: called from another one, each step that is
-        // shared among them would wake them and wait.
+        // Runs on one of rayon's threads from the start: on another thread, each parallel step
+        // would have to wake them and wait.
         rayon::join(|| self.derived(document, session, sizes, watch), || ()).0
     }
 
@@ -190,7 +190,7 @@ impl Deriver {
         derived
     }
 
-    /// The camera's picture and, next to it, the error map.
+    /// Derives the camera view and the error map beside it.
     fn camera_views(
         &mut self,
         derived: &mut Derived,
@@ -200,7 +200,7 @@ impl Deriver {
         watch: Watch<'_>,
     ) {
         let Some(good) = self.last_good.clone() else { return };
-        // What is lit belongs to the document as it is; an older picture does not show it.
+        // A highlighted concept belongs to the current document; an older picture does not show it.
         let lit = lit_key(session).filter(|_| derived.fault.is_none());
         let scene = derived.scene.as_deref();
         let key = |size: [u32; 2]| CameraViewKey {
@@ -253,7 +253,7 @@ impl Deriver {
         derived.truth = good.truth;
     }
 
-    /// The wrong camera's picture, next to the right one.
+    /// Derives the wrong camera's picture beside the right one.
     fn wrong_view(
         &mut self,
         derived: &mut Derived,
@@ -376,7 +376,7 @@ fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
     vec![Color32::BLACK; width as usize * height as usize]
 }
 
-/// What is lit, and to how many digits it is labelled.
+/// Returns the highlighted concept and the number of digits of its labels.
 fn lit_key(session: &Session) -> Option<(Thing, usize)> {
     Some((session.lit()?, session.settings.digits))
 }

@@ -1,4 +1,4 @@
-//! The document's objects as a scene, which is kept and changed while they are edited.
+//! The scene of the document's objects, which is kept and changed while they are edited.
 
 use std::sync::Arc;
 
@@ -8,14 +8,14 @@ use crate::model::color_scheme::Scheme;
 use crate::model::observer::{hidden, seen_scene};
 use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
-/// The objects of a document, all of which are some.
+/// The objects of a document in which all objects are valid.
 #[derive(Clone, Debug)]
 pub(super) struct GoodWorld {
     pub(super) scene: Arc<Scene>,
     pub(super) colors: Arc<Vec<Rgb>>,
-    /// Another number for other shapes.
+    /// Generation number of the shapes; it changes when they do.
     pub(super) generation: u64,
-    /// Another number for other colours.
+    /// Generation number of the colours; it changes when they do.
     pub(super) palette: u64,
 }
 
@@ -24,34 +24,34 @@ pub(super) type Enclosing = Arc<Vec<u32>>;
 
 /// The scene of the last document that had no fault.
 ///
-/// A sphere that is dragged among a million is replaced in it, for which the scene must be held by
-/// nobody else: who shows it lets go of it before the next [`Objects::update`], or all spheres are
+/// A sphere that is dragged among a million is replaced in place. That needs the only reference to
+/// the scene: views must drop theirs before the next [`Objects::update`], or all spheres are
 /// copied.
 #[derive(Debug, Default)]
 pub(super) struct Objects {
     good: Option<GoodWorld>,
-    /// The CSV file's spheres in the good world.
+    /// The spheres of the CSV file in the good world.
     csv: Option<CsvSpheres>,
-    /// The scheme of the good world's colours.
+    /// The colour scheme of the good world.
     scheme: Scheme,
-    /// The good world's scene as the observer sees it past these spheres.
+    /// The good world's scene as the observer sees it, without the given enclosing spheres.
     seen: Option<(Enclosing, Arc<Scene>)>,
 }
 
-/// More objects than these that change at once have their scene made anew.
+/// Maximum number of changed objects that are replaced; if there are more, the scene is made again.
 const FEW: usize = 64;
 
 impl Objects {
-    /// The world of the last document that had no fault.
+    /// Returns the world of the last document that had no fault.
     pub(super) fn good(&self) -> Option<&GoodWorld> {
         self.good.as_ref()
     }
 
-    /// Follows the document: what costs as much as there are hand-made objects, unless objects came
-    /// or went.
+    /// Updates the scene to the document. The cost is proportional to the number of hand-made
+    /// objects, unless objects were added or removed.
     ///
     /// # Errors
-    /// The first object that is none; the good world is then the one before.
+    /// The first invalid object; the good world then stays as it was.
     pub(super) fn update(&mut self, document: &Document, scheme: Scheme) -> Result<(), SceneError> {
         check(document)?;
         let is_same_scheme = std::mem::replace(&mut self.scheme, scheme) == scheme;
@@ -59,7 +59,7 @@ impl Objects {
         match (&mut self.good, changed) {
             (Some(good), Some(changed)) => {
                 if !changed.is_empty() {
-                    // It shares the spheres with the scene unless it hides some.
+                    // The observer's scene shares the spheres unless some are hidden.
                     self.seen.take_if(|(hidden, _)| hidden.is_empty());
                     replace(good, self.seen.as_mut(), &changed)?;
                 }
@@ -76,19 +76,20 @@ impl Objects {
         Ok(())
     }
 
-    /// The good world's scene without planes and what hides the camera: see [`seen_scene`].
+    /// Returns the good world's scene without planes and without spheres that hide the camera: see
+    /// [`seen_scene`].
     pub(super) fn seen(&mut self, enclosing: &Enclosing) -> Option<Arc<Scene>> {
         let scene = &self.good.as_ref()?.scene;
         match &mut self.seen {
             Some((known, _)) if known == enclosing => (),
-            // It has spheres of its own.
+            // The observer's scene has spheres of its own.
             Some((known, seen)) if !known.is_empty() && !enclosing.is_empty() => {
                 let seen = Arc::make_mut(seen);
                 for &index in known.iter().chain(&**enclosing) {
                     let sphere = scene.spheres()[index as usize];
                     let is_hidden = enclosing.binary_search(&index).is_ok();
                     let sphere = if is_hidden { hidden(&sphere) } else { sphere };
-                    // A checked sphere stays one.
+                    // The spheres were checked, so they are valid.
                     seen.replace_sphere(index, sphere).ok()?;
                 }
                 *known = Arc::clone(enclosing);
@@ -101,7 +102,7 @@ impl Objects {
         self.seen.as_ref().map(|(_, seen)| Arc::clone(seen))
     }
 
-    /// The objects of another shape; `None` where the scene has to be made anew.
+    /// Returns the objects whose shape changed; `None` if the scene has to be made again.
     fn changed(&self, good: &GoodWorld, document: &Document) -> Option<Vec<(u32, Object)>> {
         let GoodWorld { scene, .. } = good;
         let is_same_kind = scene.spheres().len() == document.sphere_count()
@@ -128,13 +129,13 @@ impl Objects {
     }
 }
 
-/// Every object's colour.
+/// Returns the colours of all objects.
 fn colors(document: &Document, scheme: Scheme) -> Vec<Rgb> {
     let all = 0..document.object_count() as u32;
     all.map(|index| scheme.object(index, document.color_of(index))).collect()
 }
 
-/// Checks what can be edited; the CSV file's spheres were checked when they were read.
+/// Checks the objects that can be edited; the CSV file's spheres were checked when they were read.
 fn check(document: &Document) -> Result<(), SceneError> {
     for (index, item) in document.spheres.iter().enumerate() {
         item.shape.check().map_err(|error| SceneError::Sphere { index, error })?;
@@ -145,7 +146,7 @@ fn check(document: &Document) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// The items of another shape than what is known, with their indices.
+/// Returns the items whose shape differs from the known one, with their indices.
 fn different<'a, S: Copy + PartialEq>(
     items: &'a [Item<S>],
     known: &'a [S],
@@ -157,7 +158,7 @@ fn different<'a, S: Copy + PartialEq>(
         .map(move |(index, (item, _))| (index, object(item.shape)))
 }
 
-/// Puts checked objects in the place of others, for the observer too.
+/// Replaces objects by checked ones, also in the observer's scene.
 fn replace(
     good: &mut GoodWorld,
     seen: Option<&mut (Enclosing, Arc<Scene>)>,
@@ -182,7 +183,7 @@ fn replace(
     Ok(())
 }
 
-/// Takes over the colours of what can be edited.
+/// Updates the colours of the objects that can be edited.
 fn recolor(good: &mut GoodWorld, document: &Document, scheme: Scheme) {
     let planes = document.sphere_count()..document.object_count();
     let changed: Vec<(usize, Rgb)> = (0..document.spheres.len())

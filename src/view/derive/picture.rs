@@ -1,4 +1,4 @@
-//! What the camera sees: by the ladder, by the method that the user wants to see fail, and the
+//! The camera's picture: by the ladder, by another method that the user compares with it, and their
 //! difference.
 
 use std::fmt;
@@ -21,17 +21,17 @@ use crate::view::accuracy::{self, Comparison};
 use crate::view::adaptive_resolution::Coarseness;
 use crate::view::overlay::{Loupe, Picture, loupe_window};
 
-/// How many times a method may ask whether a ray meets an object for one picture: about a second's
-/// work, in which the window stands still.
+/// Maximum number of intersection tests that a method may do for one picture: about a second of
+/// work, during which the window does not respond.
 pub const MOST_QUESTIONS: u64 = 400_000_000;
 
-/// Why no method but the ladder draws a picture: all others ask every object at every pixel, more
-/// than [`MOST_QUESTIONS`] times.
+/// The reason why only the ladder draws a picture: every other method tests every object at every
+/// pixel, which is more than [`MOST_QUESTIONS`] tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooMany {
-    /// How many objects the scene has.
+    /// Number of objects in the scene.
     pub objects: u64,
-    /// How many pixels the screen shows.
+    /// Number of pixels on the screen.
     pub pixels: u64,
 }
 
@@ -54,59 +54,59 @@ impl fmt::Display for TooMany {
     }
 }
 
-/// A method's picture next to the truth.
+/// A method's picture compared with the truth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
     /// The method.
     pub method: Method,
-    /// Every pixel against the ladder's.
+    /// Every pixel compared with the ladder's.
     pub comparison: Comparison,
-    /// What the method makes of the pixels.
+    /// The method's answers for the pixels.
     pub frame: Frame,
 }
 
-/// What a camera saw, and the ray that was selected.
+/// The camera's picture and the selected ray.
 #[derive(Clone, Debug)]
 pub(super) struct GoodPicture {
     pub(super) posed: PosedCamera,
     pub(super) picture: Arc<Picture>,
     pub(super) selection: Selection,
     pub(super) inspection: Arc<Inspection>,
-    /// How far up the ladder it had to go.
+    /// Number of decisions at each step of the ladder.
     pub(super) steps: Steps,
-    /// How much coarser it is than it could be.
+    /// The picture's coarseness.
     pub(super) coarseness: Coarseness,
-    /// What it left out.
+    /// Counts of the objects that the picture dropped and looked at.
     pub(super) counts: Counts,
-    /// Why no other method stands beside it, where one should.
+    /// The reason why no other method is compared with it, if one should be.
     pub(super) too_many: Option<TooMany>,
-    /// By the ladder, where another method stands beside it.
+    /// The ladder's answers, if another method is compared with them.
     pub(super) truth: Option<Arc<Frame>>,
-    /// What drew the picture, where the ladder did not.
+    /// The method that drew the picture, if it was not the ladder.
     pub(super) drawn_by: Option<Arc<Compared>>,
-    /// The error map's method and its picture, where the map is shown.
+    /// The error map's method and picture, if the map is shown.
     pub(super) compared: Option<(Arc<Compared>, Arc<Picture>)>,
-    /// What is under the loupe, where it is shown.
+    /// The content of the loupe, if it is shown.
     pub(super) loupe: Option<Arc<Loupe>>,
 }
 
-/// What is seen from where: a camera, the generation of the objects, and the pixels.
+/// The inputs of a trace: a camera, the generation of the objects, and the pixels.
 type Seen = (PosedCamera, u64, Raster);
 
-/// What colours a picture has: by which method, of what, in which mode, the palette's number, and
-/// whether it is transparent where nothing is hit.
+/// The inputs of a picture's colours: the method, the trace, the shading, the number of the
+/// palette, and true if the picture is transparent where nothing is hit.
 type PictureKey = (Method, Seen, Shade, u64, bool);
 
-/// A picture, how far up the ladder it had to go, and what it left out.
+/// A picture, its decisions at each step of the ladder, and its counts of objects.
 type Made = (Arc<Picture>, Steps, Counts);
 
-/// Remembers what the camera saw.
+/// A cache of the camera's pictures.
 #[derive(Debug, Default)]
 pub(super) struct Pictures {
     truth: Memo<Seen, Arc<Frame>>,
-    /// What other colours can be made from without a trace: objects, and `t` if the shading reads it.
+    /// Frames that can be recoloured without a trace: objects, and `t` if the shading reads it.
     rough: Memo<(Seen, bool), Arc<Frame<f32>>>,
-    /// By the picture's method, and by the map's where that is another one.
+    /// Frames by the picture's method, and by the map's method if it differs.
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
     picture: Memo<PictureKey, Made>,
     map: Memo<(Method, Seen), Arc<Picture>>,
@@ -114,24 +114,24 @@ pub(super) struct Pictures {
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
     scanned: ScannedPicture,
     fineness: Fineness<(PosedCamera, u64, [u32; 2])>,
-    /// How many pictures were made, which tells one from the next.
+    /// Number of pictures made so far, which distinguishes one from the next.
     made: u64,
-    /// How many were traced for that.
+    /// Number of pictures traced for that.
     traced: u64,
 }
 
 impl Pictures {
-    /// How many pictures were made so far.
+    /// Returns the number of pictures made so far.
     pub(super) fn made(&self) -> u64 {
         self.made
     }
 
-    /// How many times the camera's view was traced so far.
+    /// Returns how many times the camera's view was traced so far.
     pub(super) fn traced(&self) -> u64 {
         self.traced
     }
 
-    /// What the camera sees, of which no more is traced than the screen shows.
+    /// Returns the camera's picture; no more of it is traced than the screen shows.
     pub(super) fn of(
         &mut self,
         posed: PosedCamera,
@@ -142,17 +142,17 @@ impl Pictures {
     ) -> GoodPicture {
         let selection = session.selection.inside(posed.image());
         let inspection = self.inspected(posed, world, selection);
-        // With only the world view open, its viewport still shows the picture.
+        // If only the world view is open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
         let coarseness = self.fineness.at_most((posed, world.generation, size), sizes.coarseness);
         let seen = (posed, world.generation, coarseness.raster(posed.image(), size));
         let settings = &session.settings;
-        // What is too much for a picture at rest is so while it moves.
+        // A method that is too slow for the full picture is not used during a drag, either.
         let all = Coarseness::NONE.raster(posed.image(), size).len();
         let too_many = TooMany::of(world.scene.len(), all);
         let with_map = sizes.map.is_some();
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
-        // On the viewport in the world view, it hides what is behind.
+        // The picture on the viewport in the world view is opaque: it hides the objects behind it.
         let clear = sizes.purpose.is_clear() && sizes.camera.is_some();
         let key = (beside.method, seen, Shade::from(settings.shade), world.palette, clear);
         let (picture, steps, counts) = self.picture(&key, world, &beside, watch);
@@ -199,7 +199,7 @@ impl Pictures {
         }
     }
 
-    /// The selected ray and everything that it meets.
+    /// Returns the selected ray with all its intersections.
     fn inspected(
         &mut self,
         posed: PosedCamera,
@@ -214,7 +214,8 @@ impl Pictures {
         })
     }
 
-    /// The other methods' answers, where the picture or the error map is by one, next to the ladder's.
+    /// Returns the other methods' answers, if the picture or the error map needs them, beside the
+    /// ladder's.
     fn beside(
         &mut self,
         seen: &Seen,
@@ -246,7 +247,7 @@ impl Pictures {
         Beside { method, too_many, truth, drawn_by, compared }
     }
 
-    /// The camera's picture, by the ladder or by what stands beside it.
+    /// Returns the camera's picture, by the ladder or by the other method.
     fn picture(
         &mut self,
         key: &PictureKey,
@@ -277,7 +278,7 @@ impl Pictures {
     }
 }
 
-/// What stands beside the ladder's picture, and which method draws it.
+/// The method that draws the picture, and the answers compared with the ladder's.
 struct Beside {
     method: Method,
     too_many: Option<TooMany>,
@@ -295,7 +296,7 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
     Arc::new(Picture { raster, image, pixels })
 }
 
-/// The pixels under the loupe, by the method that draws the picture.
+/// Returns the pixels under the loupe, by the method that draws the picture.
 fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
     let ((method, (posed, _, raster), mode, ..), count_from_one) = key;
     let mut frame = watch::truth(&world.scene, posed, raster, watch);

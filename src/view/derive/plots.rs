@@ -1,4 +1,4 @@
-//! The plot of f(p + t d), remembered on its inputs.
+//! A cache of the plot of f(p + t d), keyed by its inputs.
 
 use std::sync::Arc;
 
@@ -12,21 +12,22 @@ use crate::model::session::{Selection, Session, ViewLayout};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
 use pinhole_exchange::document::Document;
 
-/// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
+/// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a
+/// curve.
 type Key = (PosedCamera, u64, Selection, Vec<Named>);
 
-/// Remembers the curves, their samples, and their values where one walks.
+/// A cache of the curves, their samples, and their values at the moving point.
 #[derive(Debug, Default)]
 pub(super) struct Plots {
     curves: Memo<Key, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
     walked: Memo<(u64, f64), Arc<Vec<f64>>>,
-    /// How often curves were made, which tells some from the next.
+    /// Number of times that curves were made, which distinguishes some from the next.
     made: u64,
 }
 
 impl Plots {
-    /// The plot, where the layout shows it and there is a ray.
+    /// Returns the plot, if the layout shows it and there is a ray.
     pub(super) fn of(
         &mut self,
         document: &Document,

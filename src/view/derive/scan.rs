@@ -1,4 +1,4 @@
-//! A picture of which a renderer has made only a part so far.
+//! A picture of which a renderer has finished only a part so far.
 
 use std::sync::Arc;
 
@@ -6,18 +6,18 @@ use egui::Color32;
 
 use crate::view::overlay::Picture;
 
-/// Where nothing has been scanned yet: squares in two greys, which no picture of spheres has.
+/// Colours of unscanned pixels: squares in two greys, which no picture of spheres has.
 const NOT_YET: [Color32; 2] = [Color32::from_gray(92), Color32::from_gray(116)];
 
-/// So many squares fit into a picture's shorter side.
+/// Number of squares along a picture's shorter side.
 const SQUARES: usize = 16;
 
-/// Remembers the last one.
+/// A cache of the last partial picture.
 #[derive(Debug, Default)]
 pub(super) struct ScannedPicture(Option<(Arc<Picture>, u64, Arc<Picture>)>);
 
 impl ScannedPicture {
-    /// The picture's first pixels, row by row.
+    /// Returns the picture with only its first pixels, row by row.
     pub(super) fn of(&mut self, whole: &Arc<Picture>, scanned: u64) -> Arc<Picture> {
         match &self.0 {
             Some((of, count, part)) if Arc::ptr_eq(of, whole) && *count == scanned => {
@@ -32,14 +32,15 @@ impl ScannedPicture {
     }
 }
 
-/// The picture with all pixels after the first `scanned` of the image not there yet.
+/// Returns the picture with only the first `scanned` pixels of the image; the others are not there
+/// yet.
 pub(super) fn first_pixels(picture: &Picture, scanned: u64) -> Picture {
     let mut part = picture.clone();
     let width = u64::from(picture.image.width());
     let (rows, columns) = (picture.raster.rows(), picture.raster.columns());
     let side = (rows.len().min(columns.len()) / SQUARES).max(1);
     for (i, (row, pixels)) in rows.iter().zip(part.pixels.chunks_mut(columns.len())).enumerate() {
-        // Of this row, so many columns.
+        // Number of finished columns of this row.
         let done = scanned.saturating_sub(u64::from(*row) * width);
         let from = columns.partition_point(|column| u64::from(*column) < done);
         for (j, pixel) in pixels.iter_mut().enumerate().skip(from) {

@@ -1,4 +1,4 @@
-//! What deriving spends its time on, told to those who hold a clock; this side of it has none.
+//! Reports on the work of deriving. The caller measures the time; there is no clock here.
 
 use std::sync::Arc;
 
@@ -9,21 +9,21 @@ use pinhole_core::{
 
 use super::opaque;
 
-/// What the time since the last thing told was spent on.
+/// The kind of work done since the last report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Work {
     /// Planning, tracing and colouring pixels.
     Trace,
     /// Drawing over the pictures.
     Overlay,
-    /// Anything else.
+    /// All other work.
     Rest,
 }
 
-/// Who hears of work that was just done.
+/// A callback for work that was just done.
 pub type Watch<'a> = &'a (dyn Fn(Work) + Sync);
 
-/// Opaque pixels of what the camera sees, and of the frame behind them the `outputs`.
+/// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture.
 pub(super) fn picture(
     scene: &Scene,
     camera: &PosedCamera,
@@ -41,7 +41,7 @@ pub(super) fn picture(
     (frame, pixels)
 }
 
-/// Opaque pixels of a frame of the scene, which has all that the shading reads.
+/// Returns opaque pixels of a frame, which must have all outputs that the shading reads.
 pub(super) fn repainted<T: Depth>(
     frame: &Frame<T>,
     scene: &Scene,
@@ -51,7 +51,7 @@ pub(super) fn repainted<T: Depth>(
     watched(watch, Work::Trace, || shade(frame, scene, mode, color_of, opaque))
 }
 
-/// `t` with all its digits, and objects.
+/// Traces `t` with all its digits, and the objects.
 pub(super) fn truth(
     scene: &Scene,
     camera: &PosedCamera,
@@ -64,7 +64,7 @@ pub(super) fn truth(
     Arc::new(frame)
 }
 
-/// Does some of the work and tells of it.
+/// Does some work and reports it.
 pub(super) fn watched<R>(watch: Watch<'_>, work: Work, run: impl FnOnce() -> R) -> R {
     watch(Work::Rest);
     let done = run();

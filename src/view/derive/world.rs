@@ -1,4 +1,4 @@
-//! What the observer sees, before anything is drawn over it.
+//! The observer's picture, before the overlay is drawn over it.
 
 use std::sync::Arc;
 
@@ -15,38 +15,38 @@ use crate::view::overlay::Backdrop;
 /// The scene as the observer sees it.
 #[derive(Debug)]
 pub(super) struct WorldPicture {
-    /// With `t` and object, which the overlay reads.
+    /// The frame with `t` and object, which the overlay reads.
     pub(super) frame: Arc<Frame<f32>>,
     pub(super) pixels: Vec<Color32>,
     pub(super) enclosing: Enclosing,
-    /// How much coarser it is than it could be.
+    /// The picture's coarseness.
     pub(super) coarseness: Coarseness,
 }
 
-/// What is seen from where: the observer, the generation of the objects, and those left out.
+/// The inputs of a trace: the observer, the generation of the objects, and the hidden spheres.
 type Seen = (PosedCamera, u64, Enclosing);
 
-/// Remembers what the observer saw.
+/// A cache of the observer's pictures.
 #[derive(Debug, Default)]
 pub(super) struct WorldPictures {
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
     fineness: Fineness<Seen>,
-    /// What other colours are made from without a trace.
+    /// Frames that can be recoloured without a trace.
     frame: Memo<(Seen, Coarseness), Arc<Frame<f32>>>,
-    /// With the palette's number.
+    /// The picture; the last part of the key is the palette's number.
     picture: Memo<(Seen, Coarseness, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     traced: u64,
 }
 
 impl WorldPictures {
-    /// How many times the observer's view was traced so far.
+    /// Returns how many times the observer's view was traced so far.
     pub(super) fn traced(&self) -> u64 {
         self.traced
     }
 
-    /// What the observer sees of the good objects, but for those that would hide a camera at `eye`;
-    /// `None` where there were none yet.
+    /// Returns the observer's picture of the good objects, without those that would hide a camera
+    /// at `eye`; `None` if there have been no good objects yet.
     pub(super) fn of(
         &mut self,
         objects: &mut Objects,
@@ -75,7 +75,7 @@ impl WorldPictures {
                     fresh = Some(traced.1);
                     return Arc::new(traced.0);
                 }
-                // The overlay asks at every dot what is there.
+                // The overlay looks up the object at every dot.
                 fresh = Some(raster.spread(image, &traced.1));
                 Arc::new(traced.0.spread())
             });
@@ -85,7 +85,7 @@ impl WorldPictures {
         }))
     }
 
-    /// What the observer sees with a backdrop painted over it.
+    /// Returns the observer's picture with a backdrop painted over it.
     pub(super) fn before(
         &mut self,
         world: &Arc<WorldPicture>,

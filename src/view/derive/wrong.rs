@@ -19,13 +19,13 @@ use crate::model::session::{Selection, Session};
 use crate::view::adaptive_resolution::Coarseness;
 use crate::view::overlay::{Picture, Style};
 
-/// What a wrong picture is made of: the camera, the objects and colours by number, and the rest.
+/// The inputs of a wrong picture: the camera, the objects and colours by number, and the rest.
 type Key = (Camera, u64, u64, Raster, Shade, Mistake);
 
-/// What is drawn over it.
+/// The inputs of the overlay on it.
 type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
 
-/// Remembers the wrong camera and its picture; the last ones stay while the camera has a fault.
+/// A cache of the wrong camera and its picture; the last ones stay while the camera has a fault.
 #[derive(Debug, Default)]
 pub(super) struct WrongPictures {
     made: Memo<Key, (Arc<ComparedCamera>, Option<Arc<Picture>>)>,
@@ -34,23 +34,23 @@ pub(super) struct WrongPictures {
     count: u64,
 }
 
-/// What the right camera saw.
+/// The right camera, with its selected ray.
 pub(super) struct Right<'a> {
     pub(super) camera: &'a Camera,
     pub(super) posed: &'a PosedCamera,
     pub(super) inspection: &'a Inspection,
     pub(super) selection: Selection,
-    /// How much coarser its picture is than it could be.
+    /// The coarseness of its picture.
     pub(super) coarseness: Coarseness,
 }
 
 impl WrongPictures {
-    /// How many wrong pictures were made so far.
+    /// Returns the number of wrong pictures made so far.
     pub(super) fn count(&self) -> u64 {
         self.count
     }
 
-    /// Makes what is new, if the layout shows it. `right` is `None` where there is a fault.
+    /// Updates the picture if the layout shows it. `right` is `None` if there is a fault.
     pub(super) fn update(
         &mut self,
         derived: &mut Derived,
@@ -63,7 +63,7 @@ impl WrongPictures {
         if let Some((right, world)) = right {
             self.last = Some(self.of(&right, world, session, size, sizes, watch));
         }
-        // An older picture, while there is a fault, must not stand under another mistake's name.
+        // While there is a fault, an older picture must not be shown under another mistake's name.
         self.last.take_if(|(wrong, _)| wrong.mistake != session.gallery.shown());
         if let Some((wrong, shown)) = &self.last {
             derived.wrong = Some(Arc::clone(wrong));
@@ -102,7 +102,7 @@ impl WrongPictures {
         });
         let Some(picture) = picture else { return (wrong, None) };
         let mut items = session.settings.items;
-        // They are the right camera's, and this picture is about their being elsewhere.
+        // Both belong to the right camera; in this picture they would be elsewhere.
         items.set(Item::UvAxes, false);
         items.set(Item::Hit, false);
         let key = (self.count, right.selection, size, items, sizes.scale, sizes.style);

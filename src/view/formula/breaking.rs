@@ -1,23 +1,23 @@
-//! A formula in lines of a given width. It is broken before `=` and its like; what is then still too
-//! wide, before `+`, `×` and their like; then vectors are written as columns; then letters get
-//! smaller. Nothing is ever wider than it may be.
+//! Line breaking: sets a formula in lines of a given width. It is broken before `=` and other
+//! relations; a piece that is still too wide is broken before `+`, `×` and other operators; then
+//! vectors are written as columns; then the text gets smaller. No line is wider than the column.
 
 use super::Direction;
 use super::Formula;
 use super::layout::{Layout, Measure, layout, room, row};
 
-/// The column that lines are set in.
+/// The column in which lines are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Column {
-    /// The letters' em.
+    /// Size of the em.
     pub size: f32,
-    /// How wide it is.
+    /// Width of the column.
     pub width: f32,
-    /// How far every line but the first is indented.
+    /// Indent of every line but the first.
     pub indent: f32,
 }
 
-/// Between two lines, in ems.
+/// Distance between two lines, in ems.
 const LEADING: f32 = 0.42;
 
 /// Sets a formula in as many lines as it needs.
@@ -53,7 +53,7 @@ pub fn lines(formula: &Formula, column: Column, measure: &mut dyn Measure) -> La
     set.stacked()
 }
 
-/// The parts, cut before each that `begins` a new piece.
+/// Cuts the parts before each one that `begins` a new piece.
 fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula]> {
     let mut cuts = vec![0];
     cuts.extend((1..parts.len()).filter(|k| begins(&parts[*k])));
@@ -61,14 +61,14 @@ fn pieces(parts: &[Formula], begins: impl Fn(&Formula) -> bool) -> Vec<&[Formula
     cuts.windows(2).map(|pair| &parts[pair[0]..pair[1]]).filter(|piece| !piece.is_empty()).collect()
 }
 
-/// Too wide for a line of its own: vectors as columns, and then smaller.
+/// Sets a piece that is too wide for a line: first with vectors as columns, then also smaller.
 fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn Measure) -> Layout {
     let columns: Vec<Formula> = parts.iter().map(upright).collect();
     let single = row(&columns, size, measure);
     if single.width <= width {
         return single;
     }
-    // Widths are proportional to the size but for the fonts' rounding.
+    // Widths are proportional to the size, apart from the fonts' rounding.
     let mut smaller = size;
     let mut single = single;
     for _ in 0..8 {
@@ -81,7 +81,7 @@ fn narrowed(parts: &[Formula], size: f32, width: f32, measure: &mut dyn Measure)
     single
 }
 
-/// The same with its vectors as columns.
+/// Returns the formula with its vectors as columns.
 fn upright(formula: &Formula) -> Formula {
     match formula {
         Formula::Tuple(coordinates, _) => Formula::Tuple(coordinates.clone(), Direction::Column),
@@ -96,7 +96,7 @@ fn upright(formula: &Formula) -> Formula {
     }
 }
 
-/// Lines in the making.
+/// The lines while they are set.
 struct Lines<'a> {
     column: Column,
     done: Vec<Layout>,
@@ -105,7 +105,7 @@ struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// Adds a piece to the open line if it fits, else to a new one.
+    /// Adds a piece to the open line if it fits, otherwise to a new line.
     fn add(&mut self, parts: &'a [Formula], piece: Layout) {
         let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return };
         let indent = if self.done.is_empty() { 0.0 } else { self.column.indent };
@@ -124,7 +124,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The lines one below the other.
+    /// Stacks the lines.
     fn stacked(mut self) -> Layout {
         self.done.extend(self.open.take().map(|(line, _)| line));
         let mut whole = Layout::default();

@@ -1,10 +1,10 @@
-//! A formula as LaTeX with amsmath writes it, which Markdown's `$...$` takes as well.
+//! Formulas as LaTeX with amsmath, which Markdown's `$...$` also accepts.
 
 use super::Direction;
 use super::Formula;
 use super::Operator;
 
-/// In mathematics mode.
+/// Writes a formula for math mode.
 pub(crate) fn math(formula: &Formula) -> String {
     match formula {
         Formula::Scalar(name) => named("mathit", name),
@@ -31,7 +31,8 @@ pub(crate) fn math(formula: &Formula) -> String {
     }
 }
 
-/// The same with `&` before its first relation, at which lines of an `align` meet.
+/// Writes a formula for math mode with `&` before its first relation, at which the lines of an
+/// `align` meet.
 pub(crate) fn aligned(formula: &Formula) -> String {
     let parts = formula.parts();
     let is_relation = |part: &Formula| matches!(part, Formula::Operator(o) if o.is_relation());
@@ -41,7 +42,8 @@ pub(crate) fn aligned(formula: &Formula) -> String {
     }
 }
 
-/// Text outside of mathematics: what LaTeX reads as commands, or what its fonts lack, is spelled out.
+/// Writes text for text mode: escapes LaTeX's special characters, and replaces characters that its
+/// fonts lack.
 pub(crate) fn text(text: &str) -> String {
     text.chars().map(letter).collect()
 }
@@ -78,7 +80,7 @@ fn letter(c: char) -> String {
     }
 }
 
-/// A name of one letter is a symbol; of more, a word.
+/// Writes a name: one letter as a symbol, several letters as a word.
 fn named(style: &str, name: &str) -> String {
     match name.len() {
         1 => name.to_owned(),
@@ -103,7 +105,7 @@ fn word(text_of: &str) -> String {
     }
 }
 
-/// Digits, maybe with an exponent.
+/// Writes digits, possibly with an exponent.
 fn number(digits: &str) -> String {
     let digits = digits.replace('−', "-");
     match digits.split_once('e') {
@@ -133,7 +135,7 @@ fn row(parts: &[Formula]) -> String {
         if k > 0 && !close {
             out.push(' ');
         }
-        // A sign that follows another one is no operation.
+        // A minus after another operator is a sign, not a subtraction.
         let after_sign = k > 0 && matches!(parts[k - 1], Formula::Operator(o) if o.is_binary());
         match part {
             Formula::Operator(Operator::Negative) if after_sign => out.push_str("{-}"),

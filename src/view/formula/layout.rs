@@ -1,5 +1,5 @@
-//! A formula as text and strokes with places: boxes that stand on a common baseline, as TeX sets
-//! them, without its refinements.
+//! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX,
+//! without its refinements.
 
 use super::Direction;
 use super::Formula;
@@ -12,63 +12,64 @@ use crate::model::letters;
 /// The font of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Face {
-    /// Digits, signs and words.
+    /// Upright, for digits, operators and words.
     Upright,
-    /// Scalars, already written in italic letters.
+    /// Italic, for scalars; their text is already in italic letters.
     Italic,
-    /// Vectors.
+    /// Bold, for vectors.
     Bold,
 }
 
-/// What knows how wide text is.
+/// A measure of text width.
 pub trait Measure {
-    /// The width of `text` in a font whose em is `size`, in the unit of `size`.
+    /// Returns the width of `text` in a font whose em is `size`, in the unit of `size`.
     fn width(&mut self, text: &str, face: Face, size: f32) -> f32;
 }
 
-/// A piece of text. x to the right, y down, from where the first line's baseline begins.
+/// A piece of text. Positions have x to the right and y down, from the start of the first baseline.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// What it says.
+    /// The text.
     pub text: String,
-    /// In which font.
+    /// The font.
     pub face: Face,
-    /// The font's em.
+    /// Size of the em.
     pub size: f32,
-    /// In which colour.
+    /// The colour.
     pub ink: Ink,
-    /// Where its baseline begins.
+    /// The start of its baseline.
     pub at: [f32; 2],
 }
 
 /// A stroke: the bar of a fraction, a bracket.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rule {
-    /// Its corners.
+    /// The corners.
     pub points: Vec<[f32; 2]>,
-    /// How thick it is.
+    /// The width.
     pub width: f32,
-    /// In which colour.
+    /// The colour.
     pub ink: Ink,
 }
 
-/// A formula with places: a box that reaches from its baseline up by `ascent`, down by `descent`.
+/// A formula with positions: a box that extends above its baseline by `ascent` and below by
+/// `descent`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    /// From left to right.
+    /// Width of the box.
     pub width: f32,
-    /// Above the baseline.
+    /// Extent above the baseline.
     pub ascent: f32,
-    /// Below the baseline; of several lines, below the first one's.
+    /// Extent below the baseline; of several lines, below the first baseline.
     pub descent: f32,
-    /// Its text.
+    /// The text.
     pub runs: Vec<Run>,
-    /// Its strokes.
+    /// The strokes.
     pub rules: Vec<Rule>,
 }
 
-/// Shares of the em. A line of text reaches so far up and down; the bars of fractions, the minus and
-/// the middle of brackets are at `AXIS`.
+/// Lengths in ems: extent of a line of text above and below its baseline; height of fraction bars,
+/// the minus and the middle of brackets (`AXIS`); gaps; width of strokes.
 const ASCENT: f32 = 0.76;
 const DESCENT: f32 = 0.24;
 const AXIS: f32 = 0.34;
@@ -76,17 +77,17 @@ const THIN: f32 = 0.17;
 const MEDIUM: f32 = 0.24;
 const WIDE: f32 = 0.34;
 const STROKE: f32 = 0.066;
-/// Fractions, and what stands at the upper or lower right, are smaller.
+/// Sizes of superscripts and subscripts, and of fractions, relative to their surroundings.
 const SMALL: f32 = 0.72;
 const FRACTION: f32 = 0.88;
-/// Text that is higher than this many ems gets drawn parentheses.
+/// Height, in ems, above which parentheses are drawn as strokes.
 const TALL: f32 = 1.3;
 
-/// Lays a formula out in one line, letters `size` high.
+/// Lays a formula out in one line; the em is `size`.
 pub fn layout(formula: &Formula, size: f32, measure: &mut dyn Measure) -> Layout {
     match formula {
         Formula::Scalar(name) => {
-            // A name of several letters is a word; italic letters would read as a product.
+            // A name of several letters is a word; mathematical italics would read as a product.
             let text = match name.len() {
                 1 => name.chars().map(letters::italic).collect(),
                 _ => (*name).to_owned(),
@@ -143,7 +144,7 @@ impl Layout {
         self.ascent + self.descent
     }
 
-    /// Adds another box with its baseline's beginning moved by (x, y).
+    /// Adds another box with the start of its baseline moved by (x, y).
     pub(super) fn put(&mut self, mut other: Layout, x: f32, y: f32) {
         let moved = |[a, b]: [f32; 2]| [a + x, b + y];
         other.runs.iter_mut().for_each(|run| run.at = moved(run.at));
@@ -162,7 +163,7 @@ impl Layout {
     }
 }
 
-/// The room before a part that follows another.
+/// Returns the gap between two successive parts.
 pub(super) fn room(before: &Formula, after: &Formula, size: f32) -> f32 {
     size * match gap(before, after) {
         Gap::None => 0.0,
@@ -219,7 +220,7 @@ fn root(of: Layout, size: f32) -> Layout {
     whole
 }
 
-/// A small part at the right of a base, `shift` of the base's em below its baseline.
+/// Sets a small part at the right of a base, its baseline `shift` ems below that of the base.
 fn script(
     base: &Formula,
     small: &Formula,
@@ -250,7 +251,7 @@ fn column(boxes: Vec<Layout>, size: f32) -> Layout {
     whole
 }
 
-/// What stands on both sides of something high.
+/// The delimiters on both sides of a high part.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Fence {
     Bar,
@@ -270,7 +271,7 @@ fn in_parentheses(of: Layout, size: f32, measure: &mut dyn Measure) -> Layout {
     whole
 }
 
-/// Something between two strokes as high as it is.
+/// Encloses a part in two strokes of its height.
 fn fenced(of: Layout, fence: Fence, size: f32) -> Layout {
     let (top, bottom) = (-of.ascent - 0.04 * size, of.descent + 0.04 * size);
     let pad = match fence {
@@ -287,7 +288,7 @@ fn fenced(of: Layout, fence: Fence, size: f32) -> Layout {
             let inner = outer + inward * hook;
             vec![[inner, top], [outer, top], [outer, bottom], [inner, bottom]]
         }
-        // A parabola through the ends, touching `outer` in the middle.
+        // A parabola through the ends that touches `outer` in the middle.
         Fence::Parenthesis => (0..=12)
             .map(|k| {
                 let s = k as f32 / 6.0 - 1.0;

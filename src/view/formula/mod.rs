@@ -1,13 +1,13 @@
-//! Formulas as the lecture writes them: a tree, its layout, and what else it can be written as.
+//! Formulas in the lecture's notation: a tree, its layout, and its text forms.
 //!
-//! - this file: the tree, free of fonts and colours;
+//! - this file: the tree, without fonts and colours;
 //! - `text`: the tree in one line of plain text, for screen readers, the clipboard and tests;
-//! - `latex`: the tree as LaTeX writes it;
-//! - `layout`: the tree as text and strokes with places, given what measures text; `breaking`: the
+//! - `latex`: the tree as LaTeX;
+//! - `layout`: the tree as positioned text and strokes, given a measure of text; `breaking`: the
 //!   same in lines of a given width.
 //!
-//! Vectors and scalars are different kinds of names: a [`Formula::Vector`] is bold and has the colour
-//! that it has in the views, a [`Formula::Scalar`] is italic. Nothing here paints.
+//! Vectors and scalars are different kinds of names: a [`Formula::Vector`] is bold and has its
+//! colour from the views, a [`Formula::Scalar`] is italic. Nothing is painted here.
 
 mod breaking;
 pub(crate) mod latex;
@@ -23,63 +23,63 @@ pub use layout::{Face, Layout, Measure, Rule, Run, layout};
 /// One formula, or a part of one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Formula {
-    /// A scalar's name: italic.
+    /// The name of a scalar: italic.
     Scalar(&'static str),
-    /// A vector's or a point's name: bold, in a colour of its own.
+    /// The name of a vector or point: bold, with a colour.
     Vector(&'static str, Ink),
-    /// What is neither: `normalize`, `sin`.
+    /// Another word: `normalize`, `sin`.
     Word(String),
-    /// Digits, as [`number`] writes them.
+    /// Digits, as written by [`number`].
     Number(String),
-    /// The same, but not all that there are.
+    /// Rounded digits.
     Rounded(String),
-    /// A sign between two parts, or before one.
+    /// An operator between two parts, or a sign before one.
     Operator(Operator),
-    /// Parts one behind the other.
+    /// Parts side by side.
     Row(Vec<Formula>),
     /// A square root.
     Root(Box<Formula>),
     /// One part above the other.
     Fraction(Box<Formula>, Box<Formula>),
-    /// A small part at the upper right.
+    /// A base with a superscript.
     Power(Box<Formula>, Box<Formula>),
-    /// A small part at the lower right.
+    /// A base with a subscript.
     Index(Box<Formula>, Box<Formula>),
-    /// `|x|`: a vector's length.
+    /// The length of a vector, `|x|`.
     Norm(Box<Formula>),
-    /// `(x)`
+    /// Parentheses, `(x)`.
     Parentheses(Box<Formula>),
     /// The coordinates of a vector, side by side or one below the other.
     Tuple(Vec<Formula>, Direction),
 }
 
-/// How a vector's coordinates are arranged.
+/// The arrangement of a vector's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// `(x, y, z)`
+    /// Side by side, `(x, y, z)`.
     Row,
     /// One below the other, in brackets.
     Column,
 }
 
-/// Which of the views' colours something has.
+/// A colour of the views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ink {
-    /// That of other text.
+    /// The colour of other text.
     Text,
-    /// The vector u's.
+    /// The colour of u.
     U,
-    /// The vector v's.
+    /// The colour of v.
     V,
-    /// The vector w's.
+    /// The colour of w.
     W,
-    /// What the camera is given by: at, view, up.
+    /// The colour of the given vectors and points: at, view, up.
     Given,
-    /// The selected ray's.
+    /// The colour of the selected ray.
     Ray,
 }
 
-/// A sign.
+/// An operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the signs' own names")]
 pub enum Operator {
@@ -92,12 +92,12 @@ pub enum Operator {
     /// The dot product, and the product of two numbers.
     Dot,
     Comma,
-    /// The minus before a number or vector.
+    /// The negative sign of a number or vector.
     Negative,
 }
 
 impl Operator {
-    /// The sign itself.
+    /// Returns the operator's character.
     pub fn sign(self) -> &'static str {
         match self {
             Operator::Equals => "=",
@@ -110,12 +110,13 @@ impl Operator {
         }
     }
 
-    /// Whether it says how two sides are related: where a line is broken first.
+    /// Returns true for a relation between two sides; lines are broken there first.
     pub fn is_relation(self) -> bool {
         matches!(self, Operator::Equals | Operator::Approximately)
     }
 
-    /// Whether it joins two terms or factors: where a line is broken if it must be.
+    /// Returns true for an operator between two terms or factors; lines are broken there if they
+    /// must be.
     fn is_binary(self) -> bool {
         use Operator::{Dot, Minus, Plus, Times};
         matches!(self, Plus | Minus | Times | Dot)
@@ -128,18 +129,18 @@ impl From<Operator> for Formula {
     }
 }
 
-/// A number as text, its minus the real one.
+/// Returns a number, written with a real minus.
 pub fn number(text: &str) -> Formula {
     signed(text, Formula::Number)
 }
 
-/// The same of digits that are not all that the number has.
+/// Returns rounded digits, written with a real minus.
 pub fn rounded(text: &str) -> Formula {
     signed(text, Formula::Rounded)
 }
 
 fn signed(text: &str, digits: impl Fn(String) -> Formula) -> Formula {
-    // An exponent has a minus, too.
+    // An exponent may have a minus, too.
     let written = |text: &str| digits(text.replace('-', "−"));
     match text.strip_prefix(['-', '−']) {
         Some(positive) => row([Operator::Negative.into(), written(positive)]),
@@ -147,12 +148,12 @@ fn signed(text: &str, digits: impl Fn(String) -> Formula) -> Formula {
     }
 }
 
-/// Upright words.
+/// Returns an upright word.
 pub fn word(text: impl Into<String>) -> Formula {
     Formula::Word(text.into())
 }
 
-/// A row; rows within it become part of it.
+/// Returns a row; rows within it are flattened.
 pub fn row(parts: impl IntoIterator<Item = Formula>) -> Formula {
     let mut flat = Vec::new();
     for part in parts {
@@ -169,48 +170,49 @@ pub fn row(parts: impl IntoIterator<Item = Formula>) -> Formula {
     Formula::Row(flat)
 }
 
-/// `√x`
+/// Returns `√x`.
 pub fn root(of: Formula) -> Formula {
     Formula::Root(Box::new(of))
 }
 
-/// `above / below`
+/// Returns `above / below`.
 pub fn fraction(above: Formula, below: Formula) -> Formula {
     Formula::Fraction(Box::new(above), Box::new(below))
 }
 
-/// `base²` and the like.
+/// Returns a power such as `base²`.
 pub fn power(base: Formula, exponent: &str) -> Formula {
     Formula::Power(Box::new(base), Box::new(number(exponent)))
 }
 
-/// `base` with a small number or name at its lower right.
+/// Returns `base` with a subscript.
 pub fn index(base: Formula, index: Formula) -> Formula {
     Formula::Index(Box::new(base), Box::new(index))
 }
 
-/// `|x|`
+/// Returns `|x|`.
 pub fn norm(of: Formula) -> Formula {
     Formula::Norm(Box::new(of))
 }
 
-/// `(x)`
+/// Returns `(x)`.
 pub fn parentheses(of: Formula) -> Formula {
     Formula::Parentheses(Box::new(of))
 }
 
-/// `−x`
+/// Returns `−x`.
 pub fn negative(of: Formula) -> Formula {
     row([Operator::Negative.into(), of])
 }
 
-/// `(x, y, z)`
+/// Returns `(x, y, z)`.
 pub fn tuple(coordinates: impl IntoIterator<Item = Formula>) -> Formula {
     Formula::Tuple(coordinates.into_iter().collect(), Direction::Row)
 }
 
 impl Formula {
-    /// Whether it begins with a minus, and so needs parentheses behind another sign.
+    /// Returns true if the formula begins with a minus, and so needs parentheses after another
+    /// operator.
     pub fn is_negative(&self) -> bool {
         match self {
             Formula::Operator(Operator::Negative) => true,
@@ -219,13 +221,13 @@ impl Formula {
         }
     }
 
-    /// In parentheses if it begins with a minus.
+    /// Puts the formula in parentheses if it begins with a minus.
     #[must_use]
     pub fn guarded(self) -> Formula {
         if self.is_negative() { parentheses(self) } else { self }
     }
 
-    /// Whether digits are left out in it, up to the first sign that relates it to what follows.
+    /// Returns true if the formula has rounded digits before its first relation.
     pub fn begins_rounded(&self) -> bool {
         let relates =
             |part: &&Formula| matches!(part, Formula::Operator(sign) if sign.is_relation());
@@ -248,7 +250,7 @@ impl Formula {
         }
     }
 
-    /// Its parts, or itself as the only one.
+    /// Returns the formula's parts, or itself as the only part.
     fn parts(&self) -> &[Formula] {
         match self {
             Formula::Row(parts) => parts,
@@ -257,19 +259,19 @@ impl Formula {
     }
 }
 
-/// The room between two parts of a row.
+/// The size of the gap between two parts of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Gap {
     None,
-    /// Between two factors.
+    /// The gap between two factors.
     Thin,
-    /// Around `+` and behind a comma.
+    /// The gap around `+` and after a comma.
     Medium,
-    /// Around `=`.
+    /// The gap around `=`.
     Wide,
 }
 
-/// The room between a part of a row and the next one.
+/// Returns the gap between a part of a row and the next one.
 fn gap(before: &Formula, after: &Formula) -> Gap {
     match (before, after) {
         (_, Formula::Operator(Operator::Comma))

@@ -1,6 +1,6 @@
 use super::*;
 
-/// Every letter is 0.55 em wide, bold ones 0.6.
+/// A measure for which every letter is 0.55 em wide, bold ones 0.6.
 struct Even;
 
 impl Measure for Even {
@@ -26,7 +26,7 @@ fn coordinates(numbers: [&str; 3]) -> Formula {
     tuple(numbers.map(number))
 }
 
-/// `u = up × w / |up × w| = (5, 0, −7) / √74 = (0.58124, 0, −0.81373)`
+/// Returns `u = up × w / |up × w| = (5, 0, −7) / √74 = (0.58124, 0, −0.81373)`.
 fn long() -> Formula {
     row([
         U,
@@ -60,7 +60,7 @@ fn plain_text_keeps_vectors_and_scalars_apart() {
     }
 }
 
-/// Where every run and stroke of a layout begins and ends, with what it is.
+/// Returns the bounds of every run and stroke of a layout, with its text.
 fn boxes(layout: &Layout) -> Vec<(String, [f32; 4])> {
     let runs = layout.runs.iter().map(|run| {
         let width = Even.width(&run.text, run.face, run.size);
@@ -79,7 +79,7 @@ fn boxes(layout: &Layout) -> Vec<(String, [f32; 4])> {
     runs.chain(rules).collect()
 }
 
-/// Everything lies in the layout's own box, and no text lies over other text.
+/// Checks that everything lies in the layout's own box, and that no texts overlap.
 fn check(layout: &Layout) {
     let boxes = boxes(layout);
     for (k, (text, [left, top, right, bottom])) in boxes.iter().enumerate() {
@@ -126,7 +126,7 @@ fn names_have_their_fonts_and_colours() {
     );
 }
 
-/// The lines of a layout as text.
+/// Returns the lines of a layout as text.
 fn lines_of(layout: &Layout) -> Vec<String> {
     let mut lines: Vec<(f32, String)> = Vec::new();
     for run in &layout.runs {

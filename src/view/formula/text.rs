@@ -1,5 +1,5 @@
-//! A formula in one line of plain text. Vectors' names of one letter are bold letters of Unicode, so
-//! that `𝐮` and `u` stay apart.
+//! Formulas in one line of plain text. Names of vectors that have one letter are written with
+//! Unicode's bold letters, so that `𝐮` and `u` differ.
 
 use std::fmt::{self, Write as _};
 
@@ -41,7 +41,8 @@ impl fmt::Display for Formula {
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
-/// A letter as the bold one of the block *Mathematical Alphanumeric Symbols*; a word as it is.
+/// Writes one letter in bold, from the block *Mathematical Alphanumeric Symbols*; a word stays as
+/// it is.
 fn bold(name: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match name.len() {
         1 => name.chars().try_for_each(|letter| f.write_char(letters::bold(letter))),
@@ -59,7 +60,7 @@ fn row(parts: &[Formula], f: &mut fmt::Formatter<'_>) -> fmt::Result {
     Ok(())
 }
 
-/// Behind a sign that takes only the next part: more than one part in parentheses.
+/// Writes an operator that applies only to the next part, with parentheses around several parts.
 fn guarded(sign: &str, of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match of {
         Formula::Row(_) | Formula::Fraction(..) => write!(f, "{sign}({of})"),
@@ -67,7 +68,7 @@ fn guarded(sign: &str, of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result 
     }
 }
 
-/// Before `/`, a product needs no parentheses.
+/// Writes the numerator of `/`; a product needs no parentheses there.
 fn numerator(of: &Formula, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let joins = |part: &Formula| matches!(part, Formula::Operator(operator) if *operator != Operator::Negative);
     match of {

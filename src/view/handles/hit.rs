@@ -1,27 +1,28 @@
-//! Which handle a place in the picture means.
+//! Hit test: finds the handle at a position of the picture.
 
 use pinhole_core::DVec2;
 
 use super::Grip;
 use crate::model::hand::Handle;
 
-/// A handle that is pointed at.
+/// The result of a hit test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Hit {
-    /// Which.
+    /// The handle.
     pub handle: Handle,
-    /// How many lie together there, itself included.
+    /// Number of handles that lie together there, including itself.
     pub together: usize,
 }
 
-/// Handles nearer to each other than this share of the reach lie together.
+/// Distance up to which handles lie together, as a share of the reach.
 const TOGETHER: f64 = 0.4;
 
-/// The handle nearest to a place, no farther than `reach`, all in dots. Of those that lie together
-/// with it the first one, or the one that comes after the one that was clicked last.
+/// Returns the handle nearest to a position, at most `reach` away, all in dots. Among handles that
+/// lie together with it, the first one is returned, or the one after the handle that was clicked
+/// last.
 pub fn hit(grips: &[Grip], at: DVec2, reach: f64, clicked: Option<Handle>) -> Option<Hit> {
     let near = grips.iter().filter(|grip| grip.spot.distance(at) <= reach);
-    // Of equally near ones the first.
+    // `min_by` returns the first of equally near ones.
     let nearest = near.min_by(|a, b| a.spot.distance(at).total_cmp(&b.spot.distance(at)))?;
     let beside = |grip: &&Grip| grip.spot.distance(nearest.spot) <= TOGETHER * reach;
     let group: Vec<Handle> = grips.iter().filter(beside).map(|grip| grip.handle).collect();

@@ -1,4 +1,4 @@
-//! Handles as the overlay draws them.
+//! The marks that the overlay draws for handles.
 
 use pinhole_core::DVec3;
 
@@ -11,13 +11,13 @@ use crate::model::hand::Hand;
 use crate::model::hand::Handle;
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
-/// Axes at a handle that is pointed at reach so many points to either side.
+/// Length of the axes at a hovered handle, to either side, in points.
 const STUB_POINTS: f64 = 46.0;
 
-/// An axis that is dragged along is drawn so many of the observer's distances far.
+/// Length of an axis during a drag along it, as a multiple of the observer's distance.
 const LONG: f64 = 100.0;
 
-/// What the overlay draws of the handles.
+/// Returns what the overlay draws for the handles.
 pub fn drawn(stage: &Stage, hand: &Hand) -> Handles {
     let grips = grips(stage, hand);
     let is_marked = |grip: &&Grip| hand.held.is_some_and(|held| held.handle == grip.handle);
@@ -65,7 +65,8 @@ fn knob(handle: Handle) -> Knob {
     }
 }
 
-/// The ways that a handle can be dragged, or the one that it is dragged.
+/// Returns guides for all directions in which the handle can be dragged, or for the one in which it
+/// is dragged.
 fn guides(stage: &Stage, grip: &Grip, hand: &Hand) -> Vec<Guide> {
     let stub = overlay::length_of_points(stage.observer, grip.at, STUB_POINTS, stage.scale);
     let long = LONG * stage.observer.eye().distance(grip.at);

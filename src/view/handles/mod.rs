@@ -1,10 +1,10 @@
-//! What one takes in the hand in the world view: eye, at, the tip of up, the viewport, spheres and
-//! planes. Pure: who presses what is known to `panels::handles`.
+//! Handles that are dragged in the world view: eye, at, the tip of up, the viewport, spheres and
+//! planes. This module is pure; pointer input is handled in `ui::scene::handles`.
 //!
-//! - `places`: which handles there are, and where they are seen; `hit`: which one is meant.
-//! - `part`: what a handle changes, as it was before and as it is after; `pull`: from the pointer to
-//!   a point of the world, and from there, through [`pinhole_core::steering`], to the part.
-//! - `words`: names and values; `marks`: what the overlay draws.
+//! - `places`: the handles and their positions on the screen; `hit`: hit test.
+//! - `part`: the values that a handle changes, before and after; `pull`: from the pointer to a
+//!   point of the world, and on to those values through [`pinhole_core::steering`].
+//! - `words`: names and values; `marks`: marks for the overlay.
 
 mod hit;
 mod marks;

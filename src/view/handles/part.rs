@@ -1,4 +1,4 @@
-//! What a handle changes.
+//! The values that a handle changes.
 
 use pinhole_core::{Camera, Plane, Sphere};
 
@@ -6,14 +6,14 @@ use crate::model::hand::Handle;
 use crate::model::session::Selection;
 use pinhole_exchange::document::Document;
 
-/// The part of document and session that a handle can change: as it was before, or as it is after.
+/// The part of document and session that a handle can change, either before or after the change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
     /// The edited camera.
     pub camera: Camera,
     /// The selected ray.
     pub selection: Selection,
-    /// The handle's object, with its place in the document.
+    /// The handle's object, with its index in the document.
     pub object: Option<(usize, Solid)>,
 }
 
@@ -26,7 +26,7 @@ pub enum Solid {
 }
 
 impl Part {
-    /// What this handle can change, as it is now.
+    /// Returns the current values of the part that this handle can change.
     pub fn of(handle: Handle, document: &Document, selection: Selection) -> Part {
         let solid = |k: usize| {
             let sphere = document.spheres.get(k).map(|item| Solid::Sphere(item.shape));
@@ -37,7 +37,7 @@ impl Part {
         Part { camera: document.camera, selection, object }
     }
 
-    /// Sets document and selection as this part says.
+    /// Writes this part into document and session.
     pub fn put(&self, document: &mut Document, selection: &mut Selection) {
         document.camera = self.camera;
         *selection = self.selection;

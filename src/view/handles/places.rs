@@ -1,4 +1,4 @@
-//! Which handles there are, and where the observer sees them.
+//! The handles of the world view and their positions on the screen.
 
 use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
@@ -11,41 +11,42 @@ use crate::model::session::Selection;
 use crate::view::overlay;
 use pinhole_exchange::document::Document;
 
-/// On a viewport that is seen smaller than this, in points, handles would lie over each other.
+/// Least size of the viewport on the screen, in points; on a smaller one handles would overlap.
 const LEAST_VIEWPORT: f64 = 52.0;
 
-/// From an arrow's tip to the handle there, in points.
+/// Distance from an arrow's tip to its handle, in points.
 const BEYOND: f64 = 10.0;
 
-/// What is on the stage, and who looks at it.
+/// The document and the observer for which handles are placed.
 #[derive(Clone, Copy)]
 pub struct Stage<'a> {
     /// The document.
     pub document: &'a Document,
-    /// Its camera, where it has a basis.
+    /// The document's camera, if it has a basis.
     pub posed: Option<&'a PosedCamera>,
     /// The selected ray.
     pub selection: Selection,
-    /// What is drawn.
+    /// The overlay items that are drawn.
     pub items: OverlayItems,
-    /// Who looks.
+    /// The observer.
     pub observer: &'a PosedCamera,
     /// Dots per point.
     pub scale: f32,
 }
 
-/// A handle in its place.
+/// A handle with its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grip {
-    /// Which.
+    /// The handle.
     pub handle: Handle,
-    /// Where it is in the world.
+    /// The position in the world.
     pub at: DVec3,
-    /// Where the observer sees it, in dots.
+    /// The position on the observer's screen, in dots.
     pub spot: DVec2,
 }
 
-/// All handles that the observer sees; of those that fall together, the first is meant first.
+/// Returns all handles that the observer sees. If several are at the same position, the first one
+/// is preferred.
 pub fn grips(stage: &Stage, hand: &Hand) -> Vec<Grip> {
     if !stage.items.shows(Item::Handles) {
         return Vec::new();
@@ -80,7 +81,7 @@ impl Stage<'_> {
         &self.document.camera
     }
 
-    /// Whether there is no room for handles on the viewport.
+    /// Returns true if there is no room for handles on the viewport.
     pub fn is_viewport_small(&self) -> bool {
         let Some(posed) = self.posed else { return false };
         let corner = |corner: ViewportCorner| {
@@ -93,18 +94,19 @@ impl Stage<'_> {
         a.distance(d).max(b.distance(c)) < LEAST_VIEWPORT * f64::from(self.scale)
     }
 
-    /// The length of the arrows at the eye; `None` where it is not seen.
+    /// Returns the length of the arrows at the eye; `None` if it is not seen.
     pub(super) fn arrow(&self) -> Option<f64> {
         let arrow = overlay::arrow_length(self.observer, self.camera().eye, self.scale);
         (arrow > 0.0 && arrow.is_finite()).then_some(arrow)
     }
 
-    /// Handles of arrows lie so far beyond their tips, in the world, and leave the heads to be seen.
+    /// Returns the distance, in the world, of a handle from its arrow's tip; the arrow's head stays
+    /// visible.
     pub(super) fn beyond(&self, base: DVec3) -> f64 {
         overlay::length_of_points(self.observer, base, BEYOND, self.scale)
     }
 
-    /// How a handle is taken when it is taken now; `None` where it is not there.
+    /// Returns the grasp with which a handle is taken now; `None` if it is not there.
     pub fn grasp(&self, handle: Handle) -> Option<Grasp> {
         let per_length = |drawn: f64, vector: DVec3| {
             let length = vector.length();
@@ -127,7 +129,7 @@ impl Stage<'_> {
         Some(Grasp { handle, length, toward: self.observer.basis().u })
     }
 
-    /// Where a handle is in the world.
+    /// Returns the position of a handle in the world.
     pub fn place(&self, handle: Handle, Grasp { length, toward, .. }: Grasp) -> Option<DVec3> {
         let camera = self.camera();
         let on_viewport = |uv: DVec2| Some(self.posed?.viewport_point(uv));
@@ -167,7 +169,8 @@ impl Stage<'_> {
         Some(self.document.planes.get(place)?.shape)
     }
 
-    /// Where the observer sees a point, in dots; `None` outside the picture.
+    /// Returns the position of a point on the observer's screen, in dots; `None` outside the
+    /// picture.
     pub fn spot(&self, at: DVec3) -> Option<DVec2> {
         let seen = self.observer.project(at);
         let image = self.observer.image();

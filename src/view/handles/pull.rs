@@ -1,5 +1,6 @@
-//! From the pointer to a point of the world, and from there to what the handle changes. Always from
-//! how it was when the handle was taken, so that there and back again is no change.
+//! Drags: from the pointer to a point of the world, and from there to the values that the handle
+//! changes. They are always computed from the values at the start of the drag, so that dragging
+//! back to the start changes nothing.
 
 use std::f64::consts::PI;
 
@@ -16,92 +17,92 @@ use crate::model::hand::Axis;
 use crate::model::hand::Grasp;
 use crate::model::hand::Handle;
 
-/// How it was when a handle was taken.
+/// The state at the start of a drag.
 #[derive(Clone, Copy, Debug)]
 pub struct Start {
-    /// What it changes.
+    /// The values that the handle changes.
     pub before: Part,
-    /// The camera then, where it had a basis.
+    /// The camera at the start, if it had a basis.
     pub posed: Option<PosedCamera>,
-    /// How it was taken.
+    /// The grasp of the handle.
     pub grasp: Grasp,
-    /// Where it was in the world.
+    /// Position of the handle in the world.
     pub at: DVec3,
-    /// Where in the observer's viewport the pointer took it.
+    /// Position in the observer's viewport where the pointer took the handle.
     pub begun_at: DVec2,
 }
 
-/// How a drag is held.
+/// The options of a drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct How {
-    /// Along what.
+    /// The direction or plane of the drag.
     pub along: Along,
-    /// To multiples of a round step.
+    /// True if values snap to multiples of a round step.
     pub snaps: bool,
-    /// What a moved eye keeps.
+    /// The quantity that stays when the eye moves.
     pub eye: Keep,
-    /// What a corner of the viewport keeps.
+    /// The quantity that stays when a corner of the viewport moves.
     pub corner: CornerKeeps,
-    /// What the viewport's distance keeps.
+    /// The quantity that stays when the viewport's distance changes.
     pub distance: DistanceKeeps,
 }
 
-/// What a drag has done.
+/// The result of a drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulled {
-    /// How it is now.
+    /// The changed values.
     pub part: Part,
-    /// How the handle is held now.
+    /// The current grasp of the handle.
     pub grasp: Grasp,
-    /// Whether up was turned too, because the view came near it.
+    /// True if up was turned, too, because the view came near it.
     pub up_went_along: bool,
     /// The step that values were snapped to.
     pub step: Option<f64>,
-    /// By how many degrees the camera was rolled, where it was.
+    /// Angle in degrees by which the camera was rolled, if it was.
     pub rolled: Option<f64>,
 }
 
-/// A drag under way: who looks, and how it is held.
+/// A drag in progress, with its observer and options.
 #[derive(Clone, Copy, Debug)]
 pub struct Pull<'a> {
-    /// How it began.
+    /// The start of the drag.
     pub start: &'a Start,
     /// The observer.
     pub observer: &'a PosedCamera,
     /// Dots per point.
     pub scale: f32,
-    /// How it is held.
+    /// The options.
     pub how: How,
 }
 
-/// A step to snap to, and that a key moves by, is at least so many points long.
+/// Least length, in points, of a step to which values snap and by which keys move a handle.
 const STEP_POINTS: f64 = 10.0;
 
-/// Angles are snapped to so many degrees.
+/// Step to which angles snap, in degrees.
 const STEP_DEGREES: f64 = 15.0;
 
-/// The step for values at a place: 1, 2 or 5 times a power of ten.
+/// Returns the step for values at a point of the world: 1, 2 or 5 times a power of ten.
 pub fn step_of(observer: &PosedCamera, at: DVec3, scale: f32) -> Option<f64> {
     nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at).ok()?).ok()
 }
 
-/// Where the tip of v goes when the camera is rolled by so many degrees.
+/// Returns the position of the tip of v after a roll of the camera by `degrees`.
 pub fn turned_by(start: &Start, degrees: f64) -> Option<DVec3> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let (eye, basis) = (start.before.camera.eye, start.posed?);
     Some(eye + start.grasp.length * (cos * basis.basis().v - sin * basis.basis().u))
 }
 
-/// A vector drawn from a point to its tip, so many times as long as it is.
+/// Returns the vector whose arrow, drawn `length` times as long, goes from `base` to `tip`.
 fn of_tip(tip: DVec3, base: DVec3, length: f64) -> DVec3 {
     (tip - base) / length
 }
 
 impl Pull<'_> {
-    /// What there is when the pointer is at `uv` in the observer's viewport.
+    /// Returns the result of a drag to `uv` in the observer's viewport.
     ///
     /// # Errors
-    /// Why the handle cannot be dragged there, in words.
+    /// The reason, in words, why the handle cannot be dragged there.
     pub fn to(&self, uv: DVec2) -> Result<Pulled, String> {
         let Start { at, begun_at, .. } = *self.start;
         let drag = Drag { anchor: at, begun_at };
@@ -109,10 +110,11 @@ impl Pull<'_> {
         self.put(point)
     }
 
-    /// What there is when the handle is at a point of the world, or as near to it as it can be.
+    /// Returns the result of moving the handle to a point of the world, or as near to it as it can
+    /// be.
     ///
     /// # Errors
-    /// Why it cannot be there, in words.
+    /// The reason, in words, why it cannot be there.
     pub fn put(&self, point: DVec3) -> Result<Pulled, String> {
         let Start { before, grasp, at, .. } = *self.start;
         let unchanged =
@@ -149,7 +151,7 @@ impl Pull<'_> {
         Pulled { step: self.step().filter(|_| self.how.snaps), ..pulled }
     }
 
-    /// The step that this drag is snapped to, in the unit of what it changes.
+    /// Returns the step to which this drag snaps, in the unit of the changed value.
     fn step(&self) -> Option<f64> {
         match self.start.grasp.handle {
             Handle::Roll => Some(STEP_DEGREES),
@@ -158,7 +160,7 @@ impl Pull<'_> {
         }
     }
 
-    /// What the handle is dragged along.
+    /// Returns the direction or plane of the drag.
     fn along(&self) -> Result<DragAlong, String> {
         let no_basis = || "the camera has no basis".to_owned();
         let Start { posed, grasp, at, before, .. } = self.start;
@@ -190,12 +192,13 @@ impl Pull<'_> {
         })
     }
 
-    /// What a pixel of the picture measures at the handle.
+    /// Returns the size of a pixel of the picture at the handle, in world units.
     fn pixel_size(&self) -> Result<f64, String> {
         pixel_in_world(self.observer, self.start.at).map_err(|e| e.to_string())
     }
 
-    /// A number without digits that a hand cannot mean; `per` is how much of it a unit of the world is.
+    /// Rounds a number to the digits that a hand can set, or snaps it; `per` is its change per
+    /// world unit.
     fn number(&self, value: f64, per: f64) -> Result<f64, String> {
         let number = match self.step().filter(|_| self.how.snaps) {
             Some(step) => snapped(value, step),
@@ -204,8 +207,8 @@ impl Pull<'_> {
         number.map_err(|e| e.to_string())
     }
 
-    /// A point or vector likewise; coordinates that the drag did not change stay to the bit. Along the
-    /// camera's axes, the way is snapped, not where it ends.
+    /// Rounds or snaps a point or vector. Coordinates that the drag did not change stay the same to
+    /// the bit. Along the camera's axes the displacement is snapped, not the end point.
     fn readable(&self, from: DVec3, to: DVec3, per: f64) -> Result<DVec3, String> {
         let camera_axes: &[Axis] = match self.how.along {
             Along::Axis(Axis::U) => &[Axis::U],
@@ -264,7 +267,8 @@ impl Pull<'_> {
         }
     }
 
-    /// Up as it is dragged, parallel to the view or not: the fields show the fault.
+    /// Returns the camera with up as it is dragged, even if it is parallel to the view: the fields
+    /// then show the fault.
     fn up(&self, tip: DVec3) -> Result<Camera, String> {
         let (camera, length) = (self.start.before.camera, self.start.grasp.length);
         let new = of_tip(tip, camera.eye, length);
@@ -277,7 +281,7 @@ impl Pull<'_> {
         Ok(Camera { orientation, ..camera })
     }
 
-    /// The camera rolled until v points to where the tip is, and by how many degrees.
+    /// Returns the camera rolled until v points to the tip, and the angle in degrees.
     fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
         let Start { before, posed, grasp, .. } = self.start;
         let basis = *posed.as_ref().ok_or("the camera has no basis")?.basis();
@@ -288,7 +292,7 @@ impl Pull<'_> {
         Ok((before.camera.swung(degrees).map_err(|e| e.to_string())?, degrees))
     }
 
-    /// The camera moved along w by as much as the tip of w is.
+    /// Returns the camera moved along w by as much as the tip of w.
     fn dolly(&self, tip: DVec3) -> Result<Camera, String> {
         let Start { before: Part { camera, .. }, posed, at, .. } = self.start;
         let w = posed.as_ref().ok_or("the camera has no basis")?.basis().w;
@@ -343,12 +347,12 @@ impl Pull<'_> {
         let set = Camera { viewport: Viewport { distance, ..camera.viewport }, ..camera };
         Ok(match self.how.distance {
             DistanceKeeps::Size => set,
-            // A distance that is none is told as without the lock.
+            // An invalid distance is reported as it is without the lock.
             DistanceKeeps::Picture => camera.scaled_picture(distance).unwrap_or(set),
         })
     }
 
-    /// The pixel that is nearest to a point of the viewport.
+    /// Selects the pixel nearest to a point of the viewport.
     fn pixel(&self, point: DVec3) -> Part {
         let Start { before, posed, .. } = self.start;
         let place = posed.as_ref().and_then(|posed| {
@@ -363,7 +367,7 @@ impl Pull<'_> {
         }
     }
 
-    /// A sphere or a plane.
+    /// Moves or changes a sphere or a plane.
     fn solid(&self, point: DVec3) -> Result<Pulled, String> {
         let Start { before, grasp, at, .. } = *self.start;
         let mut now =

@@ -1,4 +1,4 @@
-//! Handles in words: what they are, and their values.
+//! Names and values of handles, in words.
 
 use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, Orientation};
@@ -9,7 +9,7 @@ use crate::model::number::written;
 use crate::model::session::Selection;
 use pinhole_exchange::document::Document;
 
-/// What a handle is: `eye`, `sphere 0 “ball”: radius`.
+/// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {
     let of = |k: usize, what: &str| format!("{}: {what}", document.title_of(k));
     let name = match handle {
@@ -35,13 +35,14 @@ pub fn label(handle: Handle, document: &Document) -> String {
     name.to_owned()
 }
 
-/// `(1, 0, −2.5)`, to so many digits.
+/// Returns `(1, 0, −2.5)`, rounded to `digits` digits.
 pub fn vector(v: DVec3, digits: usize) -> String {
     let [x, y, z] = v.to_array().map(|x| written(x, digits));
     format!("({x}, {y}, {z})")
 }
 
-/// What a handle's value is: `eye = (1, 0, 0)`. Rows and columns count from 1 on wish.
+/// Returns a handle's value: `eye = (1, 0, 0)`. Rows and columns are counted from 1 if `from_one`
+/// is set.
 pub fn value(handle: Handle, part: &Part, digits: usize, from_one: bool) -> String {
     let camera = &part.camera;
     let number = |x: f64| written(x, digits);

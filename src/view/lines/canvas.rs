@@ -1,4 +1,4 @@
-//! The plane on the screen: where a point of it is, and strokes and words at places of it.
+//! The plane on the screen: converts points of the plane to positions, and draws strokes there.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use pinhole_core::DVec2;
@@ -6,14 +6,14 @@ use pinhole_lecture::lines::ImplicitLine;
 
 use crate::model::lines::Window;
 
-/// A part of the plane shown in a rectangle, y upwards, both axes alike.
+/// A part of the plane shown in a rectangle, y upwards, both axes with the same scale.
 pub(crate) struct Sheet {
     pub(crate) painter: Painter,
     pub(crate) rect: Rect,
     window: Window,
-    /// Points of the screen in a unit of the plane.
+    /// Points of the screen per unit of the plane.
     pub(crate) scale: f64,
-    /// Around strokes.
+    /// Colour around strokes.
     pub(crate) halo: Color32,
 }
 
@@ -25,7 +25,7 @@ impl Sheet {
 
     pub(crate) fn place(&self, point: DVec2) -> Pos2 {
         let offset = self.scale * (point - self.window.center);
-        // Far outside everything is the same, and f32 has its limits.
+        // Positions far outside look alike, and f32 has a limited range.
         let offset = offset.clamp(DVec2::splat(-1e6), DVec2::splat(1e6));
         self.rect.center() + Vec2::new(offset.x as f32, -offset.y as f32)
     }
@@ -35,12 +35,13 @@ impl Sheet {
         self.window.center + DVec2::new(offset.x.into(), (-offset.y).into()) / self.scale
     }
 
-    /// Lower left and upper right corner of what is seen.
+    /// Returns the lower left and upper right corners of the visible part.
     pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
         (self.point(self.rect.left_bottom()), self.point(self.rect.right_top()))
     }
 
-    /// From the middle to a corner: no point that is seen is farther from the middle.
+    /// Returns the distance from the centre to a corner: no visible point is farther from the
+    /// centre.
     pub(crate) fn reach(&self) -> f64 {
         0.5 * f64::from(self.rect.size().length()) / self.scale
     }
@@ -49,7 +50,8 @@ impl Sheet {
         self.window.center
     }
 
-    /// A straight line between two points of the plane; `dash` in points, 0 for none.
+    /// Draws a straight line between two points of the plane; `dash` is in points, 0 for a solid
+    /// line.
     pub(crate) fn line(&self, from: DVec2, to: DVec2, stroke: Stroke, dash: f32) {
         let ends = [self.place(from), self.place(to)];
         if dash > 0.0 {
@@ -59,7 +61,7 @@ impl Sheet {
         }
     }
 
-    /// The part of the plane that is seen and where the line's f is positive, or negative.
+    /// Fills the visible part of the plane where the line's f is positive, or negative.
     pub(crate) fn half_plane(&self, line: &ImplicitLine, positive: bool, fill: Color32) {
         let (low, high) = self.bounds();
         let corners = [low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
@@ -80,7 +82,7 @@ impl Sheet {
         }
     }
 
-    /// An arrow from one point of the plane to another, its head in points of the screen.
+    /// Draws an arrow between two points of the plane; its head is sized in points of the screen.
     pub(crate) fn arrow(&self, from: DVec2, to: DVec2, stroke: Stroke) {
         let [from, to] = [self.place(from), self.place(to)];
         let along = to - from;
@@ -94,7 +96,8 @@ impl Sheet {
     }
 }
 
-/// 1, 2 or 5 times a power of ten: the least such number that is not less than `least`.
+/// Returns the least number of the form 1, 2 or 5 times a power of ten that is not less than
+/// `least`.
 pub(crate) fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0, 10.0].map(|m| m * power).into_iter().find(|s| *s >= least).unwrap_or(power)

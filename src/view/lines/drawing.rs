@@ -14,15 +14,15 @@ use crate::view::overlay::Style;
 use crate::view::typesetting::label_layout::{Font, Words, around};
 use crate::view::typesetting::theme;
 
-/// Sizes of text, in points: coordinates, names, regions.
+/// Text sizes in points: coordinates, names, regions.
 const SMALL: f32 = 15.0;
 pub(crate) const NAMES: f32 = 19.0;
 const REGIONS: f32 = 23.0;
 
-/// More points than this are not drawn.
+/// Maximum number of points drawn.
 const MOST_POINTS: usize = 400;
 
-/// Colours of the drawing.
+/// The colours of the drawing.
 pub(crate) struct Ink {
     pub(crate) text: Color32,
     pub(crate) implicit: Color32,
@@ -54,7 +54,8 @@ pub(crate) fn draw(ui: &Ui, rect: Rect, lab: &LinesLab, digits: usize) {
     paint(&sheet, lab, &ink, |_| false, digits);
 }
 
-/// Paints everything but the background; which points the ray has generated, in words.
+/// Paints everything but the background. Returns a description of the points that the ray has
+/// generated.
 pub(crate) fn paint(
     sheet: &Sheet,
     lab: &LinesLab,
@@ -95,7 +96,7 @@ pub(crate) fn paint(
     seen
 }
 
-/// The step from one line of the grid to the next, and those in sight along x and along y.
+/// Returns the step between grid lines, and the visible ones along x and along y.
 fn grid_lines(sheet: &Sheet) -> (f64, [Vec<f64>; 2]) {
     let step = round_step(52.0 / sheet.scale);
     let (low, high) = sheet.bounds();
@@ -120,7 +121,7 @@ fn grid(sheet: &Sheet, ink: &Ink) {
     }
 }
 
-/// The sign of f in the middle of every field of the grid.
+/// Draws the sign of f in the middle of every cell of the grid.
 fn signs(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
     let (step, [xs, ys]) = grid_lines(sheet);
     let before = |values: &[f64]| values.first().map(|first| first - step);
@@ -139,7 +140,7 @@ fn signs(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
     }
 }
 
-/// The grid's numbers, along the axes or, where those are out of sight, along the edge.
+/// Draws the grid's numbers along the axes, or along the edge where an axis is out of sight.
 fn coordinates(sheet: &Sheet, ink: &Ink, words: &mut Words) {
     let (_, [xs, ys]) = grid_lines(sheet);
     let (origin, rect) = (sheet.place(DVec2::ZERO), sheet.rect);
@@ -170,12 +171,12 @@ fn implicit(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
     }
 }
 
-/// On which side f is positive, and where it is 0, in words at both sides of the line.
+/// Writes on both sides of the line where f is positive, negative and 0.
 fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut Words) {
     let direction = line.direction().normalize_or_zero();
     let normal = direction.perp();
     let middle = line.nearest_to(sheet.center());
-    // Along the line, beginning well away from where it is dragged.
+    // Positions along the line, beginning well away from its handles.
     let shares = [-0.72, 0.72, -0.55, 0.55, -0.9, 0.9, -0.35, 0.35, 0.0];
     let places = |points: f64| {
         let half = 0.5 * f64::from(sheet.rect.height()) / sheet.scale;
@@ -192,7 +193,7 @@ fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut Words) {
     words.write("f = 0", font, high.into_iter().chain(low));
 }
 
-/// The line behind p dashed, from p on whole; the points that t has generated; d.
+/// Draws the line: dashed behind p, solid from p on; then the points that t has generated, and d.
 fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
     let ParametricLine { p, d } = lab.ray;
     let (first, last) = seen_of(sheet, &lab.ray);
@@ -210,7 +211,7 @@ fn parametric(sheet: &Sheet, lab: &LinesLab, ink: &Ink) {
     sheet.arrow(p, p + d, Stroke::new(6.0, ink.ray));
 }
 
-/// The points of the trail that are in sight; of too many every second one, or third, and so on.
+/// Returns the visible points of the trail; of too many only every second one, or third, and so on.
 fn generated(sheet: &Sheet, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)> {
     let (trail, (low, high)) = (lab.trail, seen_of(sheet, &lab.ray));
     let (first, last) = (trail.first.max(low), trail.last.min(high));
@@ -218,20 +219,21 @@ fn generated(sheet: &Sheet, lab: &LinesLab) -> impl Iterator<Item = (f64, DVec2)
     lab.ray.generated(every * trail.step, first, last, MOST_POINTS)
 }
 
-/// From which t to which one the line may be in sight.
+/// Returns the range of t in which the line may be visible.
 fn seen_of(sheet: &Sheet, ray: &ParametricLine) -> (f64, f64) {
     let middle = ray.nearest_t(sheet.center());
     let reach = sheet.reach() / ray.d.length();
     (middle - reach, middle + reach)
 }
 
-/// To the left of d on the screen, where y grows downwards.
+/// Returns the direction to the left of d on the screen, where y grows downwards.
 fn left_of(d: DVec2) -> Vec2 {
     let d = d.normalize_or_zero();
     -vec2(d.y as f32, d.x as f32)
 }
 
-/// t at the points that it has generated, as far as there is room; which ones there are, in words.
+/// Writes t at the generated points, as far as there is room. Returns a description of these
+/// points.
 fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) -> String {
     let font = Font { size: SMALL, color: ink.ray, bold: false };
     let left = left_of(lab.ray.d);
@@ -251,7 +253,7 @@ fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) -> String 
     seen
 }
 
-/// Which part of the line is which.
+/// Labels the parts of the line with t < 0 and t > 0.
 fn sides(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) {
     let direction = lab.ray.d.normalize_or_zero();
     let font = Font { size: SMALL + 2.0, color: ink.ray, bold: false };

@@ -1,4 +1,4 @@
-//! What can be dragged in the drawing, and how it looks.
+//! The handles of the drawing and their look.
 
 use egui::{Align2, Pos2, Rect, Stroke, Vec2, vec2};
 
@@ -8,10 +8,10 @@ use crate::view::lines::drawing::{Ink, NAMES};
 use crate::view::lines::steps::number;
 use crate::view::typesetting::label_layout::{Font, Words, around};
 
-/// Half the side of what takes the pointer around a handle, in points.
+/// Half the side of the square around a handle that takes the pointer, in points.
 pub(crate) const GRASP: f32 = 13.0;
 
-/// Keeps words off the handles.
+/// Keeps labels off the handles.
 pub(crate) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut Words) {
     for handle in Handle::ALL {
         if let Some(place) = lab.place_of(handle) {
@@ -20,7 +20,7 @@ pub(crate) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut Words) {
     }
 }
 
-/// Draws the handles in sight over everything else.
+/// Draws the visible handles over everything else.
 pub(crate) fn draw(sheet: &Sheet, lab: &LinesLab, ink: &Ink, held: impl Fn(Handle) -> bool) {
     for handle in Handle::ALL {
         let Some(at) = in_sight(sheet, lab, handle) else { continue };
@@ -28,7 +28,7 @@ pub(crate) fn draw(sheet: &Sheet, lab: &LinesLab, ink: &Ink, held: impl Fn(Handl
     }
 }
 
-/// Where a handle is, if it can be reached.
+/// Returns a handle's position, if it can be reached.
 pub(crate) fn in_sight(sheet: &Sheet, lab: &LinesLab, handle: Handle) -> Option<Pos2> {
     let at = sheet.place(lab.place_of(handle)?);
     sheet.rect.expand(GRASP).contains(at).then_some(at)
@@ -59,10 +59,10 @@ fn one(sheet: &Sheet, handle: Handle, at: Pos2, ink: &Ink, held: bool) {
     }
 }
 
-/// p, d and t at their handles.
+/// Writes p, d and t at their handles.
 pub(crate) fn names(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words, digits: usize) {
     let d = lab.ray.d.normalize_or_zero();
-    // On the screen y grows downwards: to the right of d, and backwards.
+    // y grows downwards on the screen: these are the direction to the right of d, and backwards.
     let (right, back) = (vec2(d.y as f32, d.x as f32), vec2(-d.x as f32, d.y as f32));
     let of_ray = Font { size: NAMES + 1.0, color: ink.ray, bold: true };
     let of_t = Font { size: NAMES, color: ink.text, bold: false };
@@ -78,7 +78,7 @@ pub(crate) fn names(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words,
     }
 }
 
-/// The crossing of both lines.
+/// Draws a cross where both lines meet.
 pub(crate) fn cross(sheet: &Sheet, at: Pos2, ink: &Ink) {
     let arm = 9.0;
     for (width, color) in [(7.0, sheet.halo), (4.0, ink.text)] {
@@ -88,7 +88,7 @@ pub(crate) fn cross(sheet: &Sheet, at: Pos2, ink: &Ink) {
     }
 }
 
-/// Below, above and beside the crossing.
+/// Returns label positions below, above and beside the crossing.
 pub(crate) fn places_at_crossing(at: Pos2) -> Vec<(Pos2, Align2)> {
     around(at, vec2(0.0, 1.0), 17.0).chain(around(at, vec2(0.0, 1.0), 30.0)).collect()
 }

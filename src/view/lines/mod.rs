@@ -1,4 +1,4 @@
-//! The lab of lines as it is drawn: the plane with both lines in it, and the substitution of one
+//! The drawing of the lab of lines: the plane with both lines in it, and the substitution of one
 //! into the other.
 
 pub(crate) mod canvas;
@@ -15,19 +15,19 @@ use crate::model::lines::LinesLab;
 use crate::view::typesetting::notation;
 use crate::view::typesetting::theme::error_color;
 
-/// Size of the text, in points: for the back row.
+/// Text size in points, legible from the back row.
 pub(crate) const TEXT: f32 = 16.5;
 
-/// The numbers beside the drawing are at least so wide, in points, and at most so much of the whole.
+/// Greatest width of the numbers beside the drawing, in points, and as a share of the whole.
 const NUMBERS: (f32, f32) = (400.0, 0.46);
 
-/// A line of text and fields, the text as a formula.
+/// Writes a line of text, with its formulas typeset.
 pub(crate) fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT + 1.0, ui.visuals().text_color());
 }
 
-/// Draws the lab with nothing to drag and on nothing: the plane with both lines in it, and one line
-/// put into the other.
+/// Draws the lab without handles to drag and without a background: the plane with both lines in it,
+/// and the substitution.
 pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let (left, right) = parts(area);
@@ -36,7 +36,7 @@ pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
 }
 
-/// The plane, and what is beside it.
+/// Returns the areas of the plane and of the numbers beside it.
 pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
     let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));

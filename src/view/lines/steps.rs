@@ -1,4 +1,4 @@
-//! The substitution in words and numbers, line by line.
+//! The substitution in words and numbers, step by step.
 
 use std::cmp::Ordering;
 
@@ -6,33 +6,34 @@ use pinhole_lecture::lines::{Crossing, Meeting, Substitution};
 
 use crate::model::number::written;
 
-/// One line of the substitution.
+/// One step of the substitution.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LabStep {
-    /// What is done.
+    /// The name of the step.
     pub(crate) what: &'static str,
-    /// The formula, in the form that [`formula`](crate::view::typesetting::notation::formula) takes.
+    /// The formula, in the form that [`formula`](crate::view::typesetting::notation::formula)
+    /// takes.
     pub(crate) text: String,
 }
 
-/// A number as people write it.
+/// Formats a number for people.
 pub(crate) fn number(x: f64, digits: usize) -> String {
     written(x + 0.0, digits)
 }
 
-/// The number behind a sign of multiplication: negative ones in parentheses.
+/// Formats a number behind a multiplication sign: negative ones in parentheses.
 fn factor(x: f64, digits: usize) -> String {
     let text = number(x, digits);
     if text.starts_with('−') { format!("({text})") } else { text }
 }
 
-/// `+ x` or `− |x|`.
+/// Returns `+ x` or `− |x|`.
 fn added(x: f64, digits: usize) -> String {
     let sign = if x < 0.0 { '−' } else { '+' };
     format!("{sign} {}", number(x.abs(), digits))
 }
 
-/// All lines, with the numbers as they are.
+/// Returns all steps with the current numbers.
 pub(crate) fn steps(s: &Substitution, digits: usize) -> Vec<LabStep> {
     let (n, m, plus) = (|x| number(x, digits), |x| factor(x, digits), |x| added(x, digits));
     let (line, p, d) = (s.line, s.ray.p, s.ray.d);
@@ -76,7 +77,7 @@ fn zero(s: &Substitution, digits: usize) -> String {
     }
 }
 
-/// Whether and where they meet, in words.
+/// Describes whether and where the lines meet.
 pub(crate) fn verdict(s: &Substitution, digits: usize) -> String {
     let n = |x| number(x, digits);
     match s.meeting {

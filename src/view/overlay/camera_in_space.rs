@@ -1,4 +1,5 @@
-//! The edited camera as lines in the world view: eye, arrows, frustum, viewport, selected ray.
+//! The edited camera drawn as lines in the world view: eye, arrows, frustum, viewport, selected
+//! ray.
 
 use std::borrow::Cow;
 
@@ -13,30 +14,30 @@ use crate::view::overlay::screen::unit;
 use crate::view::overlay::sketch::{Head, Pen, Sketch, Tip};
 use crate::view::overlay::world_view::WorldView;
 
-/// Sizes of text, in points: vectors, points, marks.
+/// Text sizes in points: vectors, points, marks.
 pub(crate) const VECTOR_TEXT: f32 = 21.0;
 pub(crate) const POINT_TEXT: f32 = 17.0;
 pub(crate) const MARK_TEXT: f32 = 14.0;
 
-/// A basis arrow is one world unit long where that makes it so many points long on the screen, and
-/// otherwise as near to it as it can be.
+/// Least and greatest length of a basis arrow on the screen, in points. Between the two it is one
+/// world unit long.
 pub(crate) const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 
-/// Lengths of the other arrows, as multiples of the basis arrows': all may have one direction, and
-/// each must stick out.
+/// Lengths of the other arrows, as multiples of the basis arrows' length. They differ so that
+/// arrows in one direction do not hide each other.
 pub(crate) const VIEW_LENGTH: f64 = 1.6;
-/// Of the arrow of up.
+/// Length of the up arrow, as a multiple of the basis arrows' length.
 pub const UP_LENGTH: f64 = 1.35;
 const AXIS_LENGTH: f64 = 1.75;
 
-/// Significant digits of the t of a point that walks along the ray.
+/// Significant digits of t at the point that moves along the ray.
 const WALKED_DIGITS: usize = 4;
 
-/// A normal's length, in points.
+/// Length of a normal, in points.
 pub(crate) const NORMAL_POINTS: f64 = 62.0;
 
 impl Sketch<'_> {
-    /// All of it, from the back of the drawing to its front.
+    /// Draws the whole camera, from the back of the drawing to its front.
     pub(crate) fn camera_in_space(&mut self, view: &WorldView) {
         let eye = view.camera.eye;
         let usual = self.length_of_points(eye, ARROW_POINTS);
@@ -57,8 +58,8 @@ impl Sketch<'_> {
         self.eye_and_at(view);
     }
 
-    /// One world unit, or as much of it or as many as are within this many points at a place; 0
-    /// where the place cannot be seen.
+    /// Returns one world unit at a point, shortened or lengthened to between `least` and `most`
+    /// points on the screen; 0 where the point cannot be seen.
     pub(crate) fn length_of_points(&self, at: DVec3, (least, most): (f64, f64)) -> f64 {
         let Some(dots) = self.screen.dots_per_unit(at) else { return 0.0 };
         let points = dots / self.scale();
@@ -87,7 +88,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// Edges from the eye through the viewport's corners to the nearest plane, or past the spheres.
+    /// Draws the edges from the eye through the viewport's corners, as far as the nearest plane or
+    /// past the spheres.
     fn frustum(&mut self, posed: &PosedCamera, view: &WorldView) {
         let ink = self.colors.ink;
         let near = Pen::new(Item::Frustum, ink, 1.8);
@@ -119,7 +121,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// A thick top edge with a triangle on it, and a triangle in the corner of pixel (0, 0).
+    /// Draws a thick top edge with a triangle on it, and a triangle in the corner of pixel (0, 0).
     fn marks(&mut self, posed: &PosedCamera) {
         let viewport = posed.viewport();
         let (w, h) = (viewport.width, viewport.height);
@@ -155,7 +157,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// The selected pixel on the viewport, its ray, the hit and the normal there.
+    /// Draws the selected pixel on the viewport, its ray, the hit and the normal there.
     fn selected(&mut self, posed: &PosedCamera, inspection: &Inspection, view: &WorldView) {
         let far = view.observer.distance();
         let ray = &inspection.ray;
@@ -189,7 +191,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// The point p + t d, with its t, and the line to it where the ray is not drawn so far.
+    /// Draws the point p + t d with its t, and a line to it where the ray is not drawn that far.
     fn walked(&mut self, inspection: &Inspection, t: f64) {
         let ray = &inspection.ray;
         let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
@@ -209,7 +211,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// A pixel's cell, framed, on the viewport.
+    /// Draws a frame around a pixel's cell on the viewport.
     pub(crate) fn pixel(&mut self, posed: &PosedCamera, Pixel { row, column }: Pixel) {
         let u = [posed.u_of_column_edge(column), posed.u_of_column_edge(column + 1)];
         let v = [posed.v_of_row_edge(row), posed.v_of_row_edge(row + 1)];
@@ -221,7 +223,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// View and up as they are given; a basis given by hand has neither.
+    /// Draws view and up as they are given; a basis given by hand has neither.
     fn given(&mut self, view: &WorldView, arrow: f64) {
         let (Orientation::At { up, .. } | Orientation::View { up, .. }) = view.camera.orientation
         else {
@@ -274,13 +276,14 @@ impl Sketch<'_> {
     }
 }
 
-/// (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.
+/// Returns (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.
 pub(crate) fn corners(posed: &PosedCamera) -> [DVec2; 4] {
     let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
-/// To which t of the corner rays the frustum is drawn: past every sphere of ordinary size.
+/// Returns the t of the corner rays up to which the frustum is drawn: past every sphere of ordinary
+/// size.
 fn reach(posed: &PosedCamera, view: &WorldView) -> f64 {
     const ASKED_SPHERES: usize = 1024;
     const LEAST: f64 = 2.2;

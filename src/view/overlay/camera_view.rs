@@ -1,4 +1,4 @@
-//! The camera view: the traced picture, pixels as pixels, with what is selected in it.
+//! The camera view: the traced picture with sharp pixels, and the selection in it.
 
 use std::borrow::Cow;
 
@@ -23,36 +23,36 @@ use crate::view::overlay::style::{Colors, Style};
 pub struct CameraView<'a> {
     /// The edited camera.
     pub posed: &'a PosedCamera,
-    /// What it sees.
+    /// The camera's picture.
     pub picture: &'a Picture,
     /// The selected ray.
     pub inspection: Option<&'a Inspection>,
-    /// Width and height of the buffer in dots. All of the image is stretched over it.
+    /// Width and height of the buffer in dots. The whole image is stretched over it.
     pub size: [usize; 2],
-    /// What to draw.
+    /// The overlay items to draw.
     pub items: OverlayItems,
     /// Dots per point.
     pub scale: f32,
     /// The colours.
     pub style: Style,
-    /// What is lit, if anything.
+    /// The highlighted concept, if any.
     pub lit: Option<Lit<'a>>,
-    /// What is under the loupe.
+    /// The content of the loupe, if it is open.
     pub loupe: Option<&'a Loupe>,
 }
 
-/// Pixels smaller than this many dots have no grid.
+/// Least size of a pixel, in dots, at which the grid is drawn.
 const GRID_FROM: f64 = 8.0;
 
-/// Fills the buffer with the picture and paints over it; what was painted, and which text belongs
-/// where.
+/// Fills the buffer with the picture and paints the overlay on it. Returns the drawing; its labels
+/// are left to the caller.
 pub fn camera(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     let drawing = camera_apart(view, dots);
     drawing.paint(view.size[0], dots);
     drawing
 }
 
-/// The same without painting the drawing.
+/// Does the same as [`camera`] without painting the drawing.
 pub fn camera_apart(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     let [width, height] = view.size;
     if width == 0 || dots.len() != width * height {
@@ -65,14 +65,15 @@ pub fn camera_apart(view: &CameraView, dots: &mut [Color32]) -> Drawing {
     view.drawing()
 }
 
-/// The (u, v) at a place of the camera view, in dots; also beside the picture.
+/// Returns the (u, v) at a position of the camera view, in dots; the position may be outside the
+/// picture.
 pub fn camera_uv_at(posed: &PosedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
     let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
     let viewport = posed.viewport();
     DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
 }
 
-/// Where in the camera view, in dots, a (u, v) is: the inverse of [`camera_uv_at`].
+/// Returns the position of a (u, v) in the camera view, in dots: the inverse of [`camera_uv_at`].
 pub fn camera_position_of_uv(posed: &PosedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
     dot(place_of(posed, size, uv))
 }
@@ -96,7 +97,7 @@ impl CameraView<'_> {
         self.extent() / DVec2::new(image.width().into(), image.height().into())
     }
 
-    /// Whether the edges between pixels are painted.
+    /// Returns true if the edges between pixels are painted.
     fn has_grid(&self) -> bool {
         self.items.shows(Item::PixelGrid) && self.dots_per_pixel().min_element() >= GRID_FROM
     }
@@ -119,7 +120,7 @@ impl CameraView<'_> {
         }
     }
 
-    /// The marks and labels, without painting them.
+    /// Returns the marks and labels, without painting them.
     pub fn drawing(&self) -> Drawing {
         let colors = self.style.colors();
         let mut sheet = Sheet {
@@ -144,7 +145,8 @@ impl CameraView<'_> {
     }
 }
 
-/// Which of `dots` lie on an edge between two of `count` cells, lines `width` dots wide.
+/// Returns for each of `dots` whether it lies on an edge between two of `count` cells; the edges
+/// are lines `width` dots wide.
 fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
     let mut on = vec![false; dots];
     for k in 1..count as usize {
@@ -156,7 +158,7 @@ fn edges(count: u32, dots: usize, width: usize) -> Vec<bool> {
     on
 }
 
-/// The camera view's drawing in the making.
+/// The camera view's drawing while it is built.
 pub(super) struct Sheet<'a> {
     pub(super) view: &'a CameraView<'a>,
     pub(super) items: OverlayItems,
@@ -212,7 +214,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// As in the world view: a thick top edge with a triangle at it, a triangle at pixel (0, 0).
+    /// Draws the same marks as the world view: a thick top edge with a triangle at it, and a
+    /// triangle at pixel (0, 0).
     fn marks(&mut self) {
         let (size, color) = (self.view.extent(), self.colors.mark);
         let scale = f64::from(self.view.scale);
@@ -237,8 +240,9 @@ impl Sheet<'_> {
         }
     }
 
-    /// The pixels that the selected ray touches, and a cross where it passes them other than
-    /// through the centre of one. Of pixels too small to be told apart, only the place.
+    /// Draws the pixels that the selected ray touches, and a cross where it does not pass through
+    /// the centre of one. If pixels are too small to be told apart, draws only a frame around the
+    /// position.
     fn selected(&mut self) {
         let Some(inspection) = self.view.inspection else { return };
         let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).of(Thing::Pixel);

@@ -1,5 +1,5 @@
-//! A drawing: lines and shapes in dots, before anything is painted. Tests, the window and exported
-//! figures read the same one.
+//! A drawing: lines and shapes in dots, before they are painted. Tests, the window and exported
+//! figures all read it.
 
 use egui::Color32;
 use pinhole_core::DVec2;
@@ -10,23 +10,23 @@ use crate::model::overlay_items::Item;
 /// A shape in dots from the top left corner.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
-    /// A chain of straight lines, so many dots wide; closed if it ends where it began.
+    /// A chain of straight lines; closed if it ends where it began.
     Line {
-        /// Its corners.
+        /// The corners.
         points: Vec<[f32; 2]>,
-        /// In dots.
+        /// Width in dots.
         width: f32,
     },
     /// A filled polygon.
     Polygon {
-        /// Its corners.
+        /// The corners.
         points: Vec<[f32; 2]>,
     },
     /// A filled disc.
     Disc {
-        /// Its centre.
+        /// The centre.
         center: [f32; 2],
-        /// In dots.
+        /// Radius in dots.
         radius: f32,
     },
 }
@@ -34,38 +34,38 @@ pub enum Shape {
 /// One stroke of the overlay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// What it belongs to.
+    /// The overlay item that it belongs to.
     pub item: Item,
-    /// What is pointed at where it is pointed at.
+    /// The concept that is hovered when the pointer is on this mark.
     pub thing: Option<Thing>,
-    /// Where it is.
+    /// The shape and position.
     pub shape: Shape,
-    /// Its colour.
+    /// The colour.
     pub color: Color32,
     /// A casing around it, so that it stands out from what it crosses.
     pub halo: Option<Color32>,
-    /// Whether it lies behind something, or belongs to the ghost: such a line is dashed.
+    /// True if it lies behind something or belongs to the ghost; the line is then dashed.
     pub hidden: bool,
-    /// Dash and gap, in points, that tell this line from others like it where colours do not.
+    /// Dash and gap, in points, that distinguish this line where colours do not.
     pub pattern: Option<[f32; 2]>,
 }
 
-/// Text in the picture, drawn by whoever has fonts.
+/// Text in the picture, drawn by the caller, who has the fonts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it belongs to.
+    /// The overlay item that it belongs to.
     pub item: Item,
     /// The middle of the text, in dots.
     pub position: [f32; 2],
-    /// What it says.
+    /// The text.
     pub text: String,
-    /// Its colour.
+    /// The colour.
     pub color: Color32,
     /// The colour of a soft edge around the letters.
     pub halo: Color32,
     /// Height of the font in points.
     pub size: f32,
-    /// Bold: a vector's name.
+    /// True for bold text: the name of a vector.
     pub bold: bool,
 }
 
@@ -74,31 +74,31 @@ pub struct Label {
 pub struct Drawing {
     /// Dots per point.
     pub scale: f32,
-    /// Later ones lie over earlier ones.
+    /// The marks; later ones lie over earlier ones.
     pub marks: Vec<Mark>,
-    /// None overlaps another.
+    /// The labels; none overlaps another.
     pub labels: Vec<Label>,
 }
 
-/// Where a thing can be pointed at.
+/// A region of the drawing where a concept can be hovered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
-    /// What it is.
+    /// The concept.
     pub thing: Thing,
-    /// What there is of it, in dots.
+    /// The shape, in dots.
     pub shape: Shape,
 }
 
 impl Drawing {
-    /// Every mark that can be pointed at, in the order of painting.
+    /// Returns every mark that can be hovered, in the order of painting.
     pub fn targets(&self) -> Vec<Target> {
         let pointable = self.marks.iter().filter_map(|mark| Some((mark.thing?, &mark.shape)));
         pointable.map(|(thing, shape)| Target { thing, shape: shape.clone() }).collect()
     }
 }
 
-/// The thing that is nearest to a place, and no farther than `within`, all in dots. Of equally near
-/// ones the one that is drawn over the others.
+/// Returns the concept nearest to a position, at most `within` away, all in dots. If several are
+/// equally near, the one drawn on top wins.
 pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Thing> {
     let at = DVec2::new(position[0].into(), position[1].into());
     let mut nearest = (f64::from(within), None);
@@ -112,7 +112,7 @@ pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<T
 }
 
 impl Shape {
-    /// How far a place is from the shape, in dots; 0 on it.
+    /// Returns the distance of a point from the shape, in dots; 0 on it.
     fn distance(&self, at: DVec2) -> f64 {
         let wide = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
         let to_chain = |points: &[[f32; 2]]| {
@@ -140,20 +140,20 @@ impl Shape {
 fn distance_to_side(at: DVec2, a: DVec2, b: DVec2) -> f64 {
     let side = b - a;
     let share = ((at - a).dot(side) / side.length_squared()).clamp(0.0, 1.0);
-    // A side without length is a point.
+    // A side of length 0 is a point.
     at.distance(if share.is_nan() { a } else { a + share * side })
 }
 
 impl Label {
-    /// Half the width and height, in dots, of a box that the text fits into in any font of usual
-    /// width.
+    /// Returns half the width and height, in dots, of a box that holds the text in any font of
+    /// usual width.
     pub fn half_extent(&self, scale: f32) -> [f32; 2] {
         let size = self.size * scale;
         [size * (0.3 * self.text.chars().count() as f32 + 0.15), 0.62 * size]
     }
 }
 
-/// A place in dots, as the rasteriser takes it.
+/// Converts a position in dots to the rasteriser's type.
 pub(crate) fn dot(at: DVec2) -> [f32; 2] {
     [at.x as f32, at.y as f32]
 }

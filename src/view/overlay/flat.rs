@@ -1,4 +1,4 @@
-//! A plane of the world as the observer sees it: from dots to places on the plane, without tracing.
+//! A plane of the world as the observer sees it: maps dots to points of the plane, without tracing.
 
 use std::ops::Range;
 
@@ -18,23 +18,23 @@ use crate::view::overlay::screen::{RayParts, unit};
 /// and since d is linear in x and y, t, a and b are quotients of linear functions of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Flat {
-    /// Greater than 0: dots see the plane where the rate is, too.
+    /// Greater than 0, so a dot sees the plane exactly where the rate is greater than 0, too.
     offset: f64,
     rate: Linear,
     a: Linear,
     b: Linear,
 }
 
-/// Where one dot's ray meets a [`Flat`].
+/// The point where one dot's ray meets a [`Flat`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FlatSpot {
     /// t of the observer's ray; greater than 0.
     pub(crate) t: f64,
-    /// (a, b).
+    /// The plane's coordinates (a, b).
     pub(crate) place: DVec2,
 }
 
-/// `x*X + y*Y + Z`.
+/// The linear function `x*X + y*Y + Z` of a dot (x, y).
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Linear(DVec3);
 
@@ -49,9 +49,9 @@ impl Linear {
 }
 
 impl Flat {
-    /// The plane through `origin`, on which a grows by 1 along `axis_a` and b by 1 along `axis_b`;
-    /// the two are at right angles. `None` where the numbers leave the range of `f64`, and for an
-    /// observer in the plane.
+    /// Creates the plane through `origin` on which a grows by 1 along `axis_a` and b by 1 along
+    /// `axis_b`; the two axes are orthogonal. Returns `None` if the numbers leave the range of
+    /// `f64`, and if the observer is in the plane.
     pub(crate) fn new(
         rays: &RayParts,
         origin: DVec3,
@@ -63,7 +63,8 @@ impl Flat {
         let from_origin = rays.eye - origin;
         let offset = -normal.dot(from_origin);
         let rate = Linear::of(rays, normal);
-        // All four may be scaled together: rows of dots are computed in f32, near 1.
+        // All four may be scaled by the same factor: rows of dots are computed in f32, so keep them
+        // near 1.
         let scale = offset.signum() / rate.0.abs().max_element();
         let numerator = |direction: DVec3, length: f64| {
             let along = direction / length;
@@ -81,8 +82,8 @@ impl Flat {
         (finite && flat.offset > 0.0).then_some(flat)
     }
 
-    /// Where the ray through a dot meets the plane, if it does in front of the observer and with
-    /// `|a|` and `|b|` up to `half`.
+    /// Returns the point where a dot's ray meets the plane, if it does so in front of the observer
+    /// and with `|a|` and `|b|` at most `half`.
     pub(crate) fn at(&self, dot: DVec2, half: f64) -> Option<FlatSpot> {
         let rate = self.rate.at(dot);
         let place = DVec2::new(self.a.at(dot), self.b.at(dot));
@@ -93,7 +94,8 @@ impl Flat {
         (t > 0.0 && t.is_finite() && place.is_finite()).then_some(FlatSpot { t, place })
     }
 
-    /// The dots of a row that [`Flat::at`] finds on the plane, give or take one at each end.
+    /// Returns the dots of a row that [`Flat::at`] finds on the plane, up to one more or fewer at
+    /// each end.
     pub(crate) fn span(&self, y: f64, width: usize, half: f64) -> Range<usize> {
         // Each condition is linear in x: value + slope x >= 0.
         let reach = half * self.rate.0;
@@ -111,13 +113,14 @@ impl Flat {
                 return 0..0;
             }
         }
-        // Neither is NaN: `max` and `min` leave that out.
+        // Neither is NaN: `max` and `min` ignore NaN.
         let to = (to.ceil() as usize).min(width);
         (from as usize).min(to)..to
     }
 
-    /// A part of a row of dots at once: what [`Flat::at`] says of each dot of its span, and how much
-    /// of it a grid line covers. Plain loops over `f32`, which the compiler makes into SIMD.
+    /// Computes a part of a row of dots at once: the result of [`Flat::at`] for each dot of the
+    /// span, and the share of it that grid lines cover. The loops over `f32` are plain so that the
+    /// compiler vectorises them.
     pub(crate) fn fill_row(
         &self,
         row: &mut FlatRow,
@@ -148,7 +151,7 @@ impl Flat {
         }
     }
 
-    /// Raises the coverage of each dot to that by the lines across one coordinate.
+    /// Raises the coverage of each dot to the coverage by the lines across one coordinate.
     fn cover(
         &self,
         line: &mut [f32],
@@ -157,7 +160,7 @@ impl Flat {
         numerator: Linear,
         lines: &Lines,
     ) {
-        // How much numerator and rate change from dot to dot, across and down.
+        // Change of numerator and rate from dot to dot, across and down.
         let (n, r) = (numerator.0.as_vec3(), self.rate.0.as_vec3());
         let reach = 0.5 * lines.width + 0.5;
         let sparse = 1.0 / (3.0 * lines.width);
@@ -166,7 +169,7 @@ impl Flat {
             let per_dot =
                 (across * across + down * down).sqrt() * inverse_rate * lines.inverse_step;
             let cells = (place - lines.shift) * lines.inverse_step;
-            // Adding and taking away 1.5 * 2^23 rounds to a whole number, without a call.
+            // Adding and subtracting 1.5 * 2^23 rounds to a whole number, without a call.
             let whole = (cells + 12_582_912.0) - 12_582_912.0;
             let dots_per_cell = 1.0 / per_dot.max(1e-30);
             let near = (reach - (cells - whole).abs() * dots_per_cell).clamp(0.0, 1.0);
@@ -176,15 +179,15 @@ impl Flat {
     }
 }
 
-/// The dots of one row that see a [`Flat`], with what is known of each.
+/// The dots of one row that see a [`Flat`], with the values at each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct FlatRow {
-    /// Which dots of the row.
+    /// Range of dots in the row.
     pub(crate) span: Range<usize>,
     pub(crate) t: Vec<f32>,
     pub(crate) a: Vec<f32>,
     pub(crate) b: Vec<f32>,
-    /// How much of the dot a grid line covers, 0 to 1. Lines too dense to be told apart fade away.
+    /// Share of the dot that grid lines cover, 0 to 1. Lines too dense to be told apart fade away.
     pub(crate) line: Vec<f32>,
     inverse_rate: Vec<f32>,
 }
@@ -202,13 +205,13 @@ impl FlatRow {
 }
 
 impl FlatRow {
-    /// (a, b, coverage by grid lines) of one dot of the span.
+    /// Returns (a, b, coverage by grid lines) of one dot of the span.
     #[inline(always)]
     pub(crate) fn spot(&self, k: usize) -> [f32; 3] {
         [self.a[k], self.b[k], self.line[k]]
     }
 
-    /// t and (a, b, coverage by grid lines) of a part of the span.
+    /// Returns t and (a, b, coverage by grid lines) for a part of the span.
     pub(crate) fn spots(&self, part: Range<usize>) -> impl Iterator<Item = (f32, [f32; 3])> {
         let part = part.start - self.span.start..part.end - self.span.start;
         let values = self.t[part.clone()].iter().zip(&self.a[part.clone()]);
@@ -217,7 +220,7 @@ impl FlatRow {
     }
 }
 
-/// Lines at all whole multiples of a step of a and of b.
+/// Grid lines at all whole multiples of a step in a and in b.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Grid {
     of_a: Lines,
@@ -228,12 +231,12 @@ pub(crate) struct Grid {
 struct Lines {
     inverse_step: f32,
     shift: f32,
-    /// In dots.
+    /// Width in dots.
     width: f32,
 }
 
 impl Grid {
-    /// Lines `width` dots wide; `shift` is (a, b) of one crossing.
+    /// Creates lines `width` dots wide; `shift` is (a, b) of one crossing.
     pub(crate) fn new(step: DVec2, shift: DVec2, width: f32) -> Grid {
         let lines = |step: f64, shift: f64| Lines {
             inverse_step: (1.0 / step) as f32,

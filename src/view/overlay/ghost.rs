@@ -1,5 +1,5 @@
-//! The ghost in the world view: its eye, basis, frustum and viewport, all dashed, with a prime at
-//! each name.
+//! The ghost in the world view: its eye, basis, frustum and viewport, all dashed, with a prime
+//! after each name.
 
 use pinhole_core::{DVec2, PosedCamera};
 
@@ -7,11 +7,11 @@ use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_in_space::{ARROW_POINTS, POINT_TEXT, VECTOR_TEXT, corners};
 use crate::view::overlay::sketch::{Head, Pen, Sketch};
 
-/// How far the edges of its frustum are drawn, in distances of its viewport.
+/// Length of the drawn frustum edges, in viewport distances.
 const FRUSTUM: f64 = 2.2;
 
 impl Sketch<'_> {
-    /// Below all that belongs to the camera at hand.
+    /// Draws the ghost, below everything that belongs to the edited camera.
     pub(crate) fn ghost(&mut self, ghost: &PosedCamera) {
         let (eye, basis) = (ghost.eye(), ghost.basis());
         let ink = self.colors.ink;

@@ -1,5 +1,5 @@
-//! Handles over all else, always of one size on the screen: what is pointed at and what is held are
-//! larger and have another middle, and show along what they go.
+//! Handles, drawn over everything else and always of one size on the screen. A hovered or held
+//! handle is larger, has a different middle, and shows the line or ring along which it moves.
 
 use pinhole_core::{DVec2, DVec3, PosedCamera};
 
@@ -9,99 +9,100 @@ use crate::view::overlay::drawing::{Mark, Shape, dot};
 use crate::view::overlay::screen::Screen;
 use crate::view::overlay::sketch::{Head, Pen, Sketch};
 
-/// What there is to take in the hand, and how it is drawn while it is.
+/// The handles that can be dragged, and how they are drawn during a drag.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Handles {
-    /// Later ones lie over earlier ones.
+    /// The handles; later ones lie over earlier ones.
     pub marks: Vec<HandleMark>,
-    /// Arrows that are there for their handles alone: the normals of planes.
+    /// Arrows that are drawn only for their handles: the normals of planes.
     pub stems: Vec<[DVec3; 2]>,
-    /// Along what the one that is pointed at goes.
+    /// The guides of the hovered or held handle.
     pub guides: Vec<Guide>,
-    /// The length in the world of the basis arrows, where a hand holds one.
+    /// Length of the basis arrows in the world, while one of them is held.
     pub arrow: Option<f64>,
-    /// The length in the world of the arrow of up, where a hand holds its tip.
+    /// Length of the up arrow in the world, while its tip is held.
     pub up: Option<f64>,
 }
 
 /// A handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HandleMark {
-    /// Where in the world.
+    /// The position in the world.
     pub at: DVec3,
-    /// Its form.
+    /// The form.
     pub knob: Knob,
-    /// Whether it is pointed at or held.
+    /// The state: plain, hovered or held.
     pub state: KnobState,
 }
 
-/// What a handle looks like.
+/// The shape of a handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Knob {
-    /// It goes where it is dragged.
+    /// Moves freely.
     Round,
-    /// It stays on the viewport's plane.
+    /// Moves in the viewport's plane.
     Square,
-    /// It goes along one line.
+    /// Moves along one line.
     Diamond,
 }
 
-/// How a handle stands out.
+/// The state of a handle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KnobState {
     /// Small, with an empty middle.
     Plain,
-    /// Large, with an empty middle.
+    /// Hovered: large, with an empty middle.
     Over,
-    /// Large and full, with a ring around it.
+    /// Held: large and full, with a ring around it.
     Held,
 }
 
-/// Along what a handle goes.
+/// The line or ring along which a handle moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Guide {
-    /// Along an axis.
+    /// A line along an axis.
     Line {
         /// One end.
         from: DVec3,
-        /// The other: where the axis points.
+        /// The other end, where the axis points.
         to: DVec3,
-        /// 0 to 2: x, y, z; 3 to 5: u, v, w.
+        /// Index of the axis: 0 to 2 for x, y, z; 3 to 5 for u, v, w.
         axis: usize,
-        /// It goes across the whole picture: its name stands in the middle.
+        /// True if it crosses the whole picture; its name is then in the middle.
         is_long: bool,
     },
-    /// Round a point: `center + cos(angle) a + sin(angle) b`.
+    /// A ring around a point: `center + cos(angle) a + sin(angle) b`.
     Ring {
-        /// The point.
+        /// The centre.
         center: DVec3,
-        /// From there to the ring.
+        /// Vector from the centre to the ring.
         a: DVec3,
-        /// Likewise, at right angles to it.
+        /// Another such vector, orthogonal to `a`.
         b: DVec3,
     },
 }
 
 const AXES: [&str; 6] = ["x", "y", "z", "u", "v", "w"];
 
-/// How large handles are from middle to edge, in points: plain ones, and others.
+/// Distance from the middle of a handle to its edge, in points: plain ones, and others.
 const PLAIN: f64 = 6.0;
 const LARGE: f64 = 10.0;
 
-/// From the edge to the empty middle, in points.
+/// Distance from the edge to the empty middle, in points.
 const RIM: f64 = 2.4;
 
-/// The length in the world of what is so many points long at a place; 0 where it is not seen.
+/// Returns the world length that covers `points` points on the screen at a point; 0 where it is not
+/// seen.
 pub fn length_of_points(observer: &PosedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     of_points(observer, at, (points, points), scale)
 }
 
-/// The length in the world of the arrows at a camera's eye, as the world view draws them.
+/// Returns the world length of the arrows at a camera's eye, as the world view draws them.
 pub fn arrow_length(observer: &PosedCamera, eye: DVec3, scale: f32) -> f64 {
     of_points(observer, eye, ARROW_POINTS, scale)
 }
 
-/// The length in the world of a plane's normal at its point.
+/// Returns the world length of a plane's normal at its point.
 pub fn normal_length(observer: &PosedCamera, point: DVec3, scale: f32) -> f64 {
     length_of_points(observer, point, NORMAL_POINTS, scale)
 }
@@ -114,7 +115,7 @@ fn of_points(observer: &PosedCamera, at: DVec3, (least, most): (f64, f64), scale
 }
 
 impl Sketch<'_> {
-    /// All of them, those that stand out last.
+    /// Draws all handles, with the hovered and held ones last.
     pub(crate) fn handles(&mut self, handles: &Handles) {
         if !self.items.shows(Item::Handles) {
             return;
@@ -180,7 +181,7 @@ impl Sketch<'_> {
                     let angle = f64::from(k) * std::f64::consts::TAU / f64::from(SIDES);
                     center + angle.cos() * a + angle.sin() * b
                 };
-                // The casing of each line would cut the one before it.
+                // The casing of each line would cut into the one before it.
                 for k in 0..SIDES {
                     self.line(at(k), at(k + 1), pen.without_halo());
                 }

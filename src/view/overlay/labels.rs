@@ -1,5 +1,5 @@
-//! Finding each label a place: inside the picture, beside what it names, over no other label and no
-//! handle, and over as few lines as can be.
+//! Label placement. Each label is put inside the picture, beside its anchor, over no other label
+//! and no handle, and over as few lines as possible.
 
 use std::borrow::Cow;
 
@@ -10,37 +10,37 @@ use crate::model::concept::Thing;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
 
-/// A label that wants a place.
+/// A label to be placed.
 #[derive(Clone, Debug)]
 pub(crate) struct Request {
     pub(crate) item: Item,
     pub(crate) text: Cow<'static, str>,
     pub(crate) thing: Option<Thing>,
-    /// What it names, in dots.
+    /// The point it names, in dots.
     pub(crate) anchor: DVec2,
-    /// Where from there it would best stand; any length, zero for no wish.
+    /// The preferred direction from the anchor; of any length, zero for no preference.
     pub(crate) toward: DVec2,
     pub(crate) color: Color32,
-    /// In points.
+    /// Font size in points.
     pub(crate) size: f32,
     pub(crate) bold: bool,
 }
 
-/// From what is named to the edge of its label, in points.
+/// Distance from the anchor to the edge of the label, in points.
 const GAP: f64 = 7.0;
 
-/// Directions tried around the anchor, and distances in each.
+/// Number of directions tried around the anchor, and of distances in each.
 const DIRECTIONS: usize = 16;
 const RINGS: usize = 6;
 
-/// Lines are asked about at points this many points apart.
+/// Distance, in points, between the sampled points of a line.
 const OBSTACLE_SPACING: f64 = 5.0;
 
-/// A rectangle: its middle, and half of its width and height.
+/// A rectangle: its centre, and half of its width and height.
 type Area = (DVec2, DVec2);
 
-/// Places the requests in their order, so that the first ones get the best places. One that fits
-/// nowhere near its anchor is left out; one that fits over a handle alone stands there.
+/// Places the requests in order, so that the first ones get the best places. A label that fits
+/// nowhere near its anchor is left out; one that fits only over a handle is put there.
 pub(crate) fn place(
     requests: &[Request],
     drawing: &Drawing,
@@ -86,12 +86,12 @@ pub(crate) fn place(
     labels
 }
 
-/// Whether a rectangle overlaps none of these.
+/// Returns true if a rectangle overlaps none of the areas.
 fn are_apart(areas: &[Area], center: DVec2, half: DVec2) -> bool {
     areas.iter().all(|(other, h)| (center - *other).abs().cmpgt(half + *h).any())
 }
 
-/// What handles cover.
+/// Returns the areas that handles cover.
 fn handles(drawing: &Drawing) -> Vec<Area> {
     let wide = |[x, y]: [f32; 2]| DVec2::new(x.into(), y.into());
     let marks = drawing.marks.iter().filter(|mark| mark.item == Item::Handles);
@@ -102,7 +102,7 @@ fn handles(drawing: &Drawing) -> Vec<Area> {
             let (least, most) = (points().reduce(DVec2::min)?, points().reduce(DVec2::max)?);
             Some((0.5 * (least + most), 0.5 * (most - least)))
         }
-        // Along what one of them goes.
+        // A guide or the ring of a held handle, not a handle's area.
         Shape::Line { .. } => None,
     });
     areas.collect()
@@ -150,7 +150,7 @@ fn best_place(
     best.map(|(_, center)| center)
 }
 
-/// Points along all lines.
+/// Returns sample points along all lines.
 fn obstacles(drawing: &Drawing) -> Vec<DVec2> {
     let spacing = OBSTACLE_SPACING * f64::from(drawing.scale);
     let mut points = Vec::new();

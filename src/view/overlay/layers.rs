@@ -1,6 +1,6 @@
-//! What the observer sees besides the traced spheres, dot by dot: the background, the planes'
-//! patches, and the viewport with the picture on it. Near ones cover far ones, and spheres cover
-//! and are covered as their t says.
+//! Flat layers of the world view, painted dot by dot: the background, the planes' patches, and the
+//! viewport with the picture on it. Near layers cover far ones, and t decides whether a sphere
+//! covers a layer or is covered by it.
 
 use std::ops::Range;
 
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::view::overlay::flat::{Flat, FlatRow, FlatSpot, Grid};
 use crate::view::overlay::picture::Picture;
 
-/// Everything flat in one world view, and the t-buffer that it is compared with.
+/// All flat layers of one world view, and the t-buffer that they are compared with.
 pub(crate) struct Layers<'a> {
     frame: &'a Frame<f32>,
     width: usize,
@@ -23,52 +23,53 @@ pub(crate) struct Layers<'a> {
 
 /// The viewport's rectangle: the picture, and the edges between its pixels.
 pub(crate) struct ViewportLayer<'a> {
-    /// (a, b) is (u / width, v / height).
+    /// The rectangle; (a, b) is (u / width, v / height).
     pub(crate) flat: Flat,
     pub(crate) image: ImageSize,
     pub(crate) picture: Option<PictureLookup<'a>>,
-    /// The edges between pixels that are drawn, and how opaque they are, 0 to 1.
+    /// The drawn edges between pixels, and their opacity, 0 to 1.
     pub(crate) grid: Option<(Grid, f32)>,
-    /// What is seen through where there is nothing.
+    /// The colour behind transparent pixels.
     pub(crate) behind: Color32,
 }
 
-/// A picture with the nearest traced pixel of each pixel looked up beforehand.
+/// A picture with a precomputed table of the nearest traced pixel of each pixel.
 pub(crate) struct PictureLookup<'a> {
     picture: &'a Picture,
     rows: Vec<usize>,
     columns: Vec<usize>,
 }
 
-/// The part of an infinite plane near what the observer looks at, fading outwards, with grid lines
+/// The part of an infinite plane near the observer's target; it fades outwards and has grid lines
 /// in world units.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Patch {
-    /// (a, b) are world units from the patch's centre.
+    /// The plane; (a, b) are world units from the patch's centre.
     pub(crate) flat: Flat,
     pub(crate) radius: f64,
     pub(crate) color: Color32,
     pub(crate) grid_color: Color32,
-    /// In its middle, 0 to 1.
+    /// Opacity in the middle, 0 to 1.
     pub(crate) opacity: f32,
     pub(crate) grid: Grid,
 }
 
-/// How much nearer something must be to hide a point: the points of a surface must not hide
-/// themselves.
+/// Relative margin by which something must be nearer to hide a point, so that a surface does not
+/// hide its own points.
 const TOLERANCE: f64 = 1e-3;
 
-/// The same for layers over the traced picture, which do not touch it: the rounding of `f32`.
+/// Relative margin for layers over the traced picture, which do not touch it: the rounding of
+/// `f32`.
 const PAINT_TOLERANCE: f32 = 1e-6;
 
 /// (u / width, v / height) of the viewport's edges.
 const HALF_VIEWPORT: f64 = 0.5;
 
-/// Through a patch that is more transparent than this, lines are seen as if it were not there.
+/// Opacity up to which a patch hides no lines.
 const SEEN_THROUGH: f32 = 0.25;
 
 impl<'a> PictureLookup<'a> {
-    /// `None` for a picture that is not whole, or of another image.
+    /// Builds the table; returns `None` if the picture is incomplete or of another image.
     pub(crate) fn new(picture: &'a Picture, image: ImageSize) -> Option<Self> {
         if !picture.is_whole() || picture.image != image {
             return None;
@@ -84,12 +85,13 @@ impl<'a> PictureLookup<'a> {
 }
 
 impl ViewportLayer<'_> {
-    /// Where on the rectangle the dot's ray passes; `None` beside it.
+    /// Returns the point where the dot's ray passes through the rectangle; `None` outside of it.
     pub(crate) fn spot(&self, dot: DVec2) -> Option<FlatSpot> {
         self.flat.at(dot, HALF_VIEWPORT)
     }
 
-    /// A dot at (a, b), covered by grid lines to the share `line`, over what is below it.
+    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover the share `line` of the
+    /// dot.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], below: Color32) -> Color32 {
         let (w, h) = (self.image.width(), self.image.height());
@@ -106,7 +108,7 @@ impl ViewportLayer<'_> {
 }
 
 impl Patch {
-    /// How opaque the patch is at `|(a, b)|^2`: it fades to nothing at its rim.
+    /// Returns the patch's opacity at `|(a, b)|^2`; it fades to 0 at the rim.
     #[inline(always)]
     fn opacity_at(&self, length_squared: f32) -> f32 {
         let radius = self.radius as f32;
@@ -120,7 +122,8 @@ impl Patch {
         })
     }
 
-    /// A dot at (a, b), covered by grid lines to the share `line`, over what is below it.
+    /// Returns the colour of a dot at (a, b) over `below`; grid lines cover the share `line` of the
+    /// dot.
     #[inline(always)]
     fn paint(&self, [a, b, line]: [f32; 3], seen: bool, below: Color32) -> Color32 {
         let opacity = if seen { self.opacity_at(a * a + b * b) } else { 0.0 };
@@ -130,7 +133,7 @@ impl Patch {
 }
 
 impl<'a> Layers<'a> {
-    /// `frame` is the observer's, with every pixel traced.
+    /// Creates layers over the observer's frame, in which every pixel must be traced.
     pub(crate) fn new(frame: &'a Frame<f32>, background: Color32) -> Self {
         let image = frame.camera().image();
         Layers {
@@ -143,13 +146,13 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// Whether the frame has a t for every dot.
+    /// Returns true if the frame has a t for every dot.
     fn is_traced(&self) -> bool {
         self.frame.t.len() == self.width * self.height
             && self.frame.object.len() == self.frame.t.len()
     }
 
-    /// t of the traced object at a dot; infinite beside the picture.
+    /// Returns t of the traced object at a dot; infinite outside the picture.
     pub(crate) fn traced_t(&self, dot: DVec2) -> f64 {
         let inside =
             dot.cmpge(DVec2::ZERO).all() && dot.x < self.width as f64 && dot.y < self.height as f64;
@@ -159,8 +162,8 @@ impl<'a> Layers<'a> {
         self.frame.t[dot.y as usize * self.width + dot.x as usize].into()
     }
 
-    /// Whether something hides a point at `t` from the observer. Lines drawn on the viewport are
-    /// not hidden by it.
+    /// Returns true if something hides a point at `t` from the observer. Lines drawn on the
+    /// viewport are not hidden by it.
     pub(crate) fn hides(&self, dot: DVec2, t: f64, on_viewport: bool) -> bool {
         let covers = |nearer: f64| nearer * (1.0 + TOLERANCE) < t;
         if covers(self.traced_t(dot)) {
@@ -178,8 +181,8 @@ impl<'a> Layers<'a> {
         self.paint_parts(dots, |_| 0..self.width, |_, _, _| ());
     }
 
-    /// Paints all layers over the `traced` picture where the viewport is. Elsewhere the dots have to
-    /// show what [`Layers::paint`] makes of it without the viewport.
+    /// Paints all layers over the `traced` picture where the viewport is. Everywhere else the dots
+    /// must already show the result of [`Layers::paint`] without the viewport.
     pub(crate) fn paint_viewport(&self, traced: &[Color32], dots: &mut [Color32]) {
         let Some(viewport) = &self.viewport else { return };
         if traced.len() == dots.len() {
@@ -191,7 +194,7 @@ impl<'a> Layers<'a> {
         }
     }
 
-    /// Paints all layers over a part of each row, after something was done to its dots.
+    /// Paints all layers over a part of each row, after calling `before` on its dots.
     fn paint_parts(
         &self,
         dots: &mut [Color32],
@@ -215,7 +218,7 @@ impl<'a> Layers<'a> {
         );
     }
 
-    /// A part of the viewport's row of dots, then of the patches'.
+    /// Fills a part of the viewport's row of dots, then of the patches' rows.
     fn fill(&self, layers: &mut [FlatRow], row: usize, part: &Range<usize>) {
         let y = row as f64 + 0.5;
         if let Some(ViewportLayer { flat, grid, .. }) = &self.viewport {
@@ -236,7 +239,7 @@ impl<'a> Layers<'a> {
                 *dot = self.background;
             }
         }
-        // Between two ends of spans, the same layers are there.
+        // The set of layers is constant between two ends of spans.
         let mut ends: Vec<usize> = layers.iter().flat_map(|l| [l.span.start, l.span.end]).collect();
         ends.sort_unstable();
         for pair in ends.windows(2) {
@@ -261,8 +264,8 @@ impl<'a> Layers<'a> {
     ) {
         let (dots, traced) = (&mut dots[part.clone()], &traced[part.clone()]);
         let spots = row.spots(part);
-        // One loop for each kind: this is where most of the time goes. The patches' can
-        // cover the whole screen.
+        // One loop for each kind, because most of the time is spent here: patches can cover the
+        // whole screen.
         match (index.checked_sub(1), &self.viewport) {
             (Some(patch), _) => {
                 let patch = &self.patches[patch];
@@ -288,7 +291,7 @@ impl<'a> Layers<'a> {
         dots: &mut [Color32],
     ) {
         let mut found: Vec<(f32, usize)> = Vec::with_capacity(there.len());
-        // The picture lets nothing through: behind it, nothing needs to be sorted.
+        // The picture is opaque: nothing behind it needs to be sorted.
         let picture = self.viewport.as_ref().filter(|v| there[0] == 0 && v.picture.is_some());
         for column in part {
             let t = |index: &usize| layers[*index].t[column - layers[*index].span.start];
@@ -320,15 +323,15 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// Whether a layer's dot lies before what was traced there.
+/// Returns true if a layer's dot is nearer than the traced object there.
 fn is_nearer(t: f32, traced: f32) -> bool {
     (t > 0.0) & (t <= traced * (1.0 + PAINT_TOLERANCE))
 }
 
-/// `share` of `top`, which is opaque, over `bottom`.
+/// Returns the share `share` of the opaque colour `top` over `bottom`.
 #[inline(always)]
 pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
-    // 2^23 + x has x in its last bits; it is what a cast does, without the cast's other cases.
+    // 2^23 + x has x in its last bits: a cast without the handling of its special cases.
     let weight = ((share.clamp(0.0, 1.0) * 256.0 + 8_388_608.0).to_bits() & 0x1ff).min(256);
     // Two channels at a time: 8 bits of colour times 9 bits of weight fit into 16.
     let (b, t) = (u32::from_le_bytes(bottom.to_array()), u32::from_le_bytes(top.to_array()));
@@ -339,8 +342,8 @@ pub(crate) fn mix(bottom: Color32, top: Color32, share: f32) -> Color32 {
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// Black on a light colour, white on a dark one (luma of ITU-R BT.601); on what is transparent as on
-/// what is `behind`.
+/// Returns black on a light colour and white on a dark one (luma of ITU-R BT.601); a transparent
+/// colour counts as the colour `behind` it.
 pub(crate) fn contrast(color: Color32, behind: Color32) -> Color32 {
     let color = if color.a() < 128 { behind } else { color };
     let luma = 299 * u32::from(color.r()) + 587 * u32::from(color.g()) + 114 * u32::from(color.b());

@@ -1,7 +1,7 @@
-//! What is pointed at, lit: the rest is dimmed, the thing itself is drawn anew, thicker and over all
-//! else, whether or not its item is switched on.
+//! Highlighting of a concept: everything else is dimmed, and the concept is drawn again, thicker
+//! and on top, even if its overlay item is switched off.
 //!
-//! `lit_world`: in the world view; `lit_camera`: in the camera view.
+//! `lit_world` does so in the world view, `lit_camera` in the camera view.
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec3, Scene, Sphere};
@@ -13,43 +13,43 @@ use crate::view::overlay::labels::Request;
 use crate::view::overlay::objects::tangents;
 use crate::view::overlay::sketch::Pen;
 
-/// What is lit, and what is needed to draw it.
+/// The highlighted concept, and what is needed to draw it.
 #[derive(Clone, Copy, Debug)]
 pub struct Lit<'a> {
-    /// What.
+    /// The concept.
     pub thing: Thing,
     /// The edited camera as given.
     pub camera: &'a Camera,
-    /// What it looks at.
+    /// The scene of the camera.
     pub scene: &'a Scene,
     /// Significant digits of numbers.
     pub digits: usize,
 }
 
 impl Lit<'_> {
-    /// A number for a label.
+    /// Formats a number for a label.
     pub(super) fn number(&self, x: f64) -> String {
         written(x, self.digits)
     }
 
-    /// An angle in radians, in degrees for a label.
+    /// Formats an angle, given in radians, in degrees for a label.
     pub(super) fn degrees(&self, angle: f64) -> String {
         format!("{}°", self.number(angle.to_degrees()))
     }
 }
 
-/// How opaque the other marks remain.
+/// Opacity of the other marks.
 const DIMMED: f32 = 0.42;
 
 /// Labels of the parts of a view ray's direction.
 pub(super) const ALONG: [(Thing, &str); 3] =
     [(Thing::AlongW, "−distance 𝐰"), (Thing::AlongU, "𝑢 𝐮"), (Thing::AlongV, "𝑣 𝐯")];
 
-/// Widths of lit lines and of those beside them, in points.
+/// Widths of highlighted lines and of those beside them, in points.
 pub(super) const STRONG: f32 = 5.0;
 pub(super) const BESIDE: f32 = 3.0;
 
-/// Lets the other marks and labels step back, and takes away the thing's own: it is drawn anew.
+/// Dims the other marks and labels, and removes the concept's own, which are drawn again.
 pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, thing: Thing) {
     drawing.marks.retain(|mark| mark.thing != Some(thing));
     for mark in &mut drawing.marks {
@@ -62,19 +62,21 @@ pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, thing: Thi
     }
 }
 
-/// The thing's own labels first: they get the best places, and nothing is named twice.
+/// Puts the concept's own labels first, so that they get the best places, and removes repeated
+/// names.
 pub(super) fn first(own: Vec<Request>, mut others: Vec<Request>) -> Vec<Request> {
     others.retain(|other| own.iter().all(|request| request.text != other.text));
     own.into_iter().chain(others).collect()
 }
 
-/// A pen and its casing, which a chain of short lines needs as a whole, below all of it.
+/// Returns a pen's casing and the pen. A chain of short lines needs one casing as a whole, below
+/// all of it.
 pub(super) fn cased(pen: Pen, halo: Color32) -> [Pen; 2] {
     let pen = pen.without_halo();
     [Pen { color: halo, width: pen.width + 2.5, ..pen }, pen]
 }
 
-/// The circle on a sphere that bounds what is seen of it from a point; `None` from inside.
+/// Returns the silhouette circle of a sphere as seen from a point; `None` from inside.
 pub(super) fn silhouette(sphere: &Sphere, from: DVec3) -> Option<Vec<DVec3>> {
     const SIDES: usize = 96;
     let out = from - sphere.center;

@@ -1,4 +1,4 @@
-//! What is lit, in the camera view: there, w points at whoever looks, and all of a ray is one point.
+//! Highlighting in the camera view, where w points at the observer and a whole ray is one point.
 
 use egui::Color32;
 use pinhole_core::{
@@ -16,17 +16,17 @@ use crate::view::overlay::lit::{ALONG, BESIDE, Lit, STRONG, cased, dim, first, s
 use crate::view::overlay::screen::{Screen, unit};
 use crate::view::overlay::sketch::Pen;
 
-/// The length of an arrow of length 1, as a share of the picture's shorter side.
+/// Length of the arrow of a unit vector, as a share of the picture's shorter side.
 const ARROW: f64 = 0.3;
 
-/// From one stroke of a plane's hatching to the next, and how finely its border is followed, in
-/// points.
+/// Distance between two strokes of a plane's hatching, and the step at which its border is
+/// followed, in points.
 const HATCH: f64 = 20.0;
 const CELL: f64 = 3.0;
 
 impl Sheet<'_> {
-    /// Lights a thing over everything that is drawn already; one that the camera cannot see leaves
-    /// the picture as it is.
+    /// Highlights a concept over everything that is already drawn. If the camera cannot see it, the
+    /// picture stays as it is.
     pub(super) fn light(&mut self, lit: Lit) {
         let (shown, before) = (self.items, self.requests.len());
         if let Thing::Object(index) = lit.thing
@@ -60,13 +60,14 @@ impl Sheet<'_> {
         Pen::new(Item::Ray, color, STRONG).of(lit.thing)
     }
 
-    /// A direction of the world as it lies in the image; of length 1 if it is at right angles to w.
+    /// Projects a direction of the world into the image; the result has length 1 for a unit vector
+    /// orthogonal to w.
     fn in_image(&self, direction: DVec3) -> DVec2 {
         let basis = self.view.posed.basis();
         DVec2::new(basis.u.dot(direction), -basis.v.dot(direction))
     }
 
-    /// The arrow of a vector of length 1 at right angles to w; of another one what is seen of it.
+    /// Returns the arrow of a unit vector, foreshortened unless it is orthogonal to w.
     fn arrow_of(&self, vector: DVec3) -> DVec2 {
         ARROW * self.view.extent().min_element() * self.in_image(vector)
     }
@@ -83,7 +84,8 @@ impl Sheet<'_> {
         self.label(pen, text.to_owned(), tip, direction, font);
     }
 
-    /// The sign for what points at whoever looks, a dot in a ring, or away, a cross in one.
+    /// Draws the symbol of a vector along the line of sight: a dot in a ring towards the observer,
+    /// a cross in a ring away from it.
     fn along_view(&mut self, at: DVec2, away: bool, pen: Pen, text: &str, toward: DVec2) {
         let scale = f64::from(self.view.scale);
         let pen = Pen { width: 2.4, ..pen };
@@ -102,13 +104,13 @@ impl Sheet<'_> {
         self.label(pen, text.to_owned(), at, toward, (POINT_TEXT, false));
     }
 
-    /// Eye, at, view and up, and what is made of view.
+    /// Highlights eye, at, view, up and -view.
     fn light_given(&mut self, lit: Lit) {
         let (middle, below) = (self.middle(), DVec2::new(0.6, 1.0));
         let pen = Self::pen(lit, self.colors.given);
         match (lit.thing, lit.camera.orientation) {
             (Thing::Eye, _) => {
-                // All rays begin there: it is behind the picture's middle.
+                // All rays begin at the eye: it is behind the picture's middle.
                 let pen = Pen { color: self.colors.ink, ..pen };
                 self.along_view(middle, false, pen, "eye: straight behind this point", below);
             }
@@ -160,7 +162,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// w towards whoever looks, the other factor and the product beside it.
+    /// Draws w towards the observer, with the other factor and the product beside it.
     fn light_cross(
         &mut self,
         lit: Lit,
@@ -230,7 +232,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// The parts of the selected ray's direction: along w from the picture's middle, u and v in it.
+    /// Draws the parts of the selected ray's direction: the part along w at the picture's middle,
+    /// those along u and v in the picture.
     fn light_parts(&mut self, lit: Lit, uv: DVec2) {
         let (posed, size, middle) = (self.view.posed, self.view.size, self.middle());
         let place = |uv: DVec2| place_of(posed, size, uv);
@@ -248,7 +251,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// A sphere's outline.
+    /// Draws a sphere's outline.
     fn light_object(&mut self, lit: Lit, index: u32) {
         let Some(Object::Sphere(sphere)) = lit.scene.object(index) else { return };
         let posed = self.view.posed;
@@ -263,8 +266,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// Hatches the pixels at which a plane is seen, below all else: it may be all of the picture,
-    /// and what lies on it can still be seen and pointed at.
+    /// Hatches the pixels at which a plane is seen, below everything else: the plane may fill the
+    /// picture, and what lies on it must still be seen and hovered.
     fn light_plane(&mut self, lit: Lit, index: u32) {
         let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
@@ -280,10 +283,10 @@ impl Sheet<'_> {
     }
 }
 
-/// Which object is seen where, as finely as hatching needs it.
+/// The object seen at each position, at the resolution that hatching needs.
 struct Cells {
     frame: Frame<f64>,
-    /// Dots of a pixel of the image.
+    /// Dots per pixel of the image.
     per_pixel: DVec2,
 }
 
@@ -299,24 +302,24 @@ impl Cells {
         }
     }
 
-    /// The object seen at a place, in dots.
+    /// Returns the object seen at a position, in dots.
     fn object_at(&self, at: DVec2) -> u32 {
         let cell = at / self.per_pixel;
-        // A cast saturates: at the first beside the picture.
+        // The cast saturates: positions left of or above the picture give index 0.
         let pixel = Pixel { row: cell.y as u32, column: cell.x as u32 };
         let Some(place) = self.frame.raster().nearest_to(pixel) else { return NO_OBJECT };
         self.frame.object.get(place).copied().unwrap_or(NO_OBJECT)
     }
 }
 
-/// Strokes rising to the right, `apart` from each other, over the places of a picture that are
-/// `inside`; looked at every `step`.
+/// Returns strokes rising to the right, `apart` from each other, over the positions of a picture
+/// that are `inside`; tested at every `step`.
 fn hatch(extent: DVec2, apart: f64, step: f64, inside: impl Fn(DVec2) -> bool) -> Vec<[DVec2; 2]> {
     let mut strokes = Vec::new();
     let direction = DVec2::new(std::f64::consts::FRAC_1_SQRT_2, -std::f64::consts::FRAC_1_SQRT_2);
     let (reach, apart) = (extent.x + extent.y, apart * std::f64::consts::SQRT_2);
     for k in 1..(reach / apart).ceil() as u32 {
-        // Where x + y is the same, from the left edge or the lower one.
+        // x + y is constant along a stroke; it starts at the left edge or the lower one.
         let sum = f64::from(k) * apart;
         let start = DVec2::new((sum - extent.y).max(0.0), sum.min(extent.y));
         let end = sum.min(extent.x) - start.x;

@@ -1,4 +1,4 @@
-//! What is lit, in the world view.
+//! Highlighting in the world view.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Object, Orientation, PosedCamera};
@@ -16,7 +16,7 @@ use crate::view::overlay::sketch::{Head, Pen, Sketch};
 use crate::view::overlay::world_view::WorldView;
 
 impl Sketch<'_> {
-    /// Lights a thing over everything that is drawn already.
+    /// Highlights a concept over everything that is already drawn.
     pub(crate) fn light(&mut self, view: &WorldView, lit: Lit) {
         dim(&mut self.drawing, &mut self.requests, lit.thing);
         let (shown, before) = (self.items, self.requests.len());
@@ -59,7 +59,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// What the camera is given by, which is there without a basis too.
+    /// Highlights what the camera is given by; it exists without a basis, too.
     fn light_given(&mut self, view: &WorldView, lit: Lit) {
         let eye = view.camera.eye;
         let arrow = self.length_of_points(eye, ARROW_POINTS);
@@ -109,9 +109,9 @@ impl Sketch<'_> {
         }
     }
 
-    /// Both factors, the parallelogram between them, and the product as long as that is large:
-    /// `|first| sin(angle)`, the second being 1 long. A first factor too short or too long to be drawn
-    /// beside the second has length 1 here, too.
+    /// Draws both factors, the parallelogram between them, and the product with its length
+    /// `|first| sin(angle)`, the second factor having length 1. A first factor too short or too
+    /// long to be drawn beside the second is drawn with length 1, too.
     fn light_cross(
         &mut self,
         eye: DVec3,
@@ -153,7 +153,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// What comes with the basis.
+    /// Highlights what needs the basis: its vectors, the viewport and its distance.
     fn light_camera(&mut self, posed: &PosedCamera, lit: Lit) {
         let eye = posed.eye();
         let arrow = self.length_of_points(eye, ARROW_POINTS);
@@ -186,7 +186,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// What belongs to the selected ray.
+    /// Highlights what belongs to the selected ray.
     fn light_selected(&mut self, posed: &PosedCamera, view: &WorldView, lit: Lit) {
         let Some(inspection) = view.inspection else { return };
         let ray = &inspection.ray;
@@ -227,7 +227,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// From the eye forwards, to the right and up, as far as each part of the direction goes.
+    /// Draws the parts of the direction as a chain from the eye: forwards, to the right and up.
     fn light_chain(&mut self, eye: DVec3, parts: &RayDerivation, pen: Pen) {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
@@ -246,7 +246,7 @@ impl Sketch<'_> {
         self.line(eye, from, ray);
     }
 
-    /// A sphere's silhouette; of a plane a square and its normal.
+    /// Draws a sphere's silhouette, or a square in a plane and its normal.
     fn light_object(&mut self, view: &WorldView, index: u32) {
         let Some(object) = view.scene.objects().nth(index as usize) else { return };
         let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).of(Thing::Object(index)).on_top();

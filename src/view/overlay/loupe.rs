@@ -13,29 +13,29 @@ use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::sketch::Pen;
 
-/// So many pixels are shown across and down.
+/// Number of pixels shown across and down.
 const PIXELS: u32 = 9;
-/// The side of a magnified pixel, in points, where there is room.
+/// Side of a magnified pixel, in points, where there is room.
 const CELL: f64 = 24.0;
-/// The loupe takes at most this share of the view; less than half of the height, so that the place
-/// itself is not under it.
+/// Greatest share of the view that the loupe takes; less than half of the height, so that it does
+/// not cover the selected position.
 const SHARE: DVec2 = DVec2::new(0.62, 0.45);
-/// Height of its text, in points.
+/// Height of the loupe's text, in points.
 const TEXT: f32 = 15.0;
 /// Room for the rows' names, and for a line of text, in points.
 const RIM: DVec2 = DVec2::new(62.0, 23.0);
 
-/// What is under the loupe.
+/// The content of the loupe.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loupe {
-    /// The pixels around the place, all of them traced.
+    /// The pixels around the selected position, all of them traced.
     pub picture: Picture,
-    /// Rows and columns are named as the course counts them.
+    /// True if rows and columns are counted from one, as some courses do.
     pub count_from_one: bool,
 }
 
-/// Rows and columns under the loupe, as far as the image goes: the place is in their middle, or in
-/// the middle one.
+/// Returns the rows and columns under the loupe, cut to the image. The selected position is in
+/// their middle, or in the middle one.
 pub fn loupe_window(place: &PixelOfUv, image: ImageSize) -> [Range<u32>; 2] {
     let around = |edge: Option<u32>, own: u32, count: u32| {
         let half = PIXELS / 2;
@@ -48,21 +48,21 @@ pub fn loupe_window(place: &PixelOfUv, image: ImageSize) -> [Range<u32>; 2] {
     ]
 }
 
-/// Where the loupe lies in the view.
+/// The position and size of the loupe in the view.
 struct Inset {
-    /// Its upper left corner and its size, rims included, in dots.
+    /// Upper left corner and size, rims included, in dots.
     from: DVec2,
     size: DVec2,
     /// The (fractional) row and column in the middle of the cells, as x and y of the image.
     middle: DVec2,
-    /// Where that is, in dots.
+    /// Position of that middle, in dots.
     center: DVec2,
-    /// The side of a cell.
+    /// Side of a cell, in dots.
     cell: f64,
 }
 
 impl Inset {
-    /// In the corner of the view farthest from the place.
+    /// Places the loupe in the corner of the view farthest from the selected position.
     fn of(view: &CameraView, place: &PixelOfUv, at: DVec2) -> Inset {
         let (extent, scale) = (view.extent(), f64::from(view.scale));
         let pixels = f64::from(PIXELS);
@@ -90,19 +90,21 @@ impl Inset {
         }
     }
 
-    /// The middle of the rims: of the one with the rows' names across, of the columns' down.
+    /// Returns the middle of the rims: x in the rim of the rows' names, y in that of the columns'
+    /// names.
     fn rim(&self, scale: f64) -> DVec2 {
         self.from + 0.5 * scale * RIM
     }
 
-    /// A place of the image, in pixels from its upper left corner, under the loupe.
+    /// Returns where the loupe shows a point of the image; x and y are in pixels from the upper
+    /// left corner.
     fn place(&self, x: f64, y: f64) -> DVec2 {
         self.center + self.cell * (DVec2::new(x, y) - self.middle)
     }
 }
 
 impl Sheet<'_> {
-    /// Draws the loupe over everything else, and takes away the labels that it covers.
+    /// Draws the loupe over everything else.
     pub(super) fn loupe(&mut self) {
         let (Some(loupe), Some(inspection)) = (self.view.loupe, self.view.inspection) else {
             return;
@@ -148,14 +150,15 @@ impl Sheet<'_> {
                 let (from, to) = (corner(0), corner(1));
                 self.filled(from, to, Pen::new(Item::Loupe, *color, 1.0));
                 self.frame(from, to, edge);
-                // As plain as pixels are.
+                // Cells have no halo, as pixels have none.
                 self.drawing.marks.iter_mut().rev().take(2).for_each(|mark| mark.halo = None);
             }
         }
     }
 }
 
-/// Rows, columns and what kind of place it is, in words; labels under the loupe are taken away.
+/// Adds the loupe's texts (rows, columns and the kind of position), and removes the labels that the
+/// loupe covers.
 pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     let (Some(loupe), Some(inspection)) = (view.loupe, view.inspection) else { return };
     let Some(place) = inspection.place else { return };
@@ -194,7 +197,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     }));
 }
 
-/// The touched rows' names, at the left of them.
+/// Returns the touched rows' names, to the left of them.
 fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
     let scale = f64::from(scale);
     let mut rows: Vec<u32> = touched.iter().map(|pixel| pixel.row).collect();
@@ -210,7 +213,7 @@ fn rows(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(Str
     rows.iter().map(name).collect()
 }
 
-/// The touched columns' numbers, above them, and what they are.
+/// Returns the touched columns' numbers, above them, and the word for them.
 fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(String, DVec2)> {
     let scale = f64::from(scale);
     let mut columns: Vec<u32> = touched.iter().map(|pixel| pixel.column).collect();
@@ -227,7 +230,7 @@ fn columns(touched: &[Pixel], loupe: &Loupe, inset: &Inset, scale: f32) -> Vec<(
     named.chain([("column".to_owned(), rim)]).collect()
 }
 
-/// The point of a rectangle that is nearest to a place.
+/// Returns the point of a rectangle that is nearest to a position.
 fn nearest(at: DVec2, from: DVec2, to: DVec2) -> DVec2 {
     at.clamp(from, to)
 }

@@ -1,18 +1,19 @@
-//! What is drawn over the traced pictures: the camera in its scene, and the selected ray.
+//! The overlay: marks and labels drawn over the traced pictures, such as the camera in its scene
+//! and the selected ray.
 //!
-//! Pure functions from what is to be shown to a [`Drawing`]: marks and labels in dots (physical
-//! pixels). [`world`] and [`camera`] also paint it, on the CPU, straight into the picture; text is
-//! left to the caller, who has fonts. The window and exported figures use the same drawing; those
-//! that are not pixels get it apart from the picture.
+//! Pure functions build a [`Drawing`] from the values to be shown: marks and labels in dots
+//! (physical pixels). [`world`] and [`camera`] also paint the marks on the CPU, straight into the
+//! picture; text is left to the caller, who has the fonts. The window and exported figures use the
+//! same drawing; vector formats take it apart from the picture.
 //!
-//! - `world_view`: what the world view shows; `camera_view`: what the camera view shows.
-//! - `ghost`: the camera that is compared with, in the world view.
-//! - `lit`, `lit_world`, `lit_camera`: what is pointed at, over all else.
-//! - `handles`: what can be taken in the hand.
-//! - `screen`: projection and clipping; `flat`: the way back, from a dot to a place on a plane.
-//! - `layers`: what is filled dot by dot (planes, the picture on the viewport), and what hides what.
-//! - `sketch`: lines and arrows of the world into marks; `labels`: places for text;
-//!   `path`: marks into fills and strokes; `paint`: those into pixels.
+//! - `world_view`: contents of the world view; `camera_view`: contents of the camera view.
+//! - `ghost`: the camera to compare with, in the world view.
+//! - `lit`, `lit_world`, `lit_camera`: the highlighted concept, on top of everything else.
+//! - `handles`: the handles that can be dragged.
+//! - `screen`: projection and clipping; `flat`: its inverse, from a dot to a point of a plane.
+//! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
+//! - `sketch`: lines and arrows of the world as marks; `labels`: label placement; `path`: marks as
+//!   fills and strokes; `paint`: fills and strokes as pixels.
 
 mod camera_in_space;
 mod camera_view;

@@ -1,5 +1,5 @@
-//! How the world view shows what its tracer leaves out: a plane as the part of it near the
-//! observer's target, with a grid; a sphere around the camera as three circles.
+//! Objects that the world view does not trace: a plane is shown as a patch near the observer's
+//! target, with a grid; a sphere around the camera is shown as three circles.
 
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
@@ -12,31 +12,32 @@ use crate::view::overlay::screen::{RayParts, unit};
 use crate::view::overlay::sketch::{Pen, Sketch};
 use crate::view::overlay::style::Colors;
 
-/// The patch's radius, as a share of the observer's distance to the target and on to the plane; and
-/// how far the plane can be from the target, as a multiple of the observer's distance to it.
+/// Radius of a patch, as a share of the observer's distance to the target plus the target's to the
+/// plane; and the greatest distance of the plane from the target, as a multiple of the observer's
+/// distance to it.
 const PATCH_RADIUS: f64 = 0.75;
 const PATCH_REACH: f64 = 3.0;
 
-/// How opaque a patch is in its middle, and how opaque it is where it stands between the observer
-/// and the camera.
+/// Opacity of a patch in its middle; and its opacity there if it is between the observer and the
+/// camera.
 const OPACITY: f32 = 0.75;
 const OPACITY_BETWEEN: f32 = 0.2;
 
-/// Of very many planes, so many are shown.
+/// Maximum number of planes shown.
 const SHOWN_PLANES: usize = 16;
 
-/// Who looks at a plane, and at what.
+/// The observer of a plane, and the target it looks at.
 pub(crate) struct Onlooker {
     pub(crate) rays: RayParts,
     pub(crate) target: DVec3,
     pub(crate) distance: f64,
-    /// The edited camera's.
+    /// Eye of the edited camera.
     pub(crate) camera_eye: DVec3,
     /// Dots per point.
     pub(crate) scale: f64,
 }
 
-/// The patches of the planes near what the observer looks at.
+/// Returns the patches of the planes near the observer's target.
 pub(crate) fn patches(
     planes: &[Plane],
     color_of: impl Fn(usize) -> Rgb,
@@ -70,7 +71,7 @@ fn patch(plane: &Plane, [r, g, b]: Rgb, onlooker: &Onlooker, colors: &Colors) ->
     })
 }
 
-/// Two directions in the plane at right angles, along the world's axes where the plane allows.
+/// Returns two orthogonal unit vectors in the plane, along the world's axes if possible.
 pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     let least = normal.abs();
     let axis = if least.x <= least.y && least.x <= least.z {
@@ -84,7 +85,7 @@ pub(crate) fn tangents(normal: DVec3) -> (DVec3, DVec3) {
     (a, normal.cross(a))
 }
 
-/// 1, 2 or 5 times a power of ten: some fourteen cells across a patch.
+/// Returns a grid step of 1, 2 or 5 times a power of ten: about fourteen cells across a patch.
 fn grid_step(distance: f64) -> f64 {
     let about = 2.0 * PATCH_RADIUS * distance / 14.0;
     let power = 10f64.powf(about.log10().floor());
@@ -102,7 +103,7 @@ fn grid_step(distance: f64) -> f64 {
 }
 
 impl Sketch<'_> {
-    /// Three circles on a sphere, at right angles to x, y and z.
+    /// Draws three circles on a sphere, orthogonal to x, y and z.
     pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
         const SIDES: usize = 72;
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);

@@ -1,4 +1,4 @@
-//! Marks into pixels, by tiny-skia, straight into the picture's bytes.
+//! Paints marks with tiny-skia, straight into the picture's bytes.
 
 use egui::Color32;
 use rayon::prelude::*;
@@ -9,8 +9,8 @@ use tiny_skia::{
 use crate::view::overlay::drawing::Drawing;
 use crate::view::overlay::path::{Ink, Outline, Path};
 
-/// Rows of dots that are painted at a time: the same ones however many threads there are, so that
-/// the dots are the same, too.
+/// Rows of dots that are painted at a time. The number does not depend on the number of threads, so
+/// neither do the dots.
 const BAND: usize = 128;
 
 impl Drawing {
@@ -33,15 +33,15 @@ impl Drawing {
     }
 }
 
-/// A path as tiny-skia takes it: what is outlined once need not be for each band.
+/// A path prepared for tiny-skia: outlined once instead of once for each band.
 struct Stroked {
     outline: tiny_skia::Path,
     paint: Paint<'static>,
-    /// A pen too thin for an outline around what it draws.
+    /// The stroke, if it is too thin to be drawn as an outline.
     hairline: Option<Stroke>,
 }
 
-/// Up to this width, in dots, tiny-skia draws a line one dot wide and pale instead.
+/// Greatest width, in dots, that tiny-skia draws as a pale line one dot wide.
 const HAIRLINE: f32 = 1.0;
 
 impl Stroked {
@@ -70,15 +70,15 @@ impl Stroked {
         })
     }
 
-    /// Whether anything of it lies in so many rows from the top.
+    /// Returns true if a part of it lies in the `rows` rows below `top`.
     fn reaches(&self, top: f32, rows: f32) -> bool {
         let bounds = self.outline.bounds();
-        // The hairline's width, and a dot for what is blurred.
+        // The hairline's width, and a dot for antialiasing.
         let margin = HAIRLINE + 1.0;
         bounds.top() - margin < top + rows && bounds.bottom() + margin > top
     }
 
-    /// Paints it into a picture that starts so many dots from the top.
+    /// Paints it into a picture that starts `top` dots below the drawing's top.
     fn paint(&self, top: f32, pixmap: &mut PixmapMut) {
         let place = Transform::from_translate(0.0, -top);
         let (outline, paint) = (&self.outline, &self.paint);

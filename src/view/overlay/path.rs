@@ -1,5 +1,4 @@
-//! Marks as what is painted one after the other: fills and strokes. What paints pixels and what
-//! writes files both take these.
+//! Marks as a sequence of fills and strokes, both for painting pixels and for writing files.
 
 use std::borrow::Cow;
 
@@ -7,61 +6,61 @@ use egui::Color32;
 
 use crate::view::overlay::drawing::{Drawing, Mark, Shape};
 
-/// How wide the casing of a mark is on each side, in points; of a thin line, as a share of it.
+/// Width of a mark's casing on each side, in points; and its greatest share of a line's width.
 const HALO_WIDTH: f32 = 1.25;
 const HALO_SHARE: f32 = 0.5;
 
 /// Dash and gap of a hidden line, in points.
 const DASH: [f32; 2] = [5.0, 4.5];
 
-/// Something to fill or to stroke, in the unit of the drawing.
+/// A shape to fill or to stroke, in the unit of the drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path<'a> {
-    /// Where.
+    /// The outline.
     pub outline: Outline<'a>,
-    /// In which colour.
+    /// The colour.
     pub color: Color32,
-    /// Filled or stroked.
+    /// Fill or stroke.
     pub ink: Ink,
 }
 
-/// Where something is painted.
+/// The outline of a path.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outline<'a> {
     /// A chain of straight lines.
     Chain {
-        /// Its corners.
+        /// The corners.
         points: Cow<'a, [[f32; 2]]>,
-        /// Whether the last is joined to the first.
+        /// True if the last corner is joined to the first.
         closed: bool,
     },
     /// A circle.
     Circle {
-        /// Its centre.
+        /// The centre.
         center: [f32; 2],
-        /// Its radius.
+        /// The radius.
         radius: f32,
     },
 }
 
-/// What is done with an outline.
+/// The way in which an outline is painted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ink {
-    /// It is filled.
+    /// A fill.
     Fill,
-    /// It is followed by a pen; corners are round.
+    /// A stroke with round joins.
     Stroke {
         /// The pen's width.
         width: f32,
-        /// Whether the ends are round; else they are cut off.
+        /// True if the ends are round; otherwise they are cut off.
         round: bool,
-        /// Dash and gap, if it is dashed.
+        /// Dash and gap, if the stroke is dashed.
         dash: Option<[f32; 2]>,
     },
 }
 
 impl Drawing {
-    /// All that is painted, in the order of painting.
+    /// Returns everything that is painted, in the order of painting.
     pub fn paths(&self) -> impl Iterator<Item = Path<'_>> {
         self.marks.iter().flat_map(|mark| {
             let (halo, own) = paths_of(mark, self.scale);
@@ -70,7 +69,7 @@ impl Drawing {
     }
 }
 
-/// A mark's casing, if it has one, and itself.
+/// Returns a mark's casing, if it has one, and its own path.
 fn paths_of(mark: &Mark, scale: f32) -> (Option<Path<'_>>, Path<'_>) {
     let full = HALO_WIDTH * scale;
     let (width, casing) = match mark.shape {

@@ -1,13 +1,13 @@
-//! The traced picture of the edited camera, and how it is shown with its pixels as pixels.
+//! The traced picture of the edited camera, shown with sharp pixels.
 
 use egui::Color32;
 use pinhole_core::{ImageSize, Pixel, Raster};
 use rayon::prelude::*;
 
-/// What the edited camera sees: one colour per traced pixel of its image.
+/// The picture of the edited camera: one colour per traced pixel of its image.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Which rows and columns of the image were traced.
+    /// The traced rows and columns of the image.
     pub raster: Raster,
     /// The image that the raster samples.
     pub image: ImageSize,
@@ -16,12 +16,13 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Whether there is a colour for every traced pixel, and at least one.
+    /// Returns true if there is a colour for every traced pixel, and at least one.
     pub(crate) fn is_whole(&self) -> bool {
         !self.raster.is_empty() && self.pixels.len() == self.raster.len()
     }
 
-    /// The colour of a pixel of the image, or of the nearest traced one; `None` outside the image.
+    /// Returns the colour of a pixel of the image, or of the nearest traced one; `None` outside the
+    /// image.
     pub fn color_of_pixel(&self, row: u32, column: u32) -> Option<Color32> {
         if row >= self.image.height() || column >= self.image.width() {
             return None;
@@ -45,7 +46,7 @@ impl Picture {
         bands.for_each(|(band, dots)| {
             for k in 0..dots.len() / columns {
                 let own = row_of(band * BAND + k);
-                // Of a pixel that is several dots high, the first row is as good as the next.
+                // All rows of dots that show one row of pixels are equal: copy the first.
                 if k > 0 && row_of(band * BAND + k - 1) == own {
                     dots.copy_within((k - 1) * columns..k * columns, k * columns);
                     continue;
@@ -59,10 +60,10 @@ impl Picture {
     }
 }
 
-/// So many rows of dots are filled at a time.
+/// Rows of dots that are filled at a time.
 const BAND: usize = 32;
 
-/// The pixel of `count` in the middle of dot `k` of `dots`.
+/// Returns the index, out of `count` pixels, of the pixel in the middle of dot `k` of `dots`.
 fn shown(k: usize, dots: usize, count: u32) -> usize {
     (2 * k + 1) * count as usize / (2 * dots)
 }

@@ -1,4 +1,4 @@
-//! From the world to the dots of the observer's picture: projection, and clipping before it.
+//! Projection from the world to the dots of the observer's picture, with clipping before it.
 
 use pinhole_core::{DVec2, DVec3, PosedCamera};
 
@@ -13,21 +13,21 @@ pub(crate) struct Screen {
     focal: DVec2,
     /// Width and height in dots.
     pub(crate) size: DVec2,
-    /// The observer's distance to what it looks at: the length that counts as 1.
+    /// The observer's distance to its target: the length that counts as 1.
     unit: f64,
 }
 
 /// A point on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spot {
-    /// In dots from the top left corner.
+    /// Position in dots from the top left corner.
     pub(crate) at: DVec2,
-    /// `1 / t` along the observer's ray: linear along a line on the screen, as t is not.
+    /// `1 / t` along the observer's ray; unlike t, it is linear along a line on the screen.
     pub(crate) inverse_t: f64,
 }
 
 impl Spot {
-    /// The point a share `s` of the way from `self` to `other`, on the screen.
+    /// Returns the point a share `s` of the way from `self` to `other`, on the screen.
     pub(crate) fn toward(self, other: Spot, s: f64) -> Spot {
         Spot {
             at: self.at.lerp(other.at, s),
@@ -36,25 +36,26 @@ impl Spot {
     }
 }
 
-/// Nearer than this, in units of the observer's distance to its target, nothing is drawn.
+/// Least depth that is drawn, in units of the observer's distance to its target.
 const NEAR: f64 = 1e-7;
 
-/// Coordinates in view units above which a point is not drawn at all: nothing a person can mean,
-/// and products of coordinates below it are far from overflow.
+/// Greatest coordinate that is drawn, in view units. No sensible scene has larger ones, and
+/// products of smaller ones are far from overflow.
 const FARTHEST: f64 = 1e60;
 
-/// Lines are cut this share of the picture beyond its border, so that their ends stay out of sight.
+/// Share of the picture beyond its border at which lines are cut, so that their ends are out of
+/// sight.
 const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
-    /// `unit` is a length of about the size of what is seen.
+    /// Creates a screen; `unit` is a length of about the size of what is seen.
     pub(crate) fn new(observer: &PosedCamera, unit: f64) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
         Screen::of_size(observer, size, unit)
     }
 
-    /// The same with the image stretched over so many dots.
+    /// Creates a screen for the image stretched over `size` dots.
     pub(crate) fn of_size(observer: &PosedCamera, size: DVec2, unit: f64) -> Screen {
         let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
@@ -62,7 +63,7 @@ impl Screen {
         Screen { observer: *observer, focal, size, unit }
     }
 
-    /// The point in view coordinates; `None` where it is too far away to be drawn.
+    /// Returns the point in view coordinates; `None` if it is too far away to be drawn.
     fn view(&self, point: DVec3) -> Option<DVec3> {
         let q =
             self.observer.basis().to_camera_from_world((point - self.observer.eye()) / self.unit);
@@ -75,15 +76,16 @@ impl Screen {
         Spot { at, inverse_t: self.observer.viewport().distance / (q.z * self.unit) }
     }
 
-    /// Where a point appears; `None` behind the observer or outside the picture.
+    /// Returns the position of a point on the screen; `None` behind the observer or outside the
+    /// picture.
     pub(crate) fn spot(&self, point: DVec3) -> Option<Spot> {
         let q = self.view(point)?;
         (self.borders().iter().all(|border| border.dot(q) >= 0.0) && q.z >= NEAR)
             .then(|| self.spot_of_view(q))
     }
 
-    /// The inward normals, in view coordinates, of the four planes through the observer's eye that
-    /// bound what is drawn.
+    /// Returns the inward normals, in view coordinates, of the four planes through the observer's
+    /// eye that bound the drawn region.
     fn borders(&self) -> [DVec3; 4] {
         let slope = (0.5 + BEYOND_BORDER) * self.size / self.focal;
         [
@@ -94,8 +96,8 @@ impl Screen {
         ]
     }
 
-    /// The visible part of the line from `a` to `b`, and whether its ends are `a` and `b`
-    /// themselves. It is cut before the division by depth (Blinn, Newell, *Clipping using
+    /// Returns the visible part of the line from `a` to `b`, and whether its ends are `a` and `b`
+    /// themselves. The line is clipped before the division by depth (Blinn, Newell, *Clipping using
     /// homogeneous coordinates*, 1978).
     pub(crate) fn line(&self, a: DVec3, b: DVec3) -> Option<CutLine> {
         let (a, b) = (self.view(a)?, self.view(b)?);
@@ -129,21 +131,22 @@ impl Screen {
         })
     }
 
-    /// Whether a spot lies where cut lines end, give or take rounding: a guard for what is handed
-    /// to the rasteriser.
+    /// Returns true if a spot lies within the region where clipped lines end, up to rounding. This
+    /// guards the rasteriser.
     fn is_near(&self, spot: Spot) -> bool {
         let reach = 2.0 * self.size;
         (spot.at - 0.5 * self.size).abs().cmple(reach).all() && spot.inverse_t.is_finite()
     }
 
-    /// How many dots a world unit at this point covers; `None` where the point is not seen.
+    /// Returns the number of dots that a world unit at this point covers; `None` where it is not
+    /// seen.
     pub(crate) fn dots_per_unit(&self, point: DVec3) -> Option<f64> {
         let q = self.view(point)?;
         let dots = self.focal.min_element() / (q.z.max(NEAR) * self.unit);
         dots.is_finite().then_some(dots)
     }
 
-    /// The direction of the observer's ray through a place on the screen, as
+    /// Returns the direction of the observer's ray through a point `at` of the screen, as
     /// `at.x * across + at.y * down + corner`.
     pub(crate) fn ray_parts(&self) -> RayParts {
         let (basis, viewport) = (self.observer.basis(), self.observer.viewport());
@@ -155,18 +158,18 @@ impl Screen {
     }
 }
 
-/// What is left of a line after it was cut to the screen.
+/// A line clipped to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct CutLine {
     pub(crate) from: Spot,
     pub(crate) to: Spot,
-    /// Whether `from` is where the line itself begins.
+    /// True if `from` is the start of the line itself.
     pub(crate) whole_from: bool,
-    /// Whether `to` is where the line itself ends.
+    /// True if `to` is the end of the line itself.
     pub(crate) whole_to: bool,
 }
 
-/// The observer's rays, see [`Screen::ray_parts`].
+/// The observer's rays; see [`Screen::ray_parts`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayParts {
     pub(crate) eye: DVec3,
@@ -175,7 +178,8 @@ pub(crate) struct RayParts {
     pub(crate) corner: DVec3,
 }
 
-/// `v / |v|`; `None` for zero and for what is not finite. Lengths from 1e-300 to 1e300 are right.
+/// Returns `v / |v|`; `None` for zero and for a vector that is not finite. Lengths from 1e-300 to
+/// 1e300 are handled correctly.
 pub(crate) fn unit(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     if !(largest.is_finite() && largest > 0.0) {

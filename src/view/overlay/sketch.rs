@@ -1,5 +1,5 @@
-//! Lines, arrows and points of the world into the marks of a [`Drawing`]: projected, cut, and
-//! parted into what is seen and what is hidden.
+//! Converts lines, arrows and points of the world into the marks of a [`Drawing`]: projects them,
+//! clips them, and splits them into visible and hidden parts.
 
 use std::borrow::Cow;
 
@@ -14,22 +14,22 @@ use crate::view::overlay::layers::Layers;
 use crate::view::overlay::screen::{CutLine, Screen, Spot};
 use crate::view::overlay::style::Colors;
 
-/// How a line is drawn.
+/// The style of a line.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen {
     pub(crate) item: Item,
     pub(crate) thing: Option<Thing>,
     pub(crate) color: Color32,
-    /// In points.
+    /// Width in points.
     pub(crate) width: f32,
     pub(crate) halo: bool,
-    /// Drawn on the viewport's rectangle, and so not hidden by it.
+    /// True if it is drawn on the viewport's rectangle, which then does not hide it.
     pub(crate) on_viewport: bool,
-    /// Never hidden by anything.
+    /// True if nothing hides it.
     pub(crate) on_top: bool,
-    /// Dashed also where nothing hides it.
+    /// True if it is dashed even where nothing hides it.
     pub(crate) dashed: bool,
-    /// See [`Mark::pattern`].
+    /// Dash and gap; see [`Mark::pattern`].
     pub(crate) pattern: Option<[f32; 2]>,
 }
 
@@ -44,7 +44,7 @@ pub(crate) enum Head {
     Double,
 }
 
-/// A drawing in the making.
+/// A drawing while it is built.
 pub(crate) struct Sketch<'a> {
     pub(crate) screen: Screen,
     pub(crate) layers: &'a Layers<'a>,
@@ -54,13 +54,13 @@ pub(crate) struct Sketch<'a> {
     pub(crate) requests: Vec<Request>,
 }
 
-/// Dots between two questions of whether a line is hidden.
+/// Distance, in dots, between two occlusion tests along a line.
 const SAMPLE_SPACING: f64 = 1.5;
 
-/// A run shorter than this, in points, is drawn as its neighbour is.
+/// Length, in points, below which a run is drawn like its neighbour.
 const SHORTEST_RUN: f64 = 3.0;
 
-/// A part of a line that is seen, or hidden, as a whole; shares of its length on the screen.
+/// A part of a line that is visible, or hidden, as a whole; in shares of its length on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Run {
     from: f64,
@@ -75,12 +75,12 @@ impl Pen {
         Pen { item, thing, color, width, halo: true, on_viewport, on_top, dashed, pattern }
     }
 
-    /// Where it is in sight, with this dash and gap in points.
+    /// Sets dash and gap, in points, of the visible parts.
     pub(crate) fn patterned(self, pattern: Option<[f32; 2]>) -> Pen {
         Pen { pattern, ..self }
     }
 
-    /// What it draws, for whoever points at it.
+    /// Sets the concept that is hovered when the pointer is on the line.
     pub(crate) fn of(self, thing: Thing) -> Pen {
         Pen { thing: Some(thing), ..self }
     }
@@ -107,7 +107,7 @@ impl Sketch<'_> {
         f64::from(self.drawing.scale)
     }
 
-    /// A straight line of the world.
+    /// Draws a straight line of the world.
     pub(crate) fn line(&mut self, from: DVec3, to: DVec3, pen: Pen) {
         if self.items.shows(pen.item)
             && let Some(cut) = self.screen.line(from, to)
@@ -116,7 +116,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// An arrow whose head keeps its size on the screen; where its tip is, if that is in sight.
+    /// Draws an arrow whose head keeps its size on the screen; returns its tip, if that is visible.
     pub(crate) fn arrow(&mut self, from: DVec3, to: DVec3, head: Head, pen: Pen) -> Option<Tip> {
         if !self.items.shows(pen.item) {
             return None;
@@ -164,7 +164,7 @@ impl Sketch<'_> {
                 Shape::Line { points, width: thin * pen.width * self.drawing.scale }
             };
             let halo = (pen.halo && !hidden).then_some(self.colors.halo);
-            // A dashed head would be no head.
+            // The head is never dashed, or its shape would be lost.
             let (item, thing, color) = (pen.item, pen.thing, pen.color);
             let pattern = None;
             let mark = Mark { item, thing, shape, color, halo, hidden: false, pattern };
@@ -183,7 +183,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// A point of the world as a disc, `radius` in points; where it is, if in sight.
+    /// Draws a point of the world as a disc of `radius` points; returns its spot, if that is
+    /// visible.
     pub(crate) fn point(&mut self, at: DVec3, radius: f32, pen: Pen) -> Option<Spot> {
         if !self.items.shows(pen.item) {
             return None;
@@ -193,7 +194,7 @@ impl Sketch<'_> {
         Some(spot)
     }
 
-    /// A hidden disc is a ring.
+    /// Draws a disc, or a ring if it is hidden.
     fn disc(&mut self, spot: Spot, radius: f32, pen: Pen) {
         let hidden = self.is_hidden(spot, pen);
         let radius = radius * self.drawing.scale;
@@ -209,7 +210,7 @@ impl Sketch<'_> {
         self.mark(shape, pen);
     }
 
-    /// Adds a shape that is in sight.
+    /// Adds a visible shape.
     fn mark(&mut self, shape: Shape, pen: Pen) {
         let halo = pen.halo.then_some(self.colors.halo);
         self.drawing.marks.push(Mark {
@@ -223,7 +224,7 @@ impl Sketch<'_> {
         });
     }
 
-    /// A flat polygon on the viewport, if it is wholly in sight and its middle is not hidden.
+    /// Draws a flat polygon, if all of it is in the picture and at least one corner is not hidden.
     pub(crate) fn polygon(&mut self, corners: &[DVec3], pen: Pen) {
         if !self.items.shows(pen.item) {
             return;
@@ -239,7 +240,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Asks for a label.
+    /// Requests a label.
     pub(crate) fn label(
         &mut self,
         pen: Pen,
@@ -294,7 +295,7 @@ impl Sketch<'_> {
     }
 }
 
-/// Runs without those shorter than `shortest`, which become part of the run before them.
+/// Merges runs shorter than `shortest` into the run before them.
 fn merged(runs: &[Run], shortest: f64) -> Vec<Run> {
     let mut merged: Vec<Run> = Vec::new();
     for run in runs {
@@ -312,10 +313,10 @@ fn merged(runs: &[Run], shortest: f64) -> Vec<Run> {
     merged
 }
 
-/// Where an arrow ends on the screen.
+/// The tip of an arrow on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tip {
     pub(crate) spot: Spot,
-    /// Of length 1, or zero for an arrow that points at the observer.
+    /// Direction of length 1, or zero for an arrow that points at the observer.
     pub(crate) direction: DVec2,
 }

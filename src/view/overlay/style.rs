@@ -1,7 +1,7 @@
 //! The overlay's colours.
 //!
-//! Hues are Okabe and Ito's (*Color Universal Design*, 2008), darkened on a light background and
-//! lightened on a dark one. No two things are told apart by colour alone: u, v, w are thick and
+//! Hues are those of Okabe and Ito (*Color Universal Design*, 2008), darkened on a light background
+//! and lightened on a dark one. Nothing is distinguished by colour alone: u, v, w are thick and
 //! have three different heads, x, y, z are thin, and all have labels.
 
 use egui::Color32;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::model::color_scheme::Scheme;
 
-/// Colours for a light or for a dark window.
+/// Colours for a light or a dark window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Style {
     /// Dark lines on a light background.
@@ -30,19 +30,20 @@ pub enum Style {
 /// The colours of one [`Style`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Colors {
-    /// Where the observer sees nothing.
+    /// Colour where the observer sees nothing.
     pub background: Color32,
-    /// Behind lines and text, so that they stand out from what they cross.
+    /// Casing of lines and text, so that they stand out from what they cross.
     pub halo: Color32,
     /// Eye, frustum, viewport outline.
     pub ink: Color32,
     /// The u, v, w arrows.
     pub basis: [Color32; 3],
-    /// Dash and gap of these arrows, in points, where greys alone would tell them apart.
+    /// Dash and gap of these arrows, in points, where greys alone would not distinguish them well
+    /// enough.
     pub patterns: [Option<[f32; 2]>; 3],
     /// The x, y, z axes.
     pub axes: [Color32; 3],
-    /// The at point, and view and up.
+    /// The at point, view and up.
     pub given: Color32,
     /// The selected ray and pixel.
     pub ray: Color32,
@@ -102,7 +103,7 @@ const COLOUR_BLIND_DARK: Colors = Colors {
     ..DARK
 };
 
-/// u in one, v in long dashes, w in short ones; what is hidden is thin besides.
+/// Patterns of u (solid), v (long dashes) and w (short dashes). Hidden lines are also thin.
 const PATTERNS: [Option<[f32; 2]>; 3] = [None, Some([13.0, 3.0]), Some([4.0, 3.0])];
 
 const GREY_LIGHT: Colors = Colors {
@@ -132,7 +133,7 @@ const GREY_DARK: Colors = Colors {
 };
 
 impl Style {
-    /// All of them.
+    /// All styles.
     pub const ALL: [Style; 6] = [
         Style::Light,
         Style::Dark,
@@ -142,7 +143,7 @@ impl Style {
         Style::GreyDark,
     ];
 
-    /// In one word, as the command line has it.
+    /// Returns the name in one word, as the command line has it.
     pub fn name(self) -> &'static str {
         match self {
             Style::Light => "light",
@@ -154,7 +155,7 @@ impl Style {
         }
     }
 
-    /// A scheme's colours on a dark or on a light background.
+    /// Returns a scheme's style on a dark or on a light background.
     pub fn of(scheme: Scheme, is_dark: bool) -> Style {
         match (scheme, is_dark) {
             (Scheme::Standard, false) => Style::Light,
@@ -166,7 +167,7 @@ impl Style {
         }
     }
 
-    /// Which scheme it is of.
+    /// Returns its scheme.
     pub fn scheme(self) -> Scheme {
         match self {
             Style::Light | Style::Dark => Scheme::Standard,
@@ -175,12 +176,12 @@ impl Style {
         }
     }
 
-    /// Whether it has light lines on a dark background.
+    /// Returns true if it has light lines on a dark background.
     pub fn is_dark(self) -> bool {
         matches!(self, Style::Dark | Style::ColourBlindDark | Style::GreyDark)
     }
 
-    /// Its colours.
+    /// Returns its colours.
     pub fn colors(self) -> &'static Colors {
         match self {
             Style::Light => &LIGHT,
@@ -192,7 +193,7 @@ impl Style {
         }
     }
 
-    /// A finished picture's dots as this style has them: without hue where it has none.
+    /// Applies the style to the dots of a finished picture: removes the hue in a grey style.
     pub fn finish(self, dots: &mut [Color32]) {
         if self.scheme() == Scheme::Grey {
             for dot in dots {
@@ -202,7 +203,7 @@ impl Style {
     }
 }
 
-/// What is as bright, without hue (luma of ITU-R BT.709).
+/// Returns the grey of the same brightness (luma of ITU-R BT.709).
 fn grey(color: Color32) -> Color32 {
     let [r, g, b, a] = color.to_array();
     let luma = 2126 * u32::from(r) + 7152 * u32::from(g) + 722 * u32::from(b);

@@ -26,41 +26,42 @@ pub struct WorldView<'a> {
     pub camera: &'a Camera,
     /// The edited camera, where it has a basis.
     pub posed: Option<&'a PosedCamera>,
-    /// What it sees.
+    /// The picture of the edited camera.
     pub picture: Option<&'a Picture>,
     /// The selected ray.
     pub inspection: Option<&'a Inspection>,
-    /// What it looks at, all of it.
+    /// The whole scene.
     pub scene: &'a Scene,
-    /// Which spheres lie [around the camera](crate::model::observer::enclosing) and are drawn as circles.
+    /// Indices of the spheres [around the camera](crate::model::observer::enclosing), which are
+    /// drawn as circles.
     pub enclosing: &'a [u32],
     /// The colour of each object of the scene.
     pub color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
-    /// Who looks.
+    /// The observer.
     pub observer: &'a Observer,
-    /// The picture of [`observer::seen_scene`](crate::model::observer::seen_scene) by the observer's
-    /// camera, every pixel traced.
+    /// The observer's picture of [`observer::seen_scene`](crate::model::observer::seen_scene), with
+    /// every pixel traced.
     pub frame: &'a Frame<f32>,
-    /// What to draw.
+    /// The overlay items to draw.
     pub items: OverlayItems,
     /// Dots per point.
     pub scale: f32,
     /// The colours.
     pub style: Style,
-    /// The t of the point that walks along the selected ray.
+    /// The t of the point that moves along the selected ray.
     pub walked: Option<f64>,
     /// The frozen camera to compare with.
     pub ghost: Option<&'a PosedCamera>,
-    /// What is lit, if anything.
+    /// The highlighted concept, if any.
     pub lit: Option<Lit<'a>>,
-    /// What can be taken in the hand.
+    /// The handles that can be dragged.
     pub handles: &'a Handles,
-    /// Where the observer sees nothing, the picture is transparent.
+    /// True if the picture is transparent where the observer sees nothing.
     pub is_clear: bool,
 }
 
-/// What is behind the camera and its marks: all that stays as it is while only the camera is moved.
-/// The observer's picture with the planes' patches painted over it.
+/// The picture behind the camera and its marks: the observer's picture with the planes' patches
+/// painted over it. It stays the same while only the camera moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Backdrop {
     patches: Vec<Patch>,
@@ -68,7 +69,7 @@ pub struct Backdrop {
 }
 
 impl Backdrop {
-    /// The backdrop of a world view.
+    /// Returns the backdrop of a world view.
     pub fn of(view: &WorldView) -> Backdrop {
         Backdrop { patches: view.patches(), background: view.background() }
     }
@@ -85,8 +86,8 @@ impl Backdrop {
     }
 }
 
-/// Paints the world view over its backdrop, which the dots show; `traced` is the picture behind that.
-/// What was painted, and which text belongs where.
+/// Paints the world view over its backdrop, which the dots must show; `traced` is the picture
+/// without the backdrop. Returns the drawing; its labels are left to the caller.
 pub fn world(
     view: &WorldView,
     backdrop: &Backdrop,
@@ -98,7 +99,7 @@ pub fn world(
     drawing
 }
 
-/// The same without painting the drawing.
+/// Does the same as [`world`] without painting the drawing.
 pub fn world_apart(
     view: &WorldView,
     backdrop: &Backdrop,
@@ -106,11 +107,11 @@ pub fn world_apart(
     dots: &mut [Color32],
 ) -> Drawing {
     let layers = view.layers(backdrop);
-    // What is drawn does not depend on what is filled.
+    // The marks do not depend on the filled areas.
     rayon::join(|| view.sketch(&layers), || layers.paint_viewport(traced, dots)).0
 }
 
-/// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
+/// Returns the (u, v) of the viewport at a position of the world view, in dots; `None` beside the
 /// viewport and where an object hides it.
 pub fn pick(posed: &PosedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
@@ -122,8 +123,8 @@ pub fn pick(posed: &PosedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Opti
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
-/// Where in the world view, in dots, a point of the world is seen; `None` behind the observer and
-/// outside the picture. What stands before the point does not count.
+/// Returns the position in the world view, in dots, of a point of the world; `None` behind the
+/// observer and outside the picture. Occlusion is not considered.
 pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     let observer = frame.camera();
     let unit = (point - observer.eye()).length();
@@ -131,14 +132,14 @@ pub fn world_position_of(frame: &Frame<f32>, point: DVec3) -> Option<[f32; 2]> {
     Some([spot.at.x as f32, spot.at.y as f32])
 }
 
-/// The t at which the ray's line passes nearest to what the observer sees at a place, in dots,
-/// rounded to what a hand can do; `None` where the line runs at the observer.
+/// Returns the t at which the ray's line passes nearest to the observer's line of sight at a
+/// position, in dots, rounded to a hand's precision; `None` where the two lines are parallel.
 pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f64> {
     let observer = frame.camera();
     let size = [observer.image().width() as usize, observer.image().height() as usize];
     let sight = observer.ray(camera_uv_at(observer, size, position)).direction;
     let (d, between) = (ray.direction, ray.origin - observer.eye());
-    // The shortest way from one line to the other is across both.
+    // The shortest segment between the two lines is orthogonal to both.
     let across = d.cross(sight);
     let t = sight.cross(between).dot(across) / across.length_squared();
     let digits = 10_f64.powf(3.0 - t.abs().max(1.0).log10().ceil());
@@ -157,11 +158,12 @@ fn viewport_layer<'a>(
     Some(ViewportLayer { flat, image: posed.image(), picture: None, grid: None, behind })
 }
 
-/// Pixel edges nearer to each other than this, in points, are left out by twos, fives, tens...
+/// Least distance between drawn pixel edges, in points; nearer ones are thinned out to every
+/// second, fifth, tenth...
 const GRID_SPACING: f64 = 7.0;
 
 impl<'a> WorldView<'a> {
-    /// The marks and labels, without painting them.
+    /// Returns the marks and labels, without painting them.
     pub fn drawing(&self) -> Drawing {
         self.sketch(&self.layers(&Backdrop::of(self)))
     }
@@ -227,7 +229,7 @@ impl<'a> WorldView<'a> {
         }
         let of_ghost = std::mem::take(&mut sketch.requests);
         sketch.camera_in_space(self);
-        // Its names come after the camera's, where there is no room for both.
+        // The ghost's labels come after the camera's, where there is no room for both.
         sketch.requests.extend(of_ghost);
         if let Some(lit) = self.lit {
             sketch.light(self, lit);
@@ -239,7 +241,7 @@ impl<'a> WorldView<'a> {
     }
 }
 
-/// The densest grid of pixel edges that can be told apart on the screen, and how opaque it is.
+/// Returns the densest grid of pixel edges that can be told apart on the screen, and its opacity.
 fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid, f32)> {
     let center = posed.viewport_point(DVec2::ZERO);
     let (basis, viewport, image) = (posed.basis(), posed.viewport(), posed.image());
@@ -250,7 +252,7 @@ fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid,
         let half_extent = match ends {
             (Some(a), Some(b)) => (b.at - a.at).length(),
             (Some(end), None) | (None, Some(end)) => 2.0 * (end.at - middle.at).length(),
-            // Seen from so near that the whole screen is within the viewport.
+            // The observer is so near that the whole screen is within the viewport.
             (None, None) => screen.size.max_element(),
         };
         2.0 * half_extent / f64::from(count)
@@ -266,7 +268,7 @@ fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid,
         .find(|step| f64::from(*step) >= wanted)?;
     let opacity = if step == 1 { 0.45 } else { 0.28 };
     let (w, h) = (f64::from(image.width()), f64::from(image.height()));
-    // In (u / width, v / height), from the corner of pixel (0, 0).
+    // In units of (u / width, v / height), from the corner of pixel (0, 0).
     let step = f64::from(step) / DVec2::new(w, h);
     Some((Grid::new(step, DVec2::new(-0.5, 0.5), scale.max(1.0) as f32), opacity))
 }

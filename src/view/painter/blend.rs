@@ -1,11 +1,11 @@
-//! Colour arithmetic: what a GPU does with an `Rgba8Unorm` target and egui's blend state.
+//! Colour arithmetic, as on a GPU with an `Rgba8Unorm` target and egui's blend state.
 
 use egui::Color32;
 
 /// Red, green, blue and alpha, premultiplied, each from 0 to 255.
 pub(super) type Rgba = [f32; 4];
 
-/// From 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, which makes a white texel leave a colour
+/// Factor from 0..=255 to 0..=1. `255.0 * UNIT` is exactly 1, so a white texel leaves a colour
 /// exactly as it is.
 pub(super) const UNIT: f32 = 1.0 / 255.0;
 
@@ -13,21 +13,21 @@ pub(super) const UNIT: f32 = 1.0 / 255.0;
 /// Without SSE 4.1 a call of `round` would be a call into the C library, for each channel.
 const ROUNDING: f32 = 12_582_912.0;
 
-/// A colour as numbers.
+/// Unpacks a colour into numbers.
 #[inline(always)]
 pub(super) fn unpack(color: Color32) -> Rgba {
     let [r, g, b, a] = color.to_array();
     [f32::from(r), f32::from(g), f32::from(b), f32::from(a)]
 }
 
-/// Numbers as a colour: clamped, then rounded to the nearest.
+/// Packs numbers into a colour: clamps them and rounds them to the nearest.
 #[inline(always)]
 pub(super) fn pack(color: Rgba) -> Color32 {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 255.0) + ROUNDING).to_bits() as u8);
     Color32::from_rgba_premultiplied(r, g, b, a)
 }
 
-/// The vertex colour times the texel.
+/// Returns the vertex colour times the texel.
 #[inline(always)]
 pub(super) fn modulate(color: Rgba, texel: Rgba) -> Rgba {
     [
@@ -38,7 +38,7 @@ pub(super) fn modulate(color: Rgba, texel: Rgba) -> Rgba {
     ]
 }
 
-/// `source` drawn over what is there: source + (1 - source alpha) * what is there.
+/// Draws `source` over `below`: source + (1 - source alpha) * below.
 #[inline(always)]
 pub(super) fn over(below: Color32, source: Rgba) -> Color32 {
     let keep = 1.0 - source[3] * UNIT;
@@ -51,7 +51,7 @@ pub(super) fn over(below: Color32, source: Rgba) -> Color32 {
     ])
 }
 
-/// One colour over a run of pixels.
+/// Draws one colour over a run of pixels.
 pub(super) fn fill(pixels: &mut [Color32], source: Rgba) {
     if source == [0.0; 4] {
         return;

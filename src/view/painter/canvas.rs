@@ -1,4 +1,4 @@
-//! The picture in the window, and what of it a new frame changes.
+//! The picture in the window, and its update by a new frame.
 
 use super::Painter;
 use super::geometry::{PixelRect, extent};
@@ -6,10 +6,11 @@ use egui::epaint::{ClippedPrimitive, Primitive, Vertex};
 use egui::{Color32, Mesh, Rect, TextureId};
 use std::collections::HashSet;
 
-/// With more rectangles than this, telling them apart costs more than drawing what lies between.
+/// Maximum number of separate rectangles; more of them cost more than drawing the area between
+/// them.
 const MANY: usize = 16;
 
-/// The pixels on show, and what they were drawn from.
+/// The pixels on show, and the frame that they were drawn from.
 ///
 /// A new frame is compared with the last one, and drawn only where the two differ: moving the
 /// pointer over a button repaints the button.
@@ -20,7 +21,7 @@ pub struct Canvas {
     shown: Option<Frame>,
 }
 
-/// What a picture is drawn from, apart from the textures.
+/// The data that a picture is drawn from, apart from the textures.
 #[derive(Debug)]
 struct Frame {
     primitives: Vec<ClippedPrimitive>,
@@ -29,22 +30,22 @@ struct Frame {
 }
 
 impl Canvas {
-    /// An empty picture.
+    /// Creates an empty picture.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The pixels, row by row from the top.
+    /// Returns the pixels, row by row from the top.
     pub fn pixels(&self) -> &[Color32] {
         &self.pixels
     }
 
-    /// Width and height in pixels.
+    /// Returns width and height in pixels.
     pub fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    /// Shows a frame, on an opaque ground. Tells where pixels may have changed.
+    /// Shows a frame on an opaque ground. Returns the rectangles in which pixels may have changed.
     ///
     /// `changed` are the textures set since the last call.
     pub fn show(
@@ -81,7 +82,8 @@ impl Canvas {
 }
 
 impl Frame {
-    /// Disjoint rectangles outside of which a frame looks like the other one; `None`: none known.
+    /// Returns disjoint rectangles outside of which both frames look the same; `None` if none are
+    /// known.
     fn difference(
         &self,
         new: &Self,
@@ -137,7 +139,7 @@ fn texture(primitive: &ClippedPrimitive) -> Option<TextureId> {
     }
 }
 
-/// Where two frames differ, as far as found.
+/// The areas found so far in which two frames differ.
 struct Areas {
     rects: Vec<PixelRect>,
     scale: f32,
@@ -153,7 +155,7 @@ impl Areas {
         }
     }
 
-    /// Adds where two primitives at the same place in their frames differ.
+    /// Adds the area in which two primitives with the same index in their frames differ.
     fn compare(&mut self, old: &ClippedPrimitive, new: &ClippedPrimitive) {
         if same(old, new) {
             return;
@@ -171,7 +173,7 @@ impl Areas {
         }
     }
 
-    /// Merges what overlaps; `None` when it is no longer worth while.
+    /// Merges overlapping rectangles; returns `None` if a partial update is no longer worthwhile.
     fn disjoint(mut self) -> Option<Vec<PixelRect>> {
         let mut apart: Vec<PixelRect> = Vec::new();
         while let Some(mut rect) = self.rects.pop() {
@@ -185,8 +187,8 @@ impl Areas {
     }
 }
 
-/// The extent of the triangles that are not the same, counted from both ends: what is drawn below
-/// and above them stays as it is.
+/// Returns the extent of the triangles that differ. Equal triangles are skipped at both ends of the
+/// meshes, since those drawn below and above stay the same.
 fn changed_triangles(old: &Mesh, new: &Mesh) -> Rect {
     let count = |mesh: &Mesh| mesh.indices.len() / 3;
     let (old_count, new_count) = (count(old), count(new));

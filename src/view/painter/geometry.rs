@@ -2,11 +2,12 @@
 
 use egui::{Mesh, Rect};
 
-/// Vertices are snapped to this many steps a pixel, as GPUs do. Whether a pixel's centre is inside
-/// is then decided in integers: neighbours neither overlap nor leave gaps.
+/// Sub-pixel steps per pixel, to which vertices are snapped as on GPUs. The test whether a pixel's
+/// centre is inside is then exact in integers, so neighbours neither overlap nor leave gaps.
 pub(super) const STEPS: i64 = 256;
 
-/// Beyond this many pixels a vertex is moved to it: products of such coordinates fit an `i64`.
+/// Greatest coordinate of a vertex, in pixels; farther ones are clamped to it, so that products of
+/// coordinates fit into an `i64`.
 const FAR: f32 = 1_000_000.0;
 
 /// A rectangle of pixels, right and bottom exclusive.
@@ -23,14 +24,15 @@ pub struct PixelRect {
 }
 
 impl PixelRect {
-    /// All of a picture.
+    /// Returns the rectangle of a whole picture.
     pub fn whole([width, height]: [usize; 2]) -> Self {
         Self { left: 0, top: 0, right: width, bottom: height }
     }
 
-    /// egui's clip rectangle as a GPU's scissor: rounded to whole pixels, limited to the picture.
+    /// Converts egui's clip rectangle to a GPU's scissor: rounded to whole pixels, limited to the
+    /// picture.
     pub(super) fn scissor(clip: Rect, scale: f32, size: [usize; 2]) -> Self {
-        // A float beyond what an integer holds becomes the nearest one, so negative becomes 0.
+        // The cast saturates, so a negative number becomes 0.
         let to = |x: f32, limit: usize| ((x * scale).round() as usize).min(limit);
         Self {
             left: to(clip.min.x, size[0]),
@@ -40,7 +42,7 @@ impl PixelRect {
         }
     }
 
-    /// All pixels that a rectangle can touch, one more on each side.
+    /// Returns all pixels that a rectangle can touch, and one more on each side.
     pub(super) fn around(rect: Rect, scale: f32, size: [usize; 2]) -> Self {
         let down = |x: f32| ((x * scale).floor() - 1.0) as usize;
         let up = |x: f32, limit: usize| (((x * scale).ceil() + 1.0) as usize).min(limit);
@@ -52,7 +54,7 @@ impl PixelRect {
         }
     }
 
-    /// What is in both.
+    /// Returns the intersection of both.
     pub fn intersect(self, other: Self) -> Self {
         Self {
             left: self.left.max(other.left),
@@ -62,7 +64,7 @@ impl PixelRect {
         }
     }
 
-    /// The smallest rectangle around both.
+    /// Returns the smallest rectangle around both.
     pub fn union(self, other: Self) -> Self {
         Self {
             left: self.left.min(other.left),
@@ -72,32 +74,32 @@ impl PixelRect {
         }
     }
 
-    /// Without pixels.
+    /// Returns true if it has no pixels.
     pub fn is_empty(self) -> bool {
         self.left >= self.right || self.top >= self.bottom
     }
 
-    /// Number of pixels.
+    /// Returns the number of pixels.
     pub fn area(self) -> usize {
         self.right.saturating_sub(self.left) * self.bottom.saturating_sub(self.top)
     }
 }
 
-/// A mesh's extent in points; nothing if it has no vertices.
+/// Returns a mesh's extent in points; an empty rectangle if it has no vertices.
 pub(super) fn extent(mesh: &Mesh) -> Rect {
     mesh.calc_bounds()
 }
 
-/// Pixels to steps.
+/// Converts pixels to steps.
 #[inline(always)]
 pub(super) fn snap(pixels: f32) -> i64 {
-    // Truncating a positive number is its floor, and needs no call into the C library.
+    // For a positive number truncation is the floor, and needs no call into the C library.
     const SHIFT: i64 = 1 << 40;
     let steps = f64::from(pixels.clamp(-FAR, FAR)) * STEPS as f64;
     (steps + (SHIFT as f64 + 0.5)) as i64 - SHIFT
 }
 
-/// The first pixel whose centre is not before a place given in steps.
+/// Returns the first pixel whose centre is not before a position given in steps.
 #[inline(always)]
 pub(super) fn first_centre(steps: i64) -> i64 {
     (steps + STEPS / 2 - 1).div_euclid(STEPS)

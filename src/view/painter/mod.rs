@@ -1,11 +1,11 @@
-//! Draws what egui tessellated into pixels, without a graphics driver.
+//! A software painter: draws egui's tessellated shapes into pixels, without a graphics driver.
 //!
-//! The rules are those of egui's GPU renderer on an `Rgba8Unorm` target: colours are premultiplied
-//! and blended as they are (in gamma space), a pixel is drawn when its centre is inside, clip
-//! rectangles are rounded to whole pixels. So a window looks the same whatever draws it.
+//! It follows the rules of egui's GPU renderer on an `Rgba8Unorm` target: colours are premultiplied
+//! and blended in gamma space, a pixel is drawn if its centre is inside, and clip rectangles are
+//! rounded to whole pixels. So a window looks the same with either.
 //!
-//! [`Painter`] holds the textures and draws; [`Canvas`] remembers the last frame and has only what
-//! differs drawn again.
+//! [`Painter`] holds the textures and draws; [`Canvas`] remembers the last frame and redraws only
+//! the parts that differ.
 
 mod blend;
 mod canvas;
@@ -23,10 +23,10 @@ use rayon::prelude::*;
 use std::collections::{HashMap, HashSet};
 use texture::Texture;
 
-/// Fewer pixels than this are drawn faster on this thread than handed out.
+/// Number of pixels below which one thread is faster than several.
 const WORTH_SHARING: usize = 1 << 14;
 
-/// Draws textured triangles. Holds the textures, which egui sends once and then refers to.
+/// Draws textured triangles. It holds the textures, which egui sends once and then refers to.
 #[derive(Debug, Default)]
 pub struct Painter {
     textures: HashMap<TextureId, Texture>,
@@ -34,18 +34,18 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// A painter without textures.
+    /// Creates a painter without textures.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A painter that draws rectangles as two triangles, as a GPU does: slower, the same pixels.
-    /// For tests that compare the two.
+    /// Creates a painter that draws rectangles as two triangles, as a GPU does: slower, with the
+    /// same pixels. For tests that compare the two.
     pub fn triangles_only() -> Self {
         Self { triangles_only: true, ..Self::default() }
     }
 
-    /// Takes the new and changed textures, before drawing; tells which they were.
+    /// Takes the new and changed textures, before drawing; returns their ids.
     pub fn set_textures(&mut self, delta: &mut TexturesDelta) -> HashSet<TextureId> {
         let mut changed = HashSet::new();
         for (id, deltas) in delta.set.drain() {
@@ -63,15 +63,15 @@ impl Painter {
         changed
     }
 
-    /// Drops the textures that are needed no longer, after drawing.
+    /// Drops the textures that are no longer needed, after drawing.
     pub fn free_textures(&mut self, delta: &mut TexturesDelta) {
         for id in delta.free.drain() {
             self.textures.remove(&id);
         }
     }
 
-    /// Draws over what the pixels show. `pixels` are rows of `size[0]` from the top; a slice of
-    /// another length than `size` says is left alone.
+    /// Draws over the pixels, which are rows of length `size[0]` from the top. A slice whose length
+    /// does not fit `size` is left alone.
     pub fn paint(
         &self,
         pixels: &mut [Color32],
@@ -83,8 +83,7 @@ impl Painter {
         self.paint_within(pixels, size, pixels_per_point, primitives, &whole, None);
     }
 
-    /// Draws what lies in some rectangles, which must not overlap, on the given ground or on what
-    /// the pixels show.
+    /// Draws the parts inside some disjoint rectangles, over the given ground or over the pixels.
     pub(crate) fn paint_within(
         &self,
         pixels: &mut [Color32],
@@ -102,7 +101,7 @@ impl Painter {
         let scene = Scene::new(self, pixels_per_point, primitives, size);
         let pixels = &mut pixels[all.top * size[0]..all.bottom * size[0]];
         let rows = all.bottom - all.top;
-        // More pieces than threads, since text is seldom spread evenly.
+        // More pieces than threads, because text is seldom spread evenly.
         let pieces = if all.area() < WORTH_SHARING { 1 } else { 4 * rayon::current_num_threads() };
         let rows_per_piece = rows.div_ceil(pieces).max(8);
         let draw = |(piece, pixels): (usize, &mut [Color32])| {
@@ -126,13 +125,13 @@ impl Painter {
 struct Band<'a> {
     pixels: &'a mut [Color32],
     width: usize,
-    /// The picture's row that `pixels` starts with.
+    /// The picture's row at which `pixels` starts.
     top: usize,
     clip: PixelRect,
 }
 
 impl Band<'_> {
-    /// Pixels of one row, from `first` to before `end`.
+    /// Returns the pixels of one row from `first` to before `end`.
     #[inline(always)]
     fn run(&mut self, row: usize, first: usize, end: usize) -> &mut [Color32] {
         let start = (row - self.top) * self.width;
@@ -147,7 +146,7 @@ impl Band<'_> {
     }
 }
 
-/// What is to be drawn, with what can be computed once for all pieces of the picture.
+/// The meshes to draw, with the data that is computed once for all pieces of the picture.
 struct Scene<'a> {
     scale: f32,
     triangles_only: bool,
@@ -168,7 +167,7 @@ impl<'a> Scene<'a> {
         size: [usize; 2],
     ) -> Self {
         let meshes = primitives.iter().filter_map(|primitive| {
-            // Callbacks draw with a graphics driver. There is none here, and nobody makes any.
+            // Callbacks need a graphics driver, which is absent here; the program creates none.
             let Primitive::Mesh(mesh) = &primitive.primitive else { return None };
             let texture = painter.textures.get(&mesh.texture_id)?;
             if !mesh.is_valid() || texture.texels().is_empty() {

@@ -1,6 +1,6 @@
-//! Axis-aligned rectangles, which are most of what egui draws: fills, glyphs, pictures.
+//! Axis-aligned rectangles, which are most of egui's output: fills, glyphs, pictures.
 //!
-//! Pixel for pixel what the two triangles would give, without their work per pixel.
+//! The result is the same, pixel for pixel, as that of the two triangles, with less work per pixel.
 
 use super::Band;
 use super::blend::{self, Rgba, modulate, over, unpack};
@@ -14,7 +14,7 @@ use egui::{Color32, Rect, TextureFilter, pos2};
 /// coordinates that run along its sides.
 #[derive(Debug, PartialEq)]
 pub(super) struct Rectangle {
-    /// In points.
+    /// Position and size in points.
     place: Rect,
     /// Texture coordinates at the left top and the right bottom corner.
     uv: Rect,
@@ -22,7 +22,7 @@ pub(super) struct Rectangle {
 }
 
 impl Rectangle {
-    /// What the vertices of two successive triangles make up, if it is a rectangle.
+    /// Returns the rectangle that two successive triangles make up, if they do.
     #[inline]
     pub(super) fn new(vertices: [&Vertex; 6]) -> Option<Self> {
         let [a, b, c, ..] = vertices;
@@ -43,7 +43,7 @@ impl Rectangle {
         }
         let seen = |corners: &[usize]| corners.iter().fold(0, |seen, &corner| seen | 1 << corner);
         let (first, second) = (missing(seen(&corners[..3]))?, missing(seen(&corners[3..]))?);
-        // Otherwise the two overlap.
+        // Otherwise the two triangles overlap.
         if first ^ second != 3 {
             return None;
         }
@@ -83,12 +83,12 @@ impl Rectangle {
     }
 }
 
-/// Which one of four corners is missing, if exactly one is.
+/// Returns the index of the missing corner, if exactly one of four is missing.
 fn missing(seen: u8) -> Option<usize> {
     (0..4).find(|corner| seen == 0b1111 & !(1 << corner))
 }
 
-/// The texture coordinates of the rectangle's corners, if they run along its sides.
+/// Returns the texture coordinates of the rectangle's corners, if they run along its sides.
 fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect> {
     let mut uv = Rect::NAN;
     for (vertex, corner) in vertices.iter().zip(corners) {
@@ -106,7 +106,7 @@ fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect
     Some(uv)
 }
 
-/// A texture coordinate between two places, in texels, as a plane that goes across.
+/// Returns a texture coordinate between two positions, in texels, as a plane that varies across.
 fn along(from: i64, to: i64, uv_from: f32, uv_to: f32, texels: f64) -> Plane {
     let (start, end) = (f64::from(uv_from) * texels, f64::from(uv_to) * texels);
     let step = (end - start) / (to - from).max(1) as f64;
@@ -125,7 +125,7 @@ impl Area {
         let (first, end) = self.columns;
         let (u, u_step) = reading.u.stepped(0);
         let texture = reading.texture;
-        // Down the plane of v there is one value a row.
+        // The plane of v has one value for each row.
         let v = |row: usize| Coordinate::new(reading.v.stepped(row).0);
         let u = |column: usize| Coordinate::new(u.wrapping_add(u_step.wrapping_mul(column as i64)));
         let across = one_to_one(&u, self.columns, texture.size[0], reading.filter);
@@ -185,7 +185,7 @@ impl Area {
     }
 }
 
-/// The first texel if a run of pixels reads successive texels, each exactly, none outside.
+/// Returns the first texel if a run of pixels reads successive texels exactly, with none outside.
 fn one_to_one(
     coordinate: &impl Fn(usize) -> Coordinate,
     (first, end): (usize, usize),
@@ -201,7 +201,7 @@ fn one_to_one(
     };
     let (from, to) = (texel(first)?, texel(end - 1)?);
     let successive = to - from == (end - 1 - first) as i64;
-    // Two ends alone do not tell for nearest texels: the steps between may be uneven.
+    // For nearest texels, both ends are not enough: the steps between may be uneven.
     let even = filter == TextureFilter::Linear
         || (first..end).all(|pixel| texel(pixel) == Some(from + (pixel - first) as i64));
     (successive && even && from >= 0 && to < size as i64).then_some(from as usize)

@@ -1,4 +1,4 @@
-//! Textures: kept in memory as they come, read texel by texel.
+//! Textures: kept in memory as egui sends them, and sampled texel by texel.
 
 use super::blend::{Rgba, unpack};
 use egui::epaint::{ImageData, ImageDelta};
@@ -9,30 +9,29 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct Texture {
     pub(super) size: [usize; 2],
-    /// As egui sent it: a picture that takes the place of another is not copied.
+    /// The image as egui sent it; a picture that replaces another one is not copied.
     image: Arc<ColorImage>,
     pub(super) options: TextureOptions,
-    /// No texel lets anything through: a copy is then as good as a blend.
+    /// True if no texel is transparent: a copy then equals a blend.
     pub(super) opaque: bool,
 }
 
 impl Texture {
-    /// A texture from its whole image.
+    /// Creates a texture from its whole image.
     pub(super) fn new(image: ImageData, options: TextureOptions) -> Self {
         let ImageData::Color(image) = image;
         let opaque = all_opaque(&image.pixels);
         Self { size: image.size, image, options, opaque }
     }
 
-    /// Its texels, in rows from the top.
+    /// Returns the texels, in rows from the top.
     #[inline(always)]
     pub(super) fn texels(&self) -> &[Color32] {
         &self.image.pixels
     }
 
-    /// Replaces a part. A part that reaches beyond the texture is ignored, as is its pixel count
-    /// not being what its size says: both are mistakes of whoever sent it, and no reason to end
-    /// the program.
+    /// Replaces a part. A part that extends beyond the texture, or whose number of pixels does not
+    /// fit its size, is ignored: it is a mistake of the sender, and no reason to end the program.
     pub(super) fn update(&mut self, [left, top]: [usize; 2], delta: &ImageDelta) {
         let ImageData::Color(image) = &delta.image;
         let [width, height] = image.size;
@@ -57,7 +56,7 @@ impl Texture {
         }
     }
 
-    /// The filter that a GPU picks: by how many texels it is from one pixel to the next.
+    /// Returns the filter that a GPU selects for a number of texels per pixel.
     pub(super) fn filter(&self, texels_per_pixel: f64) -> TextureFilter {
         if texels_per_pixel > 1.0 + 1e-6 {
             self.options.minification
@@ -66,7 +65,8 @@ impl Texture {
         }
     }
 
-    /// The texel of a coordinate, wrapped at the edges; `axis` 0 is across, 1 is down.
+    /// Returns the texel index of a coordinate, wrapped at the edges; `axis` 0 is across, 1 is
+    /// down.
     #[inline(always)]
     pub(super) fn wrap(&self, index: i64, axis: usize) -> usize {
         let size = self.size[axis] as i64;
@@ -86,7 +86,7 @@ impl Texture {
         unpack(self.texels()[down * self.size[0] + across])
     }
 
-    /// The colour at a place given in texels, both coordinates as [`Coordinate`]s.
+    /// Returns the colour at a position whose coordinates are in texels.
     #[inline(always)]
     pub(super) fn sample(&self, u: Coordinate, v: Coordinate, filter: TextureFilter) -> Rgba {
         match filter {
@@ -107,7 +107,7 @@ impl Texture {
         }
     }
 
-    /// The colour at a place given as egui gives it, from 0 to 1.
+    /// Returns the colour at a position in egui's coordinates, from 0 to 1.
     pub(super) fn sample_at(&self, uv: egui::Pos2, filter: TextureFilter) -> Rgba {
         let place = |x: f32, axis: usize| {
             Coordinate::new((f64::from(x) * self.size[axis] as f64 * ONE_TEXEL) as i64)
@@ -116,31 +116,32 @@ impl Texture {
     }
 }
 
-/// One texel, in the fixed-point numbers that are stepped along a row.
+/// One texel in the fixed-point numbers that are stepped along a row.
 pub(super) const ONE_TEXEL: f64 = (1_u64 << 32) as f64;
 
 /// A coordinate in a texture, in 1/65536 of a texel.
 ///
-/// The rounding to that grid makes a place on the very border of two texels fall on the same side
-/// in whatever way it was computed: both triangles of a rectangle, or the rectangle as a whole.
+/// The rounding to this grid puts a position on the border of two texels always on the same side,
+/// no matter how it was computed: from either triangle of a rectangle, or from the rectangle as a
+/// whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Coordinate(i64);
 
 impl Coordinate {
-    /// From a number with 32 binary places.
+    /// Converts a number with 32 binary places.
     #[inline(always)]
     pub(super) fn new(stepped: i64) -> Self {
         Self(stepped.wrapping_add(1 << 15) >> 16)
     }
 
-    /// The texel that it lies in.
+    /// Returns the texel that contains it.
     #[inline(always)]
     pub(super) fn nearest(self) -> i64 {
         self.0 >> 16
     }
 
-    /// The texel whose centre is before it, and how far it is on the way to the next one, in
-    /// steps of 1/256 as GPUs have it: glyphs drawn at whole pixels are exactly on texel centres.
+    /// Returns the texel whose centre is before it, and the share of the way to the next one, in
+    /// steps of 1/256 as on GPUs: glyphs drawn at whole pixels are exactly on texel centres.
     #[inline(always)]
     pub(super) fn linear(self) -> (i64, f32) {
         let steps = (self.0 - (1 << 15) + (1 << 7)) >> 8;
@@ -159,7 +160,7 @@ fn mix(from: Rgba, to: Rgba, part: f32) -> Rgba {
 }
 
 fn all_opaque(texels: &[Color32]) -> bool {
-    // All bits at once and piece by piece, which the compiler makes into SIMD.
+    // All bits at once and piece by piece, so that the compiler vectorises it.
     let common = |piece: &[Color32]| {
         piece.iter().fold(u32::MAX, |bits, texel| bits & u32::from_le_bytes(texel.to_array()))
     };

@@ -1,4 +1,4 @@
-//! Any triangle: row by row, the pixels whose centres are inside.
+//! General triangles: row by row, the pixels whose centres are inside.
 
 use super::Band;
 use super::blend::{self, Rgba, modulate, over, pack, unpack};
@@ -7,23 +7,24 @@ use super::texture::{Coordinate, ONE_TEXEL, Texture};
 use egui::TextureFilter;
 use egui::epaint::Vertex;
 
-/// A vertex's place, in [`STEPS`].
+/// Position of a vertex, in [`STEPS`].
 type Place = [i64; 2];
 
-/// Something that varies linearly over the pixels: its value at the centre of pixel (0, 0), and
-/// what a pixel to the right and a pixel down add to it.
+/// A linear function over the pixels: its value at the centre of pixel (0, 0), and its increments
+/// per pixel to the right and down.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Plane {
     /// Value at the centre of pixel (0, 0).
     pub(super) origin: f64,
-    /// Added per pixel to the right.
+    /// Increment per pixel to the right.
     pub(super) across: f64,
-    /// Added per pixel down.
+    /// Increment per pixel down.
     pub(super) down: f64,
 }
 
 impl Plane {
-    /// Through three values at three places; `area` is twice the triangle's, in square steps.
+    /// Returns the plane through three values at three positions; `area` is twice the triangle's,
+    /// in square steps.
     fn through(places: &[Place; 3], area: f64, values: [f64; 3]) -> Self {
         let [p, q, r] = places;
         let (qx, qy) = ((q[0] - p[0]) as f64, (q[1] - p[1]) as f64);
@@ -36,9 +37,9 @@ impl Plane {
         Self { origin, across: across * STEPS as f64, down: down * STEPS as f64 }
     }
 
-    /// Value at a row's first pixel, and the step to the next, with 32 binary places.
+    /// Returns the value at a row's first pixel, and the step to the next, with 32 binary places.
     ///
-    /// The same for every way to cut the picture up: it depends on the row alone.
+    /// The result depends on the row alone, not on how the picture is divided into pieces.
     #[inline(always)]
     pub(super) fn stepped(self, row: usize) -> (i64, i64) {
         let start = self.origin + self.down * row as f64;
@@ -46,7 +47,7 @@ impl Plane {
     }
 }
 
-/// How a texture is read over a triangle or rectangle.
+/// The sampling of a texture over a triangle or rectangle.
 #[derive(Clone, Copy)]
 pub(super) struct Reading<'a> {
     pub(super) texture: &'a Texture,
@@ -56,13 +57,13 @@ pub(super) struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    /// `u` and `v` in texels.
+    /// Creates a reading; `u` and `v` are in texels.
     pub(super) fn new(texture: &'a Texture, u: Plane, v: Plane) -> Self {
         let texels_per_pixel = u.across.hypot(v.across).max(u.down.hypot(v.down));
         Self { texture, filter: texture.filter(texels_per_pixel), u, v }
     }
 
-    /// Blends a run of pixels of one row; `color` tells the vertex colour at a column.
+    /// Blends a run of pixels of one row; `color` returns the vertex colour at a column.
     pub(super) fn draw(
         &self,
         pixels: &mut [egui::Color32],
@@ -86,9 +87,9 @@ impl<'a> Reading<'a> {
 
 /// One side of a triangle, as a function of the pixel that is not negative inside.
 struct Side {
-    /// What a step of a pixel to the right takes away.
+    /// Decrement per pixel to the right.
     slope: i64,
-    /// Value at the first column, in row 0, and what a row adds.
+    /// Value at the first column in row 0, and the increment per row.
     start: i64,
     per_row: i64,
 }
@@ -96,15 +97,15 @@ struct Side {
 impl Side {
     fn new(from: Place, to: Place) -> Self {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-        // A centre exactly on a side belongs to the triangle on its right or below, so that no
-        // pixel is drawn by two neighbours, or by none.
+        // A centre exactly on a side belongs to the triangle on the right of it or below, so that
+        // neighbours draw each pixel exactly once.
         let owned = dy < 0 || (dy == 0 && dx > 0);
         let half = STEPS / 2;
         let start = dx * (half - from[1]) - dy * (half - from[0]) - i64::from(!owned);
         Self { slope: dy * STEPS, start, per_row: dx * STEPS }
     }
 
-    /// Narrows the range of columns to those on the inner side.
+    /// Narrows a range of columns to the inner side.
     #[inline(always)]
     fn narrow(&self, row: i64, first: &mut i64, end: &mut i64) {
         let value = self.start + self.per_row * row;
@@ -118,7 +119,7 @@ impl Side {
     }
 }
 
-/// Draws a triangle; vertices in points, `scale` is pixels per point.
+/// Draws a triangle; vertices are in points, `scale` is pixels per point.
 pub(super) fn draw(band: &mut Band<'_>, texture: &Texture, vertices: [&Vertex; 3], scale: f32) {
     let Some((vertices, places, area)) = oriented(vertices, scale) else { return };
     let colors = vertices.map(|vertex| unpack(vertex.color));
@@ -157,8 +158,8 @@ pub(super) fn draw(band: &mut Band<'_>, texture: &Texture, vertices: [&Vertex; 3
     }
 }
 
-/// The vertices so ordered that the area is positive, their snapped places, and twice the area;
-/// nothing for a triangle without area or with a coordinate that is not a number.
+/// Returns the vertices ordered so that the area is positive, their snapped positions, and twice
+/// the area; `None` for a triangle without area or with a coordinate that is not a number.
 fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Place; 3], f64)> {
     let sum = a.pos.to_vec2() + b.pos.to_vec2() + c.pos.to_vec2();
     if !(sum.x + sum.y).is_finite() {
@@ -174,7 +175,7 @@ fn oriented([a, b, c]: [&Vertex; 3], scale: f32) -> Option<([&Vertex; 3], [Place
     }
 }
 
-/// Calls `draw` with the pixels inside of each row, the row, and the first of its columns.
+/// Calls `draw` with the inside pixels of each row, the row, and their first column.
 fn rows(
     band: &mut Band<'_>,
     places: &[Place; 3],
@@ -206,12 +207,12 @@ fn rows(
     }
 }
 
-/// A colour that varies linearly.
+/// A linearly varying colour.
 struct Gradient {
     channels: [Plane; 4],
     across: Rgba,
-    /// The column that a row's colours are counted from: near the triangle, since far from it a
-    /// steep gradient would lose the digits that matter.
+    /// The column from which a row's colours are counted. It is near the triangle: far from it, a
+    /// steep gradient would lose significant digits.
     base: usize,
 }
 
@@ -228,7 +229,7 @@ impl Gradient {
         }
     }
 
-    /// The colour at the base column of a row.
+    /// Returns the colour at the base column of a row.
     #[inline(always)]
     fn row(&self, row: usize) -> Rgba {
         self.channels.map(|plane| {

@@ -1,4 +1,4 @@
-//! The derivation as it is laid out and painted, line by line, in the window and in figures.
+//! Layout and painting of the derivation, line by line, in the window and in figures.
 
 use std::sync::Arc;
 
@@ -9,28 +9,28 @@ use crate::view::formula::{Column, Layout};
 use crate::view::typesetting::formula::{self, Inks};
 use crate::view::typesetting::theme::error_color;
 
-/// The formulas' em, and that of what is said behind them, in points.
+/// Sizes of the em in points: formulas, and the notes behind them.
 pub(crate) const SIZE: f32 = 17.0;
 
 pub(crate) const NOTE: f32 = 15.0;
 
-/// Room around a line, in points.
+/// Padding around a line, in points.
 pub(crate) const PAD: egui::Vec2 = vec2(8.0, 4.0);
 
-/// How far the second and later lines of a formula are indented.
+/// Indent of the second and later lines of a formula, in points.
 const INDENT: f32 = 26.0;
 
-/// Above a section's title, and between two lines, in points.
+/// Distances in points: above a section's title, and between two lines.
 pub(crate) const BEFORE_SECTION: f32 = 6.0;
 
 pub(crate) const BETWEEN_LINES: f32 = 2.0;
 
-/// A line with its size.
+/// A laid-out line.
 pub(crate) struct LaidLine {
     pub(crate) id: Id,
     pub(crate) text: String,
     pub(crate) layout: Layout,
-    /// Where the note begins, from the line's upper left corner.
+    /// Position of the note, from the line's upper left corner.
     pub(crate) note: egui::Vec2,
     pub(crate) height: f32,
 }
@@ -61,12 +61,12 @@ pub(crate) fn laid_line(ui: &Ui, line: &Line, id: Id, width: f32) -> LaidLine {
     whole
 }
 
-/// Where a line's first baseline begins.
+/// Returns the start of a line's first baseline.
 pub(crate) fn baseline_of(rect: Rect, place: &LaidLine) -> egui::Pos2 {
     rect.min + PAD + vec2(0.0, place.layout.ascent)
 }
 
-/// A line's formula and what is said behind it.
+/// Paints a line's formula and its note.
 pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: Inks) {
     formula::paint(ui.painter(), baseline_of(rect, place), &place.layout, inks);
     if !line.note.is_empty() {
@@ -76,8 +76,8 @@ pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: In
     }
 }
 
-/// Draws the ledger as the panel shows it, from the upper left corner of a column on; how high it is.
-/// Of a section that `is_folded` only the title.
+/// Draws the derivation as in its panel, from the upper left corner of a column downwards, and
+/// returns its height. Of a section that `is_folded`, only the title is drawn.
 pub(crate) fn draw(
     ui: &Ui,
     ledger: &Ledger,

@@ -1,9 +1,9 @@
-//! The fonts: bundled, so that the same text looks the same on every machine, and so that the
-//! formulas' signs (⟂, ‖, ⟨, θ) are there at all.
+//! The bundled fonts: text looks the same on every machine, and the formulas' signs (⟂, ‖, ⟨, θ)
+//! are available.
 //!
-//! Vectors are written in bold letters, not with an arrow above (U+20D7): a letter and what is
-//! combined with it come from one font, and Noto Sans has no such arrow, so it would be left out
-//! without a word. The circumflex of û is there, in all but the code font.
+//! Vectors are written in bold, not with an arrow above (U+20D7): a letter and its combining
+//! characters come from one font, and Noto Sans has no such arrow, so it would silently be left
+//! out. The circumflex of û exists in all fonts except the one for code.
 
 use egui::{FontData, FontDefinitions, FontFamily};
 use std::sync::Arc;
@@ -15,18 +15,18 @@ const SANS: &str = "Noto Sans";
 const SANS_BOLD: &str = "Noto Sans Bold";
 const MATH: &str = "Noto Sans Math";
 
-/// The bold variant of the proportional family, for `FontId::new(size, fonts::bold())`.
+/// Returns the bold variant of the proportional family, for `FontId::new(size, fonts::bold())`.
 pub fn bold() -> FontFamily {
     FontFamily::Name(BOLD.into())
 }
 
-/// Makes a context use the bundled fonts, from its next pass on.
+/// Installs the bundled fonts in a context, from its next pass on.
 pub fn install(ctx: &egui::Context) {
     ctx.set_fonts(definitions());
 }
 
-/// The bundled fonts: Noto Sans, for signs that it lacks Noto Sans Math, then what egui brings;
-/// for code Hack first, as egui has it.
+/// Returns the bundled fonts: Noto Sans, Noto Sans Math for signs that it lacks, then egui's own
+/// fonts; for code Hack first, as in egui.
 pub fn definitions() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let files: [(&str, &'static [u8]); 3] = [
@@ -54,7 +54,7 @@ mod tests {
     use super::*;
     use egui::FontId;
 
-    /// What formulas and labels are written with.
+    /// The signs that formulas and labels use.
     const SIGNS: &str = "→←↑↓·⟂∥‖⟨⟩×−√²₀₁₂ₓθπ°½∞≈≤≥±≠⁻…•𝐮𝐯𝐰𝐝𝐩𝑢𝑣𝑖𝑗𝑊𝐻\u{302}";
 
     #[test]

@@ -1,4 +1,4 @@
-//! Formulas on the screen: how wide text is there, and painting what was laid out.
+//! Formulas on the screen: measuring text and painting layouts.
 
 use egui::epaint::text::{LayoutJob, TextFormat};
 use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2, pos2, vec2};
@@ -9,7 +9,7 @@ use crate::view::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lin
 use crate::view::typesetting::fonts;
 use crate::view::typesetting::theme;
 
-/// Sets a formula in lines as wide as `column` says, with the window's fonts.
+/// Sets a formula in lines of the width of `column`, with the window's fonts.
 pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {
     lines(formula, column, &mut Fonts(ctx))
 }
@@ -30,7 +30,7 @@ fn font(face: Face, size: f32) -> FontId {
     }
 }
 
-/// The colours of one window.
+/// The formulas' colours in one window.
 #[derive(Clone, Copy)]
 pub(crate) struct Inks {
     text: Color32,
@@ -63,13 +63,13 @@ impl Inks {
     }
 }
 
-/// What the symbol at a place of a layout means; the place is given from where its first baseline
-/// begins.
+/// Returns the meaning of the symbol at a position of a layout, which is relative to the start of
+/// its first baseline.
 pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'static str> {
     let mut fonts = Fonts(ctx);
     let mut holds = |run: &&Run| {
         let [x, y] = run.at;
-        // A thin letter is as easy to meet as a wide one.
+        // A margin makes thin letters as easy to hover as wide ones.
         let across = x - 2.0..=x + fonts.width(&run.text, run.face, run.size) + 2.0;
         let down = y - 0.8 * run.size..=y + 0.3 * run.size;
         across.contains(&at.x) && down.contains(&at.y)
@@ -83,7 +83,7 @@ pub(crate) fn words_at(ctx: &Context, layout: &Layout, at: Vec2) -> Option<&'sta
 pub(crate) fn paint(painter: &Painter, origin: Pos2, layout: &Layout, inks: Inks) {
     for run in &layout.runs {
         let color = inks.color(run.ink);
-        // A word's italic letters are slanted ones: those of Unicode would read as a product.
+        // The italic letters of a word are slanted ones: Unicode's would read as a product.
         let italics = run.face == Face::Italic && run.text.len() > 4;
         let format =
             TextFormat { font_id: font(run.face, run.size), color, italics, ..Default::default() };

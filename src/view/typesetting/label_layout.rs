@@ -1,4 +1,4 @@
-//! Words in a drawing: with a casing that makes them legible over lines, and never over each other.
+//! Labels in a drawing: a casing keeps them legible over lines, and they never overlap.
 
 use std::sync::Arc;
 
@@ -7,16 +7,16 @@ use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
 use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::formula;
 
-/// How words look.
+/// The look of a label.
 #[derive(Clone, Copy)]
 pub(crate) struct Font {
-    /// In points.
+    /// Size in points.
     pub(crate) size: f32,
     pub(crate) color: Color32,
     pub(crate) bold: bool,
 }
 
-/// Words that are already there, and where more may stand.
+/// The labels already written, and the area for more.
 pub(crate) struct Words {
     painter: Painter,
     halo: Color32,
@@ -29,13 +29,13 @@ impl Words {
         Words { painter, halo, within, taken: Vec::new() }
     }
 
-    /// Keeps a part of the drawing free of words.
+    /// Keeps a part of the drawing free of labels.
     pub(crate) fn keep_free(&mut self, rect: Rect) {
         self.taken.push(rect);
     }
 
-    /// Writes at the first of the places that is free and inside; where that is, if there is one.
-    /// What is not bold is set as a formula.
+    /// Writes a label at the first position that is free and inside the area; returns its
+    /// rectangle, if there is such a position. Text that is not bold is typeset as a formula.
     pub(crate) fn write(
         &mut self,
         text: &str,
@@ -45,7 +45,8 @@ impl Words {
         self.write_clear_of(&[], text, font, places)
     }
 
-    /// The same at the first of the places that none of these points of the drawing is in.
+    /// Writes a label as [`Words::write`] does, at the first position that also covers none of
+    /// `points`.
     pub(crate) fn write_clear_of(
         &mut self,
         points: &[Pos2],
@@ -88,7 +89,7 @@ impl Words {
     }
 }
 
-/// Places around a point at a distance from it, that in the direction `toward` first.
+/// Returns positions around a point at a distance from it, beginning in the direction `toward`.
 pub(crate) fn around(
     at: Pos2,
     toward: Vec2,
@@ -104,7 +105,7 @@ pub(crate) fn around(
     })
 }
 
-/// On which side of words the place is that they belong to.
+/// Returns the side of a label on which its point is.
 fn side(away: f32) -> egui::Align {
     if away > 0.38 {
         egui::Align::Min

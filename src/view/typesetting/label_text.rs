@@ -1,4 +1,4 @@
-//! The overlay's labels as text, the same in the window and in files.
+//! Text of the overlay's labels, the same in the window and in files.
 
 use egui::{FontFamily, FontId, Painter, Pos2, Vec2, vec2};
 

@@ -1,4 +1,4 @@
-//! Formulas in a line of text: scalars in mathematical italics, vectors in mathematical bold,
+//! Formulas within a line of text: scalars in mathematical italics, vectors in mathematical bold,
 //! coordinates as subscripts.
 
 use egui::text::{LayoutJob, TextFormat};
@@ -6,11 +6,11 @@ use egui::{Align, Color32, FontId, Response, Ui};
 
 use crate::model::letters;
 
-/// The letters that are vectors where they stand alone.
+/// The letters that denote vectors when they stand alone.
 const VECTORS: &str = "pdn";
 
-/// Lays out `text`: each letter that stands alone becomes a mathematical one, and `_x` behind it its
-/// subscript. Words stay as they are.
+/// Lays out `text`: each letter that stands alone becomes a mathematical one, and `_x` after it
+/// becomes its subscript. Words stay as they are.
 pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let full = TextFormat { font_id: FontId::proportional(size), color, ..TextFormat::default() };
@@ -36,19 +36,19 @@ pub(crate) fn formula(text: &str, size: f32, color: Color32) -> LayoutJob {
     job
 }
 
-/// Text with its formulas set, as a label; screen readers and tests get it plain.
+/// Adds text with typeset formulas as a label; screen readers and tests get it as plain text.
 pub(crate) fn label(ui: &mut Ui, text: &str, size: f32, color: Color32) -> Response {
     let response = ui.label(formula(text, size, color));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain(text)));
     response
 }
 
-/// What a screen reader reads: the same without subscript marks.
+/// Returns the text for screen readers: without subscript marks.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('_', "")
 }
 
-/// A letter of the mathematical alphabets; a vector's coordinate is a scalar.
+/// Returns a letter of the mathematical alphabets; a vector's coordinate is a scalar.
 fn letter(c: char, is_coordinate: bool) -> char {
     if VECTORS.contains(c) && !is_coordinate { letters::bold(c) } else { letters::italic(c) }
 }

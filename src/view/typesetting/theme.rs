@@ -1,4 +1,4 @@
-//! How the window looks: fonts' sizes, colours, the ring round what has the focus, the spotlight.
+//! The look of the window: font sizes, colours, the focus ring, the spotlight.
 
 use egui::{
     Color32, Context, FontFamily, FontId, Id, LayerId, Mesh, Order, Pos2, Rect, Shape, Stroke,
@@ -13,24 +13,24 @@ use crate::view::overlay::Style;
 use crate::view::typesetting::fonts;
 use pinhole_exchange::document::Document;
 
-/// What the window's look depends on.
+/// The settings that determine the window's look.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Look {
-    /// The colours that things are told apart by.
+    /// The colour scheme.
     pub(crate) scheme: Scheme,
-    /// Large and with more contrast.
+    /// True if text is large and has more contrast.
     pub(crate) presenting: bool,
-    /// Nothing moves by itself.
+    /// True if nothing is animated.
     pub(crate) reduced_motion: bool,
 }
 
 impl Look {
-    /// As in a window where nothing else is set.
+    /// Returns the default look in a scheme.
     pub(crate) fn in_scheme(scheme: Scheme) -> Look {
         Look { scheme, ..Look::default() }
     }
 
-    /// As the settings say.
+    /// Returns the look for the settings.
     pub(crate) fn of(settings: &Settings, presenting: bool) -> Look {
         let Settings { scheme, reduced_motion, .. } = *settings;
         Look { scheme, presenting, reduced_motion }
@@ -41,29 +41,29 @@ fn key() -> Id {
     Id::unique("look")
 }
 
-/// The look that was installed.
+/// Returns the installed look.
 pub(crate) fn installed(ctx: &Context) -> Look {
     ctx.data(|data| data.get_temp(key())).unwrap_or_default()
 }
 
-/// The overlay's colours in this window.
+/// Returns the overlay's colours in this window.
 pub(crate) fn style(ui: &Ui) -> Style {
     Style::of(installed(ui.ctx()).scheme, ui.visuals().dark_mode)
 }
 
-/// A colour as pictures in this window have it: without hue where they have none.
+/// Returns a colour as pictures in this window show it: without hue in a grey style.
 pub(crate) fn finished(ui: &Ui, color: Color32) -> Color32 {
     let mut dots = [color];
     style(ui).finish(&mut dots);
     dots[0]
 }
 
-/// The colour in which the window shows an object.
+/// Returns the colour in which the window shows an object.
 pub(crate) fn object_color(ui: &Ui, document: &Document, index: u32) -> Rgb {
     installed(ui.ctx()).scheme.object(index, document.color_of(index))
 }
 
-/// Gives a context this look, from its next pass on; nothing where it has it.
+/// Installs a look in a context, from its next pass on; does nothing if it is already installed.
 pub(crate) fn install(ctx: &Context, look: Look) {
     if ctx.data(|data| data.get_temp::<Look>(key())) == Some(look) {
         return;
@@ -87,7 +87,8 @@ pub(crate) fn install(ctx: &Context, look: Look) {
     }
 }
 
-/// While presenting nothing is written in less than what the zoom is reckoned from.
+/// Returns the text styles. While presenting, no text is smaller than the size on which the zoom is
+/// based.
 fn text_styles(presenting: bool) -> std::collections::BTreeMap<TextStyle, FontId> {
     let mut styles = egui::style::default_text_styles();
     if presenting {
@@ -122,7 +123,8 @@ fn visuals(theme: Theme, look: Look) -> Visuals {
     visuals
 }
 
-/// The ring's colour and that of its casing: one of both stands out from anything.
+/// Returns the colours of the focus ring and of its casing; one of the two stands out from any
+/// background.
 fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     match (visuals.dark_mode, scheme) {
         (true, Scheme::Grey) => (Color32::WHITE, Color32::BLACK),
@@ -132,13 +134,13 @@ fn ring(visuals: &Visuals, scheme: Scheme) -> (Color32, Color32) {
     }
 }
 
-/// Draws a ring round what has the focus, over all else in its layer.
+/// Draws a ring around the focused widget, on top of everything in its layer.
 pub(crate) fn focus_ring(ui: &Ui) {
     let ctx = ui.ctx();
     let Some(focused) = ctx.memory(|memory| memory.focused()) else { return };
     let Some(response) = ctx.read_response(focused) else { return };
     let (color, casing) = ring(ui.visuals(), installed(ctx).scheme);
-    // What is scrolled away has no ring; what touches the window's edge has one inside.
+    // A widget that is scrolled away has no ring; one at the window's edge has it inside.
     let visible = response.interact_rect.expand(3.0).intersect(ctx.content_rect().shrink(1.0));
     if response.interact_rect.is_negative() || !visible.is_positive() {
         return;
@@ -148,12 +150,13 @@ pub(crate) fn focus_ring(ui: &Ui) {
     painter.rect_stroke(visible, 4.0, Stroke::new(2.5, color), StrokeKind::Middle);
 }
 
-/// What the spotlight leaves bright, as a share of the window's height.
+/// Radius of the spotlight, as a share of the window's height.
 const BRIGHT: f32 = 0.17;
-/// Corners of the spotlight's circle.
+/// Number of corners of the spotlight's circle.
 const CORNERS: usize = 72;
 
-/// Dims all but a circle round the pointer; in reduced motion, a large ring round it.
+/// Dims everything except a circle around the pointer; with reduced motion, draws a large ring
+/// around it instead.
 pub(crate) fn spotlight(ctx: &Context) {
     let Some(at) = ctx.input(|input| input.pointer.latest_pos()) else { return };
     let window = ctx.content_rect();
@@ -169,14 +172,14 @@ pub(crate) fn spotlight(ctx: &Context) {
     }
 }
 
-/// All of the window but a circle.
+/// Returns a mesh that covers the window except for a circle.
 fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
     let dim = Color32::from_black_alpha(170);
     let far = window.size().length() + window.distance_to_pos(at) + radius;
     let mut mesh = Mesh::default();
     for corner in 0..=CORNERS {
         let direction = Vec2::angled(corner as f32 / CORNERS as f32 * std::f32::consts::TAU);
-        // A soft edge, and then all the way out.
+        // A soft edge, then a dark area that extends beyond the window.
         mesh.colored_vertex(at + radius * direction, Color32::TRANSPARENT);
         mesh.colored_vertex(at + 1.06 * radius * direction, dim);
         mesh.colored_vertex(at + far * direction, dim);
@@ -191,10 +194,10 @@ fn hole(window: Rect, at: Pos2, radius: f32) -> Mesh {
     mesh
 }
 
-/// The colour of what is wrong, legible on the theme's background.
+/// Returns the colour of errors, legible on the theme's background.
 pub(crate) fn error_color(ui: &Ui) -> Color32 {
     if style(ui).scheme() == Scheme::Grey {
-        // What is wrong is also said.
+        // Errors are also described in words.
         ui.visuals().strong_text_color()
     } else if ui.visuals().dark_mode {
         Color32::from_rgb(0xff, 0x8a, 0x70)
@@ -203,7 +206,7 @@ pub(crate) fn error_color(ui: &Ui) -> Color32 {
     }
 }
 
-/// Gives a context the program's look, from its next pass on.
+/// Installs the program's base look in a context, from its next pass on.
 pub(crate) fn install_base(ctx: &Context) {
     fonts::install(ctx);
     for theme in [Theme::Dark, Theme::Light] {
@@ -211,10 +214,10 @@ pub(crate) fn install_base(ctx: &Context) {
     }
 }
 
-/// The program's colours.
+/// Returns the program's base colours.
 fn base_visuals(theme: Theme) -> Visuals {
     let mut visuals = theme.default_visuals();
-    // egui's greys are for one reader near the screen, not for the back row.
+    // egui's greys suit one reader near the screen, not the back row.
     let text = Color32::from_gray(if theme == Theme::Dark { 0xea } else { 0x10 });
     visuals.widgets.noninteractive.fg_stroke.color = text;
     visuals.widgets.inactive.fg_stroke.color = text;

@@ -1,4 +1,4 @@
-//! Exact dots of the world view, and picking them.
+//! Exact dots of the world view, and picking positions in it.
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec2, Outputs, Pixel, Raster, Scene, trace_as};

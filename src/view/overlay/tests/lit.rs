@@ -1,11 +1,11 @@
-//! What is pointed at: drawn anew over everything else, which steps back.
+//! Highlighting: a concept is drawn again over everything else, which is dimmed.
 
 use pinhole_core::Orientation;
 
 use super::*;
 use crate::model::concept::Thing;
 
-/// What both views show of the canonical stage, but for its wall: see below.
+/// Concepts that both views show on the canonical stage, except its wall: see below.
 const THINGS: [Thing; 21] = [
     Thing::Eye,
     Thing::At,

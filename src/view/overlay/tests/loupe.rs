@@ -5,7 +5,7 @@ use pinhole_core::{Camera, DVec2, PixelOfUv, Raster, Scene};
 
 use super::*;
 
-/// The drawing of the loupe alone over a canonical camera of `pixels` x `pixels`.
+/// Returns the drawing of the loupe alone over a canonical camera of `pixels` x `pixels`.
 fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawing, PixelOfUv) {
     let posed =
         Camera { image: image(pixels, pixels), ..Camera::CANONICAL }.posed().expect("a camera");
@@ -34,7 +34,7 @@ fn texts(drawing: &Drawing) -> Vec<&str> {
     drawing.labels.iter().map(|label| label.text.as_str()).collect()
 }
 
-/// Corners of everything that is drawn but the line to the place.
+/// Returns the corners of everything drawn except the line to the selected position.
 fn corners(drawing: &Drawing) -> Vec<DVec2> {
     let marks = drawing.marks.iter().skip(1).flat_map(points);
     marks.map(|[x, y]| DVec2::new(x.into(), y.into())).collect()
@@ -47,7 +47,7 @@ fn the_warm_up_s_place_is_the_corner_of_four_named_pixels() {
     assert_eq!(texts(&drawing), said);
     let (from_one, _) = self::drawing(DVec2::new(0.2, -0.1), 400, 600, true);
     assert_eq!(texts(&from_one)[..4], ["row 240", "row 241", "280", "281"]);
-    // The cross is where the four frames meet.
+    // The cross is at the common corner of the four frames.
     let lines: Vec<_> = drawing.marks.iter().map(points).collect();
     let cross: Vec<_> = lines.iter().rev().take(2).collect();
     let middle = |line: &Vec<[f32; 2]>| {

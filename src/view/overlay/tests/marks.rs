@@ -4,7 +4,7 @@ use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, Scene};
 
 use super::*;
 
-/// The lines of an item, from left to right: where each begins and ends, and `-` or `.` if hidden.
+/// Returns the lines of an item from left to right: `-`, or `.` if hidden, and both ends.
 fn runs(drawing: &Drawing, item: Item) -> Vec<(char, i64, i64)> {
     let lines = drawing.marks.iter().filter(|mark| {
         mark.item == item && matches!(&mark.shape, Shape::Line { points, .. } if points.len() == 2)
@@ -151,7 +151,7 @@ fn handles_keep_their_size_and_stand_out_by_form() {
     assert_eq!(radii(&near), radii(&far));
     let (over, held) = (mark(DVec3::ZERO, KnobState::Over), mark(DVec3::ZERO, KnobState::Held));
     assert!(radii(&over)[0] > radii(&near)[0]);
-    // What is held is full, with a ring around it.
+    // A held handle is full, with a ring around it.
     assert_eq!((radii(&near).len(), radii(&over).len(), radii(&held).len()), (2, 2, 1));
     assert_eq!(held.len(), 2);
 }

@@ -97,7 +97,7 @@ impl Stage {
         }
     }
 
-    /// The observer's picture, shaded flat.
+    /// Returns the observer's picture with flat shading.
     fn dots(&self) -> Vec<Color32> {
         shade(&self.frame, &self.scene, Shade::Object, color_of, opaque)
     }
@@ -121,7 +121,7 @@ fn image(width: u32, height: u32) -> ImageSize {
     ImageSize::new(width, height).expect("an image size")
 }
 
-/// An observer on the +x side, who sees -z to the right.
+/// Returns an observer on the +x side, who sees -z to the right.
 fn from_the_right(target: DVec3, distance: f64) -> Observer {
     Observer::new(target, std::f64::consts::FRAC_PI_2, 0.0, distance)
 }
@@ -133,7 +133,7 @@ fn points(mark: &Mark) -> Vec<[f32; 2]> {
     }
 }
 
-/// Inside the picture, and not over each other.
+/// Checks that labels are inside the picture and do not overlap.
 fn check_labels(drawing: &Drawing, size: DVec2) {
     let boxes: Vec<(DVec2, DVec2)> = drawing
         .labels
@@ -153,7 +153,7 @@ fn check_labels(drawing: &Drawing, size: DVec2) {
     }
 }
 
-/// The world view painted over the observer's shaded picture.
+/// Paints the world view over the observer's shaded picture.
 fn painted(view: &WorldView, dots: &mut [Color32]) -> Drawing {
     let (traced, backdrop) = (dots.to_vec(), Backdrop::of(view));
     backdrop.paint(view.frame, dots);

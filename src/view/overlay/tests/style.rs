@@ -1,9 +1,10 @@
-//! Colours that are told apart.
+//! The colours can be told apart.
 
 use super::*;
 
-/// What viewers without one kind of cones see, as linear sRGB (Machado, Oliveira and Fernandes,
-/// *A Physiologically-based Model for Simulation of Color Vision Deficiency*, 2009, severity 1).
+/// Colour transforms of viewers without one kind of cones, in linear sRGB (Machado, Oliveira and
+/// Fernandes, *A Physiologically-based Model for Simulation of Color Vision Deficiency*, 2009,
+/// severity 1).
 const VIEWERS: [[[f64; 3]; 3]; 4] = [
     [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
     [
@@ -34,13 +35,13 @@ fn luminance([r, g, b]: [f64; 3]) -> f64 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
-/// WCAG 2's contrast ratio.
+/// Returns WCAG 2's contrast ratio.
 fn contrast(a: Color32, b: Color32) -> f64 {
     let [a, b] = [a, b].map(|color| luminance(linear(color)) + 0.05);
     a.max(b) / a.min(b)
 }
 
-/// CIE L*a*b* of what a viewer sees.
+/// Returns the CIE L*a*b* colour that a viewer sees.
 fn lab(color: Color32, viewer: &[[f64; 3]; 3]) -> [f64; 3] {
     let own = linear(color);
     let [r, g, b] =

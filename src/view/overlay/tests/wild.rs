@@ -1,11 +1,11 @@
-//! Whatever is typed into the fields, the drawing stays tame.
+//! Drawings stay within bounds whatever is typed into the fields.
 
 use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Scene, Sphere, Viewport};
 use proptest::prelude::*;
 
 use super::*;
 
-/// Coordinates of every size, and ordinary ones.
+/// Returns a strategy for coordinates of every size, and ordinary ones.
 fn wild() -> impl Strategy<Value = f64> {
     let any_size = (-1.0..1.0f64, -300..300i32).prop_map(|(m, e)| m * 10f64.powi(e));
     prop_oneof![4 => -8.0..8.0f64, 1 => any_size, 1 => Just(0.0)]
