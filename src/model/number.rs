@@ -1,6 +1,6 @@
-//! Numbers for readers: few significant digits, no noise.
+//! Number formatting for readers: few significant digits, no noise.
 
-/// Three significant digits at most: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
+/// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
 pub(crate) fn short(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
@@ -20,7 +20,7 @@ pub(crate) fn short(x: f64) -> String {
     }
 }
 
-/// `10⁻⁶`, and `1` and `10` as they are.
+/// Formats a power of ten: `10⁻⁶`, but `1` and `10`.
 pub(crate) fn power_of_ten(exponent: i32) -> String {
     match exponent {
         0 => "1".to_owned(),
@@ -38,7 +38,7 @@ pub(crate) fn power_of_ten(exponent: i32) -> String {
     }
 }
 
-/// Digits in groups of three: `1,234,567`.
+/// Formats an integer in groups of three digits: `1,234,567`.
 pub(crate) fn grouped(n: u64) -> String {
     let digits = n.to_string();
     let mut text = String::new();
@@ -51,7 +51,8 @@ pub(crate) fn grouped(n: u64) -> String {
     text
 }
 
-/// `value` to that many significant digits, trailing zeros dropped; never `NaN` or `inf`.
+/// Formats `value` with this number of significant digits and without trailing zeros; never `NaN`
+/// or `inf`.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "beyond f64".to_owned();
@@ -80,7 +81,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// [`significant`] digits with the real minus sign, as people write numbers.
+/// Formats like [`significant`], with the real minus sign.
 pub(crate) fn written(value: f64, digits: usize) -> String {
     significant(value, digits).replace('-', "−")
 }
