@@ -1,4 +1,4 @@
-//! The colours that things are told apart by.
+//! The colours that tell objects and vectors apart.
 
 use egui::Color32;
 use pinhole_core::Rgb;
@@ -6,31 +6,31 @@ use serde::{Deserialize, Serialize};
 
 use pinhole_exchange::document::default_color;
 
-/// Greys of objects, neighbours far apart.
+/// The greys of objects; neighbours in the list differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];
 
-/// Which colours things are told apart by.
+/// A choice of colours that tell objects and vectors apart.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Scheme {
-    /// Objects in their own colours; u, v, w, as everywhere in the lecture, by hue.
+    /// Objects in their own colours; u, v, w by hue, as everywhere in the lecture.
     #[default]
     Standard,
-    /// Told apart by all kinds of colour-blind viewers: by hue and by lightness.
+    /// Colours that all kinds of colour-blind viewers tell apart, by hue and by lightness.
     ColourBlind,
-    /// Greys alone, for print: u, v, w by their dashes, heads and names.
+    /// Greys only, for print: u, v, w differ by their dashes, heads and names.
     Grey,
 }
 
 impl Scheme {
-    /// All of them.
+    /// All schemes.
     pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
 
-    /// The grey of something that is counted so: neighbours are far apart.
+    /// Returns the grey for an index; the greys of neighbouring indices differ clearly.
     pub fn grey_of(index: usize) -> Color32 {
         Color32::from_gray(GREYS[index % GREYS.len()])
     }
 
-    /// What a menu calls it.
+    /// Returns the scheme's name in a menu.
     pub fn label(self) -> &'static str {
         match self {
             Scheme::Standard => "Standard colours",
@@ -39,7 +39,7 @@ impl Scheme {
         }
     }
 
-    /// What it does.
+    /// Returns a description of the scheme.
     pub fn about(self) -> &'static str {
         match self {
             Scheme::Standard => "Objects in their own colours, vectors by hue",
@@ -48,8 +48,8 @@ impl Scheme {
         }
     }
 
-    /// The colour of the object with this index whose own colour is `own`. What is grey stays so:
-    /// floors and walls are no objects to be told apart.
+    /// Returns the colour of the object with this index, whose own colour is `own`. A grey object
+    /// stays grey: floors and walls need not be told apart.
     pub fn object(self, index: u32, own: Rgb) -> Rgb {
         let hue = own.iter().max().zip(own.iter().min()).map_or(0, |(most, least)| most - least);
         match self {

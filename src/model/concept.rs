@@ -1,8 +1,9 @@
-//! What can be pointed at: a line of the ledger is about it, and a view shows it.
+//! The concepts of the scene and of the camera's derivation: a line of the derivation is about one,
+//! and a view shows it.
 
 use crate::model::symbols;
 
-/// Something in the scene or in a camera's derivation that has a name.
+/// A named concept of the scene or of a camera's derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Thing {
     /// The camera's position.
@@ -13,7 +14,7 @@ pub enum Thing {
     View,
     /// The up vector as given.
     Up,
-    /// `-view`: backwards, before it is normalized to w.
+    /// `-view`: the backward direction, before it is normalized to w.
     Backwards,
     /// The basis vector u: right in the image.
     U,
@@ -21,21 +22,21 @@ pub enum Thing {
     V,
     /// The basis vector w: backwards.
     W,
-    /// `up x w`, with its two factors and the parallelogram between them.
+    /// `up x w`, with its two factors and the parallelogram that they span.
     UpCrossW,
-    /// `w x u`, likewise.
+    /// `w x u`, with its two factors and the parallelogram that they span.
     WCrossU,
     /// The viewport's rectangle.
     Viewport,
-    /// From the eye to the viewport.
+    /// The distance from the eye to the viewport.
     Distance,
-    /// The selected pixel, or the place (u, v) on the viewport.
+    /// The selected pixel, or the selected point (u, v) of the viewport.
     Pixel,
-    /// `u U`: the part of the direction to the right.
+    /// `u U`: the component of the direction to the right.
     AlongU,
-    /// `v V`: the part of the direction upwards.
+    /// `v V`: the component of the direction upwards.
     AlongV,
-    /// `-distance W`: the part of the direction forwards.
+    /// `-distance W`: the component of the direction forwards.
     AlongW,
     /// The direction of the selected ray: from the eye to the viewport.
     Direction,
@@ -43,36 +44,36 @@ pub enum Thing {
     Ray,
     /// An object of the scene.
     Object(u32),
-    /// A place where the selected ray's line meets an object.
+    /// A point where the selected ray's line meets an object.
     Root {
-        /// Which object.
+        /// Index of the object.
         object: u32,
-        /// Which of its roots, by ascending t.
+        /// Index of the root among the object's roots, by ascending t.
         number: u8,
     },
     /// The normal at the first hit.
     Normal,
 }
 
-/// What is pointed at, and where that is done: the other place follows.
+/// The concept that is hovered, and the place where it is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pointed {
-    /// At what.
+    /// The hovered concept.
     pub thing: Thing,
-    /// Where.
+    /// The place where it is hovered.
     pub by: Pointing,
 }
 
-/// Where something is pointed at.
+/// A place where a concept is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pointing {
-    /// In a view: the ledger scrolls to its line.
+    /// A view: the derivation scrolls to the concept's line.
     View,
-    /// At a line of the ledger, or in the words beside the plot.
+    /// A line of the derivation, or the text beside the plot.
     Ledger,
 }
 
-/// Names of things that have no number, in files, and what is said of them.
+/// The concepts without a number, with their names in files and their descriptions.
 const NAMES: [(Thing, &str, &str); 19] = [
     (Thing::Eye, "eye", symbols::EYE),
     (Thing::At, "at", symbols::AT),
@@ -96,8 +97,8 @@ const NAMES: [(Thing, &str, &str); 19] = [
 ];
 
 impl Thing {
-    /// The thing that has this name in files: `up-cross-w`, `object 0`, `root 0 1` (of object 0 the
-    /// root with number 1).
+    /// Returns the concept with this name in files: `up-cross-w`, `object 0`, or `root 0 1` (root 1
+    /// of object 0).
     pub fn from_name(name: &str) -> Option<Thing> {
         if let Some(object) = name.strip_prefix("object ") {
             return Some(Thing::Object(object.parse().ok()?));
@@ -112,12 +113,12 @@ impl Thing {
         NAMES.iter().find(|(_, known, _)| *known == name).map(|(thing, ..)| *thing)
     }
 
-    /// The names of all things that have no number.
+    /// Returns the names of all concepts without a number.
     pub fn names() -> [&'static str; 19] {
         NAMES.map(|(_, name, _)| name)
     }
 
-    /// Its name in files.
+    /// Returns the concept's name in files.
     pub fn name(self) -> String {
         match self {
             Thing::Object(object) => format!("object {object}"),
@@ -126,7 +127,8 @@ impl Thing {
         }
     }
 
-    /// What is said of it; of an object or a root by the object's `title`.
+    /// Returns the concept's description; that of an object or a root contains the object's
+    /// `title`.
     pub fn words(self, title: impl Fn(u32) -> String) -> String {
         match self {
             Thing::Object(object) => title(object),

@@ -1,25 +1,25 @@
-//! The ledger's parts, each of which can be left out.
+//! The sections of the derivation, each of which can be hidden.
 
 use serde::{Deserialize, Serialize};
 
-/// A part of the ledger.
+/// A section of the derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[repr(u8)]
 pub enum LedgerSection {
-    /// From view and up to u, v, w.
+    /// The steps from view and up to u, v, w.
     Basis,
-    /// From a pixel to its view ray.
+    /// The steps from a pixel to its view ray.
     PixelToRay,
-    /// Every object's intersection with that ray.
+    /// The intersection of every object with that ray.
     Objects,
 }
 
 impl LedgerSection {
-    /// All of them, from top to bottom.
+    /// All sections, from top to bottom.
     pub const ALL: [LedgerSection; 3] =
         [LedgerSection::Basis, LedgerSection::PixelToRay, LedgerSection::Objects];
 
-    /// Its name in files.
+    /// Returns the section's name in files.
     pub fn name(self) -> &'static str {
         match self {
             LedgerSection::Basis => "basis",
@@ -28,12 +28,12 @@ impl LedgerSection {
         }
     }
 
-    /// The section with this name.
+    /// Returns the section with this name.
     pub fn from_name(name: &str) -> Option<LedgerSection> {
         LedgerSection::ALL.into_iter().find(|section| section.name() == name)
     }
 
-    /// What a checkbox for it says.
+    /// Returns the label of the section's checkbox.
     pub fn label(self) -> &'static str {
         match self {
             LedgerSection::Basis => "Basis",
@@ -47,7 +47,7 @@ impl LedgerSection {
     }
 }
 
-/// Which parts of the ledger are shown; all of them by default.
+/// The sections of the derivation that are shown; all of them by default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(from = "Vec<LedgerSection>", into = "Vec<LedgerSection>")]
 pub struct LedgerSections(u8);
@@ -77,12 +77,12 @@ impl From<LedgerSections> for Vec<LedgerSection> {
 }
 
 impl LedgerSections {
-    /// Whether the section is shown.
+    /// Returns true if the section is shown.
     pub fn shows(self, section: LedgerSection) -> bool {
         self.0 & section.bit() != 0
     }
 
-    /// Shows a section or leaves it out.
+    /// Shows or hides a section.
     pub fn set(&mut self, section: LedgerSection, shown: bool) {
         if shown {
             self.0 |= section.bit();

@@ -5,12 +5,12 @@ use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from
 // exmex's own pattern for numbers has no exponent.
 literal_matcher_from_pattern!(NumberLiteral, r"^(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?");
 
-/// The value of what was typed: a number, or arithmetic with `+ - * / ^`, brackets, `sqrt`, `sin`,
-/// `cos`, `tan` and their like, and `pi`. The signs that people paste (`−`, `×`, `·`, `√`, `π`)
-/// are understood too.
+/// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets,
+/// functions such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. Accepts the signs that people paste
+/// (`−`, `×`, `·`, `√`, `π`) too.
 ///
 /// # Errors
-/// Why it is no finite number, as a sentence for the person who typed it.
+/// Returns a sentence for the person who typed the text if its value is not a finite number.
 pub fn evaluate(text: &str) -> Result<f64, String> {
     let typed = text.trim();
     let plain: String = typed
@@ -28,7 +28,7 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
     if plain.is_empty() {
         return Err("type a number, such as 0.5, 1/3 or sqrt(2)/2".to_owned());
     }
-    // A plain number first: every digit counts, and `1e-300` is one.
+    // A plain number first: this keeps every digit and accepts exponents such as `1e-300`.
     let value = match plain.parse::<f64>() {
         Ok(value) => value,
         Err(_) => FlatEx::<f64, FloatOpsFactory<f64>, NumberLiteral>::parse(&plain)

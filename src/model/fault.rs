@@ -1,15 +1,15 @@
-//! What is wrong with a document.
+//! The faults that a document can have.
 
 use std::fmt;
 
 use pinhole_core::{CameraError, SceneError};
 
-/// Why there is no new picture.
+/// A reason why there is no new picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fault {
-    /// The camera sees nothing.
+    /// The camera is invalid.
     Camera(CameraError),
-    /// An object is none.
+    /// An object is invalid.
     Scene(SceneError),
 }
 

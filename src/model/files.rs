@@ -1,4 +1,4 @@
-//! Where the open document came from, and getting it from and to there.
+//! The open document, its origin, and reading and writing it.
 
 use std::fs;
 use std::io::Write as _;
@@ -10,19 +10,19 @@ use pinhole_exchange::scenes::SceneSource;
 
 use pinhole_exchange::{FileError, atomic, scene_file};
 
-/// How many files the list of recent ones holds.
+/// Maximum number of files in the list of recent files.
 const RECENT: usize = 10;
 
-/// Where a document came from.
+/// The origin of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
     /// A scene.
     Scene(SceneSource),
-    /// A lesson's step, of this title.
+    /// A lesson's step with this title.
     Step(String),
 }
 
-/// What the window's title calls a document from there.
+/// Returns the name of a document with this origin for the window's title.
 pub fn title_of(origin: &Origin) -> String {
     match origin {
         Origin::Step(title) => title.clone(),
@@ -34,7 +34,8 @@ pub fn title_of(origin: &Origin) -> String {
     }
 }
 
-/// The argument that names this scene on the command line, from any folder; a step has none.
+/// Returns the argument that names this scene on the command line, from any folder; `None` for a
+/// lesson's step.
 pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     match origin {
         Origin::Scene(SceneSource::Builtin(scene)) => Some(PathBuf::from(scene.name)),
@@ -43,25 +44,25 @@ pub fn argument_of(origin: &Origin) -> Option<PathBuf> {
     }
 }
 
-/// The open document with what is needed to save it again and to know whether it changed.
+/// The open document, with all that saving it and detecting changes needs.
 #[derive(Clone, Debug)]
 pub struct OpenDocument {
     /// The document as edited.
     pub document: Document,
     /// The document as it was opened or last saved.
     saved: Document,
-    /// The source's text, whose comments stay with the document wherever it is saved; `None` where
-    /// it could not be read.
+    /// The text of the source, whose comments are kept when the document is saved; `None` if the
+    /// source could not be read.
     text: Option<String>,
-    /// Where it came from.
+    /// The document's origin.
     origin: Origin,
-    /// Its changes are not worth asking about: the lesson's step that it is from can be gone back
-    /// to, and it belongs to no file.
+    /// True if changes may be lost without a question: the document comes from a lesson's step,
+    /// which the user can return to, and belongs to no file.
     forgiving: bool,
 }
 
 impl OpenDocument {
-    /// A document just read from its source.
+    /// Creates the open document from one that was just read from its source.
     pub fn new(document: Document, source: SceneSource) -> Self {
         let text = match &source {
             SceneSource::Builtin(scene) => Some(scene.text.to_owned()),
@@ -71,29 +72,30 @@ impl OpenDocument {
         OpenDocument { saved: document.clone(), document, text, origin, forgiving: false }
     }
 
-    /// The document of a lesson's step that is called `title`. While its lesson is open, no change
-    /// of it counts as one that is lost.
+    /// Creates the open document of the lesson's step with this title. While the lesson is open,
+    /// its changes do not count as unsaved.
     pub fn of_step(document: Document, title: String) -> Self {
         let origin = Origin::Step(title);
         OpenDocument { saved: document.clone(), document, text: None, origin, forgiving: true }
     }
 
-    /// The lesson is closed: from now on, changes count.
+    /// Closes the lesson: from now on, changes count as unsaved.
     pub fn leave_lesson(&mut self) {
         self.forgiving = false;
     }
 
-    /// Where it came from.
+    /// Returns the document's origin.
     pub fn origin(&self) -> &Origin {
         &self.origin
     }
 
-    /// Whether there is anything to lose.
+    /// Returns true if the document has unsaved changes.
     pub fn has_changes(&self) -> bool {
         !self.forgiving && self.document != self.saved
     }
 
-    /// The file that it was read from; a built-in scene has none, nor has a lesson's step.
+    /// Returns the file that the document was read from; `None` for a built-in scene and a lesson's
+    /// step.
     pub fn file(&self) -> Option<&Path> {
         match &self.origin {
             Origin::Scene(SceneSource::File(path)) => Some(path),
@@ -101,7 +103,7 @@ impl OpenDocument {
         }
     }
 
-    /// The file that *Save* writes: where it was read from a scene file, that one.
+    /// Returns the file that *Save* writes: the scene file that the document was read from.
     pub fn scene_file(&self) -> Option<&Path> {
         match &self.origin {
             Origin::Scene(source) => source.scene_file(),
@@ -109,7 +111,7 @@ impl OpenDocument {
         }
     }
 
-    /// The name that a file of this document could have.
+    /// Returns a suitable file name for this document.
     pub fn file_name(&self) -> String {
         match &self.origin {
             Origin::Scene(SceneSource::Builtin(scene)) => format!("{}.toml", scene.name),
@@ -118,18 +120,19 @@ impl OpenDocument {
         }
     }
 
-    /// Writes the document to `path`, from where it comes from now on. The comments are those of the
-    /// file that it came from until now, also where another file is overwritten.
+    /// Writes the document to `path`, which becomes its origin. Keeps the comments of the file that
+    /// it came from, also if `path` is an existing other file.
     ///
     /// # Errors
-    /// Why it could not be written; what was there before is still there.
+    /// Returns the reason if the file could not be written; the old file is then unchanged.
     pub fn save_to(&mut self, path: &Path) -> Result<(), String> {
         let saved = match self.text_on_disk(path) {
             Some(text) => scene_file::save_over(&self.document, path, Some(&text)),
             None => scene_file::save_over(&self.document, path, self.text.as_deref()),
         };
         let saved = saved.map_err(|error| error.to_string())?;
-        // As written: the reference to a file of spheres is relative to where the scene lies.
+        // The document as written: its reference to a file of spheres is relative to the scene's
+        // new folder.
         self.document = saved.document;
         self.saved = self.document.clone();
         self.text = Some(saved.text);
@@ -138,7 +141,7 @@ impl OpenDocument {
         Ok(())
     }
 
-    /// What the file at `path` holds now, if it is the one that the document came from: its
+    /// Returns the present text of the file at `path` if the document came from that file: its
     /// comments may have been edited since.
     fn text_on_disk(&self, path: &Path) -> Option<String> {
         let same = self.file().is_some_and(|file| resolved(file) == resolved(path));
@@ -150,7 +153,7 @@ fn resolved(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| absolute(path))
 }
 
-/// Puts a file at the head of the list of recent ones.
+/// Moves a file to the front of the list of recent files.
 pub fn remember(recent: &mut Vec<PathBuf>, path: &Path) {
     let path = absolute(path);
     recent.retain(|known| *known != path);
@@ -162,10 +165,11 @@ fn absolute(path: &Path) -> PathBuf {
     std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
-/// Writes a camera in another program's terms: a text as a file, several as a folder of files.
+/// Writes a camera in another program's format: a single text as a file, several texts as a folder
+/// of files.
 ///
 /// # Errors
-/// Where it cannot be written.
+/// Returns an error if a file or the folder cannot be written.
 pub(crate) fn save_written(written: &Written, path: &Path) -> Result<(), FileError> {
     let save = |path: &Path, sheet: &Sheet| {
         atomic::write(path, |file| file.write_all(sheet.text.as_bytes()))

@@ -1,30 +1,30 @@
-//! The ghost: a camera frozen to be compared with the one at hand. Pure.
+//! The ghost: a frozen camera for comparison with the current camera. Pure.
 
 use pinhole_core::{Camera, CameraError, PosedCamera};
 
-/// A frozen camera, and what of it stands beside the camera view.
+/// A frozen camera and the picture beside the camera view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ghost {
-    /// As it was given.
+    /// The camera as given.
     pub camera: Camera,
-    /// What is shown beside the camera view.
+    /// The picture beside the camera view.
     pub beside: Beside,
 }
 
-/// What is shown beside the camera view.
+/// A picture beside the camera view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Beside {
-    /// What the ghost sees.
+    /// The ghost's picture.
     #[default]
     Picture,
-    /// Which pixels see another object than the ghost's.
+    /// The pixels that see another object than the ghost's pixels.
     Differences,
 }
 
-/// The ghost with the image that the camera at hand has, as it is compared.
+/// Resolves the ghost with the current camera's image size, as the comparison needs it.
 ///
 /// # Errors
-/// Where it sees nothing.
+/// Returns an error if the ghost is an invalid camera.
 pub fn posed(ghost: &Camera, now: &Camera) -> Result<PosedCamera, CameraError> {
     Camera { image: now.image, ..*ghost }.posed()
 }

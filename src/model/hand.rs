@@ -1,4 +1,4 @@
-//! What is taken in the hand in the world view, and how it is held.
+//! The handles of the world view, and the constraints of a drag.
 
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
 use pinhole_core::{DVec3, PosedCamera};
@@ -6,37 +6,37 @@ use pinhole_core::{DVec3, PosedCamera};
 use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
 
-/// Something to take hold of. Objects by their place in the document.
+/// A handle in the world view. Objects are given by their index in the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle {
     /// The camera's position.
     Eye,
-    /// What it looks at; by view, where view ends.
+    /// The point that the camera looks at; for a camera given by view, the tip of view.
     At,
     /// The tip of up.
     Up,
-    /// The tip of v, round w: the camera rolls.
+    /// The tip of v, which turns about w: rolls the camera.
     Roll,
-    /// The tip of w, along w: the camera dollies.
+    /// The tip of w, which moves along w: dollies the camera.
     Dolly,
-    /// A corner of the viewport: width and height.
+    /// A corner of the viewport: changes width and height.
     Corner(ViewportCorner),
-    /// The middle of the viewport's lower edge: its distance.
+    /// The middle of the viewport's lower edge: changes the distance.
     Distance,
     /// The centre of a sphere.
     Center(usize),
-    /// A point of its surface: the radius.
+    /// A point of a sphere's surface: changes the radius.
     Radius(usize),
-    /// The point that a plane is given by.
+    /// The point that defines a plane.
     Point(usize),
-    /// The tip of its normal.
+    /// The tip of a plane's normal.
     Normal(usize),
     /// The selected pixel.
     Pixel,
 }
 
 impl Handle {
-    /// The object that it belongs to.
+    /// Returns the index of the object that the handle belongs to.
     pub fn object(self) -> Option<usize> {
         match self {
             Handle::Center(k) | Handle::Radius(k) | Handle::Point(k) | Handle::Normal(k) => Some(k),
@@ -44,7 +44,8 @@ impl Handle {
         }
     }
 
-    /// What must be drawn for the handle to be there, besides the handles themselves.
+    /// Returns the overlay item that must be shown, besides the handles, for this handle to be
+    /// there.
     pub fn item(self) -> Item {
         match self {
             Handle::Eye => Item::Eye,
@@ -58,12 +59,13 @@ impl Handle {
         }
     }
 
-    /// Whether it lies on the viewport's rectangle.
+    /// Returns true if the handle lies on the viewport's rectangle.
     pub fn is_on_viewport(self) -> bool {
         matches!(self, Handle::Corner(_) | Handle::Distance | Handle::Pixel)
     }
 
-    /// Whether it goes wherever it is dragged, and so along x, y, z too; the others know one way.
+    /// Returns true if the handle can be dragged in any direction, and so also along x, y, z; the
+    /// others move in one fixed way.
     pub fn is_free(self) -> bool {
         !self.is_on_viewport() && !matches!(self, Handle::Roll | Handle::Dolly)
     }
@@ -82,15 +84,15 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// The world's three, then the camera's.
+    /// All axes: the world's three, then the camera's three.
     pub const ALL: [Axis; 6] = [Axis::X, Axis::Y, Axis::Z, Axis::U, Axis::V, Axis::W];
 
-    /// Its letter.
+    /// Returns the axis's letter.
     pub fn name(self) -> &'static str {
         ["x", "y", "z", "u", "v", "w"][self as usize]
     }
 
-    /// Its direction; the camera's are there where it has a basis.
+    /// Returns the axis's direction; `None` for an axis of the camera if there is no camera.
     pub fn direction(self, camera: Option<&PosedCamera>) -> Option<DVec3> {
         let basis = camera.map(PosedCamera::basis);
         match self {
@@ -103,7 +105,7 @@ impl Axis {
         }
     }
 
-    /// The other two of its three.
+    /// Returns the other two axes of the same frame.
     pub fn others(self) -> [Axis; 2] {
         match self {
             Axis::X => [Axis::Y, Axis::Z],
@@ -116,48 +118,49 @@ impl Axis {
     }
 }
 
-/// To what a drag is held.
+/// The constraint of a drag.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Along {
-    /// The plane of the observer's picture.
+    /// The plane parallel to the observer's image.
     #[default]
     View,
     /// An axis.
     Axis(Axis),
-    /// The plane of the other two axes.
+    /// The plane of the other two axes of its frame.
     Without(Axis),
 }
 
-/// How the handles are looked at and held, of the session.
+/// The state of the handles in a session.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hand {
-    /// What the pointer or the keyboard is on.
+    /// The handle under the pointer or with the keyboard focus.
     pub over: Option<Handle>,
-    /// How many handles lie together there.
+    /// Number of handles that lie together there.
     pub together: usize,
-    /// What is held.
+    /// The handle that is held.
     pub held: Option<Grasp>,
-    /// The objects whose handles are shown: the chosen one, and the one pointed at.
+    /// The objects whose handles are shown: the selected one and the hovered one.
     pub objects: [Option<usize>; 2],
-    /// To what the drag is held.
+    /// The constraint of the drag.
     pub along: Along,
-    /// The pointer's button belongs to a handle until it is let go.
+    /// True until the pointer's button is released, once it was pressed on a handle.
     pub is_busy: bool,
 }
 
-/// A handle that is held, and what stays of how it was drawn when it was taken: so it is under the
-/// pointer.
+/// A handle that is held, with the sizes that it was drawn with when it was grabbed: they keep it
+/// under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grasp {
-    /// Which.
+    /// The handle.
     pub handle: Handle,
-    /// How long, in the world, an arrow of length 1 is drawn whose tip is held.
+    /// Length in the world at which an arrow of length 1 is drawn, if its tip is held.
     pub length: f64,
-    /// From a sphere's centre to the point of its surface, of length 1.
+    /// Unit vector from a sphere's centre to the held point of its surface.
     pub toward: DVec3,
 }
 
-/// What settings say of drags. `other` is the modifier that swaps what a moved eye keeps.
+/// Returns what the settings keep fixed during drags. `other` is the modifier key that swaps what a
+/// moved eye keeps.
 pub fn keeps_of(settings: &Settings, other: bool) -> (Keep, CornerKeeps, DistanceKeeps) {
     let eye = if other { settings.eye_keeps.other() } else { settings.eye_keeps };
     let corner = if settings.keep_pixel_shape { CornerKeeps::Ratio } else { CornerKeeps::Nothing };

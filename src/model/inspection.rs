@@ -1,4 +1,5 @@
-//! One ray, looked at closely: what the readouts, the overlay and `pinhole inspect` show.
+//! A view ray with all its intersections, as the readouts, the overlay and `pinhole inspect` show
+//! it.
 
 use pinhole_core::{
     DVec2, ExactRay, Object, Pixel, PixelOfUv, PlaneTerms, PosedCamera, Ray, Root, Scene,
@@ -7,7 +8,7 @@ use pinhole_core::{
 
 use crate::model::concept::Thing;
 
-/// How many objects' parts are kept: more than anybody reads.
+/// Number of objects whose parts are kept: more than anybody reads.
 pub const LISTED_OBJECTS: usize = 12;
 
 /// The numbers that decide hit or miss for one object.
@@ -22,22 +23,23 @@ pub enum Parts {
 /// A view ray through the viewport, with everything that it meets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inspection {
-    /// Where the ray passes through the viewport.
+    /// The point (u, v) where the ray passes through the viewport.
     pub uv: DVec2,
-    /// Where that is in the image; `None` outside it.
+    /// The position of that point in the image; `None` outside the image.
     pub place: Option<PixelOfUv>,
-    /// The view ray, its direction rounded. What it meets is that of the ray before rounding.
+    /// The view ray with its direction rounded. The intersections are those of the ray before
+    /// rounding.
     pub ray: Ray,
-    /// Every root of every object, by ascending `t`, negative ones too. All `t` are finite.
+    /// All roots of all objects, by ascending `t`, including negative ones. Every `t` is finite.
     pub roots: Vec<Root>,
     /// The parts of the first [`LISTED_OBJECTS`] objects' intersections.
     pub parts: Vec<Parts>,
-    /// Index into `roots` of the first hit.
+    /// Index of the first hit in `roots`.
     pub first: Option<usize>,
 }
 
 impl Inspection {
-    /// The view ray through a (u, v).
+    /// Inspects the view ray through a (u, v).
     pub fn of_uv(camera: &PosedCamera, scene: &Scene, uv: DVec2) -> Inspection {
         match camera.exact_ray_at(uv) {
             Ok(exact) => Inspection::of_exact(camera, scene, uv, &exact),
@@ -52,16 +54,18 @@ impl Inspection {
         }
     }
 
-    /// The view ray through a pixel's centre.
+    /// Inspects the view ray through a pixel's centre.
     pub fn of_pixel(camera: &PosedCamera, scene: &Scene, pixel: Pixel) -> Inspection {
         Inspection::of_exact(camera, scene, camera.uv_of_pixel(pixel), &camera.exact_ray(pixel))
     }
 
     fn of_exact(camera: &PosedCamera, scene: &Scene, uv: DVec2, exact: &ExactRay) -> Inspection {
         let mut roots = scene.roots_of(exact);
-        // A line that is all but parallel to a plane meets it beyond the range of numbers: nowhere.
+        // A line that is almost parallel to a plane meets it beyond the range of `f64`: drop that
+        // root.
         roots.retain(|root| root.t.is_finite());
-        // By ascending t, equal ones in the order of objects: the first hit's own rule.
+        // The roots ascend in t, and equal ones follow the order of objects: the rule of the first
+        // hit.
         let first = roots.iter().position(|root| root.t > 0.0);
         let parts = scene.objects().take(LISTED_OBJECTS).map(|object| match object {
             Object::Sphere(sphere) => Parts::Sphere(sphere.quadratic_of(exact)),
@@ -71,26 +75,27 @@ impl Inspection {
         Inspection { uv, place, ray: exact.rounded(), roots, parts, first }
     }
 
-    /// The one pixel that the ray goes through; `None` outside the image and on an edge between
-    /// pixels.
+    /// Returns the only pixel that the ray goes through; `None` outside the image and on an edge
+    /// between pixels.
     pub fn pixel(&self) -> Option<Pixel> {
         let PixelOfUv { pixel, column_edge, row_edge } = self.place?;
         (column_edge.is_none() && row_edge.is_none()).then_some(pixel)
     }
 
-    /// A root's name: its place among those of its object, by ascending t.
+    /// Returns the concept of a root: its object, and its index among the object's roots by
+    /// ascending t.
     pub fn thing_of(&self, root: &Root) -> Thing {
         let own = self.roots.iter().filter(|other| other.object == root.object);
         let number = own.take_while(|other| other.t < root.t).count() as u8;
         Thing::Root { object: root.object, number }
     }
 
-    /// The root that has this name.
+    /// Returns the root of this object with this index.
     pub fn root_of(&self, object: u32, number: u8) -> Option<&Root> {
         self.roots.iter().filter(|root| root.object == object).nth(number.into())
     }
 
-    /// Why one of the roots is, or is not, what the ray hits.
+    /// Returns the reason why a root is, or is not, the first hit.
     pub fn verdict(&self, root: &Root) -> &'static str {
         match self.first_hit() {
             _ if root.t < 0.0 => "behind the eye: no hit",
@@ -103,7 +108,7 @@ impl Inspection {
         }
     }
 
-    /// The first hit.
+    /// Returns the first hit.
     pub fn first_hit(&self) -> Option<&Root> {
         self.first.map(|index| &self.roots[index])
     }

@@ -1,9 +1,9 @@
 //! Letters of formulas in plain text, from Unicode's block *Mathematical Alphanumeric Symbols*.
 
-/// A scalar's letter, italic; what is no letter from A to z stays as it is.
+/// Returns the italic letter of a scalar; characters other than A to Z and a to z stay as they are.
 pub(crate) fn italic(letter: char) -> char {
     match letter {
-        // U+1D455 is not assigned: this one was there before.
+        // U+1D455 is not assigned; the older U+210E takes its place.
         'h' => '\u{210e}',
         'a'..='z' => shifted(letter, 'a', 0x1d44e),
         'A'..='Z' => shifted(letter, 'A', 0x1d434),
@@ -11,7 +11,8 @@ pub(crate) fn italic(letter: char) -> char {
     }
 }
 
-/// A vector's letter, bold and upright; what is no letter from A to z stays as it is.
+/// Returns the bold upright letter of a vector; characters other than A to Z and a to z stay as
+/// they are.
 pub(crate) fn bold(letter: char) -> char {
     match letter {
         'a'..='z' => shifted(letter, 'a', 0x1d41a),
@@ -20,7 +21,7 @@ pub(crate) fn bold(letter: char) -> char {
     }
 }
 
-/// A text with its scalars' italic letters as plain ones, for what reads or stores it.
+/// Returns the text with plain letters instead of italic ones, for programs that read or store it.
 pub(crate) fn plain_scalars(text: &str) -> String {
     let plain = |c: char| match u32::from(c) {
         0x210e => 'h',
@@ -31,8 +32,8 @@ pub(crate) fn plain_scalars(text: &str) -> String {
     text.chars().map(plain).collect()
 }
 
-/// A message of the core's as the window writes it: the real signs `−`, `×` and `·`, the vectors u,
-/// v and w bold, and one word for the middle of a sphere.
+/// Returns a message of the core in the window's notation: the signs `−`, `×` and `·`, bold vectors
+/// u, v and w, and "centre" for "center".
 pub(crate) fn told(message: impl std::fmt::Display) -> String {
     let message = message.to_string().replace(" x ", " × ").replace(" . ", " · ");
     let letters: Vec<char> = message.replace("center", "centre").chars().collect();

@@ -1,73 +1,73 @@
-//! The lab of lines in two dimensions: what it holds, and what dragging in it does. The arithmetic of
-//! the lines is [`pinhole_lecture::lines`].
+//! The state of the two-dimensional lab of lines, and its dragging. The arithmetic of the lines is
+//! in [`pinhole_lecture::lines`].
 
 use pinhole_core::DVec2;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
-/// Numbers in the lab's fields are not larger than this, so that all that follows from them is a
-/// number.
+/// Maximum magnitude of the numbers in the lab's fields; all results are then finite.
 pub(crate) const LARGEST: f64 = 1e6;
 
-/// What the lab shows: two lines and a t. Plain data; a lesson's step sets it as a whole.
+/// The state of the lab: two lines and a t. Plain data; a lesson's step sets it as a whole.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinesLab {
     line: ImplicitLine,
     /// The parametric line.
     pub ray: ParametricLine,
-    /// Which of its points is looked at.
+    /// The parameter t of the marked point.
     pub t: f64,
-    /// The points that t has left behind.
+    /// The trail of points that t visited.
     pub trail: Trail,
-    /// Dragging goes by [`LinesLab::GRID`].
+    /// True if drags snap to [`LinesLab::GRID`].
     pub snap: bool,
-    /// What of the plane is seen.
+    /// The visible part of the plane.
     pub window: Window,
-    /// Where the implicit line is taken hold of.
+    /// The point by which the implicit line is dragged.
     grip: DVec2,
-    /// From the grip to the place where the line is turned, as a multiple of the line's direction.
+    /// Offset from the grip to the handle that turns the line, as a multiple of the line's
+    /// direction.
     reach: f64,
 }
 
-/// The points at equal steps of t, over all t that were visited.
+/// The points at equal steps of t, over all visited t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trail {
-    /// From one point to the next, in t.
+    /// Step in t from one point to the next.
     pub step: f64,
-    /// The smallest t that was visited.
+    /// The smallest visited t.
     pub first: f64,
-    /// The largest t that was visited.
+    /// The largest visited t.
     pub last: f64,
 }
 
-/// A part of the plane, as wide as the drawing is.
+/// A square part of the plane that fits into the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
-    /// In the middle of the drawing.
+    /// The point in the middle of the drawing.
     pub center: DVec2,
-    /// From the middle to the nearer two edges.
+    /// Distance from the middle to the nearer two edges.
     pub half_extent: f64,
 }
 
-/// What can be dragged in the lab.
+/// A handle in the lab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Handle {
     /// Moves the implicit line without turning it.
     Move,
-    /// Turns the implicit line about the place where it is moved.
+    /// Turns the implicit line about its grip.
     Turn,
     /// The parametric line's p.
     P,
     /// The tip of d.
     Tip,
-    /// The point p + t d, along its line.
+    /// The point p + t d, which moves along its line.
     T,
 }
 
 impl Handle {
-    /// All of them; a later one lies over an earlier one.
+    /// All handles; a later one lies over an earlier one.
     pub const ALL: [Handle; 5] = [Handle::Move, Handle::Turn, Handle::P, Handle::Tip, Handle::T];
 
-    /// What it is called, for screen readers and under the pointer.
+    /// Returns the handle's name for screen readers and under the pointer.
     pub fn name(self) -> &'static str {
         match self {
             Handle::Move => "move the implicit line",
@@ -80,7 +80,7 @@ impl Handle {
 }
 
 impl Default for LinesLab {
-    /// The lecture's kind of example: they meet at t = 1.
+    /// Returns an example like the lecture's: the lines meet at t = 1.
     fn default() -> Self {
         LinesLab::EXAMPLES[0].1.lab()
     }
@@ -89,16 +89,16 @@ impl Default for LinesLab {
 /// Two lines to begin with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Example {
-    /// a, b, c.
+    /// The implicit line's a, b, c.
     pub line: [f64; 3],
-    /// p.
+    /// The parametric line's p.
     pub p: [f64; 2],
-    /// d.
+    /// The parametric line's d.
     pub d: [f64; 2],
 }
 
 impl Example {
-    /// The lab that shows it.
+    /// Returns the lab with this example.
     pub fn lab(self) -> LinesLab {
         let [a, b, c] = self.line;
         let ray = ParametricLine { p: self.p.into(), d: self.d.into() };
@@ -107,10 +107,10 @@ impl Example {
 }
 
 impl LinesLab {
-    /// Two coordinates that are dragged with snapping are multiples of this.
+    /// Grid of snapped drags: both coordinates are multiples of it.
     pub const GRID: f64 = 0.5;
 
-    /// One example of every verdict.
+    /// One example for every verdict.
     pub const EXAMPLES: [(&str, Example); 4] = [
         ("Ray hits", Example { line: [1.0, 1.0, -2.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
         ("Ray missed", Example { line: [2.0, -1.0, 1.0], p: [0.0, 0.0], d: [1.0, 1.0] }),
@@ -118,7 +118,7 @@ impl LinesLab {
         ("Coincident", Example { line: [1.0, -2.0, 2.0], p: [-2.0, 0.0], d: [2.0, 1.0] }),
     ];
 
-    /// Two lines and the point of the second at `t`.
+    /// Creates the lab with two lines and the point of the second at `t`.
     pub fn of(line: ImplicitLine, ray: ParametricLine, t: f64) -> LinesLab {
         let mut lab = LinesLab {
             line,
@@ -131,41 +131,41 @@ impl LinesLab {
             reach: 1.0,
         };
         lab.set_line(line);
-        // The middle, where the lines are likely to meet, is left to that.
+        // Keep the middle free, because the lines are likely to meet there.
         lab.grip -= 0.5 * lab.reach * line.direction();
         lab
     }
 
-    /// The implicit line.
+    /// Returns the implicit line.
     pub fn line(&self) -> ImplicitLine {
         self.line
     }
 
-    /// Takes another implicit line; what it is dragged by moves onto it.
+    /// Sets the implicit line; its grip moves onto it.
     pub fn set_line(&mut self, line: ImplicitLine) {
         self.line = line;
         if line.check().is_err() {
             return;
         }
         self.grip = line.nearest_to(self.grip);
-        // A power of two, so that turning divides without rounding.
+        // A power of two makes the division of a turn exact.
         let wanted = 0.7 * self.window.half_extent / line.direction().length();
         self.reach = wanted.log2().round().clamp(-900.0, 900.0).exp2();
     }
 
-    /// Goes to another t, leaving points behind on the way.
+    /// Sets t and extends the trail to it.
     pub fn set_t(&mut self, t: f64) {
         self.t = t;
         self.trail.first = self.trail.first.min(t);
         self.trail.last = self.trail.last.max(t);
     }
 
-    /// Takes away the points left behind.
+    /// Clears the trail.
     pub fn clear_trail(&mut self) {
         (self.trail.first, self.trail.last) = (self.t, self.t);
     }
 
-    /// Where a handle is; `None` where its line is none.
+    /// Returns the position of a handle; `None` if its line is invalid.
     pub fn place_of(&self, handle: Handle) -> Option<DVec2> {
         let of_line = || self.line.check().ok().map(|()| self.grip);
         let place = match handle {
@@ -178,8 +178,8 @@ impl LinesLab {
         place.is_finite().then_some(place)
     }
 
-    /// Moves a handle by so many steps to the right and upwards. The point p + t d goes along its
-    /// line, by steps of t, to whichever end the steps lead.
+    /// Moves a handle by a number of steps to the right and upwards. The point p + t d moves along
+    /// its line, by steps of t, towards the end that the steps point to.
     pub fn nudge(&mut self, handle: Handle, steps: DVec2, fineness: f64) {
         let step = if self.snap { LinesLab::GRID } else { 0.1 };
         if handle == Handle::T {
@@ -195,9 +195,9 @@ impl LinesLab {
         }
     }
 
-    /// Drags a handle to a place of the plane, on the grid if that is asked for, and otherwise
-    /// on whole multiples of `1 / fineness`, which are short numbers. What would leave no line is
-    /// not done.
+    /// Drags a handle to a point of the plane. Rounds its coordinates to the grid if snapping is
+    /// on, and otherwise to multiples of `1 / fineness`, which are short numbers. Ignores a drag
+    /// that would leave no line.
     pub fn drag(&mut self, handle: Handle, to: DVec2, fineness: f64) {
         let per_unit = if self.snap { 1.0 / LinesLab::GRID } else { fineness };
         let round = |x: f64| (x * per_unit).round() / per_unit + 0.0;

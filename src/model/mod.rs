@@ -1,7 +1,7 @@
-//! What is edited and remembered: the session around a document, its history, lessons and play.
+//! The edited and remembered state: the session around a document, its history, lessons and play.
 //!
-//! A document ([`pinhole_exchange::document::Document`]) is what a scene file holds; the
-//! [`session::Session`] is how it is looked at. Nothing here draws.
+//! A document ([`pinhole_exchange::document::Document`]) holds the contents of a scene file; the
+//! [`session::Session`] holds the state of its views. Nothing here draws.
 
 pub mod color_scheme;
 pub mod concept;

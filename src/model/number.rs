@@ -1,8 +1,8 @@
-//! Numbers for readers: few significant digits, no noise.
+//! Number formatting for readers: few significant digits, no noise.
 
 pub(crate) use pinhole_lecture::numbers::{grouped, significant, written};
 
-/// Three significant digits at most: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
+/// Formats with at most three significant digits: `0`, `0.5`, `12.3`, `1430`, `3.2e7`, `1e-6`.
 pub(crate) fn short(x: f64) -> String {
     let magnitude = x.abs();
     if x == 0.0 {
@@ -22,7 +22,7 @@ pub(crate) fn short(x: f64) -> String {
     }
 }
 
-/// `10⁻⁶`, and `1` and `10` as they are.
+/// Formats a power of ten: `10⁻⁶`, but `1` and `10`.
 pub(crate) fn power_of_ten(exponent: i32) -> String {
     match exponent {
         0 => "1".to_owned(),

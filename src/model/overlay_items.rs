@@ -1,14 +1,14 @@
-//! What the overlay draws, each item of which can be switched off.
+//! The items of the overlay, each of which can be switched off.
 
 use serde::{Deserialize, Serialize};
 
-/// One thing that the overlay draws.
+/// An item that the overlay draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u8)]
 pub enum Item {
     /// The camera's position.
     Eye,
-    /// The point the camera looks at, where it is given by one.
+    /// The point that the camera looks at, if it is given by one.
     At,
     /// The view and up vectors as given.
     ViewAndUp,
@@ -34,16 +34,16 @@ pub enum Item {
     Planes,
     /// The lines u = 0 and v = 0 in the camera view.
     UvAxes,
-    /// The text at all of these.
+    /// The labels of all these items.
     Labels,
-    /// The pixels around the selected place, magnified, in the camera view.
+    /// The magnified pixels around the selected place, in the camera view.
     Loupe,
-    /// What can be taken in the hand in the world view.
+    /// The handles in the world view.
     Handles,
 }
 
 impl Item {
-    /// All of them, in the order in which a panel lists them.
+    /// All items, in the order of a panel.
     pub const ALL: [Item; 17] = [
         Item::Eye,
         Item::At,
@@ -64,7 +64,7 @@ impl Item {
         Item::Handles,
     ];
 
-    /// What a checkbox for it says.
+    /// Returns the label of the item's checkbox.
     pub fn label(self) -> &'static str {
         match self {
             Item::Eye => "eye",
@@ -87,7 +87,7 @@ impl Item {
         }
     }
 
-    /// What lesson files call it.
+    /// Returns the item's name in lesson files.
     pub fn name(self) -> &'static str {
         match self {
             Item::Eye => "eye",
@@ -115,10 +115,10 @@ impl Item {
     }
 }
 
-/// Which items are drawn.
+/// The set of items that are drawn.
 ///
-/// Kept as a set of bits, one for each [`Item`] in the order of their declaration; a bit that is
-/// not known is ignored.
+/// Stored as a set of bits, one for each [`Item`] in the order of their declaration; unknown bits
+/// are ignored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct OverlayItems {
@@ -126,20 +126,21 @@ pub struct OverlayItems {
 }
 
 impl Default for OverlayItems {
-    /// All but what would lie over the camera's picture: its axes and the loupe.
+    /// Returns all items except those that would cover the camera's picture: its axes and the
+    /// loupe.
     fn default() -> Self {
         OverlayItems { off: Item::UvAxes.bit() | Item::Loupe.bit() }
     }
 }
 
 impl OverlayItems {
-    /// Nothing at all.
+    /// The empty set.
     pub const NONE: OverlayItems = OverlayItems { off: u32::MAX };
 
-    /// Everything.
+    /// All items.
     pub const ALL: OverlayItems = OverlayItems { off: 0 };
 
-    /// Whether the item is drawn.
+    /// Returns true if the item is drawn.
     pub fn shows(self, item: Item) -> bool {
         self.off & item.bit() == 0
     }
@@ -153,7 +154,7 @@ impl OverlayItems {
         }
     }
 
-    /// The same items with one switched on or off.
+    /// Returns the same items with one switched on or off.
     #[must_use]
     pub fn with(mut self, item: Item, on: bool) -> OverlayItems {
         self.set(item, on);

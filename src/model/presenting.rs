@@ -1,22 +1,22 @@
-//! Presenter mode: how large everything is, and what goes back to how it was. Pure.
+//! Presenter mode: the size of the text, and the state to return to. Pure.
 
 use crate::model::session::ViewLayout;
 
-/// What fills the window.
+/// The views that fill the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Full {
-    /// The ledger.
+    /// The derivation.
     Ledger,
     /// The world view.
     World,
     /// The camera view.
     Camera,
-    /// World view and camera view.
+    /// The world view and the camera view.
     Both,
 }
 
 impl Full {
-    /// The layout that shows it.
+    /// Returns the layout that shows these views.
     pub fn layout(self) -> ViewLayout {
         match self {
             Full::Ledger => ViewLayout::LedgerAlone,
@@ -30,62 +30,63 @@ impl Full {
 /// Presenter mode while it is on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Presenting {
-    /// The layout that fills the window since a key was pressed, and the one in whose place it is.
+    /// The layout that fills the window since a key was pressed, and the one that it replaced.
     replaced: Option<(ViewLayout, ViewLayout)>,
-    /// Whether the spotlight was on before.
+    /// True if the spotlight was on before.
     spotlight: bool,
 }
 
 impl Presenting {
-    /// Begins; the spotlight is on or off.
+    /// Begins presenter mode; `spotlight` is the spotlight's present state.
     pub fn begin(spotlight: bool) -> Presenting {
         Presenting { replaced: None, spotlight }
     }
 
-    /// Fills the window with something.
+    /// Fills the window with some views.
     pub fn fill(&mut self, full: Full, layout: &mut ViewLayout) {
         let before = self.before(*layout);
         *layout = full.layout();
         self.replaced = Some((*layout, before));
     }
 
-    /// The layout to go back to. One that a lesson's step has set in the meantime stays.
+    /// Returns the layout to return to. One that a lesson's step has set in the meantime stays.
     pub fn before(&self, now: ViewLayout) -> ViewLayout {
         self.replaced.filter(|(own, _)| *own == now).map_or(now, |(_, before)| before)
     }
 
-    /// Whether the spotlight is to be on afterwards.
+    /// Returns true if the spotlight was on before.
     pub fn spotlight_before(&self) -> bool {
         self.spotlight
     }
 }
 
-/// What the setting of the smallest text can be, in points.
+/// The range of the setting of the smallest text, in points.
 #[derive(Clone, Copy, Debug)]
 pub struct Range {
-    /// Not below this.
+    /// The minimum.
     pub least: f32,
-    /// Unless it is set.
+    /// The default.
     pub usual: f32,
-    /// Not above this.
+    /// The maximum.
     pub most: f32,
-    /// From one to the next.
+    /// Step from one value to the next.
     pub step: f32,
 }
 
-/// See [`crate::model::session::Settings::smallest_text`].
+/// The range of [`crate::model::session::Settings::smallest_text`].
 pub const SMALLEST_TEXT: Range = Range { least: 12.0, usual: 18.0, most: 36.0, step: 2.0 };
 
-/// The smallest text that anything is written in while presenting, in points before zoom: an index
-/// in a formula's fraction.
+/// Size of the smallest text while presenting, in points before zoom: an index in a formula's
+/// fraction.
 pub const WRITTEN: f32 = 12.0;
 
-/// The projector that [`crate::model::session::Settings::smallest_text`] is given for, in points.
+/// Size of the projector that [`crate::model::session::Settings::smallest_text`] refers to, in
+/// points.
 const PROJECTOR: [f32; 2] = [1024.0, 768.0];
 
-/// The window's zoom while presenting: no text gets smaller than the setting, and in a window larger
-/// than the projector all is as large a part of it as there. `window`: its size in points without
-/// zoom.
+/// Returns the window's zoom while presenting: no text is smaller than the setting, and in a window
+/// larger than the projector everything keeps its share of the window. `window` is the window's
+/// size in points without zoom.
 pub fn zoom(window: [f32; 2], smallest_text: f32) -> f32 {
     let larger = (window[0] / PROJECTOR[0]).min(window[1] / PROJECTOR[1]).max(1.0);
     larger * smallest_text / WRITTEN

@@ -1,4 +1,5 @@
-//! What one run remembers for the next: settings, window, recent files and the last scene.
+//! The state that one run remembers for the next: settings, window, recent files and the last
+//! scene.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -13,39 +14,40 @@ use crate::model::session::{Selection, Settings};
 use crate::model::window_geometry::WindowGeometry;
 use pinhole_exchange::{FileError, atomic};
 
-/// The remembered state, as it is on disk.
+/// The remembered state as stored on disk.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Remembered {
     /// Preferences.
     pub settings: Settings,
-    /// The window's place.
+    /// The window's place and size.
     pub window: WindowGeometry,
     /// The selected ray of the scene that was open.
     pub selection: Option<RememberedRay>,
-    /// Files opened or saved lately, newest first.
+    /// The recently opened or saved files, newest first.
     pub recent: Vec<PathBuf>,
-    /// What drew the window, for reports of what went wrong.
+    /// The renderer of the window, for bug reports.
     pub renderer: String,
-    /// The scene that was open, as the command line names it; before the lesson, if one was.
+    /// The scene that was open, in the command line's notation; if a lesson was open, the scene
+    /// before it.
     pub last: Option<PathBuf>,
     /// The lesson that was open and its step, both counted from 1.
     pub lesson: Option<(usize, usize)>,
 }
 
 impl Remembered {
-    /// Where in the program's lessons the last run ended.
+    /// Returns the place in the built-in lessons where the last run ended.
     pub fn lesson_place(&self) -> Option<Place> {
         let (number, step) = self.lesson?;
         Some(Place { lesson: Which::Builtin(number.checked_sub(1)?), step: step.checked_sub(1)? })
     }
 }
 
-/// A [`Selection`], in a form that is written to disk.
+/// A [`Selection`] in the form that is written to disk.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RememberedRay {
-    /// Row and column, from 0.
+    /// Row and column, counted from 0.
     Pixel(u32, u32),
     /// u and v.
     Uv(f64, f64),
@@ -69,7 +71,7 @@ impl From<RememberedRay> for Selection {
     }
 }
 
-/// As much of a file that is wrong somewhere as can be read: the values that fit, one by one.
+/// Reads as much as possible of a partly wrong file: each valid value on its own.
 fn readable(text: &str) -> Remembered {
     let read: Value = serde_json::from_str(text).unwrap_or_default();
     let Ok(mut kept) = serde_json::to_value(Remembered::default()) else {
@@ -79,8 +81,7 @@ fn readable(text: &str) -> Remembered {
     serde_json::from_value(kept).unwrap_or_default()
 }
 
-/// Puts what was `read` at a place (a JSON pointer) into what is `kept`, as far as that can be read
-/// then.
+/// Copies the value `read` at a place (a JSON pointer) into `kept`, as far as the result is valid.
 fn keep(kept: &mut Value, place: &str, read: &Value) {
     if let (Value::Object(entries), Some(Value::Object(known))) = (read, kept.pointer(place)) {
         let known: Vec<String> = known.keys().cloned().collect();
@@ -100,15 +101,15 @@ fn keep(kept: &mut Value, place: &str, read: &Value) {
     }
 }
 
-/// A file that keeps [`Remembered`].
+/// A file that stores [`Remembered`].
 #[derive(Clone, Debug)]
 pub struct Store {
     path: PathBuf,
 }
 
 impl Store {
-    /// The user's own, in the place that the system has for it; `None` where there is no such
-    /// place (no home directory).
+    /// Returns the user's own store in the system's usual folder; `None` if there is no such folder
+    /// (no home directory).
     pub fn of_user() -> Option<Store> {
         let strategy = choose_app_strategy(AppStrategyArgs {
             top_level_domain: "org".to_owned(),
@@ -120,31 +121,32 @@ impl Store {
         Some(Store { path: folder.join("state.json") })
     }
 
-    /// A store in this file.
+    /// Returns a store in this file.
     pub fn at(path: &Path) -> Store {
         Store { path: path.to_owned() }
     }
 
-    /// Where a scene goes whose window went away before it could be saved.
+    /// Returns the file for a scene whose window closed before it could be saved.
     pub fn unsaved(&self) -> PathBuf {
         self.path.with_file_name("unsaved.toml")
     }
 
-    /// Whether there was no run before this one.
+    /// Returns true if there was no run before this one.
     pub fn is_new(&self) -> bool {
         !self.path.exists()
     }
 
-    /// What was remembered; the default where nothing was, and for each value that cannot be read.
+    /// Loads the remembered state; uses the default for every value that is missing or cannot be
+    /// read.
     pub fn load(&self) -> Remembered {
         let text = std::fs::read_to_string(&self.path).unwrap_or_default();
         serde_json::from_str(&text).unwrap_or_else(|_| readable(&text))
     }
 
-    /// Remembers `state`, whole or not at all.
+    /// Saves `state`, completely or not at all.
     ///
     /// # Errors
-    /// Why it could not be written.
+    /// Returns an error if the file could not be written.
     pub fn save(&self, state: &Remembered) -> Result<(), FileError> {
         let folder = self.path.parent().unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder).map_err(|error| FileError::unwritable(folder, &error))?;

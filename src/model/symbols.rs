@@ -1,14 +1,14 @@
-//! What the lecture's symbols mean, in one sentence each: the one table for all places where
-//! something is pointed at.
+//! The meanings of the lecture's symbols, in one sentence each: the only table for all places where
+//! a symbol is hovered.
 
-/// What kind of name a symbol is: the vector u and the scalar u are two symbols.
+/// The kind of a symbol: the vector u and the scalar u are two symbols.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// A vector or a point, bold.
     Vector,
     /// A number in a formula, italic.
     Scalar,
-    /// A number that is read off.
+    /// A number among the readouts.
     Readout,
 }
 
@@ -27,7 +27,7 @@ const P: &str = "𝐩: where the view ray begins, the eye";
 const T: &str = "𝑡: how far along the ray, in units of |𝐝|; 𝑡 = 1 is the viewport";
 const UV: &str = "(𝑢, 𝑣): the place in the viewport, from its middle, in world units";
 
-/// Every symbol that has a meaning of its own.
+/// All symbols that have a meaning of their own.
 const WORDS: [(Kind, &str, &str); 38] = [
     (Kind::Vector, "eye", EYE),
     (Kind::Vector, "at", AT),
@@ -69,13 +69,13 @@ const WORDS: [(Kind, &str, &str); 38] = [
     (Kind::Readout, "conditioning", "degrees that the camera rolls for each degree of up sideways"),
 ];
 
-/// What a symbol means.
+/// Returns the meaning of a symbol.
 pub(crate) fn words(kind: Kind, name: &str) -> Option<&'static str> {
     let known = |(of, known, _): &&(Kind, &str, &str)| *of == kind && *known == name;
     WORDS.iter().find(known).map(|(.., words)| *words)
 }
 
-/// What a name among the readouts means: of a number that is read off, or else of a vector.
+/// Returns the meaning of a name among the readouts: of a readout, or else of a vector.
 pub(crate) fn words_of_readout(name: &str) -> Option<&'static str> {
     words(Kind::Readout, name).or_else(|| words(Kind::Vector, name))
 }

@@ -1,14 +1,14 @@
-//! Place and size of the window, as they are remembered.
+//! The remembered place and size of the window.
 
-/// Place and size of the window.
+/// The place and size of the window.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub struct WindowGeometry {
-    /// Size of its content.
+    /// Size of the window's content.
     pub inner_size: [f32; 2],
-    /// Left top corner of its frame; `None` lets the desktop choose.
+    /// Top left corner of the window's frame; `None` lets the desktop choose.
     pub position: Option<[f32; 2]>,
-    /// Whether it fills the screen.
+    /// True if the window is maximised.
     pub maximized: bool,
 }
 
@@ -19,9 +19,9 @@ impl Default for WindowGeometry {
 }
 
 impl WindowGeometry {
-    /// Takes over where the window is now. Called each frame, it has the geometry to save on exit:
-    /// size and place of a maximised, minimised or full-screen window are not taken over, so that
-    /// the ones to go back to are kept.
+    /// Takes over the window's present place and size. Called each frame, so that it holds the
+    /// geometry to save on exit. Ignores the size and place of a maximised, minimised or
+    /// full-screen window, so that the normal ones are kept.
     pub fn update(&mut self, ctx: &egui::Context) {
         let zoom = ctx.zoom_factor();
         ctx.input(|input| {
@@ -33,7 +33,7 @@ impl WindowGeometry {
             if self.maximized {
                 return;
             }
-            // Wayland tells no position, and then neither rectangle.
+            // Wayland reports no position, and then neither rectangle.
             let size = viewport.inner_rect.map_or(input.viewport_rect().size(), |r| r.size());
             if size.x >= 1.0 && size.y >= 1.0 {
                 self.inner_size = [size.x * zoom, size.y * zoom];

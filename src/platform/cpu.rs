@@ -1,4 +1,4 @@
-//! The window drawn by our own painter: pixels in memory, handed to the display as they are.
+//! The window drawn by our own painter: an image in memory that is copied to the display.
 
 use super::RendererInfo;
 use super::window::{Frame, PaintTimes, Surface, timed};
@@ -16,31 +16,31 @@ use winit::window::Window;
 type Context = softbuffer::Context<OwnedDisplayHandle>;
 type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;
 
-/// So many frames in a row may fail to reach the display.
+/// Number of consecutive frames that may fail to reach the display, after which the window ends.
 const PATIENCE: u32 = 5;
 
-/// egui's glyphs and pictures are not made larger than this.
+/// Maximum side of egui's textures of glyphs and pictures.
 const MAX_TEXTURE_SIDE: usize = 16_384;
 
 /// A window's surface in memory.
 pub(super) struct Cpu {
     context: Context,
     buffers: Option<Buffers>,
-    /// Size that the buffers have.
+    /// Size of the buffers.
     size: [u32; 2],
     painter: Painter,
     canvas: Canvas,
-    /// The buffers may not have what the canvas had: the next frame is copied as a whole.
+    /// True if the buffers may differ from the canvas: the next frame is then copied as a whole.
     stale: bool,
-    /// Whether the display keeps what it was handed. X11 does not, and the loss of a part can come
-    /// in one event with a redraw that was asked for, so there every frame goes over whole.
+    /// True if the display keeps the presented picture. X11 does not, and the loss of a part can
+    /// come in one event with a requested redraw, so there every frame is presented as a whole.
     keeps_picture: bool,
     failures: u32,
     info: RendererInfo,
 }
 
 impl Cpu {
-    /// A surface for the window; `reason` says why it is the CPU that draws.
+    /// Creates a surface for the window; `reason` is the reason why the CPU draws.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         window: &Arc<Window>,
@@ -64,8 +64,8 @@ impl Cpu {
         })
     }
 
-    /// Hands the canvas to the display. Only `rects` of it changed since the last time; the
-    /// display needs all of it if it was `exposed`.
+    /// Presents the canvas. Only `rects` of it changed since the last time; the display needs the
+    /// whole canvas if the window was `exposed`.
     fn present(
         &mut self,
         window: &Arc<Window>,
@@ -89,7 +89,7 @@ impl Cpu {
             return Ok(());
         }
         let mut buffer = buffers.buffer_mut()?;
-        // Displays that take turns with two buffers give the one from before the last frame.
+        // Displays that swap two buffers return the one from before the last frame.
         let copied = if buffer.age() == 1 && !self.stale { rects } else { &whole };
         for &rect in copied {
             copy(self.canvas.pixels(), self.canvas.size()[0], &mut buffer, rect);
@@ -135,7 +135,8 @@ impl Surface for Cpu {
         match self.present(frame.window, frame.size, &rects, exposed) {
             Ok(()) => self.failures = 0,
             Err(error) => {
-                // A connection that hiccups is given new buffers; one that is gone ends the window.
+                // A short failure of the connection is solved by new buffers; a lost connection
+                // ends the window.
                 self.buffers = None;
                 self.size = [0, 0];
                 self.failures += 1;
@@ -149,9 +150,10 @@ impl Surface for Cpu {
     }
 }
 
-/// Copies a rectangle into a buffer of the display's format, of the canvas's size.
+/// Copies a rectangle into a buffer in the display's format, which has the canvas's size.
 fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
-    // A window that changed its size meanwhile has another buffer. The next frame will fit.
+    // The buffer has another size if the window was resized in the meantime. The next frame will
+    // fit.
     let rows = |height: usize| rect.top.min(height) * width..rect.bottom.min(height) * width;
     if width == 0 || rect.right > width || rect.left > rect.right {
         return;
@@ -162,7 +164,7 @@ fn copy(pixels: &[Color32], width: usize, buffer: &mut [u32], rect: PixelRect) {
     rows.with_min_len(32).for_each(|(to, from)| {
         let run = rect.left..rect.right;
         for (to, from) in to[run.clone()].iter_mut().zip(&from[run]) {
-            // From red, green, blue in the order of memory to blue, green, red.
+            // Converts red, green, blue in memory order to blue, green, red.
             let rgb = u32::from_le_bytes(from.to_array());
             *to = (rgb & 0xff) << 16 | rgb & 0xff00 | rgb >> 16 & 0xff;
         }

@@ -1,18 +1,18 @@
-//! Reaching the display, without panics where it cannot be reached.
+//! The connection to the display, without panics if there is none.
 
 use super::PresentError;
 use super::window::UserEvent;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use winit::event_loop::EventLoop;
 
-/// The event loop, of which a process can have one.
+/// Creates the event loop, of which a process can have only one.
 pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
     let mut builder = EventLoop::with_user_event();
     #[cfg(target_os = "linux")]
     if only_x11_answers() {
         winit::platform::x11::EventLoopBuilderExtX11::with_x11(&mut builder);
     }
-    // A missing libxkbcommon-x11, or an X server without an extension, is a panic in winit.
+    // winit panics without libxkbcommon-x11 or if the X server lacks an extension.
     match without_panic(|| builder.build()) {
         Ok(Ok(event_loop)) => Ok(event_loop),
         Ok(Err(error)) => Err(PresentError::NoDisplay(cause(&error))),
@@ -20,8 +20,8 @@ pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {
     }
 }
 
-/// Whether `WAYLAND_DISPLAY` names nothing that answers while there is an X display: winit would
-/// try the first alone.
+/// Returns true if nothing answers at `WAYLAND_DISPLAY` while there is an X display: winit would
+/// only try the first.
 #[cfg(target_os = "linux")]
 fn only_x11_answers() -> bool {
     use std::{env, os::unix::net::UnixStream, path::PathBuf};
@@ -34,7 +34,7 @@ fn only_x11_answers() -> bool {
     UnixStream::connect(folder.join(wayland)).is_err()
 }
 
-/// Runs something; a panic in it becomes its message, and is not written to stderr.
+/// Runs a function and returns the message of a panic in it, without printing it to stderr.
 pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     let hook = std::panic::take_hook();
     std::panic::set_hook(Box::new(|_| {}));
@@ -47,7 +47,7 @@ pub(super) fn without_panic<T>(run: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
-/// What went wrong, without winit's file and line: `os error at FILE.rs:LINE: TEXT`.
+/// Returns the error without winit's file and line: `os error at FILE.rs:LINE: TEXT`.
 pub(super) fn cause(error: &impl std::fmt::Display) -> String {
     let text = error.to_string();
     let text = text.lines().next().unwrap_or_default();

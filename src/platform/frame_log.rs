@@ -1,4 +1,4 @@
-//! How long the window's frames took, written to a file for those who measure.
+//! The log of the window's frame times, written to a file for measurements.
 
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -8,7 +8,7 @@ use std::time::Duration;
 use crate::ui::frame_times::WorkTimes;
 use crate::ui::program::FrameTimes;
 
-/// The environment variable that names the file: a CSV with a row a frame, in milliseconds.
+/// The environment variable that names the file: a CSV with one row per frame, in milliseconds.
 pub(crate) const FRAME_TIMES: &str = "PINHOLE_FRAME_TIMES";
 
 /// The frames presented so far.
@@ -22,13 +22,14 @@ impl FrameLog {
         FrameLog { path: path.into(), frames: Vec::new() }
     }
 
-    /// A frame was presented; with what was done for it, if it showed a new picture.
+    /// Records a presented frame, with the work for it if it showed a new picture.
     pub(crate) fn push(&mut self, times: FrameTimes, work: Option<WorkTimes>) {
         self.frames.push((times, work));
     }
 
-    /// Writes the file. `since_input` is empty for a frame that answers no input; the work, of which
-    /// `own` is the sum, is part of `ui` and empty for a frame without a new picture.
+    /// Writes the file. `since_input` is empty for a frame that answers no input. The columns of
+    /// the work, of which `own` is the sum, are part of `ui` and empty for a frame without a new
+    /// picture.
     pub(crate) fn save(&self) -> std::io::Result<()> {
         let ms = |time: Duration| format!("{:.3}", 1e3 * time.as_secs_f64());
         let mut text =

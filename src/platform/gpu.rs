@@ -1,4 +1,4 @@
-//! The window drawn by a graphics adapter. The only file that knows wgpu.
+//! The window drawn by a graphics adapter. Only this file uses wgpu.
 
 use super::RendererInfo;
 use super::display::without_panic;
@@ -17,7 +17,7 @@ use wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-/// Names of adapters that are programs. Some of them say that they are hardware.
+/// Names of software adapters. Some of them claim to be hardware.
 const SOFTWARE: [&str; 7] = [
     "llvmpipe",
     "lavapipe",
@@ -36,19 +36,19 @@ pub(super) struct Gpu {
     failure: Failure,
 }
 
-/// What the driver reported, from whatever thread.
+/// The error that the driver reported, from any thread.
 type Failure = Arc<Mutex<Option<String>>>;
 
 impl Gpu {
-    /// Starts the best adapter that can draw to the window; `software` allows those that are
-    /// programs themselves.
+    /// Starts the best adapter that can draw to the window; `software` also allows software
+    /// adapters.
     pub(super) fn new(
         ctx: &egui::Context,
         event_loop: &ActiveEventLoop,
         window: &Arc<Window>,
         software: bool,
     ) -> Result<Self, String> {
-        // Drivers are found broken in many ways, and wgpu answers to some of them with a panic.
+        // Drivers can be broken in many ways, and wgpu panics on some of them.
         without_panic(|| Self::start(ctx, event_loop, window, software)).flatten()
     }
 
@@ -66,7 +66,7 @@ impl Gpu {
             wgpu_setup: WgpuSetup::CreateNew(setup),
             ..WgpuConfiguration::default()
         };
-        // Without dithering, a picture's pixels come to the screen as they are.
+        // Without dithering, the picture's pixels reach the screen unchanged.
         let options = RendererOptions { dithering: false, ..RendererOptions::default() };
         let mut painter = pollster::block_on(Painter::new(ctx.clone(), config, false, options));
         pollster::block_on(painter.set_window(ViewportId::ROOT, Some(Arc::clone(window))))
@@ -81,7 +81,7 @@ impl Gpu {
 }
 
 impl Gpu {
-    /// Takes over changes of textures, before painting would.
+    /// Uploads changed textures before painting would, so that the upload can be timed.
     fn set_textures(&self, delta: &mut TexturesDelta) {
         let Some(state) = self.painter.render_state() else { return };
         let mut renderer = state.renderer.write();
@@ -130,17 +130,17 @@ impl Surface for Gpu {
     }
 }
 
-/// Why there is no adapter, in words for the user.
+/// Returns the reason why there is no adapter, in words for the user.
 fn reason(error: &WgpuError) -> String {
     match error {
         WgpuError::CustomNativeAdapterSelectionError(reason) => reason.clone(),
-        // What wgpu says when it found no driver at all is a list of nothing.
+        // Without any driver, wgpu's own message is an empty list.
         WgpuError::CreateSurfaceError(_) => "no graphics driver found".to_owned(),
         error => error.to_string(),
     }
 }
 
-/// Keeps the driver's errors, of which the default is to panic.
+/// Stores the device's errors instead of panicking, which is wgpu's default.
 fn watch(device: &wgpu::Device) -> Failure {
     let failure = Failure::default();
     let keep = |failure: &Failure| {
@@ -152,7 +152,7 @@ fn watch(device: &wgpu::Device) -> Failure {
     let (on_error, on_loss) = (keep(&failure), keep(&failure));
     device.on_uncaptured_error(Arc::new(move |error| on_error(error.to_string())));
     device.set_device_lost_callback(move |reason, text| {
-        // Also called at the end, when the device goes away as it should.
+        // Also called at the end, when the device is destroyed normally.
         if reason != wgpu::DeviceLostReason::Destroyed {
             on_loss(text);
         }
@@ -160,8 +160,8 @@ fn watch(device: &wgpu::Device) -> Failure {
     failure
 }
 
-/// The best adapter for a window's surface: hardware before software, then the faster kind, then
-/// the interface that is native to the system.
+/// Returns the best adapter for a window's surface: hardware before software, then the faster kind,
+/// then the system's native interface.
 fn best(
     adapters: &[Adapter],
     surface: Option<&wgpu::Surface<'_>>,
@@ -184,13 +184,13 @@ fn is_software(info: &AdapterInfo) -> bool {
     info.device_type == DeviceType::Cpu || SOFTWARE.iter().any(|word| name.contains(word))
 }
 
-/// Smaller is better.
+/// Returns the rank of an adapter; smaller is better.
 fn rank(info: &AdapterInfo) -> (bool, u8, bool) {
     let kind = match info.device_type {
         DeviceType::DiscreteGpu => 0,
         DeviceType::IntegratedGpu => 1,
         DeviceType::VirtualGpu => 2,
-        // What GL calls hardware that it knows nothing more about.
+        // GL reports this for hardware of unknown kind.
         DeviceType::Other => 3,
         DeviceType::Cpu => 4,
     };

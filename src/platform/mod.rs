@@ -1,14 +1,14 @@
-//! From egui to a window: with the graphics driver, or with our own painter where there is none.
+//! The window on the screen, drawn by the graphics driver, or by our own painter if there is none.
 //!
-//! [`run`] opens the window and shows a [`Program`] in it. What draws it:
+//! [`run`] opens the window and shows a [`Program`] in it. It is drawn by:
 //!
-//! - a graphics adapter, by way of wgpu, where there is one made of hardware;
-//! - else [`painter`], on the CPU: with no adapter at all, with one that fails to start, and with
-//!   one that is itself software, because the drivers made for that take many times as long for
-//!   the same picture.
+//! - a graphics adapter, through wgpu, if there is one that is hardware;
+//! - otherwise [`painter`], on the CPU: if there is no adapter, if the adapter fails to start, and
+//!   if it is itself software, because software drivers take many times as long for the same
+//!   picture.
 //!
-//! Both are driven by the same event loop (`window.rs`, `open.rs`), so everything else about the
-//! window is the same. `gpu.rs` is the only file that knows wgpu.
+//! Both use the same event loop (`window.rs`, `open.rs`), so everything else about the window is
+//! the same. Only `gpu.rs` uses wgpu.
 
 mod cpu;
 mod display;
@@ -25,12 +25,12 @@ use crate::cli::arguments::Renderer;
 use crate::model::window_geometry::WindowGeometry;
 use crate::ui::program::Program;
 
-/// What draws the window, in the words of whoever wrote its driver.
+/// The renderer of the window, as its driver describes itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RendererInfo {
-    /// Which one.
+    /// The renderer.
     pub renderer: Renderer,
-    /// The adapter and its driver, or why the CPU draws.
+    /// The adapter and its driver, or the reason why the CPU draws.
     pub detail: String,
 }
 
@@ -40,27 +40,27 @@ impl fmt::Display for RendererInfo {
     }
 }
 
-/// The window as it is opened. Lengths are in points of the system, without egui's zoom.
+/// The options for opening the window. Lengths are in points of the system, without egui's zoom.
 #[derive(Clone, Debug, Default)]
 pub struct WindowOptions {
-    /// Text in the title bar.
+    /// The text in the title bar.
     pub title: String,
-    /// The name that the desktop knows the program by.
+    /// The name by which the desktop knows the program.
     pub app_id: String,
-    /// Place and size.
+    /// The window's place and size.
     pub geometry: WindowGeometry,
     /// The picture in the title bar and the list of windows.
     pub icon: Option<egui::IconData>,
 }
 
-/// Why there is no window, or no longer one.
+/// A reason why there is no window, or no longer one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PresentError {
-    /// No display to open a window on.
+    /// There is no display to open a window on.
     NoDisplay(String),
     /// The display refused the window.
     NoWindow(String),
-    /// `--renderer wgpu` was asked for and no adapter works.
+    /// `--renderer wgpu` was requested and no adapter works.
     NoAdapter(String),
     /// Drawing began to fail while the window was open.
     Lost(String),
@@ -92,8 +92,8 @@ impl std::error::Error for PresentError {}
 
 /// Opens the window and returns when it is closed.
 ///
-/// `choice` is the renderer asked for by hand; without, the best that works is taken.
-/// `make_program` is called when the window exists and its scale is known, before the first frame.
+/// `choice` is the renderer that the user requested; `None` takes the best that works.
+/// `make_program` is called once the window exists and its scale is known, before the first frame.
 pub fn run(
     choice: Option<Renderer>,
     options: WindowOptions,

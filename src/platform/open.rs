@@ -1,4 +1,4 @@
-//! The window while it is open: its events, its frames, what the program asks of it.
+//! The open window: its events, its frames, and the program's requests to it.
 
 use super::PresentError;
 use super::RendererInfo;
@@ -17,34 +17,34 @@ use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::Window;
 
-/// The window while it is open.
+/// The open window.
 ///
-/// The order of the fields is the order of their end: the window goes last.
+/// The fields are dropped in this order: the window comes last.
 pub(super) struct Open {
     surface: Box<dyn Surface>,
     program: Box<dyn Program>,
     state: egui_winit::State,
     ctx: egui::Context,
     info: ViewportInfo,
-    /// Changes of textures that no frame has taken yet.
+    /// Changes of textures that no frame has uploaded yet.
     delta: TexturesDelta,
     actions: Vec<ActionRequested>,
     repaint_at: Option<Instant>,
-    /// The next `RedrawRequested` is one that was asked for here.
+    /// True if the next `RedrawRequested` was requested here.
     asked: bool,
-    /// When the first of the input events came that no frame has answered yet.
+    /// Time of the first input event that no frame has answered yet.
     input_since: Option<Instant>,
-    /// Asked to be maximised when opened, and not seen to be yet.
+    /// True if the window was requested to open maximised and is not maximised yet.
     maximizing: bool,
     shown: Option<Instant>,
-    /// When the last frame was begun, and how long after it one that is only animation may follow.
+    /// Start of the last frame, and the minimum time between it and a frame that only animates.
     began: Instant,
     pace: Duration,
     window: Arc<Window>,
 }
 
 impl Open {
-    /// Makes the program for a window that is not shown yet.
+    /// Creates the program for a window that is not shown yet.
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
@@ -65,7 +65,7 @@ impl Open {
         state.init_accesskit(event_loop, &window, proxy);
         let mut info = ViewportInfo::default();
         egui_winit::update_viewport_info(&mut info, &ctx, &window, true);
-        // Asked for before the input is locked, since it takes the same lock.
+        // Computed before the input is locked, because it takes the same lock.
         let pixels_per_point = egui_winit::pixels_per_point(&ctx, &window);
         ctx.input_mut(|input| {
             input.raw.viewports.insert(ViewportId::ROOT, info.clone());
@@ -90,14 +90,14 @@ impl Open {
         }
     }
 
-    /// The end: the program's last chance to save.
+    /// Ends the program: its last chance to save.
     pub(super) fn end(mut self) {
         self.ctx.on_exit();
         self.program.on_exit();
         self.delta.clear();
     }
 
-    /// egui wants to be run again, as it said in a pass that may be past.
+    /// Schedules a repaint that egui requested, unless the request comes from an outdated pass.
     pub(super) fn wake(&mut self, when: Instant, pass: u64) {
         let now = self.ctx.cumulative_pass_nr();
         if now == pass || now == pass + 1 {
@@ -105,7 +105,7 @@ impl Open {
         }
     }
 
-    /// The mouse was moved, whether or not the pointer could follow.
+    /// Handles a motion of the mouse, even if the pointer could not follow it.
     pub(super) fn mouse_motion(&mut self, delta: (f64, f64)) {
         if self.state.on_mouse_motion(delta) {
             self.repaint_by(Instant::now());
@@ -116,7 +116,7 @@ impl Open {
         self.repaint_at = Some(self.repaint_at.map_or(when, |at| at.min(when)));
     }
 
-    /// Asks for a redraw that is due, and sets the alarm for one that is not.
+    /// Requests a redraw that is due, or sets the timer for a later one.
     pub(super) fn schedule(&mut self, event_loop: &ActiveEventLoop) {
         if self.repaint_at.is_some_and(|at| at <= Instant::now()) {
             self.repaint_at = None;
@@ -136,13 +136,14 @@ impl Open {
     ) -> Result<bool, PresentError> {
         match event {
             WindowEvent::RedrawRequested => {
-                // One that nobody asked for comes from the display, which has lost the picture.
+                // A redraw that was not requested here comes from the display, which has lost the
+                // picture.
                 let exposed = !std::mem::take(&mut self.asked);
                 return self.frame(event_loop, exposed);
             }
             WindowEvent::CloseRequested => {
                 self.info.events.push(ViewportEvent::Close);
-                // At once: a hidden window is not redrawn, but has to be closable.
+                // Not delayed: a hidden window is not redrawn, but has to be closable.
                 return self.frame(event_loop, false);
             }
             WindowEvent::Occluded(occluded) => self.info.occluded = Some(*occluded),
@@ -175,7 +176,7 @@ impl Open {
         Ok(false)
     }
 
-    /// Runs the program once and paints. `true`: the window is to be closed.
+    /// Runs the program once and paints. Returns true if the window should be closed.
     pub(super) fn frame(
         &mut self,
         event_loop: &ActiveEventLoop,
@@ -187,7 +188,7 @@ impl Open {
         let visible = self.info.visible().unwrap_or(true)
             || self.actions.iter().any(ActionRequested::wants_paint);
         if !visible && !closing {
-            // Its input waits until it is seen again.
+            // The input waits until the window is visible again.
             return Ok(false);
         }
         self.began = began;
@@ -209,7 +210,7 @@ impl Open {
             return Ok(true);
         }
         if closing && self.info.minimized == Some(true) {
-            // The program wants to ask something first.
+            // The program wants to ask something before it closes.
             self.window.set_minimized(false);
         }
         self.paint(event_loop, output, began, ui_done, exposed)?;
@@ -217,8 +218,8 @@ impl Open {
         Ok(false)
     }
 
-    /// After another zoom than before, the pointer is where it was on the screen: egui keeps its place
-    /// in points, until the mouse is moved.
+    /// Keeps the pointer where it is on the screen after a change of the zoom: egui stores its
+    /// position in points until the mouse is moved.
     fn keep_pointer(&mut self, before: f32) {
         let ratio = before / self.ctx.zoom_factor();
         if let (true, Some(place)) = (ratio != 1.0, self.ctx.pointer_latest_pos()) {
@@ -228,12 +229,12 @@ impl Open {
         }
     }
 
-    /// Takes over the window's state.
+    /// Updates the stored state of the window.
     fn look_at_window(&mut self, now: Instant) {
         const PATIENCE: Duration = Duration::from_secs(2);
         egui_winit::update_viewport_info(&mut self.info, &self.ctx, &self.window, false);
-        // Between the window's being shown and its being maximised it has a size and place for a
-        // moment that are not to be remembered as the ones to go back to.
+        // Between being shown and being maximised, the window has for a moment a size and place
+        // that must not be remembered as its normal ones.
         let late = self.shown.is_some_and(|shown| now > shown + PATIENCE);
         self.maximizing &= self.info.maximized != Some(true) && !late;
         if self.maximizing {
@@ -277,7 +278,7 @@ impl Open {
             self.shown = Some(Instant::now());
             self.window.set_visible(true);
             if self.maximizing {
-                // X11's window managers ignore this for a window that is not shown.
+                // X11's window managers ignore this for a window that is not visible.
                 self.window.set_maximized(true);
             }
         }
@@ -294,7 +295,7 @@ impl Open {
         Ok(())
     }
 
-    /// Does what the program asked of the window.
+    /// Executes the program's requests to the window.
     fn apply(&mut self, commands: Vec<ViewportCommand>) {
         let (ctx, window) = (&self.ctx, &self.window);
         egui_winit::process_viewport_commands(
@@ -329,7 +330,8 @@ impl Open {
     }
 }
 
-/// The requests for a picture of the next frame; a request just to paint is thereby met.
+/// Returns the requests for a picture of the next frame, and drops the requests that only ask for a
+/// frame to be painted.
 fn take_screenshots(actions: &mut Vec<ActionRequested>) -> Vec<ScreenshotCallback> {
     let screenshots = actions.drain(..).filter_map(|action| match action {
         ActionRequested::Screenshot(callback) => Some(callback),

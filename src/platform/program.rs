@@ -1,4 +1,4 @@
-//! Opening the window on a scene.
+//! Opens the window on a scene.
 
 use std::fmt;
 use std::io::Cursor;
@@ -20,12 +20,12 @@ use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::scenes::builtin;
 
-/// Why the window did not open, or broke off.
+/// A reason why the window did not open, or closed early.
 #[derive(Debug)]
 pub enum WindowError {
-    /// The scene or lesson named cannot be read.
+    /// The named scene or lesson cannot be read.
     Scene(FileError),
-    /// There is nothing to draw on.
+    /// There is no display or no renderer.
     Present(PresentError),
 }
 
@@ -40,11 +40,11 @@ impl fmt::Display for WindowError {
 
 impl std::error::Error for WindowError {}
 
-/// Opens the window on the scene or lesson named, else on the last run's, else on the lecture's own
-/// scene, and returns when it is closed.
+/// Opens the window on the named scene or lesson, otherwise on that of the last run, otherwise on
+/// the lecture's own scene. Returns when the window is closed.
 ///
 /// # Errors
-/// Where the scene or lesson named cannot be read, or there is no display.
+/// Returns an error if the named scene or lesson cannot be read, or if there is no display.
 pub fn run(arguments: &WindowArguments) -> Result<(), WindowError> {
     let WindowArguments { scene, lesson, renderer } = arguments;
     let store = Store::of_user();
@@ -84,12 +84,12 @@ pub fn run(arguments: &WindowArguments) -> Result<(), WindowError> {
     platform::run(*renderer, options, make).map_err(WindowError::Present)
 }
 
-/// Whether the desktop's settings say so.
+/// Returns true if the desktop's settings ask for less motion.
 fn wants_less_motion() -> bool {
     choose_base_strategy().is_ok_and(|places| motion::is_reduced(&places.config_dir()))
 }
 
-/// The picture in the title bar. Not having one is no reason not to open the window.
+/// Returns the icon of the window; `None` still lets the window open.
 fn icon() -> Option<egui::IconData> {
     let mut decoder = png::Decoder::new(Cursor::new(include_bytes!("../../assets/icon.png")));
     decoder.set_transformations(png::Transformations::ALPHA);
@@ -99,7 +99,7 @@ fn icon() -> Option<egui::IconData> {
     Some(egui::IconData { rgba, width: info.width, height: info.height })
 }
 
-/// The app as the window drives it.
+/// The app as the window's program.
 struct InWindow {
     app: App,
     frame_log: Option<FrameLog>,
@@ -130,22 +130,22 @@ impl Program for InWindow {
     }
 }
 
-/// What the window opens on.
+/// The document and state that the window opens with.
 struct Start {
     open: OpenDocument,
     remembered: Remembered,
-    /// Why it is not the scene of the last run.
+    /// The reason why it is not the scene of the last run.
     trouble: Option<String>,
 }
 
-/// Reads the scene to open: the one named, else the last run's, else the lecture's own.
+/// Reads the scene to open: the named one, otherwise the last run's, otherwise the lecture's own.
 fn start(scene: Option<&Path>, remembered: Remembered) -> Result<Start, FileError> {
     let load = |argument: &Path| {
         let source = SceneSource::of(argument)?;
         Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
     };
     if let Some(argument) = scene {
-        // A ray selected in another scene means nothing in this one.
+        // A ray selected in another scene has no meaning in this one.
         let remembered = Remembered { selection: None, ..remembered };
         return Ok(Start { open: load(argument)?, remembered, trouble: None });
     }

@@ -1,4 +1,4 @@
-//! Opening the window, and finding what can draw it.
+//! Opens the window and chooses its renderer.
 
 use super::PresentError;
 use super::WindowOptions;
@@ -13,10 +13,10 @@ use std::time::Duration;
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
 
-/// egui's context, as the window wants it.
+/// Returns egui's context, configured for the window.
 pub(super) fn context() -> egui::Context {
     let ctx = egui::Context::default();
-    // There is one window, and what egui would open as another one is shown in it.
+    // There is only one window: show inside it what egui would open as another one.
     ctx.set_embed_viewports(true);
     ctx.options_mut(|options| {
         options.max_passes = options.max_passes.max(std::num::NonZeroUsize::MIN.saturating_add(1));
@@ -24,7 +24,7 @@ pub(super) fn context() -> egui::Context {
     ctx
 }
 
-/// The window to be opened: not larger than the screens, and not outside of them.
+/// Returns the settings of the window to open, with its size and place limited to the screens.
 pub(super) fn builder(options: &WindowOptions, event_loop: &ActiveEventLoop) -> ViewportBuilder {
     let geometry = options.geometry;
     let screens: Vec<egui::Rect> = event_loop
@@ -61,7 +61,7 @@ pub(super) fn builder(options: &WindowOptions, event_loop: &ActiveEventLoop) -> 
     builder
 }
 
-/// A window and what draws it: what was chosen by hand, else the best that works.
+/// Returns a window and its renderer: the one the user chose, otherwise the best that works.
 pub(super) fn surface(
     choice: Option<Renderer>,
     ctx: &egui::Context,
@@ -80,7 +80,7 @@ pub(super) fn surface(
         match Gpu::new(ctx, event_loop, &window, by_hand) {
             Ok(gpu) => return Ok((window, Box::new(gpu))),
             Err(error) if by_hand => return Err(PresentError::NoAdapter(error)),
-            // A new window: this one may carry traces of the driver that failed.
+            // Open a new window: this one may keep traces of the failed driver.
             Err(error) => error,
         }
     };
@@ -89,10 +89,10 @@ pub(super) fn surface(
     Ok((window, Box::new(cpu)))
 }
 
-/// The least time between two frames of an animation.
+/// Returns the minimum time between two frames of an animation.
 ///
-/// An adapter waits for the display by itself. Our painter would draw as fast as it can, and keep
-/// a processor busy with frames that nobody sees.
+/// An adapter waits for the display by itself. Our painter would draw as fast as it can, and keep a
+/// processor busy with frames that nobody sees.
 pub(super) fn pace(renderer: Renderer, window: &Window) -> Duration {
     const USUAL_MILLIHERTZ: u32 = 60_000;
     match renderer {

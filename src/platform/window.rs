@@ -1,6 +1,7 @@
-//! The window's event loop: input to egui, egui's output to a [`Surface`] and the desktop.
+//! The window's event loop, which passes input to egui, and egui's output to a [`Surface`] and the
+//! desktop.
 //!
-//! One loop for all renderers. It sleeps until there is input or until egui asked to be woken.
+//! All renderers share one loop. It sleeps until there is input or until egui asked to be woken.
 
 use super::PresentError;
 use super::RendererInfo;
@@ -19,63 +20,63 @@ use winit::event::{DeviceEvent, DeviceId, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
 
-/// What draws into the window.
+/// A renderer of the window.
 pub(super) trait Surface {
-    /// Who it is.
+    /// Returns the renderer's description.
     fn info(&self) -> &RendererInfo;
 
-    /// The longest side that a texture may have.
+    /// Returns the maximum side of a texture.
     fn max_texture_side(&self) -> Option<usize>;
 
-    /// Draws a frame and hands it to the display.
+    /// Draws a frame and presents it.
     fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String>;
 }
 
-/// What of the painting was not drawing.
+/// The parts of the painting time that are not drawing.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PaintTimes {
-    /// Taking over changes of textures; zero unless the frame is to be timed.
+    /// Time for uploading textures; zero unless the frame is timed.
     pub(super) upload: Duration,
-    /// Waiting for the display.
+    /// Time for waiting for the display.
     pub(super) wait: Duration,
 }
 
-/// How long something takes, where that is asked for.
+/// Runs a function and returns its duration, or zero if no time is requested.
 pub(super) fn timed(is_asked: bool, run: impl FnOnce()) -> Duration {
     let start = is_asked.then(Instant::now);
     run();
     start.map_or(Duration::ZERO, |start| start.elapsed())
 }
 
-/// What is to be drawn.
+/// A frame to draw.
 pub(super) struct Frame<'a> {
     pub(super) window: &'a Arc<Window>,
     /// The window's size in pixels, not zero.
     pub(super) size: [u32; 2],
     pub(super) pixels_per_point: f32,
-    /// What is seen where nothing is drawn.
+    /// The background colour.
     pub(super) ground: egui::Color32,
     pub(super) primitives: Vec<ClippedPrimitive>,
-    /// Changes of textures, to be taken out.
+    /// Changes of textures; the renderer takes them out.
     pub(super) delta: &'a mut TexturesDelta,
-    /// Who wants to have the picture.
+    /// The requests for a copy of the picture.
     pub(super) screenshots: Vec<ScreenshotCallback>,
-    /// The display may have lost what it showed.
+    /// True if the display may have lost its picture.
     pub(super) exposed: bool,
-    /// Whether the upload's time is asked for.
+    /// True if the time of the upload is requested.
     pub(super) is_timed: bool,
 }
 
-/// What wakes the event loop, apart from the window's own events.
+/// An event, apart from the window's own events, that wakes the event loop.
 #[derive(Debug)]
 pub(super) enum UserEvent {
-    /// egui wants to be run again.
+    /// A repaint that egui requested.
     Repaint {
         when: Instant,
-        /// The pass that asked. A request is out of date when others have been run since.
+        /// The pass that requested it. A request is out of date once others have run since.
         pass: u64,
     },
-    /// A screen reader or the like wants something.
+    /// A request of a screen reader or a similar tool.
     Accessibility(accesskit_winit::Event),
 }
 
@@ -135,13 +136,13 @@ where
         ctx.set_request_repaint_callback(move |info| {
             let when = Instant::now() + info.delay;
             let event = UserEvent::Repaint { when, pass: info.current_cumulative_pass_nr };
-            // The loop is gone only at the very end, when nothing needs to be painted.
+            // Sending fails only at the very end, when nothing needs to be painted.
             let _ = proxy.lock().unwrap_or_else(PoisonError::into_inner).send_event(event);
         });
         let maximized = self.options.geometry.maximized;
         let proxy = self.proxy.clone();
         let mut open = Open::new(event_loop, ctx, window, surface, proxy, make_program, maximized);
-        // Painted before it is shown: no flash of an empty window.
+        // Paint before showing the window, to avoid a flash of an empty window.
         let closed = open.frame(event_loop, true)?;
         self.open = Some(open);
         if closed {
@@ -150,7 +151,7 @@ where
         Ok(())
     }
 
-    /// Runs something on the open window; a failure or `true` ends the program.
+    /// Runs a function on the open window; an error or `true` ends the program.
     fn with(
         &mut self,
         event_loop: &ActiveEventLoop,
@@ -213,7 +214,7 @@ where
     }
 
     fn exiting(&mut self, _: &ActiveEventLoop) {
-        // While the display is still there: windows are to be dropped before it.
+        // The display still exists here; windows must be dropped before it.
         self.finish();
     }
 }

@@ -1,22 +1,22 @@
-//! How long the work of a frame takes: this is where deriving meets the clock.
+//! The times of a frame's work: this is where deriving meets the clock.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::view::derive::Work;
 
-/// Times of the work that a frame needed before it could be painted.
+/// The times of the work that a frame needed before it could be painted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct WorkTimes {
     pub(crate) trace: Duration,
     pub(crate) overlay: Duration,
-    /// All else that is derived from the document.
+    /// Time for everything else that is derived from the document.
     pub(crate) readouts: Duration,
-    /// Whether a picture was made.
+    /// True if a new picture was made.
     pub(crate) is_new: bool,
 }
 
-/// Tells apart what the time goes into.
+/// A stopwatch that attributes time to kinds of work.
 pub(crate) struct Stopwatch(Mutex<(Instant, WorkTimes)>);
 
 impl Stopwatch {
@@ -24,7 +24,7 @@ impl Stopwatch {
         Stopwatch(Mutex::new((Instant::now(), WorkTimes::default())))
     }
 
-    /// Counts the time since the last call for this work.
+    /// Adds the time since the last call to this kind of work.
     pub(crate) fn tell(&self, work: Work) {
         let now = Instant::now();
         let (since, times) = &mut *self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -38,7 +38,7 @@ impl Stopwatch {
         times.is_new |= work != Work::Rest;
     }
 
-    /// Ends when everything is derived.
+    /// Stops the stopwatch when everything is derived.
     pub(crate) fn stop(self) -> WorkTimes {
         self.tell(Work::Rest);
         self.0.into_inner().unwrap_or_else(PoisonError::into_inner).1
@@ -46,23 +46,23 @@ impl Stopwatch {
 }
 
 impl WorkTimes {
-    /// Time of tracing; `None` where nothing was traced.
+    /// Returns the time of tracing; `None` if nothing was traced.
     pub(crate) fn traced(&self) -> Option<Duration> {
         Some(self.trace).filter(|trace| !trace.is_zero())
     }
 }
 
-/// The work of the last frame, all its passes together.
+/// The work of the last frame, summed over its passes.
 #[derive(Debug, Default)]
 pub(crate) struct FrameWork {
-    /// The context's number of the frame.
+    /// The context's number for the frame.
     frame: u64,
     work: Option<WorkTimes>,
 }
 
 impl FrameWork {
-    /// Adds a pass of the frame with this number. Passes before the first that makes a picture do not
-    /// count.
+    /// Adds a pass of the frame with this number. Ignores passes before the first that makes a
+    /// picture.
     pub(crate) fn add(&mut self, frame: u64, pass: WorkTimes) {
         if self.frame != frame {
             *self = FrameWork { frame, work: None };
@@ -77,7 +77,7 @@ impl FrameWork {
         }
     }
 
-    /// Work of the last frame; `None` if it showed no new picture.
+    /// Returns the work of the last frame; `None` if it showed no new picture.
     pub(crate) fn work(&self) -> Option<WorkTimes> {
         self.work
     }

@@ -1,6 +1,6 @@
-//! The window's contents: the order of a frame ([`app`]), one folder a workspace ([`scene`],
-//! [`derivation`], [`ray`], [`practice`], [`tools`]), the panels round them, dialogs, widgets, and the
-//! table of commands.
+//! The window's contents: the order of a frame ([`app`]), one folder per workspace ([`scene`],
+//! [`derivation`], [`ray`], [`practice`], [`tools`]), the panels around them, dialogs, widgets, and
+//! the table of commands.
 
 pub mod action;
 pub mod app;

@@ -1,16 +1,17 @@
-//! Whether the user has asked the system for less motion.
+//! The system's setting for reduced motion.
 
 use std::path::Path;
 
-/// Files below the user's configuration folder, and the line that switches animations off in them.
+/// Files below the user's configuration folder, each with the key and value that switch animations
+/// off.
 const SETTINGS: [(&str, &str, &str); 3] = [
     ("gtk-4.0/settings.ini", "gtk-enable-animations", "false"),
     ("gtk-3.0/settings.ini", "gtk-enable-animations", "false"),
     ("kdeglobals", "AnimationDurationFactor", "0"),
 ];
 
-/// Whether the desktop's settings in this folder switch animations off; `false` where they say
-/// nothing.
+/// Returns true if the desktop's settings in this folder switch animations off; false if they do
+/// not mention them.
 pub(crate) fn is_reduced(folder: &Path) -> bool {
     SETTINGS.iter().any(|(file, key, off)| {
         let text = std::fs::read_to_string(folder.join(file)).unwrap_or_default();
@@ -21,7 +22,7 @@ pub(crate) fn is_reduced(folder: &Path) -> bool {
     })
 }
 
-/// GTK takes 0 for false.
+/// Returns true for GTK's other notation of false, 0.
 fn is_zero(off: &str, value: &str) -> bool {
     off == "false" && value == "0"
 }

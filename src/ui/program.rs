@@ -1,17 +1,17 @@
-//! What the platform shows in its window, and tells of each frame.
+//! The interface between the platform's window and the program in it.
 
 use std::time::Duration;
 
-/// What the window shows.
+/// A program in a window.
 pub trait Program {
     /// Shows the program for one frame and takes its input.
     ///
-    /// To keep the window open when the user closes it (`ui.input(|i|
-    /// i.viewport().close_requested())`), send `ViewportCommand::CancelClose` in the same frame;
-    /// `ViewportCommand::Close` closes it later.
+    /// A program that keeps the window open when the user closes it
+    /// (`ui.input(|i| i.viewport().close_requested())`) sends `ViewportCommand::CancelClose` in the
+    /// same frame; `ViewportCommand::Close` closes it later.
     fn ui(&mut self, ui: &mut egui::Ui);
 
-    /// Whether what textures take is to be told apart from what drawing takes.
+    /// Returns true if the time of texture uploads should be measured apart from drawing.
     fn wants_upload_time(&self) -> bool {
         false
     }
@@ -23,21 +23,21 @@ pub trait Program {
     fn on_exit(&mut self);
 }
 
-/// How long one frame took.
+/// The times of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameTimes {
-    /// From the first input event that the frame answers until it was handed to the display; none
-    /// for a frame without input, such as one of an animation.
+    /// Time from the first input event that the frame answers until it was presented; `None` for a
+    /// frame without input, such as one of an animation.
     pub since_input: Option<Duration>,
-    /// From the start of [`Program::ui`] until the frame was handed to the display.
+    /// Time from the start of [`Program::ui`] until the frame was presented.
     pub frame: Duration,
-    /// Of this, [`Program::ui`] with what egui does around it.
+    /// Part of `frame`: [`Program::ui`] with egui's work around it.
     pub ui: Duration,
-    /// Of this, taking over new pictures and glyphs; counted as `paint` unless
-    /// [asked for](Program::wants_upload_time).
+    /// Part of `frame`: uploading new pictures and glyphs; included in `paint` unless
+    /// [requested](Program::wants_upload_time).
     pub upload: Duration,
-    /// Of this, tessellating and drawing; for wgpu, giving the orders to draw.
+    /// Part of `frame`: tessellating and drawing; for wgpu, issuing the draw commands.
     pub paint: Duration,
-    /// Of this, waiting until the display takes another frame.
+    /// Part of `frame`: waiting until the display accepts another frame.
     pub wait: Duration,
 }

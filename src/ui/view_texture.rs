@@ -1,10 +1,10 @@
-//! A view's pixels on their way to the screen.
+//! The texture that shows a view's pixels on the screen.
 
 use std::sync::Arc;
 
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 
-/// The texture of one view, uploaded only when its image is another one.
+/// The texture of one view, uploaded only when its image changes.
 #[derive(Default)]
 pub(crate) struct ViewTexture {
     texture: Option<TextureHandle>,
@@ -12,15 +12,15 @@ pub(crate) struct ViewTexture {
 }
 
 impl ViewTexture {
-    /// The texture that holds `image`.
+    /// Returns the texture that holds `image`.
     pub(crate) fn of(&mut self, ctx: &Context, image: &Arc<ColorImage>) -> TextureId {
-        // Nearest: one texel is one physical pixel, and a picture's pixels stay pixels.
+        // Nearest: one texel is one physical pixel, and a picture's pixels keep sharp edges.
         let options = TextureOptions::NEAREST;
         let known = self.uploaded.as_ref().is_some_and(|known| Arc::ptr_eq(known, image));
         match &mut self.texture {
             Some(texture) if known => texture.id(),
             Some(texture) => {
-                // While the size holds, a part update spares the reallocation.
+                // A partial update of the same size avoids a reallocation.
                 if texture.size() == image.size {
                     texture.set_partial([0, 0], Arc::clone(image), options);
                 } else {

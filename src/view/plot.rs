@@ -1,10 +1,5 @@
-<<<<<<< HEAD
-//! What the plot of f(p + t d) shows: which objects, over which t, each in its own unit, and what is
-//! said of each. Pure; the arithmetic is [`pinhole_lecture`]'s.
-=======
 //! The plot of f(p + t d): its objects, the range of t, each curve's unit, and the description of
-//! each curve. This module is pure; the arithmetic is in [`pinhole_core::lecture`].
->>>>>>> docs-a
+//! each curve. This module is pure; the arithmetic is in [`pinhole_lecture`].
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -54,21 +49,12 @@ pub struct Curve {
     pub place: usize,
     /// The derivation of its zeros.
     pub derivation: ObjectDerivation,
-<<<<<<< HEAD
-    /// f is drawn in multiples of this.
-    unit: ImplicitUnit,
-    /// f at the eye.
-    at_eye: f64,
-    /// Where a sphere's parabola turns, and a, its curvature.
-    vertex: Option<(ParabolaVertex, f64)>,
-=======
     /// The unit of f in the plot.
-    unit: Unit,
+    unit: ImplicitUnit,
     /// The value of f at the eye.
     at_eye: f64,
     /// The vertex of a sphere's parabola, and its curvature a.
-    vertex: Option<(Vertex, f64)>,
->>>>>>> docs-a
+    vertex: Option<(ParabolaVertex, f64)>,
 }
 
 /// An object with a curve.

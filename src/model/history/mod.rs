@@ -1,26 +1,26 @@
-//! What was changed, step by step, to be undone and redone: two stacks of moments, and what the step
-//! between each and the next is called.
+//! The history of changes, for undo and redo: two stacks of moments, with a name for the step
+//! between each moment and the next.
 
 mod names;
 
 pub use names::{StepName, name_of};
 
-/// So many steps are kept; the oldest are forgotten first.
+/// Maximum number of steps; the oldest are forgotten first.
 const LIMIT: usize = 500;
 
-/// The steps before and after the present, which is not held here. `M` is what a moment is restored
-/// from.
+/// The steps before and after the present, which is not stored here. `M` is the data that a moment
+/// is restored from.
 #[derive(Clone, Debug)]
 pub struct History<M> {
     past: Vec<Step<M>>,
     future: Vec<Step<M>>,
 }
 
-/// One change that is undone and redone as a whole.
+/// A change that is undone and redone as a whole.
 #[derive(Clone, Debug)]
 struct Step<M> {
     name: String,
-    /// How it was before the step, in the past; how it was after it, in the future.
+    /// The moment before the step, in the past; the moment after it, in the future.
     moment: M,
 }
 
@@ -31,7 +31,7 @@ impl<M> Default for History<M> {
 }
 
 impl<M> History<M> {
-    /// A step was made from the moment `before`. What could be redone until now is forgotten.
+    /// Records a step from the moment `before`, and forgets all steps that could be redone.
     pub fn record(&mut self, name: String, before: M) {
         self.future.clear();
         if self.past.len() == LIMIT {
@@ -40,28 +40,29 @@ impl<M> History<M> {
         self.past.push(Step { name, moment: before });
     }
 
-    /// The last step went on: it still begins where it began. What could be redone is forgotten.
+    /// Extends the last step, which keeps its beginning. Forgets all steps that could be redone.
     pub fn extend(&mut self) {
         self.future.clear();
     }
 
-    /// What *Undo* would undo.
+    /// Returns the name of the step that *Undo* would undo.
     pub fn undo_name(&self) -> Option<&str> {
         self.past.last().map(|step| step.name.as_str())
     }
 
-    /// What *Redo* would do again.
+    /// Returns the name of the step that *Redo* would redo.
     pub fn redo_name(&self) -> Option<&str> {
         self.future.last().map(|step| step.name.as_str())
     }
 
-    /// The moment before the last step, which can be redone from now on; `now` makes the moment that
-    /// redoing goes back to, of the kind that is restored. `None` where there is nothing to undo.
+    /// Returns the moment before the last step, which can then be redone. `now` creates the present
+    /// moment, of the same kind as the restored one, for redo to return to. Returns `None` if there
+    /// is nothing to undo.
     pub fn undo(&mut self, now: impl FnOnce(&M) -> M) -> Option<M> {
         Self::step(&mut self.past, &mut self.future, now)
     }
 
-    /// The moment after the step that was undone last; see [`History::undo`].
+    /// Returns the moment after the step that was undone last; see [`History::undo`].
     pub fn redo(&mut self, now: impl FnOnce(&M) -> M) -> Option<M> {
         Self::step(&mut self.future, &mut self.past, now)
     }
@@ -81,7 +82,7 @@ impl<M> History<M> {
 mod tests {
     use super::*;
 
-    /// Undoes or redoes from `now`, which becomes what is restored.
+    /// Undoes or redoes from `now`, which becomes the restored moment.
     fn go(now: &mut u32, step: impl FnOnce(&mut u32) -> Option<u32>) -> bool {
         match step(now) {
             Some(moment) => {

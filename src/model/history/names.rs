@@ -1,4 +1,4 @@
-//! What a change of the document is called: `move eye`, `add sphere 2`.
+//! Names for changes of the document: `move eye`, `add sphere 2`.
 
 use pinhole_core::{Camera, Orientation, Plane, Sphere, Viewport};
 
@@ -7,13 +7,13 @@ use pinhole_exchange::document::{Document, Item};
 /// A step's name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StepName {
-    /// As it stands in the menu after *Undo*.
+    /// The text after *Undo* in the menu.
     pub text: String,
-    /// Numbers or letters alone were changed, so that more of the same goes on with the step.
+    /// True if only numbers or letters changed, so that further such changes extend the step.
     pub gradual: bool,
 }
 
-/// What was done to get from one document to the other.
+/// Returns the name of the step from one document to the other.
 pub fn name_of(before: &Document, after: &Document) -> StepName {
     let camera =
         (before.camera != after.camera).then(|| camera_name(&before.camera, &after.camera));
@@ -54,7 +54,8 @@ fn camera_name(before: &Camera, after: &Camera) -> String {
     text.to_owned()
 }
 
-/// Whether at went round the eye, as near or far as it was: what the camera does that looks round.
+/// Returns true if at moved round the eye at a constant distance, as it does when the camera looks
+/// round.
 fn is_turned_alone(before: &Camera, after: &Camera) -> bool {
     match (&before.orientation, &after.orientation) {
         (Orientation::At { up: old, .. }, Orientation::At { up: new, .. }) if old == new => {
@@ -117,7 +118,7 @@ fn viewport_name(before: &Viewport, after: &Viewport) -> &'static str {
     }
 }
 
-/// `None` where the objects are the same.
+/// Returns the name of a change of the objects; `None` if there is none.
 fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
     if before.spheres == after.spheres
         && before.planes == after.planes
@@ -155,7 +156,7 @@ fn objects_name(before: &Document, after: &Document) -> Option<StepName> {
     Some(StepName { text, gradual: true })
 }
 
-/// An object more or less, and at which place.
+/// An object that was added or removed, with its index.
 enum Count {
     Added(usize),
     Removed(usize),
@@ -170,7 +171,7 @@ fn added_or_removed<S: PartialEq>(before: &[Item<S>], after: &[Item<S>]) -> Opti
     }
 }
 
-/// The one object that is not as it was, where there is exactly one.
+/// Returns the index of the only object that changed; `None` if there is not exactly one.
 fn only_other<S: PartialEq>(before: &[Item<S>], after: &[Item<S>]) -> Option<usize> {
     if before.len() != after.len() {
         return None;

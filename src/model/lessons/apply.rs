@@ -1,5 +1,5 @@
-//! From a step to what is edited and how it is looked at: the one place where a step's fields become
-//! the window's.
+//! Applies a lesson's step to the document and the session: the only place where a step's fields
+//! become the window's state.
 
 use super::lesson::Step;
 use crate::exercises::Exercises;
@@ -9,10 +9,9 @@ use crate::model::overlay_items::Item;
 use crate::model::session::Session;
 use pinhole_exchange::document::Document;
 
-/// Sets what the step says and leaves alone what it does not, and what was typed in answer to its
-/// question.
+/// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.
 ///
-/// `seen_from` is the observer that the step was first looked at from, where it says none.
+/// `seen_from` is the observer from which the step was first seen, for a step that specifies none.
 pub fn apply(
     step: &Step,
     seen_from: Option<Observer>,
@@ -23,14 +22,14 @@ pub fn apply(
     look(step, seen_from, session);
 }
 
-/// Takes away what was typed in answer to the step's question.
+/// Clears the answers to the step's question.
 pub fn clear_answers(step: &Step, session: &mut Session) {
     if let Some(asked) = step.looks.exercise {
         session.exercises = Exercises::open(asked.exercise, asked.seed);
     }
 }
 
-/// Sets how the step is looked at.
+/// Sets the view of the step: selection, observer, settings.
 fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.selection = step.selection;
     let looks = &step.looks;
@@ -48,7 +47,7 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     let settings = &mut session.settings;
     set(&mut settings.layout, looks.layout);
     if let Some(items) = looks.items {
-        // Steps are there to be dragged; whether by handles is the user's to say.
+        // The pictures of steps can be dragged; the user decides about handles.
         let handles = settings.items.shows(Item::Handles) || items.shows(Item::Handles);
         settings.items = items.with(Item::Handles, handles);
     }
@@ -59,8 +58,8 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut settings.teaching, looks.teaching);
 }
 
-/// Gives back what lessons set: the window as it was before the first of them. Selection and
-/// observer stay with the step's scene, which stays open.
+/// Restores what lessons set: the window as it was before the first lesson. Selection and observer
+/// stay with the step's scene, which stays open.
 pub fn give_back(before: &Session, session: &mut Session) {
     session.sections = before.sections;
     session.lit = before.lit;
@@ -78,7 +77,7 @@ pub fn give_back(before: &Session, session: &mut Session) {
     settings.teaching = before.teaching;
 }
 
-/// Whether anything is not as the step says.
+/// Returns true if anything differs from what the step specifies.
 pub fn differs(
     step: &Step,
     seen_from: Option<Observer>,

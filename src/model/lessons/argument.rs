@@ -1,4 +1,4 @@
-//! What `--lesson` means: one of the lessons by its number, or a lesson file.
+//! The argument of `--lesson`: the number of a built-in lesson, or a lesson file.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,9 +12,9 @@ use pinhole_exchange::FileError;
 /// A lesson named on the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LessonArgument {
-    /// One that comes with the program.
+    /// A lesson that comes with the program.
     Builtin(Place),
-    /// A teacher's own.
+    /// A lesson file.
     File(PathBuf),
 }
 
@@ -22,11 +22,11 @@ impl LessonArgument {
     /// Reads `7` (lesson 7), `7.3` (its third step), or the path of a lesson file.
     ///
     /// # Errors
-    /// Where there is no such lesson or step; with what there is.
+    /// Returns an error if there is no such lesson or step; the message lists those that there are.
     pub fn of(text: &str) -> Result<LessonArgument, String> {
         let whole = |text: &str| {
             let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-            // A number too large for usize is too large for a lesson, too.
+            // A number that overflows usize is no lesson's number either.
             digits.then(|| text.parse().unwrap_or(usize::MAX))
         };
         let (lesson, step) = match text.split_once('.') {
@@ -60,10 +60,10 @@ impl LessonArgument {
         }
     }
 
-    /// Where to begin, and the lesson if it is from a file.
+    /// Returns the place to begin at, and the lesson if it comes from a file.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// Returns an error if the file cannot be read or is no valid lesson.
     pub fn load(&self) -> Result<(Place, Option<Arc<Lesson>>), FileError> {
         match self {
             LessonArgument::Builtin(place) => Ok((*place, None)),

@@ -20,13 +20,13 @@ macro_rules! lessons {
 /// A lesson that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Builtin {
-    /// The name of its file, for messages.
+    /// The name of its file, for error messages.
     pub name: &'static str,
-    /// Its lesson file.
+    /// The text of its lesson file.
     pub text: &'static str,
 }
 
-/// The lessons' files, in the lecture's order.
+/// The lesson files in the order of the lecture.
 pub const FILES: &[Builtin] = lessons![
     "01-canonical-camera",
     "02-warm-up",
@@ -44,16 +44,16 @@ pub const FILES: &[Builtin] = lessons![
 ];
 
 impl Builtin {
-    /// The lesson.
+    /// Reads the lesson.
     ///
     /// # Errors
-    /// None, as the tests see to.
+    /// Never fails; tests check all lessons.
     pub fn load(&self) -> Result<Lesson, FileError> {
         read::parse(self.text, Path::new(self.name), None)
     }
 }
 
-/// All of them, read once; lesson 1 is the first.
+/// Returns all built-in lessons, which are read once; lesson 1 comes first.
 pub fn all() -> &'static [Arc<Lesson>] {
     static LESSONS: LazyLock<Vec<Arc<Lesson>>> = LazyLock::new(|| {
         FILES.iter().filter_map(|file| Some(Arc::new(file.load().ok()?))).collect()

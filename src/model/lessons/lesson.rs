@@ -1,4 +1,4 @@
-//! What a lesson's file says, read.
+//! The contents of a lesson file.
 
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
@@ -12,68 +12,70 @@ use crate::model::play::Kind;
 use crate::model::session::{Selection, ShadeName, ViewLayout};
 use pinhole_exchange::document::Document;
 
-/// A lesson: steps to go through.
+/// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lesson {
-    /// What it is about.
+    /// The lesson's title.
     pub title: String,
-    /// At least one.
+    /// The steps; at least one.
     pub steps: Vec<Step>,
 }
 
-/// One state of the window to look at.
+/// A state of the window to look at.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What it is about.
+    /// The step's title.
     pub title: String,
-    /// What to look at, or what to drag, with `*u*` for scalars and `**u**` for vectors.
+    /// The instructions to look at or drag something, with `*u*` for scalars and `**u**` for
+    /// vectors.
     pub text: String,
-    /// What is edited.
+    /// The document that the step opens.
     pub document: Document,
-    /// The step of the lesson that named the scene: steps of one scene are looked at from the same
-    /// place, unless they say another one.
+    /// Index of the step that named the scene: all steps of one scene share an observer unless they
+    /// specify another.
     pub scene_from: usize,
-    /// The ray that is looked at closely.
+    /// The selected ray.
     pub selection: Selection,
-    /// The rest of how it is looked at.
+    /// The rest of the step's view.
     pub looks: Looks,
 }
 
-/// A question: the lecture's own of its kind, or the one of a seed.
+/// A question: the lecture's own question of its kind, or one with random numbers from a seed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AskedExercise {
-    /// The kind.
+    /// The kind of question.
     pub exercise: Exercise,
-    /// The seed; the lecture's own numbers without one.
+    /// The seed of the numbers; `None` for the lecture's own numbers.
     pub seed: Option<u64>,
 }
 
-/// How a step is looked at; `None` is left alone.
+/// The view of a step; `None` leaves a field of the window unchanged.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Looks {
-    /// Where the world view is seen from.
+    /// The observer of the world view.
     pub observer: Option<Observer>,
-    /// Which views are shown.
+    /// The layout of the views.
     pub layout: Option<ViewLayout>,
-    /// What is drawn over the views.
+    /// The items of the overlay.
     pub items: Option<OverlayItems>,
-    /// How the pictures are coloured.
+    /// The shading of the pictures.
     pub shade: Option<ShadeName>,
-    /// Rows and columns counted from 1.
+    /// True if rows and columns are counted from 1.
     pub count_from_one: Option<bool>,
-    /// Significant digits.
+    /// Number of significant digits.
     pub digits: Option<usize>,
-    /// Distance, width and height go together.
+    /// True if distance, width and height change together.
     pub keep_picture: Option<bool>,
-    /// The camera panel's teaching part is unfolded.
+    /// True if the teaching part of the camera panel is unfolded.
     pub teaching: Option<bool>,
-    /// The ledger's sections that are shown.
+    /// The sections of the derivation that are shown.
     pub ledger: Option<LedgerSections>,
-    /// What is lit in the views and the ledger, or that nothing is.
+    /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights
+    /// nothing.
     pub lit: Option<Option<Thing>>,
-    /// The wrong camera that is shown beside the right one.
+    /// The wrong camera beside the right one.
     pub mistake: Option<Mistake>,
-    /// How far one has walked along the selected ray; `None` where nobody has.
+    /// The parameter t of the point on the selected ray; `None` if there is no such point.
     pub t: Option<f64>,
     /// The animation that is open, at its start.
     pub play: Option<Kind>,

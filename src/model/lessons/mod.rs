@@ -1,8 +1,8 @@
 //! The lecture, step by step.
 //!
-//! A *lesson* is a data file: a title and *steps*, states of the window to look at. `lesson` is what
-//! is in it, `read` how it is read, `builtin` the lessons that come with the program, `open` where
-//! in them the user is, `apply` how a step becomes what is edited and how it is looked at. Nothing
+//! A *lesson* is a data file: a title and *steps*, states of the window to look at. `lesson` holds
+//! its contents, `read` reads it, `builtin` holds the lessons that come with the program, `open`
+//! the user's place in them, and `apply` applies a step to the document and the session. Nothing
 //! here calculates anything.
 
 pub mod apply;

@@ -1,29 +1,29 @@
-//! Where in the lessons the user is.
+//! The user's place in the lessons.
 
 use std::sync::Arc;
 
 use super::builtin;
 use super::lesson::{Lesson, Step};
 
-/// A lesson.
+/// The identity of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Which {
-    /// One that comes with the program, counted from 0.
+    /// A built-in lesson, by its index.
     Builtin(usize),
-    /// The one that was opened from a file.
+    /// The lesson that was opened from a file.
     File,
 }
 
-/// A step of a lesson.
+/// The place of a step: its lesson and its index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// Which lesson.
+    /// The lesson.
     pub lesson: Which,
-    /// Which of its steps, counted from 0.
+    /// Index of the step.
     pub step: usize,
 }
 
-/// The lesson that is open, at one of its steps.
+/// The open lesson at one of its steps.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenLesson {
     place: Place,
@@ -31,8 +31,8 @@ pub struct OpenLesson {
 }
 
 impl OpenLesson {
-    /// The lesson at that place; `file` is the one that was opened from a file. `None` where there is
-    /// no such step.
+    /// Opens the lesson at that place; `file` is the lesson that was opened from a file. Returns
+    /// `None` if there is no such step.
     pub fn at(place: Place, file: Option<&Arc<Lesson>>) -> Option<OpenLesson> {
         let lesson = match place.lesson {
             Which::Builtin(index) => builtin::all().get(index),
@@ -41,28 +41,28 @@ impl OpenLesson {
         (place.step < lesson.steps.len()).then(|| OpenLesson { place, lesson: Arc::clone(lesson) })
     }
 
-    /// Which step this is.
+    /// Returns the place of the current step.
     pub fn place(&self) -> Place {
         self.place
     }
 
-    /// The whole lesson.
+    /// Returns the whole lesson.
     pub fn lesson(&self) -> &Lesson {
         &self.lesson
     }
 
-    /// The step.
+    /// Returns the current step.
     pub fn step(&self) -> &Step {
-        // In range: `at` is the only way here.
+        // In range: `at` checked it.
         &self.lesson.steps[self.place.step]
     }
 
-    /// `Lesson 2: Warm-up`, or the title alone of a lesson without a number.
+    /// Returns `Lesson 2: Warm-up`, or only the title of a lesson without a number.
     pub fn title(&self) -> String {
         title_of(self.place.lesson, &self.lesson)
     }
 
-    /// `Lesson 2`, or the title of a lesson without a number.
+    /// Returns `Lesson 2`, or the title of a lesson without a number.
     pub fn short_title(&self) -> String {
         match self.place.lesson {
             Which::Builtin(index) => format!("Lesson {}", index + 1),
@@ -70,7 +70,7 @@ impl OpenLesson {
         }
     }
 
-    /// The step after this one; after a lesson's last, the next lesson's first.
+    /// Returns the place of the next step; after a lesson's last step, of the next lesson's first.
     pub fn next(&self) -> Option<Place> {
         if self.place.step + 1 < self.lesson.steps.len() {
             return Some(Place { step: self.place.step + 1, ..self.place });
@@ -80,7 +80,8 @@ impl OpenLesson {
         Some(Place { lesson: Which::Builtin(index + 1), step: 0 })
     }
 
-    /// The step before this one; before a lesson's first, the last lesson's last.
+    /// Returns the place of the previous step; before a lesson's first step, of the previous
+    /// lesson's last.
     pub fn previous(&self) -> Option<Place> {
         if let Some(step) = self.place.step.checked_sub(1) {
             return Some(Place { step, ..self.place });
@@ -91,13 +92,13 @@ impl OpenLesson {
         Some(Place { lesson: Which::Builtin(index), step })
     }
 
-    /// Whether both show the same scene, so that the world view need not be framed anew.
+    /// Returns true if both steps show the same scene, so that the world view keeps its observer.
     pub fn shares_scene_with(&self, other: &OpenLesson) -> bool {
         self.lesson == other.lesson && self.step().scene_from == other.step().scene_from
     }
 }
 
-/// `Lesson 2: Warm-up`, or the title alone of a lesson without a number.
+/// Returns `Lesson 2: Warm-up`, or only the title of a lesson without a number.
 pub fn title_of(which: Which, lesson: &Lesson) -> String {
     match which {
         Which::Builtin(index) => format!("Lesson {}: {}", index + 1, lesson.title),

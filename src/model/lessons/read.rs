@@ -1,4 +1,4 @@
-//! From a lesson file's text to a lesson.
+//! Reads the text of a lesson file.
 
 use std::fs;
 use std::path::Path;
@@ -28,10 +28,10 @@ use pinhole_exchange::scenes::builtin;
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;
 
-/// Those that stand at the top of a file.
+/// The keys at the top of a file.
 const TOP: [&str; 3] = ["pinhole_lesson", "title", "step"];
 
-/// What a step may say, beside the tables of a scene.
+/// The keys of a step, besides the tables of a scene.
 const STEP: [&str; 21] = [
     "title",
     "text",
@@ -56,7 +56,7 @@ const STEP: [&str; 21] = [
     "seed",
 ];
 
-/// The layouts that a step can ask for, by name.
+/// The layouts that a step can choose, by name.
 const LAYOUTS: [(&str, ViewLayout); 10] = [
     ("both", ViewLayout::Both),
     ("world", ViewLayout::World),
@@ -73,23 +73,23 @@ const LAYOUTS: [(&str, ViewLayout); 10] = [
 /// Reads a lesson file.
 ///
 /// # Errors
-/// The first thing that is wrong with it, or with a scene that it names.
+/// Returns the first error in the file, or in a scene that it names.
 pub fn load(path: &Path) -> Result<Lesson, FileError> {
     let text = fs::read_to_string(path).map_err(|error| FileError::unreadable(path, &error))?;
     parse(&text, path, Some(path.parent().unwrap_or(Path::new(""))))
 }
 
-/// Whether a file calls itself a lesson, be it a right one or not.
+/// Returns true if a file claims to be a lesson, valid or not.
 pub fn is_lesson(path: &Path) -> bool {
     let text = fs::read_to_string(path).unwrap_or_default();
     Toml::parse(&text).is_ok_and(|toml| toml.as_table().contains_key(TOP[0]))
 }
 
-/// Reads a lesson file's text. `path` is for the messages; `base` is the folder that the paths of
-/// scenes are relative to, and `None` where only built-in ones can be meant.
+/// Parses a lesson file's text. `path` is for error messages. The paths of scenes are relative to
+/// the folder `base`; `None` allows only built-in scenes.
 ///
 /// # Errors
-/// As [`load`].
+/// Returns the same errors as [`load`].
 pub fn parse(text: &str, path: &Path, base: Option<&Path>) -> Result<Lesson, FileError> {
     let source = Source { text, path };
     let toml = Toml::parse(text).map_err(|error| not_toml(&source, &error))?;
@@ -120,11 +120,13 @@ fn version(root: &Section) -> Result<(), FileError> {
     }
 }
 
-/// How many letters a title and a step's text may have: the strip above the views leaves them room.
+/// Maximum number of letters of a title and of a step's text: the strip above the views has room
+/// for no more.
 const LONGEST_TITLE: usize = 120;
 const LONGEST_TEXT: usize = 800;
 
-/// Text that is not empty, as one line however it is broken in the file, of so many letters at most.
+/// Reads text that is not empty, joins its lines, and checks its length of at most `longest`
+/// letters.
 fn line(field: &Field, longest: usize) -> Result<String, FileError> {
     let text = field.text()?.split_whitespace().collect::<Vec<_>>().join(" ");
     match text.chars().count() {
@@ -136,7 +138,7 @@ fn line(field: &Field, longest: usize) -> Result<String, FileError> {
     }
 }
 
-/// A step: what it says, and for the rest what the steps before it say.
+/// Reads a step; it takes over all that it does not specify from the step before it.
 fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step, FileError> {
     let known: Vec<&str> = STEP.into_iter().chain(TABLES).collect();
     section.only(&known, &TOP[..1])?;
@@ -156,12 +158,12 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
             Document::default()
         }
     };
-    // The step's own text says what to look for.
+    // The step's own text replaces the scene's note.
     document.note.clear();
     tables(section, &mut document)?;
     let mut looks = last.map(|step| step.looks.clone()).unwrap_or_default();
     if is_new {
-        // These mean something in one scene alone.
+        // Observer and t have a meaning in one scene only.
         (looks.observer, looks.t) = (None, None);
     }
     let selection = match last.filter(|_| !is_new) {
@@ -172,7 +174,7 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));
     let objects = document.object_count();
     if !is_in_scene(looks.lit.flatten(), objects) {
-        // It was in the scene of the step before.
+        // It referred to an object of the previous step's scene.
         looks.lit = Some(None);
     }
     read_looks(section, &mut looks, objects)?;
@@ -201,7 +203,7 @@ fn scene(field: &Field, base: Option<&Path>) -> Result<Document, FileError> {
     }
     source.load().map_err(|error| match error.place {
         Some(_) => error,
-        // The path is at fault, and it stands in the lesson.
+        // The path is wrong, so the error points to the path's place in the lesson.
         None => field.error(&error.to_string()),
     })
 }
@@ -227,7 +229,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
 }
 
 fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<(), FileError> {
-    /// What the field says takes the place of what a step before it said.
+    /// Replaces the value of the previous step if the field is there.
     fn say<'a, T>(
         section: &Section<'a>,
         key: &str,
@@ -261,7 +263,7 @@ fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<()
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
     })?;
     say(section, "t", &mut looks.t, Field::number)?;
-    // Another step has another camera.
+    // The camera is another one, so no animation is taken over from the previous step.
     looks.play = None;
     say(section, "play", &mut looks.play, |field| {
         let name = field.one_of(&Kind::ALL.map(Kind::name))?;
@@ -272,8 +274,8 @@ fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<()
     Ok(())
 }
 
-/// The question that is asked. A seed goes with the kind that stands beside it: that of another step
-/// would ask for other numbers.
+/// Reads the step's question. A seed is valid only beside its kind of question: another step's seed
+/// would give other numbers.
 fn exercise(section: &Section) -> Result<Option<AskedExercise>, FileError> {
     let seed = section.get("seed");
     let Some(field) = section.get("exercise") else {
@@ -329,7 +331,7 @@ fn ledger(field: &Field) -> Result<LedgerSections, FileError> {
     Ok(sections?.into_iter().flatten().collect())
 }
 
-/// Whether a scene of so many objects has the thing in it.
+/// Returns true if the concept exists in a scene with this number of objects.
 fn is_in_scene(thing: Option<Thing>, objects: usize) -> bool {
     match thing {
         Some(Thing::Object(object) | Thing::Root { object, .. }) => (object as usize) < objects,
@@ -337,7 +339,7 @@ fn is_in_scene(thing: Option<Thing>, objects: usize) -> bool {
     }
 }
 
-/// A thing of a scene with so many objects, or nothing.
+/// Reads a concept of a scene with this number of objects, or none.
 fn lit(field: &Field, objects: usize) -> Result<Option<Thing>, FileError> {
     let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Thing::from_name);
     match numbered {
@@ -354,7 +356,7 @@ fn lit(field: &Field, objects: usize) -> Result<Option<Thing>, FileError> {
     Ok(Thing::from_name(field.one_of(&known)?))
 }
 
-/// What is said where nothing is lit.
+/// The name for no highlighted concept.
 const NOTHING: &str = "nothing";
 
 fn lines(section: &Section) -> Result<LinesLab, FileError> {

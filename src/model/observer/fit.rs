@@ -1,4 +1,4 @@
-//! Where an observer must stand to have all that matters in sight.
+//! Observers that have everything important in sight.
 
 use pinhole_core::{
     Camera, DVec2, DVec3, ExactRay, Object, Orientation, PosedCamera, Ray, Root, Scene,
@@ -8,85 +8,85 @@ use pinhole_core::{
 use super::FOV;
 use super::Observer;
 
-/// Spheres this many times larger than all smaller ones and the camera together do not count for
-/// what must be in sight.
+/// Size ratio above which a sphere is out of scale: a sphere this many times larger than all
+/// smaller ones and the camera together need not be in sight.
 const OUT_OF_SCALE: f64 = 50.0;
 
-/// Spheres with a radius below this share of their distance from the camera are specks.
+/// Ratio of radius to distance from the camera below which a sphere is a speck.
 const SPECK: f64 = 2e-3;
 
-/// The share of the picture's half that is left free around what must be in sight.
+/// Margin around what must be in sight, as a share of half the picture.
 const MARGIN: f64 = 0.1;
 
-/// Of very many objects, so many are asked where they are.
+/// Maximum number of objects that are considered.
 const ASKED_SPHERES: usize = 2048;
 const ASKED_PLANES: usize = 64;
 
-/// How far, in degrees, the observer may stand to one side of the line behind the camera, and above
-/// it.
+/// Angles, in degrees, of the observer beside the line behind the camera, and above it.
 const TO_THE_SIDE: [f64; 7] = [56.0, 48.0, 40.0, 32.0, 25.0, 18.0, 12.0];
 const ABOVE: [f64; 4] = [26.0, 19.0, 14.0, 9.0];
 
-/// How far the frustum should be in sight: to this share of the way to the farthest sphere, and to
-/// so many times the viewport's distance.
+/// Length of the frustum that should be in sight: this share of the way to the farthest sphere, and
+/// at most this multiple of the viewport's distance.
 const FRUSTUM_PART: f64 = 0.6;
 const LONGEST_FRUSTUM: f64 = 3.2;
 
-/// From this size on, as a share of the picture's height, the camera is large enough.
+/// Size of the camera, as a share of the picture's height, above which larger is no better.
 const LARGE_ENOUGH: f64 = 0.22;
 
-/// The observer turns around a point at most so many near sizes from the eye: around something far
-/// away it would lose the camera.
+/// Maximum distance of the observer's target from the eye, in near sizes: around something far away
+/// the observer would lose the camera.
 const FARTHEST_MIDDLE: f64 = 15.0;
 
-/// How far the arrows are taken to reach from the eye, as a share of the near size.
+/// Length of the arrows from the eye, as a share of the near size.
 const ARROWS: f64 = 1.15;
 
-/// Seen from afar the arrows keep their size on the screen, and so reach farther in the world: to
-/// this share of the way to the farthest sphere, and to so many near sizes at most.
+/// Length of the arrows for a distant observer: they keep their size on the screen and so reach
+/// farther in the world. This share of the way to the farthest sphere, and at most this many near
+/// sizes.
 const ARROWS_FROM_AFAR: f64 = 0.12;
 const LONGEST_ARROWS: f64 = 3.5;
 
-/// Something that must be in sight.
+/// A ball that must be in sight.
 #[derive(Clone, Copy, Debug)]
 struct Ball {
     center: DVec3,
     radius: f64,
 }
 
-/// What must be in sight, and the camera in it.
+/// Everything that must be in sight, including the camera.
 struct Subject {
     balls: Vec<Ball>,
     eye: DVec3,
-    /// From the scene to the camera: w, or what is known of it.
+    /// Direction from the scene to the camera: w, or +z for an invalid camera.
     back: DVec3,
     /// The camera's right.
     right: DVec3,
     /// The extent of the frustum from the eye to the viewport.
     near_size: f64,
-    /// Where the camera looks at planes.
+    /// The points of planes that the camera looks at.
     walls: Vec<Root>,
-    /// What the observer turns around: the middle of camera and scene.
+    /// The point that the observer turns around: the middle of camera and scene.
     middle: DVec3,
 }
 
 impl Observer {
-    /// An observer that has in sight the eye, the viewport, the basis arrows, at, and the spheres,
-    /// but for those that are out of all scale; from behind the camera's shoulder, so far to the
-    /// side as the camera does not get too small. `aspect` is the picture's width by height.
+    /// Returns an observer behind the camera's shoulder that has in sight the eye, the viewport,
+    /// the basis arrows, at, and all spheres that are not out of scale. It stands as far to the
+    /// side as the camera's size in the picture allows. `aspect` is the picture's width by height.
     ///
-    /// Perspective does the work: close behind a small camera, even what it looks at from afar is in
-    /// sight, small, in the distance, as it is on a whiteboard.
+    /// Perspective makes this possible: an observer close behind a small camera also sees what the
+    /// camera looks at from afar, small, in the distance, as on a whiteboard.
     pub fn frame_all(camera: &Camera, scene: &Scene, aspect: f64) -> Observer {
         let aspect = tame_aspect(aspect);
         let subject = Subject::of(camera, scene);
         let behind = match (subject.back.x, subject.back.z) {
             (x, z) if x.hypot(z) > 1e-6 => x.atan2(z),
-            // Looking straight up or down: behind is where right x up points.
+            // The camera looks straight up or down: behind is the direction of right x up.
             _ => (-subject.right.z).atan2(subject.right.x),
         };
         let mut best: Option<(f64, Observer)> = None;
-        // Of equals the right side, from where the camera looks to the right in the picture.
+        // Prefer the right side, from where the camera looks to the right in the picture.
         for side in [1.0, -1.0] {
             for (beside, above) in TO_THE_SIDE.iter().flat_map(|b| ABOVE.map(|a| (b, a))) {
                 let azimuth = behind + side * beside.to_radians();
@@ -101,10 +101,11 @@ impl Observer {
         best.map_or_else(|| Observer::new(DVec3::ZERO, 0.9, 0.4, 10.0), |(_, observer)| observer)
     }
 
-    /// An observer in the same direction from which eye, arrows and viewport fill the picture.
+    /// Returns an observer in the same direction from which eye, arrows and viewport fill the
+    /// picture.
     pub fn framing_camera(&self, camera: &Camera, aspect: f64) -> Observer {
         let orientation = match camera.orientation {
-            // What the camera looks at is not to be framed.
+            // The point that the camera looks at need not be in the picture.
             Orientation::At { up, .. } => Orientation::View { view: camera.view(), up },
             given => given,
         };
@@ -112,8 +113,8 @@ impl Observer {
         Subject::of(&alone, &Scene::default()).fit(&self.in_range(), tame_aspect(aspect))
     }
 
-    /// The observer so far back, in the same direction, that these cameras' eyes and viewports are in
-    /// sight; where it is if they are, or if those of `camera` are not.
+    /// Moves the observer straight back until the eyes and viewports of all these cameras are in
+    /// sight. The observer stays if they are already, or if those of `camera` are not.
     pub fn following(&self, camera: &Camera, others: &[Camera], aspect: f64) -> Observer {
         let own = self.in_range();
         let needed = own.distance_for(camera, tame_aspect(aspect));
@@ -122,8 +123,9 @@ impl Observer {
         if needed <= own.distance { Observer { distance: farthest, ..own }.in_range() } else { own }
     }
 
-    /// From how far off a camera's eye and viewport are in sight, with a little left around them: with
-    /// the target in the middle, (x, y, z) is in sight from `z + |x| / k`, and likewise for y.
+    /// Returns the distance from which a camera's eye and viewport are in sight, with a small
+    /// margin. With the target in the middle, (x, y, z) is in sight from `z + |x| / k`, and
+    /// similarly for y.
     fn distance_for(&self, camera: &Camera, aspect: f64) -> f64 {
         let back = self.back();
         let (right, up) = self.right_and_up();
@@ -181,11 +183,12 @@ impl Subject {
         Subject { balls, eye, back, right, near_size, walls, middle }
     }
 
-    /// The nearest observer in this direction from which every ball is in sight.
+    /// Returns the nearest observer in this direction that has every ball in sight.
     ///
-    /// In the observer's own coordinates, a ball (x, z, r) is right of the left border if
-    /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and so on: with `A = max(x + k z + r')` and
-    /// `B = max(-x + k z + r')`, the nearest eye is `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
+    /// A ball (x, z, r) in the observer's own coordinates is right of the left border if
+    /// `x - ex >= -k (ez - z) + r sqrt(1 + k^2)`, and similarly for the other borders: with
+    /// `A = max(x + k z + r')` and `B = max(-x + k z + r')`, the nearest eye is
+    /// `ez = (A + B) / 2k`, `ex = (A - B) / 2`.
     fn fit(&self, direction: &Observer, aspect: f64) -> Observer {
         let back = direction.back();
         let (right, up) = direction.right_and_up();
@@ -212,8 +215,8 @@ impl Subject {
         Observer { target: target.to_array(), distance, ..*direction }.in_range()
     }
 
-    /// Better is: the camera large enough, its view seen from the side, its picture and the walls
-    /// seen from the front, nothing before it.
+    /// Returns the score of an observer. It is better if the camera is large enough, its view is
+    /// seen from the side, its picture and the walls are seen from the front, and nothing hides it.
     fn score(&self, observer: &Observer) -> f64 {
         let back = observer.back();
         let stand = observer.target() + observer.distance() * back;
@@ -222,7 +225,7 @@ impl Subject {
         let size = self.near_size / extent_of_fov(FOV, depth);
         let along = back.dot(self.back);
         let sideways = (1.0 - along * along).max(0.0).sqrt();
-        // Foreshortened to less than half its width, the picture on the viewport is hard to read.
+        // The picture on the viewport is hard to read if foreshortened to less than half its width.
         let from_front = along.clamp(-0.5, 0.62);
         let hidden = self.balls.iter().any(|ball| lies_between(ball, self.eye, stand));
         let facing: f64 = self.walls.iter().map(|hit| hit.normal.dot(back).max(0.0)).sum();
@@ -232,12 +235,13 @@ impl Subject {
     }
 }
 
-/// The points of the frustum's edges at this t.
+/// Returns the points of the frustum's edges at this t.
 fn frustum_part(posed: &PosedCamera, t: f64) -> [Ball; 4] {
     rays_around(posed, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
 }
 
-/// Where the rays half way to the corners meet planes, if not too far away.
+/// Returns the points where the rays half way to the corners meet planes within the distance
+/// `farthest`.
 fn walls_seen(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     let first_wall = |ray: &Ray| {
         let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
@@ -249,14 +253,16 @@ fn walls_seen(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     rays_around(posed, 0.5).iter().filter_map(first_wall).collect()
 }
 
-/// The rays through the viewport, a share of the way from its middle to its corners.
+/// Returns the four rays through the viewport at this share of the way from its middle to its
+/// corners.
 fn rays_around(posed: &PosedCamera, share: f64) -> [Ray; 4] {
     let half = 0.5 * share * DVec2::new(posed.viewport().width, posed.viewport().height);
     [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
         .map(|(x, y)| posed.ray(half * DVec2::new(x, y)))
 }
 
-/// The spheres from the smallest on, until one is out of scale with those before it.
+/// Returns the spheres by ascending size, up to the first that is out of scale with those before
+/// it.
 fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
     let mut balls: Vec<Ball> = scene
         .spheres()
@@ -276,9 +282,9 @@ fn spheres_in_scale(scene: &Scene, eye: DVec3, near_size: f64) -> Vec<Ball> {
     });
     let count = in_scale.count();
     balls.truncate(count);
-    // What lies around the camera cannot be seen as a whole from near it.
+    // A sphere around the camera cannot be seen as a whole from near the camera.
     balls.retain(|ball| (ball.center - eye).length() > ball.radius);
-    // A speck far out is no reason to stand so that everything else is a speck, too.
+    // A distant speck must not move the observer so far away that everything becomes a speck.
     let can_be_seen = |ball: &Ball| ball.radius >= SPECK * (ball.center - eye).length();
     if balls.iter().any(can_be_seen) {
         balls.retain(can_be_seen);

@@ -1,5 +1,5 @@
-//! Who looks at the world view: a camera that moves around what it looks at, and that the edited
-//! camera knows nothing of.
+//! The observer of the world view: a camera that moves around its target and is independent of the
+//! edited camera.
 
 mod fit;
 mod seen;
@@ -9,55 +9,56 @@ use serde::{Deserialize, Serialize};
 
 pub use seen::{enclosing, hidden, seen_scene};
 
-/// Where the observer stands, as an orbit around a target: world y is up.
+/// The observer as an orbit around a target; world y is up.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Observer {
-    /// What the observer looks at and turns around.
+    /// The point that the observer looks at and turns around.
     target: [f64; 3],
-    /// From +z towards +x, in radians.
+    /// Angle from +z towards +x, in radians.
     azimuth: f64,
-    /// Above the target's level, in radians; short of straight up and down.
+    /// Angle above the target's level, in radians; always less than straight up or down.
     elevation: f64,
-    /// From the target, in world units.
+    /// Distance from the target, in world units.
     distance: f64,
 }
 
 /// The vertical field of view.
 const FOV: f64 = 35.0 * std::f64::consts::PI / 180.0;
 
-/// Straight above or below the target, up would be parallel to the view direction.
+/// Maximum elevation: straight above or below the target, up would be parallel to the view
+/// direction.
 const STEEPEST: f64 = 89.0 * std::f64::consts::PI / 180.0;
 
-/// How close to and far from its target an observer can be.
+/// Minimum and maximum distance of an observer from its target.
 const DISTANCES: (f64, f64) = (1e-9, 1e12);
 
-/// How far from the origin the target can be.
+/// Maximum magnitude of the target's coordinates.
 const FARTHEST_TARGET: f64 = 1e12;
 
 impl Default for Observer {
-    /// Shows the canonical camera.
+    /// Returns an observer of the canonical camera.
     fn default() -> Self {
         Observer::frame_all(&Camera::CANONICAL, &Scene::default(), 1.25)
     }
 }
 
 impl Observer {
-    /// An observer at `distance` from `target`. Values out of range are brought into it.
+    /// Creates an observer at `distance` from `target`. Clamps values that are out of range.
     pub fn new(target: DVec3, azimuth: f64, elevation: f64, distance: f64) -> Observer {
         Observer { target: target.to_array(), azimuth, elevation, distance }.in_range()
     }
 
-    /// What the observer looks at and turns around.
+    /// Returns the point that the observer looks at and turns around.
     pub fn target(&self) -> DVec3 {
         DVec3::from_array(self.in_range().target)
     }
 
-    /// How far from the target the observer is.
+    /// Returns the distance of the observer from the target.
     pub fn distance(&self) -> f64 {
         self.in_range().distance
     }
 
-    /// Stored values come from files, too.
+    /// Clamps all values, because stored values come from files, too.
     fn in_range(&self) -> Observer {
         let finite = |x: f64, otherwise: f64| if x.is_finite() { x } else { otherwise };
         Observer {
@@ -68,21 +69,21 @@ impl Observer {
         }
     }
 
-    /// From the target to the observer, of length 1.
+    /// Returns the unit vector from the target to the observer.
     fn back(&self) -> DVec3 {
         let (sin, cos) = self.azimuth.sin_cos();
         let (rise, run) = self.elevation.sin_cos();
         DVec3::new(run * sin, rise, run * cos)
     }
 
-    /// The observer's right and up in the picture.
+    /// Returns the observer's right and up in the picture.
     fn right_and_up(&self) -> (DVec3, DVec3) {
         let (sin, cos) = self.azimuth.sin_cos();
         let right = DVec3::new(cos, 0.0, -sin);
         (right, self.back().cross(right))
     }
 
-    /// The observer as a camera, for a picture of so many dots.
+    /// Returns the observer as a camera, for a picture of this size in pixels.
     pub fn camera(&self, width: u32, height: u32) -> Camera {
         let own = self.in_range();
         let size = |x: u32| x.clamp(1, ImageSize::MAX);
@@ -99,15 +100,15 @@ impl Observer {
         }
     }
 
-    /// Turns around the target by angles in radians: to the right, and up.
+    /// Turns around the target by two angles in radians: to the right and up.
     pub fn orbit(&mut self, right: f64, up: f64) {
         self.azimuth += right;
         self.elevation += up;
         *self = self.in_range();
     }
 
-    /// Moves sideways: what is at the target moves by this share of the picture's height, to the
-    /// right and down, as a hand drags it.
+    /// Moves sideways, as a hand drags the picture: the target moves by these shares of the
+    /// picture's height to the right and down.
     pub fn pan(&mut self, right: f64, down: f64) {
         let own = self.in_range();
         let per_height = extent_of_fov(FOV, own.distance);

@@ -1,4 +1,4 @@
-//! Observers: what they see, and how they move.
+//! Tests of observers: the points in their sight and their movements.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -11,7 +11,7 @@ fn posed(observer: &Observer) -> PosedCamera {
     observer.camera(400, 300).posed().expect("observers have a basis")
 }
 
-/// Where a point is seen: from -1 to 1 across the picture, and likewise upwards.
+/// Returns the position of a point in the picture: x and y from -1 to 1.
 fn seen_at(observer: &Observer, point: DVec3) -> DVec2 {
     let camera = posed(observer);
     let projection = camera.project(point);
@@ -31,7 +31,7 @@ fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
     Sphere { center: DVec3::new(x, y, z), radius }
 }
 
-/// The points that belong in sight.
+/// Returns the points that belong in sight.
 fn must_be_seen(camera: &Camera, spheres: &[Sphere]) -> Vec<DVec3> {
     let own = camera.posed().expect("a camera");
     let half = 0.5 * DVec2::new(own.viewport().width, own.viewport().height);
@@ -127,7 +127,7 @@ fn azimuth_and_elevation() {
     };
     assert!(eye(0.0, 0.0).distance(DVec3::new(1.0, 2.0, 7.0)) < 1e-12);
     assert!(eye(FRAC_PI_2, 0.0).distance(DVec3::new(5.0, 2.0, 3.0)) < 1e-12);
-    // Straight up is stopped short of.
+    // Straight up is out of range.
     let above = eye(0.0, 10.0);
     assert!(above.distance(DVec3::new(1.0, 6.0, 3.0)) < 0.1 && above.z > 3.0);
 }
@@ -202,7 +202,7 @@ proptest! {
     }
 }
 
-/// A camera's eye and the corners of its viewport.
+/// Returns a camera's eye and the corners of its viewport.
 fn own_points(camera: &Camera) -> Vec<DVec3> {
     must_be_seen(camera, &[])
 }
@@ -246,7 +246,7 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     );
     assert_eq!(after.following(&camera, &way, 4.0 / 3.0), after, "no farther than it needs");
     assert_eq!(before.following(&camera, &[camera], 4.0 / 3.0), before, "nor nearer");
-    // Who does not look at the camera goes on looking at something else.
+    // An observer that does not look at the camera stays where it is.
     let elsewhere = Observer::new(DVec3::new(-1.0, 0.0, -5.0), 0.5, 0.3, 5.0);
     assert_eq!(elsewhere.following(&camera, &way, 4.0 / 3.0), elsewhere);
 }

@@ -1,5 +1,5 @@
-//! Animations. What is shown is a function of how it was at the start and of the phase alone: no
-//! frame depends on the one before it, so that the window and exported frames show the same.
+//! Animations. The state at a phase depends only on the start and on the phase: no frame depends on
+//! the one before it, so that the window and exported frames show the same.
 
 mod player;
 
@@ -14,30 +14,30 @@ use crate::model::inspection::Inspection;
 use crate::model::session::{Selection, Session};
 use pinhole_exchange::document::Document;
 
-/// What moves.
+/// The kind of an animation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Up turns once round the view.
+    /// Up turns once about the view direction.
     SwingUp,
-    /// The eye goes once round at.
+    /// The eye moves once around at.
     Orbit,
     /// A point runs along the selected ray, from the eye to what the ray hits.
     Walk,
-    /// Ray after ray goes out, as a renderer sends them, and the picture appears.
+    /// The rays go out one after another, as a renderer sends them, and the picture appears.
     Scan,
 }
 
-/// The t that [`Kind::Walk`] runs to where the ray hits nothing.
+/// The t at which [`Kind::Walk`] ends if the ray hits nothing.
 const WALK_TO: f64 = 10.0;
 
-/// So many steps has a turn, or a way along the ray: 15 degrees each.
+/// Number of steps of a turn, 15 degrees each, or of a walk along the ray.
 const STEPS: u64 = 24;
 
 impl Kind {
-    /// All of them.
+    /// All kinds.
     pub const ALL: [Kind; 4] = [Kind::SwingUp, Kind::Orbit, Kind::Walk, Kind::Scan];
 
-    /// What a menu says.
+    /// Returns the kind's label in a menu.
     pub fn label(self) -> &'static str {
         match self {
             Kind::SwingUp => "Swing up round the view",
@@ -47,7 +47,7 @@ impl Kind {
         }
     }
 
-    /// In one word, as the command line and lesson files have it.
+    /// Returns the kind's name on the command line and in lesson files, a single word.
     pub fn name(self) -> &'static str {
         match self {
             Kind::SwingUp => "swing-up",
@@ -57,12 +57,13 @@ impl Kind {
         }
     }
 
-    /// The one of this [name](Kind::name).
+    /// Returns the kind with this [name](Kind::name).
     pub fn from_name(name: &str) -> Option<Kind> {
         Kind::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// What the step of the history is called that keeps where it stopped.
+    /// Returns the name of the step in the history that keeps the state where the animation
+    /// stopped.
     pub fn step_name(self) -> &'static str {
         match self {
             Kind::SwingUp => "swing up round the view",
@@ -72,7 +73,7 @@ impl Kind {
         }
     }
 
-    /// How long all of it takes at speed 1, in seconds.
+    /// Returns the duration at speed 1, in seconds.
     pub fn seconds(self) -> f64 {
         match self {
             Kind::SwingUp | Kind::Orbit => 12.0,
@@ -81,56 +82,56 @@ impl Kind {
         }
     }
 
-    /// Whether it ends where it began.
+    /// Returns true if the animation ends where it began.
     pub fn is_round(self) -> bool {
         matches!(self, Kind::SwingUp | Kind::Orbit)
     }
 
-    /// Whether it changes the camera, which is a part of the document.
+    /// Returns true if the animation changes the camera, which is a part of the document.
     pub fn moves_camera(self) -> bool {
         self.is_round()
     }
 
-    /// In how many single steps one goes through all of it.
+    /// Returns the number of single steps of the whole animation.
     pub fn steps(self, start: &Start) -> u64 {
         if self == Kind::Scan { start.pixels() } else { STEPS }
     }
 
-    /// The phase of frame `k` of `n`: the last frame of a turn is the one before the first, of the
-    /// others it is the end.
+    /// Returns the phase of frame `k` of `n`: the last frame of a turn is one step before the
+    /// first, the last frame of the others is the end.
     pub fn phase_of_frame(self, k: u32, n: u32) -> f64 {
         let intervals = if self.is_round() { n } else { n.saturating_sub(1) };
         f64::from(k) / f64::from(intervals.max(1))
     }
 }
 
-/// How it was at the start.
+/// The state at the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start {
     /// The camera.
     pub camera: Camera,
     /// The selected ray.
     pub selection: Selection,
-    /// How far one had walked along it.
+    /// The parameter t of the point on the selected ray.
     pub walked: Option<f64>,
-    /// To which t [`Kind::Walk`] runs.
+    /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
 }
 
-/// How it is at a phase.
+/// The state at a phase.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Still {
     /// The camera.
     pub camera: Camera,
     /// The selected ray.
     pub selection: Selection,
-    /// How far one has walked along it.
+    /// The parameter t of the point on the selected ray.
     pub walked: Option<f64>,
-    /// How many pixels the picture shows so far, row by row; all without a number.
+    /// Number of pixels that the picture shows so far, row by row; `None` shows all.
     pub scanned: Option<u64>,
 }
 
-/// Why something cannot move.
+/// A reason why an animation cannot move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlayError {
     /// Up cannot be swung.
@@ -151,7 +152,7 @@ impl fmt::Display for PlayError {
 impl std::error::Error for PlayError {}
 
 impl Still {
-    /// Sets what such an animation moves, and leaves alone what it does not.
+    /// Sets all that an animation of this kind moves, and nothing else.
     pub fn show(&self, kind: Kind, document: &mut Document, session: &mut Session) {
         match kind {
             Kind::SwingUp | Kind::Orbit => {
@@ -165,7 +166,7 @@ impl Still {
 }
 
 impl Start {
-    /// How it is now. `inspection` is that of the selected ray.
+    /// Creates the start from the present state. `inspection` is that of the selected ray.
     pub fn of(document: &Document, session: &Session, inspection: Option<&Inspection>) -> Start {
         Start {
             camera: document.camera,
@@ -175,7 +176,7 @@ impl Start {
         }
     }
 
-    /// The cameras that an animation shows, a step from each to the next; none where it moves none.
+    /// Returns the camera at every step of an animation; empty if it moves no camera.
     pub fn cameras(&self, kind: Kind) -> Vec<Camera> {
         let steps = if kind.moves_camera() { STEPS } else { 0 };
         let phases = (0..steps).map(|k| k as f64 / STEPS as f64);
@@ -187,19 +188,20 @@ impl Start {
         u64::from(image.width()) * u64::from(image.height())
     }
 
-    /// Nothing has moved yet.
+    /// Returns the state before anything has moved.
     pub fn still(&self) -> Still {
         let Start { camera, selection, walked, .. } = *self;
         Still { camera, selection, walked, scanned: None }
     }
 
-    /// How it is at a phase, from 0, the start, to 1, the end.
+    /// Returns the state at a phase between 0, the start, and 1, the end.
     ///
     /// # Errors
-    /// Where the camera cannot be moved so; it has no basis, say.
+    /// Returns an error if the camera cannot be moved in this way, for example because it has no
+    /// basis.
     pub fn at(&self, kind: Kind, phase: f64) -> Result<Still, PlayError> {
         let still = self.still();
-        // Once round is the start, to the bit.
+        // A full turn ends exactly at the start, bit for bit.
         let turn = if phase >= 1.0 { 0.0 } else { phase };
         Ok(match kind {
             Kind::SwingUp => {
@@ -222,7 +224,7 @@ impl Start {
     }
 }
 
-/// To which t a ray is walked along: to what it hits.
+/// Returns the t at which a walk along a ray ends: that of its first hit.
 pub(crate) fn walk_end(inspection: Option<&Inspection>) -> f64 {
     inspection.and_then(Inspection::first_hit).map_or(WALK_TO, |hit| hit.t)
 }

@@ -1,4 +1,4 @@
-//! An animation that is open: where it is, and whether it goes on.
+//! The player of an animation: its phase, speed and whether it is running.
 
 use pinhole_core::Camera;
 
@@ -8,50 +8,50 @@ use super::Start;
 use super::Still;
 use crate::model::observer::Observer;
 
-/// The longest time between two frames that counts, in seconds: a window that was hidden goes on
-/// where it was.
+/// Maximum time between two frames that counts, in seconds: after the window was hidden, the
+/// animation continues where it was.
 const LONGEST: f64 = 0.5;
 
-/// How many steps a reduced motion shows in a second.
+/// Number of steps per second with reduced motion.
 const REDUCED: f64 = 2.0;
 
-/// What is nearer to a step than this share of one is on it.
+/// Tolerance, as a share of a step, within which a phase counts as being on the step.
 const ON_STEP: f64 = 1e-6;
 
-/// An animation, running or not.
+/// The player of an animation, running or not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Player {
-    /// What moves.
+    /// The kind of animation.
     pub kind: Kind,
-    /// How it was when it was opened.
+    /// The state when the animation was opened.
     pub start: Start,
-    /// From 0, the start, to 1, the end.
+    /// The phase, from 0, the start, to 1, the end.
     pub phase: f64,
-    /// Whether it has gone on, or was moved, at all: one that was only opened changes nothing.
+    /// True once the animation has run or was moved: one that was only opened changes nothing.
     pub begun: bool,
-    /// Whether it goes on by itself.
+    /// True while the animation is running.
     pub running: bool,
-    /// So many times as fast as usual.
+    /// Factor on the usual speed.
     pub speed: f64,
-    /// After the end it begins again.
+    /// True if the animation begins again after its end.
     pub loops: bool,
-    /// Only whole steps are shown, two a second.
+    /// True if only whole steps are shown, two a second.
     pub reduced: bool,
-    /// Why it does not move.
+    /// The reason why it does not move.
     pub fault: Option<PlayError>,
-    /// The camera that it showed last; where another one is there, it was edited.
+    /// The camera that it showed last; if the document has another one, the camera was edited.
     pub(crate) shown: Camera,
-    /// The observer before it stepped back to see all of it, and since.
+    /// The observer before it moved back to see the whole animation, and after.
     pub(crate) stepped_back: Option<[Observer; 2]>,
-    /// When it was last moved on, in the window's seconds.
+    /// Time of the last advance, in the window's seconds.
     time: Option<f64>,
 }
 
 impl Player {
-    /// The speeds to choose from.
+    /// The available speeds.
     pub const SPEEDS: [f64; 6] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0];
 
-    /// At the start, at rest.
+    /// Creates a player at the start, not running.
     pub fn new(kind: Kind, start: Start) -> Player {
         Player {
             kind,
@@ -69,7 +69,8 @@ impl Player {
         }
     }
 
-    /// How it is now; as at the start where it cannot move, which is remembered.
+    /// Returns the present state; if the animation cannot move, stores the fault and returns the
+    /// start.
     pub fn still(&mut self) -> Still {
         if !self.begun {
             return self.start.still();
@@ -91,7 +92,7 @@ impl Player {
         }
     }
 
-    /// Goes on to this moment, if it runs.
+    /// Advances to this time, if it is running.
     pub fn go_on(&mut self, now: f64) {
         let before = self.time.replace(now);
         let (true, Some(before)) = (self.running, before) else { return };
@@ -107,7 +108,7 @@ impl Player {
         };
     }
 
-    /// Runs, or rests. From the end it begins again.
+    /// Starts or pauses the animation. At the end it begins again.
     pub fn toggle(&mut self) {
         (self.begun, self.running) = (true, !self.running);
         self.time = None;
@@ -116,7 +117,7 @@ impl Player {
         }
     }
 
-    /// Rests, so many single steps on, or back.
+    /// Pauses, and moves by this number of single steps.
     pub fn step(&mut self, by: i64) {
         (self.begun, self.running) = (true, false);
         let steps = self.kind.steps(&self.start) as f64;
@@ -132,7 +133,7 @@ impl Player {
         self.phase = to / steps;
     }
 
-    /// So many of the [speeds](Player::SPEEDS) on, or back.
+    /// Changes the speed by this number of [speeds](Player::SPEEDS).
     pub fn faster(&mut self, by: i32) {
         let now = Player::SPEEDS.iter().position(|speed| *speed >= self.speed);
         let last = Player::SPEEDS.len() - 1;
@@ -140,7 +141,7 @@ impl Player {
         self.speed = Player::SPEEDS[next];
     }
 
-    /// Where it is, in words.
+    /// Returns a description of the present phase.
     pub fn place(&self) -> String {
         match self.kind {
             Kind::SwingUp | Kind::Orbit => format!("{:.0}°", 360.0 * self.phase),

@@ -1,4 +1,4 @@
-//! Phases in numbers, and going through them.
+//! Tests of phases and of the player.
 
 #![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
 

@@ -1,5 +1,5 @@
-//! The ledger: every number's derivation, line by line. A line that is pointed at is lit in the
-//! views, and what is pointed at there lights its line.
+//! The derivation of every number, line by line. Hovering a line highlights its concept in the
+//! views, and hovering a concept in a view highlights its line.
 
 use std::sync::Arc;
 
@@ -18,16 +18,16 @@ use crate::view::typesetting::derivation::{
 use crate::view::typesetting::formula::{self, Inks};
 use crate::view::typesetting::theme;
 
-/// The ledger as it was laid out, and which sections are folded.
+/// The derivation's layout, and its folded sections.
 #[derive(Default)]
 pub(crate) struct LedgerPanel {
     laid: Option<Laid>,
     folded: Vec<(LedgerSection, Option<u32>)>,
-    /// What was lit when the panel last scrolled to it.
+    /// The concept that the panel scrolled to last.
     scrolled_to: Option<Thing>,
 }
 
-/// Every line with its place.
+/// All lines with their layout.
 struct Laid {
     of: Arc<Ledger>,
     width: f32,
@@ -36,7 +36,8 @@ struct Laid {
 }
 
 impl LedgerPanel {
-    /// What of the last frame's ledger the mouse or the focus is on now.
+    /// Returns the concept in the last frame's derivation that the mouse or the keyboard focus is
+    /// on.
     pub(crate) fn pointed(&self, ctx: &Context) -> Option<Pointed> {
         let laid = self.laid.as_ref()?;
         let focused = ctx.memory(|memory| memory.focused());
@@ -55,17 +56,17 @@ impl LedgerPanel {
         Some(Pointed { thing, by: Pointing::Ledger })
     }
 
-    /// How wide it was when it was last shown, in points.
+    /// Returns the panel's width when it was last shown, in points.
     pub(crate) fn width(&self) -> Option<f32> {
         self.laid.as_ref().map(|laid| laid.width)
     }
 
-    /// Whether only the title of a section is shown.
+    /// Returns true if only the section's title is shown.
     pub(crate) fn is_folded(&self, section: &Section) -> bool {
         self.folded.contains(&(section.section, section.object))
     }
 
-    /// Shows the ledger.
+    /// Shows the derivation.
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
@@ -77,7 +78,7 @@ impl LedgerPanel {
         if !theme::installed(ui.ctx()).presenting {
             self.head(ui, ledger, sections);
         }
-        // Where a view points, the panel goes once.
+        // The panel scrolls only once to a concept that is hovered in a view.
         let by_view = pointed.filter(|pointed| pointed.by == Pointing::View);
         let goal = by_view.map(|pointed| pointed.thing);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
@@ -98,7 +99,7 @@ impl LedgerPanel {
         });
     }
 
-    /// The title, which sections there are, and a button that copies all of it.
+    /// Shows the title, a checkbox for each section, and buttons that copy the derivation.
     fn head(&self, ui: &mut Ui, ledger: &Ledger, sections: &mut LedgerSections) {
         ui.horizontal_wrapped(|ui| {
             ui.label(RichText::new("Ledger").strong().size(SIZE));
@@ -201,7 +202,7 @@ impl LedgerPanel {
     }
 }
 
-/// Points down at what is unfolded, right where something is folded.
+/// Draws a triangle that points down if the section is unfolded, and right if it is folded.
 fn triangle(ui: &Ui, center: egui::Pos2, is_folded: bool) {
     let corners = [vec2(-5.0, -3.0), vec2(5.0, -3.0), vec2(0.0, 4.5)];
     let turned = |corner: egui::Vec2| if is_folded { vec2(corner.y, corner.x) } else { corner };
@@ -210,7 +211,7 @@ fn triangle(ui: &Ui, center: egui::Pos2, is_folded: bool) {
     ui.painter().add(egui::Shape::convex_polygon(points, color, egui::Stroke::NONE));
 }
 
-/// The light behind what is lit.
+/// Paints the background of a highlighted line.
 fn band(ui: &Ui, rect: Rect) {
     let color = ui.visuals().selection.bg_fill.gamma_multiply(0.55);
     let edge = Rect::from_min_max(rect.min, pos2(rect.left() + 4.0, rect.bottom()));
@@ -227,7 +228,7 @@ fn show(ui: &mut Ui, line: &Line, place: &LaidLine, inks: Inks, is_lit: bool) ->
     }
     ui.ctx().accesskit_node_builder(place.id, |node| {
         node.set_role(Role::Label);
-        // The text of what is only text is its value.
+        // The accessible value of a plain text is the text.
         node.set_value(place.text.as_str());
         if is_lit {
             node.set_description("lit");

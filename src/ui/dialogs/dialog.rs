@@ -1,4 +1,5 @@
-//! Dialogs over the window: which file to open or save to, figures, unsaved changes, and messages.
+//! Dialogs over the window: opening and saving files, exporting figures, unsaved changes, and
+//! messages.
 
 use std::path::{Path, PathBuf};
 
@@ -9,64 +10,64 @@ use crate::ui::action::Action;
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::scenes::SceneSource;
 
-/// The dialog that is open.
+/// The open dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
-    /// Which file to open.
+    /// Asks for a file to open.
     Open(PathField),
-    /// Which file of a student's answers to grade.
+    /// Asks for a student's answers to grade.
     Answers(PathField),
-    /// Which file to save to.
+    /// Asks for a file to save to.
     SaveAs {
         /// The path.
         field: PathField,
-        /// What waits for the scene to be saved.
+        /// The action that follows once the scene is saved.
         then: Option<Box<Action>>,
     },
-    /// Where to write the camera in another program's terms.
+    /// Asks for a file to write the camera to, in another program's format.
     Translate {
         /// The path.
         field: PathField,
-        /// How the file's name ends; a folder's does not.
+        /// The extension of the file's name; empty for a folder.
         ending: &'static str,
     },
-    /// Which figure to write, and where to.
+    /// Asks for a figure and a file to write it to.
     Export(ExportForm),
-    /// An animation is being written; closed, it is not.
+    /// Shows the progress of an animation's export; closing the dialog cancels it.
     Progress {
-        /// How many frames are done.
+        /// Number of finished frames.
         done: u32,
-        /// How many there are.
+        /// Total number of frames.
         of: u32,
     },
-    /// What to do with unsaved changes before the action.
+    /// Asks for a decision about unsaved changes before an action.
     Unsaved {
-        /// What the document is called.
+        /// The document's name.
         title: String,
-        /// What waits for the answer.
+        /// The action that follows.
         then: Action,
     },
-    /// Something to read and close.
+    /// Shows a message.
     Message {
-        /// One line.
+        /// The title, a single line.
         title: String,
-        /// The whole story.
+        /// The full text.
         text: String,
     },
 }
 
-/// A path being typed or chosen.
+/// A field for a path, typed or chosen from a list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathField {
-    /// What is typed.
+    /// The typed text.
     pub(crate) text: String,
-    /// The endings of the files that are listed, and what is said where nothing is typed.
+    /// The extensions of the listed files, and the hint in the empty field.
     endings: &'static [&'static str],
     hint: &'static str,
-    /// The folder that is listed, and what it holds.
+    /// The listed folder and its entries.
     folder: PathBuf,
     entries: Vec<Entry>,
-    /// Whether the existing file at this path may be overwritten.
+    /// The path of an existing file that may be overwritten.
     overwrite: Option<PathBuf>,
 }
 
@@ -78,27 +79,28 @@ struct Entry {
 }
 
 impl PathField {
-    /// Of a scene to open: starts in the folder of `path`.
+    /// Creates the field for a scene to open; starts in the folder of `path`.
     pub(crate) fn to_open(path: Option<&Path>) -> PathField {
         PathField::of(path, "", &["toml"], "path of a .toml scene")
     }
 
-    /// Of a scene to save: starts in the folder of `path`, with a name filled in.
+    /// Creates the field for a scene to save; starts in the folder of `path`, with a name filled
+    /// in.
     pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
         PathField::of(path, name, &["toml"], "path of a .toml scene")
     }
 
-    /// Of a camera in another program's terms.
+    /// Creates the field for a camera in another program's format.
     pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
         PathField::of(path, name, &[], "path of the file")
     }
 
-    /// Of a student's answers: starts in the folder of `path`.
+    /// Creates the field for a student's answers; starts in the folder of `path`.
     pub(crate) fn answers_near(path: Option<&Path>) -> PathField {
         PathField::of(path, "", &["csv", "png"], "path of a .csv or .png file of answers")
     }
 
-    /// Of files with these endings.
+    /// Creates the field for files with these extensions.
     pub(crate) fn of(
         path: Option<&Path>,
         name: &str,
@@ -147,7 +149,7 @@ impl PathField {
         self.folder = folder;
     }
 
-    /// Shows the field and the folder; a path once one is chosen.
+    /// Shows the field and the folder. Returns a path once one is chosen.
     fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = None;
         let field = TextEdit::singleline(&mut self.text).hint_text(self.hint);
@@ -174,7 +176,7 @@ impl PathField {
                 let name =
                     if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
                 let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
-                // A double click is a click, too.
+                // A double click is also reported as a click.
                 if row.clicked() && entry.is_folder {
                     enter = Some(entry.path.clone());
                 } else if row.double_clicked() {
@@ -201,7 +203,7 @@ impl PathField {
     }
 }
 
-/// Shows the dialog, if one is open; closes it when it is answered.
+/// Shows the dialog, if one is open, and closes it when it is answered.
 pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<Action>) {
     let Some(open) = dialog else { return };
     let mut close = false;
@@ -271,7 +273,7 @@ fn open_ui(
     }
 }
 
-/// The path once it is chosen and, where there is such a file, chosen once more.
+/// Shows the field. Returns a path once it is chosen; an existing file must be chosen twice.
 pub(crate) fn save_ui(
     ui: &mut Ui,
     field: &mut PathField,

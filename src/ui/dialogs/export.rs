@@ -1,4 +1,4 @@
-//! The dialog that exports a figure: what it shows, how large it is, and where to.
+//! The dialog that exports a figure: its content, its size, and its file.
 
 use std::path::Path;
 
@@ -12,19 +12,19 @@ use crate::ui::dialogs::dialog::{PathField, save_ui};
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
 
-/// No figure is larger, in dots.
+/// Maximum side of a figure, in pixels.
 const LARGEST: u32 = 16_384;
 
-/// The most frames of an animation.
+/// Maximum number of frames of an animation.
 const MOST_FRAMES: u32 = 9999;
 
-/// How something stands on the screen, or would.
+/// A figure's subject with its size on the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OnScreen {
     pub(crate) subject: Subject,
     /// Width and height in points.
     pub(crate) points: [f32; 2],
-    /// Dots per point.
+    /// Pixels per point.
     pub(crate) scale: f32,
 }
 
@@ -34,7 +34,7 @@ impl OnScreen {
     }
 }
 
-/// The dialog's fields.
+/// The fields of the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportForm {
     field: PathField,
@@ -43,17 +43,17 @@ pub struct ExportForm {
     size: [u32; 2],
     style: Style,
     transparent: bool,
-    /// What of an animation, in place of a single figure.
+    /// The kind and the frames of an animation; `None` exports a single figure.
     animation: Option<(Kind, Frames)>,
-    /// What is wrong with the path.
+    /// The error in the path.
     problem: Option<String>,
 }
 
-/// The endings of figures' files.
+/// The extensions of figure files.
 const ENDINGS: [&str; 5] = ["svg", "pdf", "png", "tex", "md"];
 
 impl ExportForm {
-    /// Near the scene's file. The first of the subjects is chosen.
+    /// Creates the form with a path near the scene's file. The first subject is chosen.
     pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
         let hint = "path of an .svg, .pdf or .png file";
         let name = subjects.first().map_or("figure", |first| first.subject.name());
@@ -72,7 +72,7 @@ impl ExportForm {
         }
     }
 
-    /// The same for an animation: as many frames as it has time for.
+    /// Returns the same form for an animation, with all the frames of its duration.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
         self.animation = Some((kind, Frames::of(kind)));
         if let Some(folder) = self.field.text.strip_suffix("world.svg") {
@@ -123,13 +123,13 @@ impl ExportForm {
         }
     }
 
-    /// What the figure shows.
+    /// Shows the choice of the figure's subject.
     fn subject(&mut self, ui: &mut Ui) -> Option<OnScreen> {
         ui.horizontal(|ui| {
             for (k, shown) in self.subjects.iter().enumerate() {
                 let name = title(shown.subject);
                 if ui.radio(self.chosen == k, name).clicked() && self.chosen != k {
-                    // A name that was not typed follows.
+                    // A name that was not edited follows the subject.
                     let before = self.subjects[self.chosen].subject.name();
                     let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
                     if let Some(folder) = renamed {
@@ -164,7 +164,7 @@ impl ExportForm {
             }
             subject => {
                 let is_higher = number(ui, height, "height");
-                // Its pixels keep their shape.
+                // The pixels of the camera's picture keep their shape.
                 if subject == Subject::Camera && is_wider {
                     *height = follow(*width, down / across);
                 } else if subject == Subject::Camera && is_higher {
@@ -193,7 +193,7 @@ impl ExportForm {
     }
 }
 
-/// How many frames, how fast, and what they become.
+/// Shows the number of frames, their rate, and the file format.
 fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
     ui.label("frames");
     let response = ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES));

@@ -1,25 +1,25 @@
-//! All keys on one sheet over the window.
+//! The list of all keys, over the window.
 
 use egui::{Align, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui, vec2};
 
 use crate::model::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 
-/// The text is as large as all of it has room for, within these, in points.
+/// Minimum and maximum size of the text, in points; it is as large as the window has room for.
 const TEXT: (f32, f32) = (WRITTEN + 0.5, 21.0);
-/// A column's width and a row's height, in sizes of the text.
+/// Width of a column and height of a row, in sizes of the text.
 const COLUMN: f32 = 21.0;
 const ROW: f32 = 1.64;
-/// What names leave for keys of a column's width.
+/// Share of a column's width that the keys get beside their names.
 const KEYS: f32 = 0.44;
-/// From the sheet's edge to the window's, and what is above the columns.
+/// Margin between the list and the window, and height of the part above the columns.
 const EDGE: f32 = 16.0;
 const HEAD: f32 = 46.0;
 
 /// A group's heading with its keys and names.
 type Entries = (Group, Vec<(String, String)>);
 
-/// Shows the sheet; whether it stays open.
+/// Shows the list. Returns true if it stays open.
 pub(crate) fn ui(ctx: &Context) -> bool {
     let keys = [Key::Questionmark, Key::F1];
     let again = keys.iter().any(|key| ctx.input_mut(|i| i.consume_key(Modifiers::NONE, *key)));
@@ -52,7 +52,7 @@ pub(crate) fn ui(ctx: &Context) -> bool {
     is_open && !response.should_close()
 }
 
-/// Arrow and page keys scroll where there is more than room.
+/// Scrolls by arrow and page keys if not everything fits.
 fn scroll(ui: &mut Ui, page: f32) {
     let keys = [
         (Key::ArrowDown, -40.0),
@@ -67,18 +67,19 @@ fn scroll(ui: &mut Ui, page: f32) {
     }
 }
 
-/// In rows; a heading takes about two.
+/// Returns the height in rows; a heading takes about two.
 fn height(groups: &[Entries]) -> usize {
     groups.iter().map(|(_, rows)| rows.len() + 2).sum()
 }
 
-/// A group goes where its middle would be if all columns were one.
+/// Returns the column of a group: the one that its middle would be in if all columns were one.
 fn column_of(groups: &[Entries], k: usize, columns: usize) -> usize {
     let middle = height(&groups[..k]) + groups[k].1.len() / 2 + 1;
     (columns * middle / height(groups).max(1)).min(columns - 1)
 }
 
-/// How many columns, and how large a text, so that all of it fits; the smallest text where none does.
+/// Returns the number of columns and the largest text size at which all groups fit; the smallest
+/// size if none fits.
 fn fitting(groups: &[Entries], room: egui::Vec2) -> (usize, f32) {
     let columns = |text: f32| ((room.x / (COLUMN * text)) as usize).clamp(1, 4);
     let fits = |text: f32| {

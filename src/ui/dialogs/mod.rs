@@ -1,5 +1,5 @@
-//! What lies over the window: dialogs about files, figures and unsaved changes, the palette of
-//! commands and the list of keys.
+//! Overlays over the window: dialogs about files, figures and unsaved changes, the command palette
+//! and the list of keys.
 
 pub mod dialog;
 pub mod export;

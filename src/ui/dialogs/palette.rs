@@ -1,4 +1,4 @@
-//! The command palette: every command, found by a few of its letters.
+//! The command palette: finds every command by a few of its letters.
 
 use egui::{
     Align, Button, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui,
@@ -8,19 +8,20 @@ use crate::model::session::Session;
 use crate::ui::action::Action;
 use crate::ui::commands_table::{Verb, found};
 
-/// Of names, in points.
+/// Size of the names, in points.
 const TEXT: f32 = 17.0;
-/// So many commands are seen at once.
+/// Number of commands that are visible at once.
 const ROWS: f32 = 10.0;
 
-/// What was typed, and which of the commands that fit it is chosen.
+/// The typed text, and the index of the selected command among those that match it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Palette {
     typed: String,
     chosen: usize,
 }
 
-/// Shows the palette of these commands; what was chosen goes into `actions`. Whether it stays open.
+/// Shows the palette of these commands, and adds the chosen one to `actions`. Returns true if the
+/// palette stays open.
 pub(crate) fn ui(
     ctx: &Context,
     palette: &mut Palette,
@@ -55,7 +56,8 @@ pub(crate) fn ui(
     is_open && !response.should_close()
 }
 
-/// How many commands the keys go down; what is typed does not get these keys.
+/// Returns the number of commands by which the pressed keys move down, and consumes these keys so
+/// that the text field does not get them.
 fn moves(ctx: &Context) -> isize {
     let page = ROWS as isize - 1;
     let keys =
@@ -77,7 +79,7 @@ fn field(ui: &mut Ui, palette: &mut Palette) {
     }
 }
 
-/// The commands that fit; the one that was clicked.
+/// Shows the matching commands. Returns the index of the clicked one.
 fn list(
     ui: &mut Ui,
     fitting: &[&Verb],

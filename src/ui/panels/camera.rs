@@ -1,4 +1,4 @@
-//! The camera as numbers: where the eye is, where it looks, the viewport and the image.
+//! The camera as numbers: eye, orientation, viewport and image.
 
 use egui::{Grid, RichText, Ui};
 use pinhole_core::{
@@ -12,9 +12,8 @@ use crate::model::symbols::{Kind, words};
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 use crate::view::typesetting::theme::error_color;
 
-/// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
-/// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
-/// distance : width : height.
+/// Edits the camera. The setting `keep_pixel_shape` locks the pixels' present shape, the ratio of
+/// width : height to W : H; `keep_picture` locks distance : width : height.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.horizontal(|ui| {
         ui.heading("Camera");
@@ -31,7 +30,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.heading("Viewport and image");
     Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
     if let Err(fault) = camera.viewport.check() {
-        // Below the grid, where it wraps: in a cell it would widen the panel.
+        // Below the grid, where the text wraps: in a cell it would widen the panel.
         ui.label(RichText::new(told(fault)).color(error_color(ui)));
     }
     let hint = "Editing width, height, W or H takes another of them along";
@@ -40,7 +39,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     teaching::ui(ui, camera, settings);
 }
 
-/// How the camera is given; switching converts.
+/// Shows the choice of how the camera is given, and converts the camera.
 fn given_by(ui: &mut Ui, camera: &mut Camera) {
     ui.horizontal(|ui| {
         ui.label("Given by");
@@ -101,7 +100,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
     }
 }
 
-/// Whether this is the field to write the reason under.
+/// Returns true if the error message belongs under this field.
 fn is_at_fault(fault: &BasisError, field: &str) -> bool {
     let of_vector = |vector: BasisVector| match vector {
         BasisVector::U => "basis.u",
@@ -140,22 +139,23 @@ fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
     } else if settings.keep_pixel_shape {
         keep_pixels_shape(&before, camera);
     }
-    // Another field of view is another picture.
+    // A change of the field of view would change the picture.
     field_of_view(ui, camera, !settings.keep_picture);
 }
 
-/// One measure of the image.
+/// Shows a field for the image's width or height.
 fn pixels(ui: &mut Ui, name: &str, value: &mut u32) {
     ui.label(name);
     let field = egui::DragValue::new(value).range(1..=ImageSize::MAX).speed(1.0).suffix(" px");
-    // Typing 1920 does not go through 1, 19 and 192.
+    // While 1920 is typed, the value does not become 1, 19 and 192.
     let field = field.update_while_editing(false);
     let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
     ui.end_row();
 }
 
-/// Both fields of view in degrees; editing one changes width and height and keeps the distance.
+/// Shows both fields of view in degrees; editing one changes width and height and keeps the
+/// distance.
 fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     if camera.viewport.check().is_err() {
         return;
@@ -178,15 +178,16 @@ fn field_of_view(ui: &mut Ui, camera: &mut Camera, enabled: bool) {
     ui.end_row();
 }
 
-/// Fields of view that a flat viewport can have: short of 180 degrees, where it would be infinite.
+/// Range of the fields of view of a flat viewport: less than 180 degrees, where it would be
+/// infinite.
 const FOV_DEGREES: std::ops::RangeInclusive<f64> = 1e-6..=179.999;
 
-/// How many times as wide as high a camera's pixels are.
+/// Returns the ratio of width to height of a camera's pixels.
 fn shape_of(camera: &Camera) -> f64 {
     camera.viewport.width / camera.viewport.height / camera.image.aspect()
 }
 
-/// After an edit, another measure follows: the height, or the width where the height was edited.
+/// Adapts another extent after an edit: the height, or the width if the height was edited.
 fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     let shape = shape_of(before);
     let Viewport { width, height, .. } = camera.viewport;
@@ -201,7 +202,7 @@ fn keep_pixels_shape(before: &Camera, camera: &mut Camera) {
     }
 }
 
-/// What shape the pixels have where they are not square, and a way to make them so.
+/// Shows the shape of pixels that are not square, and a button that makes them square.
 fn pixel_shape(ui: &mut Ui, camera: &mut Camera) {
     let shape = shape_of(camera);
     if shape.is_finite() && shape > 0.0 && (shape - 1.0).abs() > 1e-9 {

@@ -1,4 +1,4 @@
-//! The strip of the lesson that is open: what to look at, and the way through the lessons.
+//! The strip of the open lesson: the step's text, and the navigation through the lessons.
 
 use std::sync::Arc;
 
@@ -10,15 +10,15 @@ use crate::ui::action::Action;
 use crate::ui::commands_table::{keys_text, shortcut};
 use crate::ui::widgets::marked_text;
 
-/// Of the text, in points: legible from the back row.
+/// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 18.0;
-/// Of the buttons' text.
+/// Size of the buttons' text, in points.
 const BUTTON: f32 = 15.0;
-/// So many lines are always kept free, that the views stay where they are from step to step.
+/// Number of lines that are always reserved, so that the views stay in place from step to step.
 const LINES: f32 = 2.0;
 
-/// Shows the strip; what was chosen in it goes into `actions`. `changed`: something is not as the
-/// step says.
+/// Shows the strip and adds the chosen actions to `actions`. `changed` is true if something differs
+/// from the step.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenLesson,
@@ -36,7 +36,7 @@ pub(crate) fn ui(
     text(ui, open);
 }
 
-/// The strip while presenting: what is said, and nothing to press.
+/// Shows the strip while presenting: the text without buttons.
 pub(crate) fn slim(ui: &mut Ui, open: &OpenLesson) {
     ui.add_space(2.0);
     ui.horizontal(|ui| titles(ui, open));
@@ -61,7 +61,7 @@ fn titles(ui: &mut Ui, open: &OpenLesson) {
     ui.add(Label::new(title).truncate());
 }
 
-/// From right to left.
+/// Shows the buttons from right to left.
 fn buttons(
     ui: &mut Ui,
     open: &OpenLesson,
@@ -93,20 +93,20 @@ fn buttons(
     let previous = open.previous().map(Action::GoTo);
     let hint = hint("The step before", &Action::Previous);
     button(ui, "← Previous", "Previous", &hint, previous);
-    // Laid out like every menu, whatever the buttons' direction is.
+    // Laid out like every menu, independent of the buttons' direction.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
     menu.config(MenuConfig::new()).ui(ui, |ui| contents(ui, open, file, actions));
 }
 
-/// The contents' columns: all lessons fit into a window of 720 points.
+/// Number of columns of the contents: all lessons fit into a window of 720 points.
 const COLUMNS: usize = 3;
-/// A column's width.
+/// Width of a column, in points.
 const COLUMN: f32 = 330.0;
 
-/// All lessons with their steps, a teacher's own above the program's.
+/// Shows all lessons with their steps, a teacher's own lesson above the built-in ones.
 fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut Vec<Action>) {
     let width = COLUMNS as f32 * COLUMN;
-    // A menu's own limit is smaller than all lessons.
+    // The default limit of a menu is too small for all lessons.
     ui.set_max_size((ui.ctx().content_rect().size() - vec2(40.0, 120.0)).max(vec2(200.0, 120.0)));
     ScrollArea::both().show(ui, |ui| {
         ui.set_width(width);
@@ -120,7 +120,7 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut
         let all = builtin::all();
         ui.columns(COLUMNS, |columns| {
             for (index, lesson) in all.iter().enumerate() {
-                // Where its middle would be in one long column.
+                // The column that its middle would be in if all columns were one.
                 let middle = rows(&all[..index]) + lesson.steps.len() / 2;
                 let column = (COLUMNS * middle / rows(all).max(1)).min(COLUMNS - 1);
                 entries(&mut columns[column], Which::Builtin(index), lesson, open, actions);
@@ -129,7 +129,7 @@ fn contents(ui: &mut Ui, open: &OpenLesson, file: Option<&Lesson>, actions: &mut
     });
 }
 
-/// One lesson and its steps.
+/// Shows a lesson and its steps.
 fn entries(
     ui: &mut Ui,
     which: Which,

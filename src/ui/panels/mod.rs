@@ -1,5 +1,5 @@
-//! The window's panels, one `ui` function a file. Each edits what it is given in place and says
-//! nothing else to anyone.
+//! The window's panels, one `ui` function per file. Each edits the values it is given in place, and
+//! has no other effects.
 
 pub(crate) mod camera;
 pub(crate) mod lesson_strip;

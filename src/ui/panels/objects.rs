@@ -1,4 +1,4 @@
-//! The scene's spheres and planes: a list to choose from, and the chosen one's fields.
+//! The scene's spheres and planes: a list for selection, and the fields of the selected object.
 
 use egui::{Button, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
@@ -9,10 +9,10 @@ use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::document::{Document, Item, Shared};
 
-/// Rows of the list that are visible at once.
+/// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
 
-/// Edits the objects; `chosen` is the index of the one whose fields are shown.
+/// Edits the objects; `chosen` is the index of the object whose fields are shown.
 pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
     ui.horizontal(|ui| {
         ui.heading("Objects");
@@ -35,23 +35,23 @@ pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
     editor(ui, document, *chosen);
 }
 
-/// Adds a sphere that the camera sees; which one it is.
+/// Adds a sphere that the camera sees. Returns its index.
 pub(crate) fn add_sphere(document: &mut Document) -> usize {
     document.spheres.push(Item::plain(new_sphere(&document.camera)));
     document.spheres.len() - 1
 }
 
-/// Adds a plane below the origin; which one it is.
+/// Adds a plane below the origin. Returns its index.
 pub(crate) fn add_plane(document: &mut Document) -> usize {
     let plane = Plane { point: DVec3::new(0.0, -1.0, 0.0), normal: DVec3::Y };
     document.planes.push(Item::plain(plane));
     document.sphere_count() + document.planes.len() - 1
 }
 
-/// Takes an object out of the scene.
+/// Removes an object from the scene.
 ///
 /// # Errors
-/// Why it stays: it stands in a file of its own.
+/// Returns an error if the object comes from a file of spheres.
 pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String> {
     let first_plane = document.sphere_count();
     if index < document.spheres.len() {
@@ -64,21 +64,21 @@ pub(crate) fn remove(document: &mut Document, index: usize) -> Result<(), String
     Ok(())
 }
 
-/// Where a sphere of the CSV file is edited.
+/// Returns a message that tells where a sphere of a CSV file is edited.
 fn row_of_file(document: &Document, index: usize) -> String {
     let file = document.csv_spheres.as_ref().map_or("", |csv| csv.path.as_str());
     let row = index - document.spheres.len() + 1;
     format!("Sphere {index} is row {row} of {file}: edit it there.")
 }
 
-/// A sphere that the camera sees, in the upper right quarter of the picture.
+/// Returns a sphere that the camera sees, in the upper right quarter of the picture.
 fn new_sphere(camera: &Camera) -> Sphere {
     let Ok(posed) = camera.posed() else {
         return Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
     };
     let viewport = posed.viewport();
     let ray = posed.ray(DVec2::new(0.25 * viewport.width, 0.25 * viewport.height));
-    // Four viewport distances away, a tenth of the picture high.
+    // Four viewport distances away, with a diameter of a fifth of the picture's height.
     Sphere { center: ray.at(4.0), radius: 4.0 * 0.1 * viewport.height }
 }
 
@@ -89,7 +89,7 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
     let mut area = ScrollArea::vertical().id_salt("objects");
     let before = ui.data(|data| data.get_temp::<usize>(shown));
     if before.is_some_and(|before| before != *chosen) {
-        // Chosen elsewhere: it comes to the middle.
+        // The object was selected elsewhere: scroll it to the middle.
         let middle = *chosen as f32 - 0.5 * (LIST_ROWS - 1.0);
         area = area.vertical_scroll_offset((with_gap * middle).max(0.0));
     }
@@ -101,7 +101,7 @@ fn list(ui: &mut Ui, document: &Document, chosen: &mut usize) {
             for index in rows {
                 ui.horizontal(|ui| {
                     swatch(ui, theme::object_color(ui, document, index as u32));
-                    // A long name is cut off: it may not widen the panel.
+                    // Truncate a long name: it must not widen the panel.
                     let title = document.title_of(index);
                     let label = ui.add(Button::selectable(*chosen == index, title).truncate());
                     if label.clicked() {
@@ -145,7 +145,7 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
     }
 }
 
-/// Edits an object where it was edited: the list is shared with the steps of the history, and copied
+/// Stores an object if it was edited: the list is shared with the steps of the history, and copied
 /// when it is written to.
 fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) {
     if items[index] != item {
@@ -153,7 +153,8 @@ fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: It
     }
 }
 
-/// Name, colour (`shown` in the views) and the remove button; whether that was clicked.
+/// Shows the name, the colour (`shown` in the views) and the remove button. Returns true if the
+/// button was clicked.
 fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
     ui.horizontal(|ui| {
         let mut color = shown;

@@ -1,4 +1,4 @@
-//! The strip of the animation that is open, and the menu that opens one.
+//! The strip of the open animation, and the menu that opens one.
 
 use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
 
@@ -9,14 +9,14 @@ use crate::view::typesetting::theme::error_color;
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
 
-/// In a narrower strip, in points, how it ends and where it is have a row of their own.
+/// Width of the strip, in points, below which its right part moves to a second row.
 const NARROW: f32 = 1180.0;
 
-/// The width that is kept for where the animation is, in points.
+/// Width reserved for the animation's present position, in points.
 const PLACE: f32 = 64.0;
 const SCAN_PLACE: f32 = 196.0;
 
-/// The menu: what can move.
+/// Shows the menu of animations.
 pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for kind in Kind::ALL {
         if ui.button(kind.label()).clicked() {
@@ -25,7 +25,7 @@ pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// The strip; what it cannot change in place goes into `actions`.
+/// Shows the strip, and adds to `actions` the changes that cannot be made in place.
 pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     ui.add_space(3.0);
@@ -56,7 +56,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     ui.add_space(2.0);
 }
 
-/// A button: what it says, what it is called, and its hint.
+/// Shows a button with its text, its accessible name, and its hint.
 fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayMove, actions: &mut Vec<Action>) {
     let response = ui.add(Button::new(text)).on_hover_text(hint);
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
@@ -65,7 +65,7 @@ fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayMove, actions: &
     }
 }
 
-/// How it can end, and where it is; from right to left.
+/// Shows the buttons that end the animation, and its position; from right to left.
 fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     let hint = "Close, with everything as it was at the start";
     button(ui, ["Stop", "Stop and go back", hint], PlayMove::Close, actions);
@@ -77,7 +77,7 @@ fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     place(ui, player);
 }
 
-/// What moves; another one where that was chosen.
+/// Shows the choice of animation. Returns a newly chosen one.
 fn kinds(ui: &mut Ui, now: Kind) -> Option<Kind> {
     let mut chosen = now;
     let menu = ComboBox::from_id_salt("what moves").width(206.0).selected_text(now.label());
@@ -101,7 +101,8 @@ fn speed(ui: &mut Ui, speed: &mut f64) {
     ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_label("speed"));
 }
 
-/// Where it is, in words and as a slider; who takes hold of that stops it. From right to left.
+/// Shows the position as text and as a slider; dragging the slider pauses the animation. From right
+/// to left.
 fn place(ui: &mut Ui, player: &mut Player) {
     let width = if player.kind == Kind::Scan { SCAN_PLACE } else { PLACE };
     let height = ui.spacing().interact_size.y;

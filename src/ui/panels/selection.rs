@@ -1,4 +1,4 @@
-//! Which ray is looked at, typed: by row and column, or by (u, v).
+//! Fields for the selected ray: row and column, or (u, v).
 
 use egui::{Grid, Ui};
 use pinhole_core::{Pixel, PosedCamera};
@@ -6,7 +6,7 @@ use pinhole_core::{Pixel, PosedCamera};
 use crate::model::session::Selection;
 use crate::ui::widgets::number::NumberField;
 
-/// Edits the selection of a camera that has a basis.
+/// Edits the selection of a valid camera.
 pub(crate) fn ui(
     ui: &mut Ui,
     selection: &mut Selection,
@@ -28,7 +28,7 @@ pub(crate) fn ui(
         let from = u32::from(count_from_one);
         let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
         let image = posed.image();
-        // A place on an edge or corner is that of no one pixel.
+        // A point on an edge or corner belongs to no single pixel.
         let known = match *selection {
             Selection::Pixel(_) => true,
             Selection::Uv(_) => posed
@@ -53,7 +53,8 @@ pub(crate) fn ui(
     });
 }
 
-/// A row or column; a dash where the ray passes beside the image, or between pixels.
+/// Shows a field for a row or column, with a dash if the ray passes outside the image or between
+/// pixels. Returns true if it changed.
 fn index_field(
     ui: &mut Ui,
     name: &str,

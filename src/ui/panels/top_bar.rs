@@ -1,4 +1,4 @@
-//! The bar on top: scenes and files, views, how pictures are coloured, and how numbers are written.
+//! The bar at the top: scenes and files, views, shading, and number format.
 
 use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
@@ -19,7 +19,7 @@ use crate::view::derivation::Markup;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::scenes::builtin;
 
-/// What the history would undo and redo.
+/// The steps that can be undone and redone.
 pub(crate) struct Steps<'a> {
     /// The name of the last step.
     pub(crate) undo: Option<&'a str>,
@@ -27,16 +27,16 @@ pub(crate) struct Steps<'a> {
     pub(crate) redo: Option<&'a str>,
 }
 
-/// What there is only sometimes.
+/// The presence of optional parts.
 #[derive(Clone, Copy)]
 pub(crate) struct Has {
-    /// A frozen camera to compare with.
+    /// True if there is a ghost to compare with.
     pub(crate) ghost: bool,
-    /// A student's answers.
+    /// True if there are a student's answers.
     pub(crate) answers: bool,
 }
 
-/// Shows the bar; what was chosen in it goes into `actions` and `settings`.
+/// Shows the bar, and writes the user's choices to `actions` and `settings`.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
@@ -57,14 +57,14 @@ pub(crate) fn ui(
             }
         });
         ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
-        // Several switches in one go: these stay open while one clicks in them.
+        // These menus stay open for several clicks.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
         menu("Show").ui(ui, |ui| show_menu(ui, has.ghost, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
-        // As in the window's title.
+        // The same text as in the window's title.
         let changed = if open.has_changes() { "*" } else { "" };
         let title = format!("{}{changed}", title_of(open.origin()));
         let shading = format!("Shade: {}", Shade::from(settings.shade).name());
@@ -77,11 +77,11 @@ pub(crate) fn ui(
     });
 }
 
-/// So much of the bar the scene's name has at least, and a separator has, in points.
+/// Minimum width of the scene's name, and width of a separator, in points.
 const TITLE: f32 = 64.0;
 const SEPARATOR: f32 = 14.0;
 
-/// How wide a button with this text is, with the room beside it.
+/// Returns the width of a button with this text, including the space beside it.
 fn width_of(ui: &Ui, text: &str) -> f32 {
     let font = TextStyle::Button.resolve(ui.style());
     let text = ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE);
@@ -122,7 +122,7 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     entry(ui, "Quit", Action::Quit, actions);
 }
 
-/// A command, with its key.
+/// Shows a menu entry with its key.
 fn entry(ui: &mut Ui, text: &str, action: Action, actions: &mut Vec<Action>) {
     if ui.add(egui::Button::new(text).shortcut_text(shortcut(&action))).clicked() {
         actions.push(action);
@@ -206,8 +206,8 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
     ui.checkbox(&mut settings.count_from_one, "Count rows and columns from 1");
 }
 
-/// The layouts side by side; those for which there is no room, so much being kept for what follows,
-/// in a menu.
+/// Shows the layouts side by side. Layouts without room move into a menu; `after` is the width
+/// reserved for what follows.
 fn layout(ui: &mut Ui, has: Has, settings: &mut Settings, after: f32) {
     let answers = has.answers.then_some(ViewLayout::Answers);
     let layouts: Vec<ViewLayout> = ViewLayout::LISTED.into_iter().chain(answers).collect();
@@ -227,7 +227,7 @@ fn layout(ui: &mut Ui, has: Has, settings: &mut Settings, after: f32) {
     };
     let shown = match fits(room) {
         all if all == layouts.len() => all,
-        // The longest name that the menu can have.
+        // The longest label that the menu can have.
         _ => fits(room - width_of(ui, &format!("More: {}", ViewLayout::Translator.label()))),
     };
     let (shown, hidden) = layouts.split_at(shown);

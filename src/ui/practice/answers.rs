@@ -1,5 +1,5 @@
-//! A student's answers: beside the camera's picture the map of where they are wrong; below, how many
-//! are right, the worst, and the mistake that explains them.
+//! A student's answers: the error map beside the camera's picture; below, the number of right
+//! answers, the worst answer, and the mistake that explains the errors.
 
 use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
@@ -21,26 +21,27 @@ use crate::view::typesetting::theme::error_color;
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
-/// Above a narrower map, in points, there is room for the file's name alone, and for two colours.
+/// Widths of the map, in points, below which its title is only the file's name, and its legend
+/// leaves out answers that are missing.
 const NARROW: f32 = 440.0;
 const NARROWEST: f32 = 330.0;
 
-/// What is said where there are none.
+/// The text if there are no answers.
 const NONE: &str = "Drop a student’s answers on the window: CSV with the columns of a basis, of rays or of \
                     hits, or a picture as PNG.";
 
-/// What is said where the scene has a fault.
+/// The text if the scene is invalid.
 const FAULT: &str = "The scene has a fault: there is nothing to grade by.";
 
-/// What is said while a hand moves what takes long to grade.
+/// The text while the user drags something that takes long to grade.
 const WAITS: &str = "Graded as soon as the hand rests.";
 
-/// Why there is no grade of the answers that there are.
+/// Returns the reason why the answers are not graded.
 fn why_not(derived: &Derived) -> &'static str {
     if derived.fault.is_some() { FAULT } else { WAITS }
 }
 
-/// The title above the map: whose answers these are.
+/// Shows the title above the map: the name of the answers.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, has_map: bool) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
@@ -62,7 +63,8 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, ha
     });
 }
 
-/// What the map's colours mean, from the right; where there is little room, that of answers alone.
+/// Shows the legend of the map's colours, from the right; with little room only those of given
+/// answers.
 fn legend(ui: &mut Ui, whole: bool) {
     let cells =
         [(Cell::Unanswered, "not answered"), (Cell::Wrong, "wrong"), (Cell::Right, "right")];
@@ -76,7 +78,7 @@ fn legend(ui: &mut Ui, whole: bool) {
     }
 }
 
-/// What a screen reader says of the map.
+/// Returns the description of the map for screen readers.
 pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
     match (&derived.answers, &session.answers) {
         (_, None) => NONE.to_owned(),
@@ -86,7 +88,7 @@ pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
     }
 }
 
-/// Why there is no map, in its place.
+/// Shows, in place of the map, the reason why there is none.
 pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Session) {
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let text = match (&derived.answers, &session.answers) {
@@ -104,7 +106,7 @@ pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Sessi
     });
 }
 
-/// What is found, and what can be done with the answers.
+/// Shows the result of grading, and the actions on the answers.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions: &mut Vec<Action>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     buttons(ui, session, actions);

@@ -1,4 +1,4 @@
-//! The exercises view: the list, the question, fields for the answer, and what is said of it.
+//! The exercises view: the list, the question, the answer fields, and the verdicts.
 
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
@@ -13,22 +13,22 @@ use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 
-/// Size of what is read, in points.
+/// Size of the text, in points.
 const TEXT: f32 = 17.0;
 
 /// Width of the list, in points.
 const LIST: f32 = 290.0;
 
-/// Where the fields begin, and what is said below them, in points.
+/// Indent of the fields and of the text below them, in points.
 const INDENT: f32 = 96.0;
 
 /// Width of one answer field, in points.
 const FIELD: f32 = 150.0;
 
-/// A vector's coordinates: for screen readers, and as they are written.
+/// The coordinates of a vector: for screen readers, and as symbols.
 const AXES: [(&str, &str); 3] = [("x", "𝑥"), ("y", "𝑦"), ("z", "𝑧")];
 
-/// Shows the exercise at hand; opening its camera goes into `actions`.
+/// Shows the current exercise; opening its camera adds to `actions`.
 pub(crate) fn ui(
     ui: &mut Ui,
     exercises: &mut Exercises,
@@ -118,7 +118,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
     );
 }
 
-/// The lecture's own question, or one of a seed.
+/// Shows the choice between the lecture's own question and one from a seed.
 fn source(ui: &mut Ui, exercises: &mut Exercises) {
     let exercise = exercises.question().exercise;
     let seed = exercises.seed();
@@ -149,7 +149,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
     });
 }
 
-/// The fields of one part; whether Enter was pressed in one.
+/// Shows the fields of one part. Returns true if Enter was pressed in one.
 fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
     let mut entered = false;
     let name = part.asked.id();
@@ -192,7 +192,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
         if changed {
             typed.said = None;
         }
-        // Not before: a vector may be typed with its brackets, too.
+        // Only when the field loses focus: a vector may also be typed with its brackets.
         if left {
             typed.spread();
         }
@@ -200,7 +200,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
     entered
 }
 
-/// The right answer, below the fields.
+/// Shows the right answer below the fields.
 fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
     let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
     ui.horizontal_top(|ui| {
@@ -209,7 +209,7 @@ fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
     });
 }
 
-/// What is said of a part, once it was checked.
+/// Shows the verdict on a part once it was checked.
 fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let Some(said) = &typed.said else { return };
     let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();

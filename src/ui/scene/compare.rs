@@ -1,4 +1,4 @@
-//! The comparison with the ghost: its picture or where it differs beside the camera view, and both
+//! The comparison with the ghost: its picture or the differences beside the camera view, and both
 //! cameras in numbers below.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
@@ -19,13 +19,13 @@ use pinhole_exchange::document::Document;
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;
 
-/// Significant digits, at most.
+/// Maximum number of significant digits.
 const DIGITS: usize = 4;
 
-/// What is said where there is no ghost.
+/// The text if there is no ghost.
 const NO_GHOST: &str = "Freeze the camera to compare with it: press G.";
 
-/// What can be done with the ghost, as a menu.
+/// Shows the menu entries of the ghost.
 pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     for (text, keys, ghost, needs_one) in [
         ("Freeze the camera as ghost", "G", GhostMove::Freeze, false),
@@ -40,7 +40,7 @@ pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     }
 }
 
-/// Above the picture beside the camera view: which of the two it is.
+/// Shows the choice of picture, above the picture beside the camera view.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
@@ -56,12 +56,12 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
     });
 }
 
-/// What a screen reader says of it.
+/// Returns the description of the picture for screen readers.
 pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
     against.map_or_else(|| NO_GHOST.to_owned(), seen)
 }
 
-/// Why there is no picture, in its place.
+/// Shows, in place of the picture, the reason why there is none.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let text = match ghost.map(|ghost| ghost.camera.posed()) {
@@ -75,14 +75,14 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     });
 }
 
-/// `12,345 of 90,000 pixels see another object`
+/// Returns `12,345 of 90,000 pixels see another object`.
 fn seen(against: &AgainstGhost) -> String {
     let [differing, pixels] =
         [against.seen.differing, against.seen.pixels].map(|n| grouped(n as u64));
     format!("{differing} of {pixels} pixels see another object")
 }
 
-/// What is done with the ghost, and both cameras in numbers.
+/// Shows the buttons of the ghost, and both cameras in numbers.
 pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
@@ -93,7 +93,7 @@ pub(crate) fn ui(
 ) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let against = derived.against_ghost.as_deref();
-    // More digits have no room beside each other.
+    // More digits do not fit side by side.
     let style = NumberStyle { digits: style.digits.min(DIGITS), ..style };
     ui.horizontal(|ui| {
         buttons(ui, ghost.is_some(), actions);
@@ -120,7 +120,7 @@ pub(crate) fn ui(
     });
 }
 
-/// What the menu has, in a row.
+/// Shows the menu's commands as a row of buttons.
 fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     for (text, name, ghost, needs_one) in [
         ("Freeze (G)", "Freeze the camera", GhostMove::Freeze, false),
@@ -135,7 +135,7 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     }
 }
 
-/// A quantity of the ghost, of the camera at hand, and what lies between the two.
+/// A quantity of the ghost and of the current camera, with the difference between the two.
 #[derive(Clone)]
 struct Line {
     name: &'static str,
@@ -149,7 +149,7 @@ impl Line {
         Line { name, ghost, now, between }
     }
 
-    /// Its name, in its own colour; a screen reader reads all of it.
+    /// Shows the name in its own colour; screen readers read the whole line.
     fn name(&self, ui: &mut Ui) {
         let Line { name, ghost, now, between } = self;
         let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
@@ -162,14 +162,15 @@ impl Line {
     }
 }
 
-/// As wide as so many characters of a number: nothing moves sideways while numbers change.
+/// Shows a text with the width of this number of characters, so that nothing moves sideways while
+/// numbers change.
 fn wide(ui: &mut Ui, characters: f32, text: RichText) {
     let response = ui.label(text);
     let width = 8.2 * characters;
     ui.add_space((width - response.rect.width()).max(0.0));
 }
 
-/// Vectors of both cameras, one above the other, with what lies between them.
+/// Shows vectors of both cameras, one above the other, with the difference between them.
 fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
     let characters = 3.0 * (style.digits as f32 + 2.8);
     Grid::new(name).num_columns(3).spacing([8.0, 2.0]).show(ui, |ui| {
@@ -189,7 +190,7 @@ fn vectors(ui: &mut Ui, name: &str, lines: &[Line], style: NumberStyle) {
     });
 }
 
-/// Numbers of both cameras, side by side.
+/// Shows numbers of both cameras, side by side.
 fn scalars(ui: &mut Ui, lines: &[Line], style: NumberStyle) {
     let characters = style.digits as f32 + 2.6;
     Grid::new("scalars").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
@@ -209,7 +210,7 @@ fn scalars(ui: &mut Ui, lines: &[Line], style: NumberStyle) {
 }
 
 fn degrees(x: f64, style: NumberStyle) -> String {
-    // Rounding alone is no turn.
+    // A rounding error is no turn.
     let x = if x.abs() < 1e-9 { 0.0 } else { x };
     format!("{}°", style.number(x))
 }
@@ -219,7 +220,7 @@ fn signed(x: f64, style: NumberStyle) -> String {
     format!("{sign}{}", style.number(x))
 }
 
-/// u, v, w.
+/// Returns the lines of u, v, w.
 fn turned(now: &PosedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<Line> {
     let (here, there, by) = (now.basis(), against.ghost.basis(), &against.difference);
     let vectors = [("u", here.u, there.u), ("v", here.v, there.v), ("w", here.w, there.w)];
@@ -229,7 +230,7 @@ fn turned(now: &PosedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<
     vectors.into_iter().zip(by.basis).map(line).collect()
 }
 
-/// eye, at, up.
+/// Returns the lines of eye, at, up.
 fn moved(
     document: &Document,
     ghost: &Ghost,
@@ -251,7 +252,7 @@ fn moved(
     ]
 }
 
-/// How far the camera is turned and rolled.
+/// Shows the angles by which the camera is turned and rolled.
 fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
     let by = &against.difference;
     let mut said = format!("turned by {}", degrees(by.turn, style));
@@ -261,7 +262,7 @@ fn turns(ui: &mut Ui, against: &AgainstGhost, style: NumberStyle) {
     ui.strong(said);
 }
 
-/// The viewport.
+/// Returns the lines of the viewport.
 fn numbers(
     document: &Document,
     ghost: &Ghost,
@@ -282,7 +283,7 @@ fn numbers(
     lines.map(line).to_vec()
 }
 
-/// What the selected ray hits, of both cameras.
+/// Returns the lines of the first hit of the selected ray, for both cameras.
 fn hits(
     now: Option<&Inspection>,
     ghost: &Inspection,
@@ -290,7 +291,7 @@ fn hits(
     style: NumberStyle,
 ) -> [Line; 2] {
     let (here, there) = (now.and_then(Inspection::first_hit), ghost.first_hit());
-    // Names would not fit; their numbers are in the list of objects.
+    // Names do not fit; the list of objects has their numbers.
     let kind = |hit: &Root| {
         let object = hit.object as usize;
         let kind = if object < document.sphere_count() { "sphere" } else { "plane" };

@@ -1,5 +1,5 @@
-//! In the world view, that the camera is too small on the screen to be taken in the hand, and the way
-//! to have it larger.
+//! The hint in the world view that the camera is too small on the screen for handles, and the
+//! button that frames it.
 
 use egui::{Align2, Button, FontId, Rect, RichText, Ui, vec2};
 use pinhole_core::DVec2;
@@ -15,14 +15,15 @@ use pinhole_exchange::document::Document;
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
-/// From the view's edges, and from handles, in points.
+/// Distance from the view's edges and from handles, in points.
 const GAP: f32 = 10.0;
 
-/// What is said, where there is room for it, and else.
+/// The text, whose first part is left out if there is no room.
 const WHY: &str = "Viewport too small for handles: ";
 const DO: &str = "frame the camera";
 
-/// Says it in the world view, which is in `rect`; whether the camera is to be framed.
+/// Shows the hint in the world view, which fills `rect`. Returns true if the camera should be
+/// framed.
 pub(crate) fn hint(
     ui: &mut Ui,
     rect: Rect,
@@ -61,7 +62,7 @@ pub(crate) fn hint(
         .iter()
         .map(|grip| rect.min + points(grip.spot) / scale)
         .collect();
-    // No handle lies under it.
+    // No handle may lie under the hint.
     let corners = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM, Align2::LEFT_TOP, Align2::RIGHT_TOP];
     let place = corners
         .map(|corner| corner.align_size_within_rect(size, rect.shrink(GAP)))

@@ -1,4 +1,4 @@
-//! The scene workspace: the world view and the camera view, what is dragged in them, and the numbers
+//! The scene workspace: the world view and the camera view, dragging in them, and the numbers
 //! below.
 
 pub mod compare;

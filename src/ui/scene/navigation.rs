@@ -1,5 +1,5 @@
-//! The camera view taken in the hand: looking round, orbiting, zooming and dollying as in other 3D
-//! programs. What each does to the camera is [`pinhole_core::steering`]'s.
+//! Navigation in the camera view: looking round, orbiting, zooming and dollying as in other 3D
+//! programs. [`pinhole_core::steering`] calculates the cameras.
 
 use egui::{Context, Id, Key, PointerButton, Pos2, Rect, Response, Ui};
 use pinhole_core::steering::{SteerError, rounded_to};
@@ -12,29 +12,30 @@ use crate::ui::action::Steer;
 use crate::view::handles::vector;
 use crate::view::overlay;
 
-/// So long after wheel and keys rest it is said what they did, and Escape takes it back; in seconds.
+/// Time after the last input of wheel or keys during which their effect is shown, and Escape takes
+/// it back; in seconds.
 const PAUSE: f64 = 1.2;
 
-/// How much a point of scrolling zooms.
+/// Zoom per point of scrolling.
 const WHEEL: f64 = 0.004;
 
-/// A step by a key: so far it turns, in radians, and so many lengths of the way it goes, or zooms.
+/// Step of a key: its angle, in radians, and its share of the distance or of the zoom.
 const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 const NEARER: f64 = 0.1;
 
-/// What is remembered of the camera view's navigation from one pass to the next.
+/// The state of the camera view's navigation between passes.
 #[derive(Debug, Default)]
 pub(crate) struct Navigation {
-    /// Where the camera view was, and its name in egui.
+    /// The camera view's rectangle and its id in egui.
     place: Option<(Rect, Id)>,
     turn: Option<Turn>,
     steered: Option<Steered>,
-    /// The button is still down, but what it did was given back.
+    /// True if the button is still down although its drag was cancelled.
     given_back: bool,
     refused: Option<SteerError>,
 }
 
-/// What a drag or the wheel does.
+/// The effect of a drag or of the wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Way {
     Look,
@@ -51,21 +52,21 @@ struct Turn {
     from: Pos2,
 }
 
-/// What the wheel, or keys, have done until just now.
+/// The recent movement by wheel or keys.
 #[derive(Debug)]
 struct Steered {
     way: Way,
     before: Camera,
-    /// What it made of that camera.
+    /// The resulting camera.
     made: Camera,
-    /// To the right and up; on, where there is one way alone.
+    /// Sum of the movements: to the right and up; if there is only one direction, x is forwards.
     total: DVec2,
     time: f64,
     by_keys: bool,
 }
 
 impl Steered {
-    /// More of it, or its beginning.
+    /// Adds a movement of the same kind, or begins a new one.
     fn on(
         before: Option<Steered>,
         way: Way,
@@ -85,7 +86,7 @@ impl Steered {
 }
 
 impl Navigation {
-    /// What mouse and wheel do to the camera in its view.
+    /// Applies the input of mouse and wheel to the camera.
     pub(crate) fn take(&mut self, ctx: &Context, edited: &mut Edited) {
         let any_down = ctx.input(|i| i.pointer.any_down());
         edited.session.hand.is_busy |= self.turn.is_some() || self.given_back;
@@ -105,7 +106,7 @@ impl Navigation {
         }
     }
 
-    /// Another scene is shown, or a dialog: nothing is held any more.
+    /// Releases everything, because another scene or a dialog is shown.
     pub(crate) fn let_go(&mut self) {
         (self.turn, self.steered, self.refused) = (None, None, None);
     }
@@ -168,13 +169,13 @@ impl Navigation {
         let time = ctx.input(|i| i.time);
         self.steered =
             self.steered.take().filter(|last| last.made == now && time - last.time < PAUSE);
-        // Taken here, it does not end presenting, too.
+        // Consumed here, so that it does not also end presenter mode.
         let taken =
             |_: &mut Steered| ctx.input_mut(|i| i.consume_key(egui::Modifiers::NONE, Key::Escape));
         if let Some(last) = self.steered.take_if(taken) {
             edited.document.camera = last.before;
             if last.by_keys {
-                // Which Escape takes away everywhere.
+                // Escape takes the focus away everywhere.
                 response.request_focus();
             }
             return;
@@ -189,7 +190,7 @@ impl Navigation {
         }
     }
 
-    /// What keys do to the camera: each press a step.
+    /// Moves the camera by a step for each key press.
     pub(crate) fn steer(&mut self, steer: Steer, camera: &mut Camera, time: f64) {
         let step = |x: i32, y: i32, length: f64| length * DVec2::new(x.into(), y.into());
         let (way, by) = match steer {
@@ -213,12 +214,13 @@ impl Navigation {
         self.steered = Some(Steered { way, before, made, total, time, by_keys });
     }
 
-    /// Whether [`Navigation::tell`] has something to say.
+    /// Returns true if [`Navigation::tell`] has something to show.
     pub(crate) fn has_word(&self, time: f64) -> bool {
         self.turn.is_some() || self.steered.as_ref().is_some_and(|last| time - last.time < PAUSE)
     }
 
-    /// What is said beside the pointer of what is being done. The camera view is at `place` now.
+    /// Shows the text about the current movement beside the pointer. The camera view is at `place`
+    /// now.
     pub(crate) fn tell(
         &mut self,
         ui: &Ui,
@@ -242,13 +244,13 @@ impl Navigation {
         let lines = lines(way, before, now, session.settings.digits.min(5));
         let refused = self.refused.map(|reason| reason.to_string());
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| !by_keys);
-        // Keys are pressed wherever the pointer is: in the picture's lower left, beside what it shows.
+        // The pointer has no part in key presses: show the text in the picture's lower left.
         let place = pointer.unwrap_or(rect.lerp_inside([0.0, 0.72]));
         say(ui, id, place, egui::vec2(1.0, 1.0), &lines, refused.as_deref());
     }
 }
 
-/// The viewport larger or smaller, its width to three digits.
+/// Returns the camera with a larger or smaller viewport, whose width is rounded to three digits.
 fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     let width = factor * camera.viewport.width;
     let readable = rounded_to(width, 0.01 * width)? / camera.viewport.width;
@@ -260,7 +262,7 @@ fn uv_at(posed: &PosedCamera, rect: Rect, at: Pos2) -> DVec2 {
     overlay::camera_uv_at(posed, size, (at - rect.min).into())
 }
 
-/// What the hand does, and what that does to eye, at and up.
+/// Returns the name of the movement, and its effect on eye, at and up.
 fn lines(way: Way, before: &Camera, now: &Camera, digits: usize) -> Vec<String> {
     let by_at = matches!(now.orientation, Orientation::At { .. });
     let title = match way {

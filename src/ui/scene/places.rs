@@ -1,4 +1,4 @@
-//! Where the views and what stands beside them lie, for every layout of the window.
+//! The rectangles of the views and of the content beside them, for every layout of the window.
 
 use egui::{Key, Rect, Sense, Ui, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
@@ -8,29 +8,29 @@ use crate::ui::tools::accuracy;
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
-/// Width of the handle between two areas.
+/// Width of the handle between two areas, in points.
 const HANDLE: f32 = 8.0;
-/// How far an arrow key pushes a handle, in points.
+/// Movement of a handle by an arrow key, in points.
 const PUSH: f32 = 16.0;
-/// No view gets smaller than this.
+/// Minimum size of a view, in points.
 const SMALLEST: f32 = 120.0;
 
-/// Where everything in the middle of the window lies, in points, on whole physical pixels.
+/// The rectangles in the middle of the window, in points, aligned to physical pixels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Places {
-    /// The world view's picture.
+    /// The rectangle of the world view's picture.
     pub world: Option<Rect>,
-    /// The part that the camera view may fill.
+    /// The area that the camera view may fill.
     pub camera_area: Option<Rect>,
-    /// The camera view's picture, in the image's proportions.
+    /// The rectangle of the camera view's picture, with the image's aspect ratio.
     pub camera: Option<Rect>,
-    /// The part that the picture beside the camera view may fill: the error map, what a wrong camera
-    /// sees, or where answers are wrong.
+    /// The area for the picture beside the camera view: the error map, a wrong camera's picture,
+    /// the ghost's, or the map of wrong answers.
     pub beside_area: Option<Rect>,
-    /// That picture, as large as the camera view's.
+    /// The rectangle of that picture, as large as the camera view's.
     pub beside: Option<Rect>,
-    /// What stands below the pictures, or beside or instead of them: the readouts, or what the
-    /// layout has in their place.
+    /// The rest below, beside or instead of the pictures: the readouts, or the layout's own
+    /// content.
     pub rest: Rect,
 }
 
@@ -46,7 +46,7 @@ pub(crate) fn places(
         ViewLayout::Lines | ViewLayout::Exercises | ViewLayout::LedgerAlone => {
             return Places::of([None; 3], area, image, 1.0, 0.0);
         }
-        // Nothing but the views.
+        // Only the views.
         ViewLayout::Both | ViewLayout::World | ViewLayout::Camera if presenting => {
             (area, Rect::from_min_size(area.left_bottom(), Vec2::ZERO))
         }
@@ -59,7 +59,7 @@ pub(crate) fn places(
         ViewLayout::World => [Some(views), None, None],
         ViewLayout::Camera => [None, Some(views), None],
         ViewLayout::Accuracy => {
-            // Below both, so that they are alike, room for the map's legend.
+            // Both pictures have the same size, so both leave room for the map's legend.
             let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
             let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
             [None, Some(left), Some(right)]
@@ -83,13 +83,14 @@ pub(crate) fn places(
             [Some(left), Some(right), None]
         }
     };
-    // What is beside the camera view has its title and legend before an audience, too.
+    // The picture beside the camera view keeps its title and legend while presenting.
     let strip = if presenting && parts[2].is_none() { 0.0 } else { STRIP };
     Places::of(parts, rest, image, ui.ctx().pixels_per_point(), strip)
 }
 
 impl Places {
-    /// World view, camera view and what is beside it in these parts of the window, strips included.
+    /// Returns the rectangles of the world view, the camera view and the picture beside it for
+    /// these areas, which include the strips.
     fn of(
         parts: [Option<Rect>; 3],
         rest: Rect,
@@ -107,7 +108,7 @@ impl Places {
     }
 }
 
-/// The views, and below them what the layout has there, as high as it was last dragged to.
+/// Splits the area into the views and the layout's content below them, whose height the user drags.
 fn split_at_bottom(ui: &Ui, area: Rect, settings: &mut Settings) -> (Rect, Rect) {
     let most = (area.height() - SMALLEST - STRIP).max(80.0);
     let height = match settings.layout {
@@ -127,7 +128,7 @@ fn split_at_bottom(ui: &Ui, area: Rect, settings: &mut Settings) -> (Rect, Rect)
     (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
 }
 
-/// Left and right, with a handle between them.
+/// Splits the area into left and right, with a handle between them.
 fn split_across(ui: &Ui, area: Rect, share: &mut f32, name: &str) -> (Rect, Rect) {
     *share = within(*share, area.width());
     let x = area.left() + *share * area.width();
@@ -137,7 +138,7 @@ fn split_across(ui: &Ui, area: Rect, share: &mut f32, name: &str) -> (Rect, Rect
     (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
 }
 
-/// Top and bottom, with a handle between them.
+/// Splits the area into top and bottom, with a handle between them.
 fn split_down(ui: &Ui, area: Rect, share: &mut f32) -> (Rect, Rect) {
     *share = within(*share, area.height());
     let y = area.top() + *share * area.height();
@@ -147,20 +148,20 @@ fn split_down(ui: &Ui, area: Rect, share: &mut f32) -> (Rect, Rect) {
     (top, Rect::from_min_max(pos2(area.left(), handle.bottom()), area.max))
 }
 
-/// A share that leaves both sides large enough; where there is no room for two, both get half.
+/// Clamps a share so that both sides are large enough; if there is no room for two, both get half.
 fn within(share: f32, length: f32) -> f32 {
     let least = SMALLEST / length.max(2.0 * SMALLEST);
     share.clamp(least, 1.0 - least)
 }
 
-/// Two areas of equal size.
+/// Splits the area into two of equal size.
 fn halves(area: Rect) -> (Rect, Rect) {
     let x = area.center().x;
     let left = Rect::from_min_max(area.min, pos2(x - HANDLE / 2.0, area.bottom()));
     (left, Rect::from_min_max(pos2(x + HANDLE / 2.0, area.top()), area.max))
 }
 
-/// A handle that is dragged; how far it was just now.
+/// Shows a handle. Returns its movement in this frame.
 fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     let vertical = rect.height() > rect.width();
     let cursor = if vertical {
@@ -184,7 +185,7 @@ fn drag(ui: &Ui, rect: Rect, name: &str) -> Vec2 {
     response.drag_delta() + pushed(ui, &response, vertical)
 }
 
-/// How far the arrow keys push a handle that has the focus.
+/// Returns the movement of a focused handle by the arrow keys.
 fn pushed(ui: &Ui, response: &egui::Response, vertical: bool) -> Vec2 {
     if !response.has_focus() {
         return Vec2::ZERO;
@@ -204,7 +205,7 @@ fn pushed(ui: &Ui, response: &egui::Response, vertical: bool) -> Vec2 {
     }
 }
 
-/// The rectangle with its corners on physical pixels, so that pictures stay sharp.
+/// Returns the rectangle with its corners on physical pixels, so that pictures stay sharp.
 fn snapped(rect: Rect, per_point: f32) -> Rect {
     let snap = |x: f32| (x * per_point).round() / per_point;
     Rect::from_min_max(
@@ -213,8 +214,8 @@ fn snapped(rect: Rect, per_point: f32) -> Rect {
     )
 }
 
-/// The largest rectangle in the image's proportions, centred; large pixels get a whole number of
-/// physical ones each, so that all are alike.
+/// Returns the largest centred rectangle with the image's aspect ratio. If pixels are large, each
+/// gets a whole number of physical pixels, so that all are alike.
 fn fitted(area: Rect, image: ImageSize, per_point: f32) -> Rect {
     let available = area.size() * per_point;
     let pixels = vec2(image.width() as f32, image.height() as f32);

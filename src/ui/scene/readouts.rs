@@ -1,5 +1,5 @@
-//! The numbers: the basis, the selected ray, and everything that the ray meets. All of it can be
-//! selected and copied.
+//! The numbers: the basis, the selected ray, and all its intersections. All of them can be selected
+//! and copied.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
@@ -16,14 +16,14 @@ use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::document::Document;
 
-/// How numbers are written.
+/// The number format.
 #[derive(Clone, Copy)]
 pub(crate) struct NumberStyle {
-    /// Significant digits.
+    /// Number of significant digits.
     pub digits: usize,
-    /// Rows and columns counted from 1, as the course does.
+    /// True if rows and columns are counted from 1, as in the course.
     pub count_from_one: bool,
-    /// Every digit, and the minus sign that programs read: for the clipboard.
+    /// True for all digits and the minus sign that programs read: for the clipboard.
     pub exact: bool,
 }
 
@@ -49,7 +49,7 @@ impl NumberStyle {
     }
 }
 
-/// Hits need so much room, in points.
+/// Minimum width of the hits, in points.
 const HITS: f32 = 280.0;
 
 /// Shows the three blocks side by side.
@@ -59,7 +59,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     }
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
-            // As wide as the widest numbers: nothing moves sideways while they change.
+            // As wide as the widest numbers, so that nothing moves sideways while they change.
             let vector = 3.0 * (style.digits as f32 + 4.6) * 7.0;
             let block = |ui: &mut Ui, names: f32, content: &mut dyn FnMut(&mut Ui)| {
                 ui.vertical(|ui| {
@@ -68,7 +68,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
                 });
                 ui.separator();
             };
-            // Without room for three columns, the ray stands below the basis.
+            // Without room for three columns, the ray is shown below the basis.
             let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
             let seen = derived.inspection.as_ref().zip(derived.posed.as_ref());
             if let Some(posed) = &derived.posed {
@@ -93,7 +93,7 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
     });
 }
 
-/// How far up the ladder the picture had to go.
+/// Returns the text about the steps of the ladder that the picture needed.
 pub(crate) fn steps(steps: Steps) -> String {
     let [f64, double_double, exact] = [steps.f64, steps.double_double, steps.exact].map(grouped);
     if steps.beyond_f64() == 0 {
@@ -104,7 +104,7 @@ pub(crate) fn steps(steps: Steps) -> String {
     )
 }
 
-/// A block's title with a button that copies its lines.
+/// Shows a block's title with a button that copies its lines.
 fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     ui.horizontal(|ui| {
         ui.label(RichText::new(text).strong());
@@ -116,10 +116,10 @@ fn title(ui: &mut Ui, text: &str, lines: impl FnOnce() -> String) {
     });
 }
 
-/// Names of vectors: bold. The other ones are set as formulas.
+/// Names of vectors, which are bold. Other names are typeset as formulas.
 const VECTORS: [&str; 7] = ["u", "v", "w", "p", "d", "point", "normal"];
 
-/// A name, in the vector's own colour if it is one that the views show.
+/// Lays out a name, in the vector's own colour if the views show the vector.
 fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
     let size = egui::TextStyle::Body.resolve(ui.style()).size;
     let visuals = ui.visuals();
@@ -131,7 +131,7 @@ fn name_of(ui: &Ui, name: &str, strong: bool) -> LayoutJob {
     LayoutJob::simple_singleline(name.to_owned(), FontId::new(size, fonts::bold()), color)
 }
 
-/// One line `name = value`.
+/// Shows a line `name = value`.
 fn line(ui: &mut Ui, name: &str, value: String) {
     let label = ui.label(name_of(ui, name, true));
     if let Some(words) = words_of_readout(name) {
@@ -161,7 +161,7 @@ fn basis_lines(
     lines
 }
 
-/// A remark with its formulas set.
+/// Shows a remark with typeset formulas.
 fn weak(ui: &mut Ui, text: &str) {
     let size = egui::TextStyle::Body.resolve(ui.style()).size;
     notation::label(ui, text, size, ui.visuals().weak_text_color());
@@ -227,7 +227,7 @@ fn ray(ui: &mut Ui, inspection: &Inspection, posed: &PosedCamera, style: NumberS
     weak(ui, "p + t d, t = 1 on the viewport");
 }
 
-/// What is said of one root.
+/// The lines of one root.
 struct RootLines {
     object: String,
     verdict: &'static str,
@@ -313,7 +313,7 @@ fn hits(
     }
 }
 
-/// The numbers that decide, of each object where they are few.
+/// Returns the numbers that decide hit or miss, for each object if the objects are few.
 fn listed_parts(
     inspection: &Inspection,
     derived: &Derived,
@@ -337,7 +337,7 @@ fn copied_hits(
     roots.chain(parts.into_iter().map(|(title, parts)| format!("{title}:  {parts}\n"))).collect()
 }
 
-/// The numbers that decide hit or miss for one object.
+/// Returns the numbers that decide hit or miss for one object.
 fn parts(of: &Parts, style: NumberStyle) -> String {
     let number = |x| style.number(x);
     match of {

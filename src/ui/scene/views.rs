@@ -1,4 +1,4 @@
-//! The two views: what the mouse and keys do in them, and putting the finished pictures there.
+//! The two views: mouse and keyboard input, and display of the finished pictures.
 
 use egui::{
     Color32, EventFilter, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
@@ -19,22 +19,22 @@ use crate::view::typesetting::label_text;
 use crate::view::typesetting::theme;
 use pinhole_exchange::document::Document;
 
-/// The world view's name, on the screen and for screen readers.
+/// Name of the world view, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";
-/// The camera view's.
+/// Name of the camera view.
 pub(crate) const CAMERA: &str = "Camera view";
-/// The error map's.
+/// Name of the error map.
 pub(crate) const MAP: &str = "Error map";
-/// The wrong camera's.
+/// Name of the wrong camera's picture.
 pub(crate) const WRONG: &str = "Wrong camera";
 
-/// The map of a student's answers.
+/// Name of the map of a student's answers.
 pub(crate) const ANSWERS: &str = "Answers";
 
-/// The ghost's picture.
+/// Name of the ghost's picture.
 pub(crate) const GHOST: &str = "Ghost";
 
-/// How large the views are, in physical pixels.
+/// Returns the sizes of the views, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
     let per_point = ui.ctx().pixels_per_point();
     let physical = |rect: Rect| {
@@ -56,7 +56,8 @@ pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
     }
 }
 
-/// What mouse and keys did in the views. `shown` is what they were done to: the last frame.
+/// Applies the input of mouse and keys in the views. `shown` is the last frame, which the user
+/// reacts to.
 pub(crate) fn inputs(
     ui: &mut Ui,
     places: &Places,
@@ -105,7 +106,7 @@ pub(crate) fn inputs(
     }
 }
 
-/// A view's area: takes clicks, drags and the focus.
+/// Creates a view's area, which takes clicks, drags and the focus.
 fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     let response = ui.interact(rect, ui.scope_id().with(name), Sense::click_and_drag());
     if response.clicked() || response.drag_started() {
@@ -121,13 +122,13 @@ fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     response
 }
 
-/// Tells a screen reader what is in a view.
+/// Sets the description of a view for screen readers.
 pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
     let id = ui.scope_id().with(name);
     ui.ctx().accesskit_node_builder(id, |node| node.set_value(text));
 }
 
-/// The selected ray in words.
+/// Returns the description of the selected ray for screen readers.
 pub(crate) fn spoken(shown: &Derived) -> String {
     if let Some(fault) = shown.fault {
         return told(fault);
@@ -201,15 +202,17 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
     }
 }
 
-/// How near to a mark the mouse points at it, in points.
+/// Maximum distance from a mark at which the mouse hovers it, in points.
 const REACH: f32 = 8.0;
 
-/// In scenes of more objects, what the mouse is on in the camera view is not looked for.
+/// Maximum number of objects for finding the hovered object in the camera view.
 const ASKED_OBJECTS: usize = 4096;
 
-/// What the mouse points at in a view: the nearest mark, or else the object under it.
+/// Returns the hovered concept in a view: that of the nearest mark, or else the object under the
+/// mouse.
 pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Pointed> {
-    // The pointer rests somewhere while one speaks: a floor or wall under it would dim all else.
+    // While presenting, the pointer often rests on a floor or wall: highlighting it would dim
+    // everything else.
     let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
     let presenting = theme::installed(ui.ctx()).presenting;
     let is_ground = |thing: &Thing| {
@@ -241,7 +244,7 @@ fn in_view(
     overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
 }
 
-/// The sphere at a place of the world view.
+/// Returns the sphere at a position of the world view.
 fn object_seen(shown: &Derived, at: Vec2) -> Option<Thing> {
     let frame = shown.world_frame.as_ref()?;
     let image = frame.camera().image();
@@ -251,7 +254,7 @@ fn object_seen(shown: &Derived, at: Vec2) -> Option<Thing> {
     Some(Thing::Object(object))
 }
 
-/// The object at a place of the camera view.
+/// Returns the object at a position of the camera view.
 fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
     let (posed, scene) = (shown.posed.as_ref()?, shown.scene.as_ref()?);
     if scene.len() > ASKED_OBJECTS {
@@ -263,7 +266,7 @@ fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
     Some(Thing::Object(scene.first_hit_of(&ray)?.object))
 }
 
-/// The name of what is pointed at in a view, beside the mouse.
+/// Shows the name of the hovered concept beside the mouse.
 pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Document) {
     let Some(Pointed { thing, by: Pointing::View }) = pointed else { return };
     let words = thing.words(|object| document.title_of(object as usize));
@@ -275,10 +278,10 @@ pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Documen
         });
 }
 
-/// Above a narrower view, in points, there is no room for the size of its image.
+/// Width of a view, in points, below which its title leaves out the image's size.
 const NARROW: f32 = 310.0;
 
-/// Titles above the views, with a button that gives one all the room.
+/// Shows the titles above the views, each with a button that maximises the view.
 pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         let above = Rect::from_min_max(pos2(rect.left(), rect.top() - STRIP), rect.right_top());
@@ -315,7 +318,7 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
     }
 }
 
-/// What stays when the eye is moved in the world view, and the other choice.
+/// Shows what a moved eye keeps in the world view, as a button that switches to the other choice.
 fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
     let text = match keeps {
         EyeKeeps::At => "Eye orbits at",
@@ -328,7 +331,7 @@ fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
     }
 }
 
-/// One view's finished picture, with its labels.
+/// Shows a view's finished picture with its labels.
 pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
     let tint = if dimmed { Color32::from_gray(130) } else { Color32::WHITE };
     let texture = texture.of(ui.ctx(), &shown.image);
@@ -343,21 +346,21 @@ pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture
     }
 }
 
-/// The size of the text on a picture that the ladder did not draw, in points.
+/// Size of the text on a picture that the ladder did not draw, in points.
 const MARK: f32 = 15.0;
 
-/// What drew a picture, written on it where that was not the ladder: at the bottom, where the picture
-/// has no marks of its own.
+/// Writes the method that drew a picture on it, if it was not the ladder: at the bottom, where the
+/// picture has no marks of its own.
 pub(crate) fn drawn_by(ui: &mut Ui, rect: Rect, text: &str) {
     mark(ui, rect, text, |size| pos2(rect.left(), rect.bottom() - size.y));
 }
 
-/// That a picture is coarser than it could be, in its other corner there.
+/// Writes on a picture, in its other bottom corner, that it is coarser than it could be.
 pub(crate) fn coarse(ui: &mut Ui, rect: Rect, text: &str) {
     mark(ui, rect, text, |size| rect.max - size);
 }
 
-/// Black text on amber, on a picture, with its top left corner where `corner` says for its size.
+/// Writes black text on amber on a picture; `corner` returns the top left corner for a size.
 fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) {
     let font = egui::FontId::proportional(MARK);
     let most = (rect.width() - 16.0).max(20.0);
@@ -371,7 +374,7 @@ fn mark(ui: &mut Ui, rect: Rect, text: &str, corner: impl FnOnce(Vec2) -> Pos2) 
     });
 }
 
-/// The reason for a picture that is not new, written across it.
+/// Writes across a picture the reason why it is not new.
 pub(crate) fn reason(ui: &mut Ui, rect: Rect, text: &str) {
     let band =
         Rect::from_center_size(rect.center(), vec2(rect.width(), 96.0_f32.min(rect.height())));

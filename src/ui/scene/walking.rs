@@ -5,11 +5,10 @@ use egui::{Pos2, Response, Ui};
 use crate::view::derive::Derived;
 use crate::view::overlay;
 
-/// How near to the point the mouse takes hold of it, in points.
+/// Maximum distance from the point at which the mouse grabs it, in points.
 const GRASP: f32 = 14.0;
 
-/// The t to which the point that walks is dragged; `None` where something else is dragged, or
-/// nothing.
+/// Returns the t to which the walking point is dragged; `None` if it is not dragged.
 pub(crate) fn dragged(
     ui: &Ui,
     response: &Response,
@@ -35,6 +34,6 @@ pub(crate) fn dragged(
         return None;
     }
     let pointer = response.interact_pointer_pos()?;
-    // Where the ray runs at the observer it stays where it is.
+    // The point stays if the ray runs towards the observer.
     Some(overlay::t_towards(frame, &ray, in_dots(pointer)).unwrap_or(t))
 }

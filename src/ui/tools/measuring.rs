@@ -1,5 +1,5 @@
-//! Measuring error against run time for the scene at hand, a slice a frame, so that the window never
-//! stalls. This is where the window meets the clock; what is derived stays pure.
+//! Measures error against run time for the current scene, a slice per frame, so that the window
+//! never stalls. This is where the window meets the clock; derived values stay pure.
 
 use std::sync::{Arc, Weak};
 use std::time::Duration;
@@ -11,34 +11,35 @@ use crate::report::measure::Run;
 use crate::report::model::Report;
 use crate::view::derive::Derived;
 
-/// For so long nothing may have changed before measuring starts, in seconds: while one drags, each
-/// frame is another scene.
+/// Time without changes before measuring starts, in seconds: during a drag, each frame is another
+/// scene.
 const REST: f64 = 0.5;
 
-/// From one report to the next while measuring, in seconds.
+/// Time between two reports while measuring, in seconds.
 const BETWEEN: f64 = 0.3;
 
-/// What is being measured, and what was.
+/// The present measurement and the last report.
 #[derive(Default)]
 pub(crate) struct Measuring {
-    /// The scene is told by its place, and not held: who holds one makes its next change a copy.
+    /// The scene is identified by its address, and not held: another owner would make its next
+    /// change a copy.
     subject: Option<(Camera, Weak<Scene>)>,
-    /// When the subject was first seen, in the context's seconds.
+    /// Time when the subject was first seen, in the context's seconds.
     since: f64,
     run: Option<Run>,
     report: Option<Arc<Report>>,
-    /// When the report was made, in the context's seconds.
+    /// Time when the report was made, in the context's seconds.
     told: f64,
-    /// Whether the report is about the subject.
+    /// True if the report is about the subject.
     is_current: bool,
-    /// Whether nothing is left to measure.
+    /// True if nothing is left to measure.
     is_done: bool,
 }
 
 impl Measuring {
-    /// Measures on, if something is left to measure, and asks for the next frame.
+    /// Measures a slice, if something is left to measure, and requests the next frame.
     pub(crate) fn step(&mut self, ctx: &Context, name: &str, camera: &Camera, derived: &Derived) {
-        // The report's methods too ask every object at every pixel.
+        // The report's methods too test every object at every pixel.
         let why_not = (derived.fault, derived.too_many);
         let (Some(scene), (None, None)) = (&derived.scene, why_not) else { return };
         let now = ctx.input(|input| input.time);
@@ -57,7 +58,7 @@ impl Measuring {
             return;
         }
         if self.run.is_none() {
-            // A camera without a basis is a fault, which came back above.
+            // An invalid camera is a fault, for which this function returned above.
             self.run = Run::of_scene(name, scene, camera).ok();
         }
         let Some(run) = &mut self.run else { return };
@@ -72,17 +73,17 @@ impl Measuring {
         }
     }
 
-    /// The last report, also where it is about an older scene.
+    /// Returns the last report, even if it is about an older scene.
     pub(crate) fn report(&self) -> Option<&Arc<Report>> {
         self.report.as_ref()
     }
 
-    /// Whether the report is about what is shown, not about what was shown before.
+    /// Returns true if the report is about the shown scene.
     pub(crate) fn is_current(&self) -> bool {
         self.is_current
     }
 
-    /// How far it is, 0 to 1; `None` where nothing is left to measure.
+    /// Returns the progress, 0 to 1; `None` if nothing is left to measure.
     pub(crate) fn share(&self) -> Option<f32> {
         match &self.run {
             _ if self.is_done => None,

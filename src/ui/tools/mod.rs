@@ -1,4 +1,4 @@
-//! Tools: the translator to other programs, accuracy, and what a frame left out.
+//! The tools: the translator to other programs, accuracy, and what a frame left out.
 
 pub mod accuracy;
 pub mod frame;

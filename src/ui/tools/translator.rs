@@ -1,5 +1,5 @@
-//! The translator: the camera as another program has it, how its terms differ, and the numbers whose
-//! sign is turned.
+//! The translator: the camera in another program's format, the differences in convention, and the
+//! numbers whose sign is flipped.
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{
@@ -20,20 +20,20 @@ use pinhole_exchange::programs::Sheet;
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
 const CODE: f32 = 15.0;
-/// Where a line is too long, code is as small as this before it is broken: rows of a matrix are read in
-/// columns.
+/// Minimum size of code, in points: too long a line is first set smaller, then wrapped, because
+/// rows of a matrix are read in columns.
 const SMALL_CODE: f32 = 12.0;
 
 /// Width of the table's first column, in points.
 const ABOUT: f32 = 118.0;
 
-/// What was translated last, and of what.
+/// The last translation and its inputs.
 #[derive(Default)]
 pub(crate) struct TranslatorPanel {
     known: Option<(Key, Translation)>,
 }
 
-/// All that a translation depends on.
+/// The inputs of a translation.
 #[derive(Clone, PartialEq)]
 struct Key {
     document: Document,
@@ -86,7 +86,7 @@ impl TranslatorPanel {
         });
     }
 
-    /// Remembered on its inputs.
+    /// Returns the translation, cached by its inputs.
     fn translation(
         &mut self,
         document: &Document,
@@ -97,7 +97,7 @@ impl TranslatorPanel {
         let (target, objects) = (choice.target, choice.objects);
         let is_known = self.known.as_ref().is_some_and(|(key, _)| {
             let same = (key.target, key.objects, key.pixel, key.digits);
-            // What is not written may change as it likes.
+            // Objects that are not written may change.
             same == (target, objects, pixel, digits)
                 && key.document.camera == document.camera
                 && (!objects || key.document == *document)
@@ -122,7 +122,7 @@ fn pixel_of(document: &Document, selection: Selection) -> Pixel {
     }
 }
 
-/// One button a format, and below them one a language.
+/// Shows a button for each format, and below them one for each language.
 fn choice(ui: &mut Ui, translator: &mut Translator) {
     let mut row = |ui: &mut Ui, title: &str, is_code: bool| {
         ui.horizontal_wrapped(|ui| {
@@ -139,7 +139,8 @@ fn choice(ui: &mut Ui, translator: &mut Translator) {
     row(ui, "code", true);
 }
 
-/// What the format writes, the turned signs marked, and what it cannot say.
+/// Shows the written text with flipped signs marked, and the notes on what the format cannot
+/// express.
 fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     let written = match &translation.written {
         Ok(written) => written,
@@ -177,11 +178,11 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
     }
 }
 
-/// The size in which the longest line fits, as far as that can be read.
+/// Returns the size at which the longest line fits, down to the smallest legible one.
 fn code_size(ui: &Ui, text: &str) -> f32 {
     let letter = ui.ctx().fonts_mut(|fonts| fonts.glyph_width(&FontId::monospace(CODE), '0'));
     let longest = text.lines().map(|line| line.chars().count()).max().unwrap_or_default();
-    // A dot less, for what rounding adds.
+    // A point less, to allow for rounding.
     let fits = CODE * (ui.available_width() - 1.0) / (letter * longest.max(1) as f32);
     (2.0 * fits).floor().clamp(2.0 * SMALL_CODE, 2.0 * CODE) / 2.0
 }
@@ -198,7 +199,7 @@ fn code_format(ui: &Ui, is_marked: bool, size: f32) -> TextFormat {
     TextFormat::simple(font, ui.visuals().text_color())
 }
 
-/// The colour of a turned sign: told by a line under it, too.
+/// Returns the colour of a flipped sign, which is also underlined.
 fn mark_color(ui: &Ui) -> Color32 {
     error_color(ui)
 }
@@ -224,7 +225,7 @@ fn marked_word(ui: &Ui, word: &str) -> LayoutJob {
     LayoutJob::single_section(word.to_owned(), format)
 }
 
-/// Here and there, a line a thing.
+/// Shows a table that compares Pinhole with the format, one row per property.
 fn table(ui: &mut Ui, rows: &[Row], label: &str) {
     if rows.is_empty() {
         return;
@@ -260,7 +261,7 @@ fn table(ui: &mut Ui, rows: &[Row], label: &str) {
 
 fn sentence(text: &str) -> String {
     let text = told(text);
-    // A name such as zNear stays as it is.
+    // A name such as zNear keeps its case.
     let word = text.split_whitespace().next().unwrap_or_default();
     if word.contains(|c: char| c.is_uppercase() || c == '_') {
         return format!("{}.", text.trim_end_matches('.'));
@@ -270,7 +271,8 @@ fn sentence(text: &str) -> String {
     format!("{first}{}.", chars.as_str().trim_end_matches('.'))
 }
 
-/// What became of a paste, over the window's lower edge until the camera is changed or it is closed.
+/// Shows the result of a paste over the window's lower edge, until the camera changes or the user
+/// closes it.
 pub(crate) fn notice(ctx: &egui::Context, pasted: &mut Option<Pasted>) {
     let Some(shown) = pasted else { return };
     let mut close = false;

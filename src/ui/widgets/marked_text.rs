@@ -1,5 +1,5 @@
-//! Sentences with the lecture's letters in them: `**u**` is a vector, bold and in its own colour,
-//! `*u*` a scalar, in italics.
+//! Sentences with the lecture's symbols: `**u**` is a vector, bold and in its own colour, `*u*` a
+//! scalar, in italics.
 
 use egui::text::LayoutJob;
 use egui::{FontFamily, FontId, Label, TextFormat, Ui};
@@ -8,7 +8,7 @@ use super::number::vector_color;
 use crate::model::letters;
 use crate::view::typesetting::fonts;
 
-/// A run of letters that are written alike.
+/// A run of letters with the same style.
 #[derive(Clone, Debug, PartialEq)]
 struct Run {
     text: String,
@@ -26,7 +26,7 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
         let format = TextFormat {
             font_id: FontId::new(size, family),
             color: own.unwrap_or(color),
-            // The fonts that the letters come from have lines of different heights.
+            // The fonts of the letters have different line heights.
             line_height: Some(row_height(ui, size)),
             ..TextFormat::default()
         };
@@ -37,12 +37,12 @@ pub(crate) fn label(ui: &mut Ui, text: &str, size: f32) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(plain));
 }
 
-/// The height of one line of such text.
+/// Returns the height of one line of such text.
 pub(crate) fn row_height(ui: &Ui, size: f32) -> f32 {
     ui.ctx().fonts_mut(|fonts| fonts.row_height(&FontId::proportional(size))).ceil()
 }
 
-/// The text without its marks.
+/// Returns the text without its marks.
 pub(crate) fn plain(text: &str) -> String {
     text.replace('*', "")
 }
@@ -53,7 +53,7 @@ fn runs(text: &str) -> Vec<Run> {
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
         if letter == '*' {
-            // In a scalar the first of `***` ends it: u times the vector u is `*u***u**`.
+            // Inside a scalar, the first star of `***` ends it: u times the vector u is `*u***u**`.
             if !is_scalar && letters.next_if_eq(&'*').is_some() {
                 is_vector = !is_vector;
             } else {

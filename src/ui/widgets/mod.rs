@@ -1,4 +1,4 @@
-//! Parts that several panels are made of: number fields, notation, marked text, colours.
+//! Widgets that several panels share: number fields, marked text, and signs.
 
 pub mod marked_text;
 pub mod number;

@@ -1,5 +1,5 @@
-//! Fields for numbers: drag, type, or type arithmetic. Each has a name for screen readers and
-//! tests, and says so where what was typed is no number.
+//! Number fields, edited by dragging, typing a number, or typing arithmetic. Each has a name for
+//! screen readers and tests, and shows an error if the typed text is not a number.
 
 use std::cell::RefCell;
 use std::ops::RangeInclusive;
@@ -13,13 +13,13 @@ use crate::model::expression::evaluate;
 pub(crate) use crate::model::number::significant;
 use crate::view::typesetting::theme::{self, error_color};
 
-/// Significant digits shown in a field that is not being typed in.
+/// Maximum number of significant digits in a field that is not being edited.
 const FIELD_DIGITS: usize = 5;
 
-/// And these in any case.
+/// Minimum number of significant digits.
 const LEAST_DIGITS: usize = 2;
 
-/// One number to edit.
+/// A field that edits one number.
 pub(crate) struct NumberField<'a> {
     name: &'a str,
     value: &'a mut f64,
@@ -29,30 +29,31 @@ pub(crate) struct NumberField<'a> {
 }
 
 impl<'a> NumberField<'a> {
-    /// A field whose accessible name is `name`.
+    /// Creates a field with the accessible name `name`.
     pub(crate) fn new(name: &'a str, value: &'a mut f64) -> Self {
         NumberField { name, value, suffix: "", width: 78.0, range: f64::MIN..=f64::MAX }
     }
 
-    /// A unit behind the number.
+    /// Adds a unit after the number.
     pub(crate) fn suffix(mut self, suffix: &'a str) -> Self {
         self.suffix = suffix;
         self
     }
 
-    /// Which numbers it takes: a drag stops at the ends, and what is typed beyond them is refused.
+    /// Limits the number to a range: a drag stops at its ends, and typed numbers beyond them are
+    /// refused.
     pub(crate) fn within(mut self, range: RangeInclusive<f64>) -> Self {
         self.range = range;
         self
     }
 
-    /// How wide the field is, in points.
+    /// Sets the width of the field, in points.
     pub(crate) fn width(mut self, width: f32) -> Self {
         self.width = width;
         self
     }
 
-    /// Shows the field; the response says whether the number changed.
+    /// Shows the field; the response tells whether the number changed.
     pub(crate) fn show(self, ui: &mut Ui) -> Response {
         let id = ui.next_auto_id();
         let typing = ui.memory(|memory| memory.has_focus(id));
@@ -70,7 +71,7 @@ impl<'a> NumberField<'a> {
             .clamp_existing_to_range(false)
             .suffix(if typing { "" } else { self.suffix })
             .clip_text(true)
-            // While `0.5` is typed, the camera need not go through `0`.
+            // While `0.5` is typed, the value does not become `0`.
             .update_while_editing(false)
             .min_size(egui::vec2(self.width, ui.spacing().interact_size.y))
             .custom_formatter(|value, _| match typing {
@@ -101,12 +102,12 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// The number with as many digits as there is room for, in points: a field that grew with its number
-/// would push the views aside, under the hand that drags in them.
+/// Formats the number with as many digits as fit into `room`, in points: a field that grew with its
+/// number would push the views aside during a drag in them.
 fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) -> String {
     let fits = |text: &String| {
         let whole = format!("{text}{suffix}");
-        // Most are short: no letter is wider than the font is high.
+        // Most texts are short: no letter is wider than the font's height.
         let is_short = whole.chars().count() as f32 * font.size <= room;
         let laid_out = |fonts: &mut egui::epaint::FontsView<'_>| {
             fonts.layout_no_wrap(whole.clone(), font.clone(), Color32::WHITE).size().x
@@ -117,7 +118,7 @@ fn fitting(ctx: &Context, value: f64, suffix: &str, font: &FontId, room: f32) ->
     texts.find(fits).unwrap_or_else(|| rounded(value, LEAST_DIGITS))
 }
 
-/// The number, or which ones would do.
+/// Returns the number, or an error with the valid range.
 fn in_range(value: f64, range: &RangeInclusive<f64>) -> Result<f64, String> {
     if range.contains(&value) {
         return Ok(value);
@@ -126,8 +127,8 @@ fn in_range(value: f64, range: &RangeInclusive<f64>) -> Result<f64, String> {
     Err(format!("{value} is not between {from} and {to}"))
 }
 
-/// A click starts typing with the exact number selected; egui would select only as much of it as
-/// the rounded form is long.
+/// Starts typing with the whole exact number selected; egui would select only as many characters as
+/// the rounded form has.
 fn select_all(ui: &Ui, response: &Response, exact: &str) {
     let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
     let end = CCursor::new(exact.chars().count());
@@ -135,8 +136,7 @@ fn select_all(ui: &Ui, response: &Response, exact: &str) {
     state.store(ui.ctx(), response.id);
 }
 
-/// Under a field with something that is no number, the reason; until the next press of a button or
-/// key, whatever it is for.
+/// Shows the error below a field with invalid text, until the next press of any button or key.
 fn show_fault(ui: &Ui, id: Id, parsed: Option<String>, response: &Response) {
     let key = id.with("fault");
     let pressed = ui.input(|i| {
@@ -159,8 +159,8 @@ fn show_fault(ui: &Ui, id: Id, parsed: Option<String>, response: &Response) {
     }
 }
 
-/// A hundredth of the number's size a point, fixed when the drag begins: a speed that grew with the
-/// value would run away under the hand.
+/// Returns the speed of a drag, about a hundredth of the number's size per point. It is fixed when
+/// the drag begins, because a speed that grew with the value would run away.
 fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     let key = id.with("speed");
     let held = ui.ctx().is_being_dragged(id);
@@ -177,13 +177,13 @@ fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     speed
 }
 
-/// `value` with at most that many significant digits, marked with `…` where digits are left out.
+/// Formats `value` with at most this many significant digits, and with `…` if digits are left out.
 pub(crate) fn rounded(value: f64, digits: usize) -> String {
     let short = significant(value, digits);
     if short.parse() == Ok(value) { short } else { format!("{short}…") }
 }
 
-/// Three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Whether one changed.
+/// Shows three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Returns true if one changed.
 pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
     let mut changed = false;
     let width = ((ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0).max(56.0);
@@ -194,7 +194,7 @@ pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
     changed
 }
 
-/// The colour that a vector has in the views; `None` for the other names.
+/// Returns the colour of a vector in the views; `None` for other names.
 pub(crate) fn vector_color(ui: &Ui, name: &str) -> Option<Color32> {
     let style = theme::style(ui);
     let colors = style.colors();

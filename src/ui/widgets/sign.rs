@@ -1,10 +1,10 @@
-//! Signs beside words: right and wrong, drawn, because the fonts have neither.
+//! The signs for right and wrong, drawn because the fonts have neither.
 
 use egui::{Response, Sense, Stroke, Ui, vec2};
 
 use crate::view::typesetting::theme::error_color;
 
-/// A tick or a cross, as high as the text beside it.
+/// Shows a tick or a cross, as high as the text beside it.
 pub(crate) fn sign(ui: &mut Ui, is_right: bool) -> Response {
     let side = 14.0;
     let line = ui.text_style_height(&egui::TextStyle::Body).max(20.0);

@@ -1,13 +1,8 @@
 //! The derivation of every number of the camera and of the selected ray, line by line in the
 //! lecture's order. Each line has its symbols, the numbers put in, and the result.
 //!
-<<<<<<< HEAD
-//! Pure: from the document, how it is looked at and what was derived of it to [`Section`]s of
-//! [`Line`]s. All that is calculated here comes from [`pinhole_lecture`].
-=======
 //! This module is pure: it turns the document, the view settings and the derived values into
-//! [`Section`]s of [`Line`]s. All arithmetic is in [`pinhole_core::lecture`].
->>>>>>> docs-a
+//! [`Section`]s of [`Line`]s. All arithmetic is in [`pinhole_lecture`].
 
 mod basis;
 mod export;

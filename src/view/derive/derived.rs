@@ -102,15 +102,9 @@ pub struct Derived {
     pub ledger: Option<Arc<Ledger>>,
     /// The functions f(p + t d) of all objects, if the layout shows them.
     pub plot: Option<Plot>,
-<<<<<<< HEAD
-    /// The wrong camera beside the right one, or why there is none.
-    pub wrong: Option<Arc<ComparedCamera>>,
-    /// What it sees.
-=======
     /// The wrong camera beside the right one, or the reason why there is none.
-    pub wrong: Option<Arc<Wrong>>,
+    pub wrong: Option<Arc<ComparedCamera>>,
     /// The wrong camera's picture.
->>>>>>> docs-a
     pub wrong_view: Option<Shown>,
     /// The ghost, with the camera's image.
     pub ghost: Option<PosedCamera>,

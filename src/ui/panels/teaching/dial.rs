@@ -11,15 +11,15 @@ use crate::model::letters::told;
 use crate::ui::widgets::number::significant;
 use crate::view::typesetting::theme::error_color;
 
-/// The scale ends at 10^6.
+/// Number of decades of the scale, which ends at 10^6.
 const DECADES: f32 = 6.0;
 const RADIUS: f32 = 64.0;
-/// Legible from the back row.
+/// Text sizes that are legible from the back row.
 const NUMBER: f32 = 20.0;
 const WORDS: f32 = 15.0;
 const TICK: f32 = 12.0;
 
-/// From where on the camera is called sensitive, and nervous.
+/// Conditioning from which on the camera is called sensitive, and nervous.
 const SENSITIVE: f64 = 2.0;
 const NERVOUS: f64 = 20.0;
 
@@ -41,7 +41,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &Camera) {
     }
 }
 
-/// The number, and what it means.
+/// Shows the number and its meaning.
 fn words(ui: &mut Ui, conditioning: f64) {
     let number = format!("{}° of roll per 1° of up", significant(conditioning, 3));
     let response = ui.label(RichText::new(&number).size(NUMBER).strong());
@@ -61,7 +61,7 @@ fn words(ui: &mut Ui, conditioning: f64) {
     ui.label(RichText::new(meaning).size(WORDS));
 }
 
-/// The half circle with its scale, 1 on the left and a million on the right, and the needle.
+/// Draws the half circle with its scale, 1 on the left and a million on the right, and the needle.
 fn face(ui: &mut Ui, conditioning: f64) {
     let size = vec2(ui.available_width(), RADIUS + 30.0);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -82,7 +82,7 @@ fn face(ui: &mut Ui, conditioning: f64) {
     ui.painter().circle_filled(hub, 5.0, text);
 }
 
-/// Calm, sensitive and nervous, told apart by width too.
+/// Draws the zones calm, sensitive and nervous, which differ in width as well as in colour.
 fn arcs(ui: &Ui, hub: Pos2) {
     let quiet = ui.visuals().weak_text_color();
     let amber = Color32::from_rgb(0xe0, 0x8a, 0x00);
@@ -102,7 +102,7 @@ fn arcs(ui: &Ui, hub: Pos2) {
     }
 }
 
-/// Where a number is whose logarithm this is: from the left over the top to the right.
+/// Returns the angle of a number with this logarithm: from the left over the top to the right.
 fn angle_of(decades: f32) -> f32 {
     PI * (1.0 - decades / DECADES)
 }

@@ -1,5 +1,5 @@
-//! The camera panel's part for teaching: cameras that differ in one thing alone, and how steady the
-//! camera is.
+//! The camera panel's part for teaching: edits that change a single property of the camera, and the
+//! camera's conditioning.
 
 mod dial;
 
@@ -10,14 +10,14 @@ use crate::model::session::Settings;
 use crate::ui::widgets::number::NumberField;
 use crate::view::typesetting::theme::error_color;
 
-/// Shows it, folded unless the settings say otherwise.
+/// Shows the teaching part, folded unless the settings say otherwise.
 pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     let header = CollapsingHeader::new("Teaching").open(Some(settings.teaching));
     let response = header.show(ui, |ui| {
         let text = "Keep the picture: scale distance, width and height together";
         let hint = "The same picture: d is scaled, and t is divided by as much";
         ui.checkbox(&mut settings.keep_picture, text).on_hover_text(hint);
-        // A basis by hand has no up.
+        // A basis set by hand has no up.
         if !matches!(camera.orientation, Orientation::Basis(_)) {
             swing(ui, camera);
             tilt(ui, camera);
@@ -29,13 +29,13 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     }
 }
 
-/// After an edit of one measure of the viewport, the other two follow.
+/// Scales the other two extents of the viewport after an edit of one.
 pub(crate) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
     let kept = Kept::of(ui, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
     let Ok(scaled) = kept.from.picture_scaled_as(&old, &edited) else {
-        // A measure that is none is told below the fields, as without the lock; the next one that is
-        // one finds the picture again.
+        // An invalid extent is reported below the fields, as without the lock; the next valid one
+        // restores the picture.
         if from.check().is_ok() {
             Kept { made: *camera, ..kept }.keep(ui, "kept picture");
         }
@@ -48,8 +48,8 @@ pub(crate) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
     Kept { made: *camera, ..kept }.keep(ui, "kept picture");
 }
 
-/// What a camera was made from by a control that turns or scales it. Every move of that control
-/// starts there again: rounding does not add up under the hand.
+/// The camera from which a control's turn or scaling starts. Every move of the control starts there
+/// again, so that rounding errors do not accumulate.
 #[derive(Clone, Copy)]
 struct Kept {
     from: Camera,
@@ -58,7 +58,8 @@ struct Kept {
 }
 
 impl Kept {
-    /// What `now` was made from; itself, if what the control made last is not what `is_now`.
+    /// Returns the state from which `now` was made; a new state from `now` itself if `is_now` is
+    /// false for the camera that the control made last.
     fn of(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ui.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
@@ -70,7 +71,7 @@ impl Kept {
     }
 }
 
-/// Turns up about the view, in degrees from where it was before the control was touched.
+/// Turns up about the view direction, in degrees from its position before the control was touched.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::of(ui, "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
@@ -89,14 +90,14 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
     });
 }
 
-/// Turns up towards the view, or away from it, in one plane with it.
+/// Turns up towards the view or away from it, in the plane of both.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
     let kept = Kept::of(ui, "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
     let hint = "The angle between up and view: u, v and w stay, but get nervous near 0° and 180°";
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
-        // Fine near both ends, where it matters.
+        // Logarithmic scale: fine near both ends, where it matters.
         let mut place = (0.5 * degrees.to_radians()).tan().log10();
         let slider = ui.add(Slider::new(&mut place, -ENDS..=ENDS).show_value(false));
         ui.ctx().accesskit_node_builder(slider.id, |node| node.set_label("up from view slider"));
@@ -115,14 +116,14 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     });
 }
 
-/// The slider's ends: log10 of the tangent of half the angle.
+/// Ends of the slider: log10 of the tangent of half the angle.
 const ENDS: f64 = 5.0;
-/// The smallest angle between up and view that can be typed, in degrees.
+/// Minimum angle between up and view that can be typed, in degrees.
 const SMALLEST: f64 = 1e-9;
 const SLIDER: f32 = 110.0;
 const FIELD: f32 = 70.0;
 
-/// A name and its controls; out of reach where there is nothing to turn.
+/// Shows a name and its controls, disabled if there is nothing to turn.
 fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = SLIDER;
@@ -131,7 +132,7 @@ fn row(ui: &mut Ui, name: &str, hint: &str, possible: bool, controls: impl FnOnc
     });
 }
 
-/// Why there is no number, where there is none.
+/// Shows the reason why there is no number.
 fn reason(ui: &mut Ui, text: String) {
     ui.label(RichText::new(text).size(15.0).color(error_color(ui)));
 }

@@ -1,4 +1,4 @@
-//! What each check says of the wrong camera: which ones find the mistake, and which do not.
+//! The checks of the wrong camera: those that find the mistake, and those that do not.
 
 use egui::{RichText, Ui};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
@@ -9,11 +9,11 @@ use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 
-/// Widths of the verdict and of what is checked, in points.
+/// Widths of the verdict and of the formula, in points.
 const VERDICT: f32 = 58.0;
 const FORMULA: f32 = 176.0;
 
-/// The checks as a table, those that find the mistake first.
+/// Shows the checks as a table, those that find the mistake first.
 pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     if wrong.checks.is_empty() {
         ui.label("Without a wrong camera there is nothing to check.");
@@ -29,7 +29,7 @@ pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     }
 }
 
-/// `2 of 14 checks find it`
+/// Returns `2 of 14 checks find it`.
 pub(super) fn summary(wrong: &ComparedCamera) -> String {
     let (all, failing) = (wrong.checks.len(), failing(wrong).count());
     match failing {
@@ -43,7 +43,7 @@ pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> 
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 
-/// The verdict first, then what is checked, and its number, which wraps where it is long.
+/// Shows the verdict, then the formula, then its value, which wraps if it is long.
 fn row(ui: &mut Ui, here: &Checked, right: &Checked, style: NumberStyle) {
     let said = if here.passes { "passes" } else { "finds it" };
     let verdict = RichText::new(said).size(TEXT);

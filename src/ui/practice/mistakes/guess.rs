@@ -1,4 +1,5 @@
-//! "Guess which": a wrong camera without its name, the class's answer, and what would have told.
+//! "Guess which": a wrong camera without its name, the class's answer, and the checks that would
+//! have told.
 
 use egui::{RichText, Ui};
 use pinhole_core::{Camera, PosedCamera, Scene};
@@ -9,7 +10,7 @@ use crate::mistakes::Gallery;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 
-/// Starts a riddle, goes to the next one, or back to the gallery.
+/// Shows the buttons that start a question, go to the next one, or return to the gallery.
 pub(super) fn buttons(
     ui: &mut Ui,
     gallery: &mut Gallery,
@@ -36,7 +37,7 @@ pub(super) fn buttons(
     ui.add_space(3.0);
 }
 
-/// The question, or what is to be said of the answer.
+/// Shows the question, or the verdict on the answer.
 pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &ComparedCamera, camera: &Camera) {
     let Some(guess) = gallery.guess else { return };
     let Some(answer) = guess.answer else {

@@ -1,5 +1,5 @@
-//! The mistakes view: beside the right picture what a wrong camera sees; below, the gallery, what is
-//! wrong, and which checks find it.
+//! The mistakes view: a wrong camera's picture beside the right one; below, the gallery, the
+//! explanation of the mistake, and the checks that find it.
 
 mod checks;
 mod guess;
@@ -19,19 +19,19 @@ use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::document::Document;
 
-/// Size of what is taught, in points.
+/// Size of the text, in points.
 const TEXT: f32 = 15.0;
 
 /// Width of the gallery, in points.
 const GALLERY: f32 = 200.0;
 
-/// Width of the checks' table, in points.
+/// Width of the table of checks, in points.
 const CHECKS: f32 = 420.0;
 
 /// Width of a vector's letter, in points.
 const LETTER: f32 = 16.0;
 
-/// The title above the wrong picture.
+/// Shows the title above the wrong picture.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, gallery: &Gallery) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
@@ -48,7 +48,7 @@ fn title(gallery: &Gallery) -> String {
     }
 }
 
-/// What a screen reader says of the wrong picture.
+/// Returns the description of the wrong picture for screen readers.
 pub(crate) fn spoken(wrong: &ComparedCamera, gallery: &Gallery) -> String {
     match (why_not(wrong, gallery), seen(wrong)) {
         (Some(why), _) => why,
@@ -57,7 +57,8 @@ pub(crate) fn spoken(wrong: &ComparedCamera, gallery: &Gallery) -> String {
     }
 }
 
-/// Why there is no wrong picture, without its name as long as that is to be guessed.
+/// Returns the reason why there is no wrong picture, without the mistake's name while it is to be
+/// guessed.
 fn why_not(wrong: &ComparedCamera, gallery: &Gallery) -> Option<String> {
     let why = wrong.why_not()?;
     Some(match gallery.is_told() {
@@ -66,7 +67,7 @@ fn why_not(wrong: &ComparedCamera, gallery: &Gallery) -> Option<String> {
     })
 }
 
-/// `12,345 of 90,000 pixels shown see something else`
+/// Returns `12,345 of 90,000 pixels shown see something else`.
 fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
     let (differing, pixels) = (grouped(seen.differing as u64), grouped(seen.pixels as u64));
@@ -77,7 +78,7 @@ fn seen(wrong: &ComparedCamera) -> Option<String> {
     })
 }
 
-/// Why there is no wrong picture, in its place.
+/// Shows, in place of the wrong picture, the reason why there is none.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &ComparedCamera, gallery: &Gallery) {
     let fill = ui.visuals().faint_bg_color;
     ui.painter().rect_filled(rect, 4.0, fill);
@@ -91,7 +92,7 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &ComparedCamera, galler
     });
 }
 
-/// The gallery, what is wrong, and the checks, side by side.
+/// Shows the gallery, the explanation, and the checks, side by side.
 pub(crate) fn ui(
     ui: &mut Ui,
     derived: &Derived,
@@ -134,7 +135,7 @@ fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// One button a mistake: chooses it, or answers with it.
+/// Shows one button per mistake, which chooses it, or answers with it.
 fn list(ui: &mut Ui, gallery: &mut Gallery) {
     let chosen = match gallery.guess {
         Some(guess) => guess.answer,
@@ -153,7 +154,7 @@ fn list(ui: &mut Ui, gallery: &mut Gallery) {
     }
 }
 
-/// What is done wrong, how it shows, and the basis right against wrong.
+/// Shows the mistake, its effect, and the right and the wrong basis.
 fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     let mistake = wrong.mistake;
     if let Some(why) = wrong.why_not() {
@@ -180,7 +181,7 @@ fn sentence(text: &str) -> String {
         .map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect::<String>() + ".")
 }
 
-/// u, v, w of both cameras, one above the other: there is no room for both side by side.
+/// Shows u, v, w of both cameras, one above the other, because side by side they do not fit.
 fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     let right = camera.right_camera().basis();
     let rows = [
@@ -214,7 +215,7 @@ fn basis(ui: &mut Ui, camera: &WrongCamera, style: NumberStyle) {
     }
 }
 
-/// A part of a row with a width of its own, in which text wraps.
+/// Shows a cell of a row with a fixed width, in which text wraps.
 fn cell<R>(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui) -> R) -> R {
     let layout = Layout::top_down(Align::LEFT);
     let inner = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {

@@ -1,4 +1,4 @@
-//! What is dragged in the drawing of both lines.
+//! Dragging in the drawing of both lines.
 
 use egui::{CursorIcon, EventFilter, Key, Rect, Response, Sense, Ui, Vec2};
 use pinhole_core::DVec2;
@@ -10,7 +10,7 @@ use crate::view::lines::handles::{GRASP, in_sight};
 use crate::view::lines::steps::number;
 use crate::view::typesetting::theme;
 
-/// Shows the drawing and takes what is dragged in it.
+/// Shows the drawing and handles drags in it.
 pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     look_around(ui, rect, lab);
     let (ink, background, halo) = Ink::of(theme::style(ui));
@@ -27,7 +27,7 @@ pub(super) fn ui(ui: &mut Ui, rect: Rect, lab: &mut LinesLab, digits: usize) {
     }
 }
 
-/// Dragging beside all handles moves the window, the wheel zooms about the pointer.
+/// Pans by dragging beside all handles, and zooms about the pointer by the wheel.
 fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     let response = ui.interact(rect, ui.scope_id().with("plane"), Sense::drag());
     ui.ctx().accesskit_node_builder(response.id, |node| {
@@ -51,10 +51,10 @@ fn look_around(ui: &Ui, rect: Rect, lab: &mut LinesLab) {
     }
 }
 
-/// A handle that is in sight, and what the pointer does with it.
+/// A visible handle with the response of its area.
 pub(super) type Grabbed = (Handle, Response);
 
-/// Takes what is dragged.
+/// Handles the drags of all handles.
 pub(super) fn inputs(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab) -> Vec<Grabbed> {
     Handle::ALL
         .into_iter()
@@ -71,12 +71,12 @@ fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<R
     let arrows =
         EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
-    // Whole hundredths, or whatever is finer than a dot.
+    // Round to hundredths, or finer if a pixel is finer.
     let dots = sheet.scale * f64::from(ui.ctx().pixels_per_point());
     let fineness = 10_f64.powf(dots.log10().ceil());
     if response.drag_started() {
         response.request_focus();
-        // Taken hold of beside its middle, it stays that far beside the pointer.
+        // A handle that was grabbed beside its middle keeps this offset from the pointer.
         let pressed = ui.input(|i| i.pointer.press_origin()).unwrap_or(at);
         ui.data_mut(|data| data.insert_temp(id, at - pressed));
     }
@@ -103,7 +103,7 @@ fn input(ui: &Ui, sheet: &Sheet, lab: &mut LinesLab, handle: Handle) -> Option<R
     Some(response)
 }
 
-/// Whether the pointer or the keyboard is at a handle.
+/// Returns true if the pointer or the keyboard focus is on a handle.
 pub(super) fn is_held(response: &Response) -> bool {
     response.hovered() || response.dragged() || response.has_focus()
 }

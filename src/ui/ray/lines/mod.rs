@@ -11,14 +11,14 @@ pub(crate) use crate::view::lines::canvas::round_step;
 pub(crate) use crate::view::lines::steps::number;
 use crate::view::lines::{TEXT, parts, substitution, text};
 
-/// The slider of t goes from here to there.
+/// Range of the slider of t.
 const SLIDER: std::ops::RangeInclusive<f64> = -4.0..=4.0;
 
 fn lab_id() -> Id {
     Id::unique("the lab's area")
 }
 
-/// Width and height of the lab when it was last shown, in points.
+/// Returns the width and height of the lab when it was last shown, in points.
 pub(crate) fn size(ctx: &Context) -> Option<[f32; 2]> {
     ctx.data(|data| data.get_temp::<Vec2>(lab_id())).map(Into::into)
 }
@@ -94,7 +94,7 @@ fn fields(ui: &mut Ui, lab: &mut LinesLab) {
     });
 }
 
-/// t as a slider that generates points, and what is left behind.
+/// Shows t as a slider that generates points, and the options of the trail.
 fn time(ui: &mut Ui, lab: &mut LinesLab) {
     ui.add_space(4.0);
     ui.horizontal(|ui| {

@@ -1,28 +1,28 @@
-//! What stands beside the upright lines of the plot.
+//! The captions beside the vertical lines of the plot.
 
 use egui::{Align2, Color32, Pos2, Rect, pos2};
 
 use super::drawing::{Strokes, TEXT};
 use crate::view::typesetting::label_layout::{Font, Words};
 
-/// From one place of a caption to the one above it, in points.
+/// Distance from one position of a caption to the one above it, in points.
 const ROW: f32 = 20.0;
 
 /// The names of the eye and of the viewport in the plot.
 pub(super) struct Captions {
     pub(super) rect: Rect,
-    /// Where their lines are.
+    /// The x coordinates of their lines.
     pub(super) eye: f32,
     pub(super) viewport: f32,
-    /// Where the line f = 0 is.
+    /// The y coordinate of the line f = 0.
     pub(super) zero: f32,
     pub(super) color: Color32,
 }
 
 impl Captions {
-    /// Writes them where no curve runs through them.
+    /// Writes the captions where no curve runs through them.
     pub(super) fn write(&self, drawn: &[Strokes], words: &mut Words) {
-        // Nor through the line f = 0.
+        // The line f = 0 must not run through them either.
         let (left, right) = (self.rect.left() as i32, self.rect.right() as i32);
         let zero = (left..right).step_by(4).map(|x| pos2(x as f32, self.zero));
         let curves: Vec<Pos2> = drawn.iter().flat_map(Strokes::closely).chain(zero).collect();
@@ -38,7 +38,7 @@ impl Captions {
         words.write_clear_of(&curves, "eye: t = 0", font, right(eye).chain(left(eye)));
     }
 
-    /// From the bottom upwards.
+    /// Returns the positions of a caption, from the bottom upwards.
     fn rows(&self, x: f32, align: Align2) -> impl Iterator<Item = (Pos2, Align2)> + use<> {
         let (top, bottom) = (self.rect.top() + 24.0, self.rect.bottom() - 4.0);
         let count = ((bottom - top) / ROW).max(0.0) as usize + 1;

@@ -15,18 +15,18 @@ use crate::view::typesetting::label_layout::{Font, Words};
 use crate::view::typesetting::notation::formula;
 use crate::view::typesetting::theme;
 
-/// Size of text, in points.
+/// Size of the text, in points.
 pub(super) const TEXT: f32 = 15.0;
 
-/// f, in units, at the upper edge: even, and compressed.
+/// Value of f, in units, at the upper edge: for even and for compressed heights.
 const TOP: (f64, f64) = (4.4, 45.0);
-/// At the lower edge: with planes, and without.
+/// Value of f, in units, at the lower edge: with and without planes.
 const BOTTOM: (f64, f64) = (-2.4, -1.5);
 
 /// Dash and gap in points, by a curve's place; 0 is an unbroken line.
 const DASHES: [(f32, f32); 4] = [(0.0, 0.0), (11.0, 6.0), (3.0, 5.0), (20.0, 5.0)];
 
-/// Where t and heights are on the screen.
+/// The mapping of t and heights to the screen.
 struct Axes {
     rect: Rect,
     t: RangeInclusive<f64>,
@@ -44,7 +44,8 @@ impl Axes {
         self.rect.bottom() - self.rect.height() * share.clamp(-9.0, 9.0) as f32
     }
 
-    /// t at a place of the screen, with no more digits than a point is wide.
+    /// Returns the t at an x coordinate of the screen, with only as many digits as a point's width
+    /// justifies.
     fn t_at(&self, x: f32) -> f64 {
         let span = self.t.end() - self.t.start();
         let share = f64::from((x - self.rect.left()) / self.rect.width()).clamp(0.0, 1.0);
@@ -53,7 +54,7 @@ impl Axes {
     }
 }
 
-/// Shows the plot and takes the t that is dragged in it.
+/// Shows the plot and handles drags of t in it.
 pub(super) fn ui(
     ui: &Ui,
     rect: Rect,
@@ -65,7 +66,7 @@ pub(super) fn ui(
     let colors = style.colors();
     let planes = plot.curves.iter().any(Curve::is_straight);
     let bottom = if planes { BOTTOM.0 } else { BOTTOM.1 };
-    // Room for the numbers at the left, for those of t below, and for what is plotted above.
+    // Leave room for the numbers of f at the left, those of t below, and the title above.
     let inner = Rect::from_min_max(rect.min + vec2(44.0, 28.0), rect.max - vec2(8.0, 26.0));
     let top = if plot.heights == Heights::Even { TOP.0 } else { TOP.1 };
     let height = (plot.heights.of(bottom), plot.heights.of(top));
@@ -108,14 +109,14 @@ pub(super) fn ui(
     for (curve, strokes) in plot.curves.iter().zip(&drawn) {
         let font = Font { size: TEXT, color: colors.ink, bold: true };
         if let Some(name) = words.write(&curve.named.name, font, places_at(strokes, within)) {
-            // Underlined as the curve is drawn.
+            // Underlined in the curve's own style.
             let y = name.bottom() - 1.0;
             stroke(&inside, &[pos2(name.left(), y), pos2(name.right(), y)], curve);
         }
     }
 }
 
-/// A press or a drag in the plot walks there; arrow keys walk on.
+/// Sets t by a press or a drag in the plot, and moves it by arrow keys.
 fn input(ui: &Ui, axes: &Axes, walked: &mut Option<f64>) {
     let id = ui.scope_id().with("plot of f");
     let response = ui.interact(axes.rect, id, Sense::click_and_drag());
@@ -146,7 +147,7 @@ fn input(ui: &Ui, axes: &Axes, walked: &mut Option<f64>) {
     });
 }
 
-/// The numbers of t and f, the line f = 0, and the part behind the eye greyed.
+/// Draws the numbers of t and f, the line f = 0, and the grey area behind the eye.
 fn scales(painter: &Painter, axes: &Axes, ink: Color32, heights: Heights) {
     let rect = axes.rect;
     let eye = axes.x(0.0).clamp(rect.left(), rect.right());
@@ -182,7 +183,8 @@ fn scales(painter: &Painter, axes: &Axes, ink: Color32, heights: Heights) {
     painter.galley(pos2(rect.right() - 14.0, rect.bottom() + 2.0), name, ink);
 }
 
-/// The eye and the viewport; their names are written when the curves are there.
+/// Draws the lines of the eye and the viewport. Returns their captions, which are written after the
+/// curves.
 fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) -> Captions {
     let rect = axes.rect;
     let [eye, viewport] = [0.0, 1.0].map(|t| axes.x(t));
@@ -201,14 +203,14 @@ fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) ->
 
 /// A curve on the screen.
 pub(super) struct Strokes {
-    /// Its parts within the plot.
+    /// Its parts inside the plot.
     points: Vec<Vec<Pos2>>,
-    /// Where it leaves the plot, and whether upwards.
+    /// The points where it leaves the plot, each with true if it leaves upwards.
     leaves: Vec<(Pos2, bool)>,
 }
 
 impl Strokes {
-    /// Points of the curve that are at most a few points of the screen from the next.
+    /// Returns points of the curve, at most a few points of the screen apart.
     pub(super) fn closely(&self) -> impl Iterator<Item = Pos2> {
         self.points.iter().flat_map(|part| {
             part.windows(2).flat_map(|ends| {
@@ -255,7 +257,8 @@ fn strokes(axes: &Axes, samples: &[(f64, f64)]) -> Strokes {
         }
     }
     if points.is_empty() {
-        // Never within the plot: an arrow in the middle of its edge tells where it is.
+        // The curve is never inside the plot: an arrow in the middle of the edge shows on which
+        // side it is.
         let middle = 0.5 * (axes.t.start() + axes.t.end());
         if let Some(edge) = before.and_then(|(_, y)| edge_of(y)) {
             leaves.push((place((middle, edge)), edge == high));
@@ -279,7 +282,7 @@ fn stroke(painter: &Painter, points: &[Pos2], curve: &Curve) {
     }
 }
 
-/// The curve's line, as a key to the words beside the plot.
+/// Draws a sample of the curve's line, as a key to the text beside the plot.
 pub(super) fn sample(ui: &Ui, rect: Rect, curve: &Curve) {
     let ends = [rect.left_center(), rect.right_center()];
     stroke(ui.painter(), &ends, curve);
@@ -292,7 +295,7 @@ fn arrowhead(painter: &Painter, at: Pos2, upwards: bool, color: Color32) {
     painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
 }
 
-/// Every zero is a ring, the first hit a large disc.
+/// Draws every zero as a ring, and the first hit as a large disc.
 fn zeros(
     painter: &Painter,
     axes: &Axes,
@@ -335,7 +338,7 @@ fn zeros(
     }
 }
 
-/// Below the hit, then above it.
+/// Returns positions below the hit, then above it.
 fn beside_hit(at: Pos2) -> [(Pos2, Align2); 6] {
     let below = |x: f32, align| (at + vec2(x, 12.0), align);
     let above = |x: f32, align| (at + vec2(x, -12.0), align);
@@ -349,7 +352,7 @@ fn beside_hit(at: Pos2) -> [(Pos2, Align2); 6] {
     ]
 }
 
-/// The vertical that is dragged, and every f there.
+/// Draws the vertical line that is dragged, and every f on it.
 fn point_that_walks(
     painter: &Painter,
     axes: &Axes,
@@ -376,7 +379,7 @@ fn point_that_walks(
     words.write(&text, Font { size: TEXT + 2.0, color: colors.ray, bold: false }, rows);
 }
 
-/// Where a curve's name may stand: beside places along it, within the plot.
+/// Returns the positions for a curve's name: beside points along the curve, inside the plot.
 fn places_at(strokes: &Strokes, within: Rect) -> Vec<(Pos2, Align2)> {
     let all: Vec<Pos2> = strokes.points.iter().flatten().copied().collect();
     let mut places = Vec::new();
@@ -395,7 +398,7 @@ fn places_at(strokes: &Strokes, within: Rect) -> Vec<(Pos2, Align2)> {
     for (at, upwards) in &strokes.leaves {
         around(*at + vec2(0.0, if *upwards { 12.0 } else { -12.0 }));
     }
-    // At the very edge, the middle of a word would be cut off.
+    // At the very edge, the middle of the name would be cut off.
     let inner = within.shrink(1.0);
     places.into_iter().filter(|(at, _)| inner.expand(40.0).contains(*at)).collect()
 }

@@ -1,5 +1,5 @@
-//! The plot of f(p + t d) against t, and walking along the ray: below both views, with every object
-//! on one axis of t, and beside it what each curve says.
+//! The plot of f(p + t d) against t, and the point that walks along the ray: below both views, with
+//! every object on one axis of t, and beside it a text for each curve.
 
 mod captions;
 mod drawing;
@@ -16,12 +16,12 @@ use crate::view::plot::{Curve, Plot};
 use crate::view::typesetting::notation;
 use crate::view::typesetting::theme::error_color;
 
-/// Size of the text, in points: for the back row.
+/// Size of the text, in points: legible from the back row.
 const TEXT: f32 = 15.5;
-/// What is said is at most so wide, in points, and at most so much of the whole.
+/// Maximum width of the text beside the plot, in points and as a share of the whole.
 const WORDS: (f32, f32) = (430.0, 0.44);
 
-/// Shows plot and words.
+/// Shows the plot and the text beside it.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: usize) {
     let walked = &mut session.walked;
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
@@ -61,7 +61,7 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: 
     });
 }
 
-/// What is said of objects that have no curve.
+/// Returns the text about objects without a curve.
 fn left_out(count: usize) -> String {
     match count {
         1 => "1 more object is left out".to_owned(),
@@ -73,7 +73,7 @@ fn text(ui: &mut Ui, text: &str) {
     notation::label(ui, text, TEXT, ui.visuals().text_color());
 }
 
-/// The t of the point that walks, as a number and as a slider.
+/// Shows the t of the walking point, as a number and as a slider.
 fn walk(
     ui: &mut Ui,
     walked: &mut Option<f64>,
@@ -95,7 +95,7 @@ fn walk(
     });
 }
 
-/// Which of the objects the point that walks is inside of, by the values of f there.
+/// Returns a text with the objects that contain the walking point, by the values of f there.
 fn inside(plot: &Plot, values: &[f64]) -> String {
     let inside = plot.curves.iter().zip(values).filter(|(curve, f)| curve.is_inside(**f));
     let names: Vec<&str> = inside.map(|(curve, _)| curve.named.title.as_str()).collect();
@@ -106,7 +106,7 @@ fn inside(plot: &Plot, values: &[f64]) -> String {
     }
 }
 
-/// What the mouse is on in the words of the last frame's plot.
+/// Returns the concept that the mouse is on in the text beside the last frame's plot.
 pub(crate) fn pointed(ctx: &Context, derived: &Derived) -> Option<Pointed> {
     let curves = &derived.plot.as_ref()?.curves;
     let is_hovered =
@@ -119,7 +119,7 @@ fn said_id(object: u32) -> Id {
     Id::unique(("said of a curve", object))
 }
 
-/// One curve's line sample, title and words, and f where one walks.
+/// Shows a curve's line sample, title and text, and f at the walking point.
 fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: usize) {
     let curve: &Curve = &plot.curves[k];
     let object = curve.named.object;

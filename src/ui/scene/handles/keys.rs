@@ -1,4 +1,4 @@
-//! A handle that has the focus, moved by keys.
+//! Movement of the focused handle by keys.
 
 use egui::{Context, EventFilter, Key};
 use pinhole_core::{DVec2, DVec3, PosedCamera};
@@ -12,10 +12,10 @@ use super::id_of;
 use crate::model::hand::{Along, Axis, Handle, keeps_of};
 use crate::view::handles::{Grip, How, Part, Pull, Start, grips, step_of, turned_by};
 
-/// So far a key turns the camera, in degrees.
+/// Angle by which a key press turns the camera, in degrees.
 const TURN: f64 = 5.0;
 
-/// What the arrow keys say: to the right, upwards, and away from the observer.
+/// The steps of the arrow keys: to the right, upwards, and away from the observer.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Steps {
     right: f64,
@@ -24,7 +24,7 @@ struct Steps {
 }
 
 impl HandInput {
-    /// Arrow keys move the handle that has the focus; K swaps what the eye keeps.
+    /// Moves the focused handle by the arrow keys; K swaps what a moved eye keeps.
     pub(super) fn keys(&mut self, ctx: &Context, view: &View, edited: &mut Edited) {
         let Edited { document, session, .. } = edited;
         let posed = document.camera.posed().ok();
@@ -72,14 +72,14 @@ fn steps(ctx: &Context) -> Steps {
     let count = |key| pressed(ctx, key) as f64;
     let right = count(Key::ArrowRight) - count(Key::ArrowLeft);
     let up = count(Key::ArrowUp) - count(Key::ArrowDown);
-    // With an axis's key, Shift chooses the plane of the other two.
+    // Together with an axis's key, Shift chooses the plane of the other two.
     match ctx.input(|i| i.modifiers.shift) && axis_held(ctx).is_none() {
         true => Steps { right, up: 0.0, away: up },
         false => Steps { right, up, away: 0.0 },
     }
 }
 
-/// Where the keys take a handle.
+/// Returns the point to which the keys move a handle.
 fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec3> {
     let step = step_of(view.observer, start.at, view.scale)?;
     let camera = start.posed.as_ref();
@@ -106,18 +106,18 @@ fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec
     Some(start.at + step * way)
 }
 
-/// The way in the plane of two axes: the one that points more to the right or left goes with the keys
-/// to the right and left, the other one with those up and down.
+/// Returns the movement in the plane of two axes. The axis that points more to the right or left
+/// follows the right and left keys, the other one the up and down keys.
 fn in_plane(observer: &PosedCamera, [a, b]: [DVec3; 2], steps: Steps) -> DVec3 {
     let basis = observer.basis();
     let across = |axis: DVec3| axis.dot(basis.u).abs();
     let (right, up) = if across(a) >= across(b) { (a, b) } else { (b, a) };
-    // Seen from its end, an axis points neither up nor down: away from the observer is up.
+    // An axis seen end-on points neither up nor down: away from the observer counts as up.
     let upwards = up.dot(basis.v) - 1e-3 * up.dot(basis.w);
     steps.right * right.dot(basis.u).signum() * right + steps.up * upwards.signum() * up
 }
 
-/// The world's axes that point most to the right, upwards and away from the observer.
+/// Returns the world's axes that point most to the right, upwards and away from the observer.
 fn axes_of(observer: &PosedCamera) -> [DVec3; 3] {
     let basis = observer.basis();
     let most = |direction: DVec3, taken: DVec3| {
@@ -132,7 +132,7 @@ fn axes_of(observer: &PosedCamera) -> [DVec3; 3] {
     [right, up, third * third.dot(-basis.w).signum()]
 }
 
-/// The arrow keys stay with a handle that has the focus.
+/// Returns the filter that keeps the arrow keys with the focused handle.
 pub(super) fn filter() -> EventFilter {
     EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() }
 }

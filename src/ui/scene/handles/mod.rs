@@ -1,5 +1,5 @@
-//! Handles under the mouse and the keyboard. They are taken before anything is drawn, so that all
-//! that is drawn shows where they are; what they do is `crate::view::handles`'.
+//! Mouse and keyboard input for the handles. It is processed before anything is drawn, so that
+//! everything drawn is up to date; `crate::view::handles` calculates the effects.
 
 mod keys;
 mod tell;
@@ -16,27 +16,27 @@ use pinhole_exchange::document::Document;
 
 pub(crate) use self::tell::say;
 
-/// How near to a handle the mouse takes hold of it, in points.
+/// Maximum distance from a handle at which the mouse grabs it, in points.
 const REACH: f64 = 11.0;
 
-/// A press that moves by less than so many points is a click.
+/// Movement during a press, in points, below which it is a click.
 const CLICK: f32 = 2.0;
 
-/// What is remembered of the hand from one pass to the next.
+/// The state of the handles' input between passes.
 #[derive(Debug, Default)]
 pub(crate) struct HandInput {
-    /// Where the world view was, and its name in egui.
+    /// The world view's rectangle and its id in egui.
     place: Option<(Rect, Id)>,
     start: Option<Taken>,
-    /// What was clicked last, so that the one below it has its turn.
+    /// The handle that was clicked last, so that the next click reaches the one below it.
     clicked: Option<Handle>,
-    /// The button is still down, but what it held was given back.
+    /// True if the button is still down although its drag was cancelled.
     given_back: bool,
-    /// Why the handle is not where the pointer is.
+    /// The reason why the handle is not where the pointer is.
     refused: Option<String>,
-    /// What the last move did.
+    /// The effect of the last move.
     last: Option<Pulled>,
-    /// Since when the pointer or the focus is on what it is on, in seconds.
+    /// Time since when the pointer or the focus has been on its handle, in seconds.
     over_since: f64,
 }
 
@@ -47,7 +47,7 @@ struct Taken {
     moved: bool,
 }
 
-/// What is edited, and how it is looked at.
+/// The data that the input edits.
 pub(crate) struct Edited<'a> {
     pub(crate) document: &'a mut Document,
     pub(crate) session: &'a mut Session,
@@ -69,7 +69,7 @@ impl View<'_> {
         DVec2::new(at.x.into(), at.y.into())
     }
 
-    /// Where in the observer's viewport a place is.
+    /// Returns the position of a point of the screen in the observer's viewport.
     fn uv(&self, at: Pos2) -> DVec2 {
         let image = self.observer.image();
         let size = [image.width() as usize, image.height() as usize];
@@ -95,7 +95,8 @@ impl View<'_> {
 }
 
 impl HandInput {
-    /// What mouse and keys do with the handles. `shown` is what they are done to: the last frame.
+    /// Applies the input of mouse and keys to the handles. `shown` is the last frame, which the
+    /// user reacts to.
     pub(crate) fn take(&mut self, ctx: &Context, edited: &mut Edited, shown: &Derived) {
         let hand = &mut edited.session.hand;
         hand.is_busy = self.start.is_some() || self.given_back;
@@ -125,7 +126,7 @@ impl HandInput {
         }
     }
 
-    /// Another scene is shown, or a dialog: nothing is held any more.
+    /// Releases everything, because another scene or a dialog is shown.
     pub(crate) fn let_go(&mut self, session: &mut Session) {
         self.start = None;
         self.refused = None;
@@ -135,7 +136,7 @@ impl HandInput {
         session.hand.along = Along::default();
     }
 
-    /// What the pointer or the keyboard is on.
+    /// Updates which handle the pointer or the keyboard focus is on.
     fn look(
         &mut self,
         ctx: &Context,
@@ -186,7 +187,7 @@ impl HandInput {
         };
         self.clicked = self.clicked.filter(near);
         let found = hit(all, dots, reach, self.clicked)?;
-        // The point that walks along the ray is taken too.
+        // The point that walks along the ray can be grabbed too.
         let walked =
             session.walked.zip(shown.inspection.as_deref()).zip(shown.world_frame.as_deref());
         let walked = walked.and_then(|((t, inspection), frame)| {
@@ -224,7 +225,7 @@ impl HandInput {
         (hand.held, hand.over, hand.is_busy) = (Some(grasp), Some(found.handle), true);
     }
 
-    /// A click so short that press and release are seen at once.
+    /// Handles a click so short that press and release arrive in the same pass.
     fn click(&mut self, view: &View, response: &Response, edited: &mut Edited, shown: &Derived) {
         let Edited { document, session, chosen_object } = edited;
         let Some(at) = response.interact_pointer_pos() else { return };
@@ -238,7 +239,7 @@ impl HandInput {
         session.hand.is_busy = true;
     }
 
-    /// A handle is held: it goes with the pointer.
+    /// Moves the held handle with the pointer.
     fn hold(&mut self, ctx: &Context, view: &View, edited: &mut Edited) {
         let Some(taken) = &mut self.start else { return };
         let Edited { document, session, .. } = edited;
@@ -281,12 +282,12 @@ impl HandInput {
     }
 }
 
-/// What stands for a handle in egui: it can be focused, and speaks.
+/// Returns the id that represents a handle in egui, for the focus and for screen readers.
 fn id_of(view: Id, handle: Handle) -> Id {
     view.with(("handle", handle))
 }
 
-/// The keys that were pressed, which mean nothing else while something is held.
+/// Returns the pressed keys and consumes them: they have no other effect during a drag.
 pub(crate) fn taken_keys(ctx: &Context) -> Vec<Key> {
     ctx.input_mut(|i| {
         let pressed = i.events.iter().filter_map(|event| match event {
@@ -299,14 +300,14 @@ pub(crate) fn taken_keys(ctx: &Context) -> Vec<Key> {
     })
 }
 
-/// The axis whose key is held.
+/// Returns the axis whose key is held down.
 fn axis_held(ctx: &Context) -> Option<Axis> {
     let keys = [Key::X, Key::Y, Key::Z, Key::U, Key::V, Key::W];
     let held = |key: Key| ctx.input(|i| i.key_down(key));
     Axis::ALL.into_iter().zip(keys).find(|(_, key)| held(*key)).map(|(axis, _)| axis)
 }
 
-/// How the drag is held, by keys and settings.
+/// Returns the constraints of the drag, from keys and settings.
 fn how(ctx: &Context, session: &Session) -> How {
     let modifiers = ctx.input(|i| i.modifiers);
     let along = match (axis_held(ctx), modifiers.shift) {
@@ -318,7 +319,7 @@ fn how(ctx: &Context, session: &Session) -> How {
     How { along, snaps: modifiers.command, eye, corner, distance }
 }
 
-/// The sphere that the observer sees at a place.
+/// Returns the index of the sphere that the observer sees at a position.
 fn sphere_at(shown: &Derived, at: DVec2) -> Option<usize> {
     let frame = shown.world_frame.as_deref()?;
     let image = frame.camera().image();

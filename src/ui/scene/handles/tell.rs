@@ -1,4 +1,4 @@
-//! What is said of handles: beside the pointer, and to screen readers.
+//! The text about handles: beside the pointer, and for screen readers.
 
 use egui::accesskit::Role;
 use egui::{
@@ -22,18 +22,18 @@ use crate::view::handles::{Part, grips, label, value};
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::document::Document;
 
-/// Sizes of what is said, in points: the value, and the rest.
+/// Sizes of the text, in points: of the value, and of the rest.
 const VALUE: f32 = 19.0;
 const REST: f32 = 15.0;
 
-/// From the pointer to what is said, in points, across and down.
+/// Distance from the pointer to the text, in points, across and down.
 const GAP: f32 = 20.0;
 
-/// So long one looks at a handle until it is said how it is dragged, in seconds.
+/// Time until the hint appears that explains how a hovered handle is dragged, in seconds.
 const HINT: f64 = 0.7;
 
 impl HandInput {
-    /// What there is to say of the handles in the world view, which is at `place` now.
+    /// Shows the text about the handles in the world view, which is at `place` now.
     pub(crate) fn tell(
         &mut self,
         ui: &Ui,
@@ -57,14 +57,14 @@ impl HandInput {
         let all = grips(&view.stage(document, shown.posed.as_ref(), session), hand);
         let point = |spot: DVec2| rect.min + vec2(spot.x as f32, spot.y as f32) / scale;
         let own = all.iter().find(|grip| grip.handle == handle).map(|grip| point(grip.spot));
-        // What is held may be nowhere for a while: the viewport has no area.
+        // A held handle may have no position for a while, when the viewport has no area.
         let pointer = ui.input(|i| i.pointer.latest_pos()).filter(|_| by_pointer);
         let Some(spot) = pointer.or(own) else { return };
         let others: Vec<_> = all.iter().filter(|g| g.handle.object().is_none()).collect();
         let middle =
             others.iter().map(|grip| grip.spot).sum::<DVec2>() / others.len().max(1) as f64;
         let lines = self.lines(ui, handle, document, session);
-        // Away from the camera, which one looks at.
+        // Away from the camera, so that the text does not cover it.
         say(ui, id, spot, spot - point(middle), &lines, self.refused.as_deref());
     }
 
@@ -130,7 +130,7 @@ impl HandInput {
     }
 }
 
-/// An axis's letter; a vector's is bold.
+/// Returns an axis's letter; a vector's is bold.
 fn written_axis(axis: Axis) -> String {
     let is_vector = matches!(axis, Axis::U | Axis::V | Axis::W);
     axis.name().chars().map(|letter| if is_vector { bold(letter) } else { letter }).collect()
@@ -167,7 +167,7 @@ fn say_hint(lines: &mut Vec<String>, handle: Handle, session: &Session) {
     }
 }
 
-/// Beside a place, on the side where `away` points.
+/// Shows lines of text beside a position, on the side to which `away` points.
 pub(crate) fn say(
     ui: &Ui,
     id: Id,
@@ -205,7 +205,7 @@ pub(crate) fn say(
     });
 }
 
-/// Every handle can be focused and says what it is.
+/// Makes every handle focusable, with a label and a value for screen readers.
 fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &Session) {
     let settings = &session.settings;
     for grip in grips(&view.stage(document, shown.posed.as_ref(), session), &session.hand) {

@@ -1,5 +1,5 @@
-//! The accuracy view: beside the camera's picture where another method errs in it, below error
-//! against run time as plot and table.
+//! The accuracy view: another method's error map beside the camera's picture; below, error against
+//! run time as plot and table.
 
 mod plot;
 mod table;
@@ -19,13 +19,13 @@ use crate::view::derive::{Compared, Derived, TooMany};
 use crate::view::typesetting::theme;
 use pinhole_exchange::document::Document;
 
-/// Room for the map's legend below it, in points.
+/// Height of the map's legend, in points.
 pub(crate) const LEGEND: f32 = 44.0;
 
-/// The table needs no more width than this, in points; the plot gets the rest.
+/// Maximum width of the table, in points; the plot gets the rest.
 const TABLE: f32 = 560.0;
 
-/// Chooses a method; `name` is for screen readers.
+/// Shows the choice of a method; `name` is for screen readers.
 pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
     let combo = ComboBox::from_id_salt(name).selected_text(chosen.0.name()).width(150.0);
     let response = combo
@@ -40,7 +40,7 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
 }
 
-/// The title above the map, with the choice of its method.
+/// Shows the title above the map, with the choice of its method.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
@@ -51,7 +51,7 @@ pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
     });
 }
 
-/// What the map's colours mean, and how many pixels are wrong, below it.
+/// Shows the legend of the map's colours and the number of wrong pixels, below the map.
 pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     let below = Rect::from_min_size(
         pos2(area.left(), area.bottom() + 2.0),
@@ -84,7 +84,7 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     });
 }
 
-/// `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`
+/// Returns `textbook-f32: 12 of 90000 pixels shown wrong, t off up to 3e9 ulps`.
 pub(crate) fn summary(compared: &Compared) -> String {
     let Compared { method, comparison, .. } = compared;
     let (wrong, all) = (comparison.wrong, comparison.errors.len());
@@ -95,7 +95,8 @@ pub(crate) fn summary(compared: &Compared) -> String {
     format!("{method}: {wrong} of {all} pixels shown wrong{errors}")
 }
 
-/// What is written on a picture that the ladder did not draw, or drew in place of the chosen method.
+/// Returns the text on a picture that the ladder did not draw, or drew in place of the chosen
+/// method.
 pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
     if let Some(why) = derived.too_many {
         return (chosen != Method::Ladder)
@@ -108,14 +109,15 @@ pub(crate) fn drawn_by(derived: &Derived, chosen: Method) -> Option<String> {
     })
 }
 
-/// Why there is no map, in its place.
+/// Shows, in place of the map, the reason why there is none.
 pub(crate) fn no_map(ui: &mut Ui, rect: Rect, why: TooMany) {
     ui.scope_builder(UiBuilder::new().max_rect(rect.shrink(8.0)), |ui| {
         ui.label(format!("No error map: {why}"));
     });
 }
 
-/// Plot and table, and above them how far measuring is and what the selected pixel says.
+/// Shows plot and table, and above them the progress of measuring and the results at the selected
+/// pixel.
 pub(crate) fn ui(
     ui: &mut Ui,
     measuring: &Measuring,
@@ -123,7 +125,7 @@ pub(crate) fn ui(
     document: &Document,
     session: &mut Session,
 ) {
-    // One line, however many digits: what is below must not jump while one drags.
+    // Always a single line: the content below must not jump during a drag.
     let text = selected(derived, document, session).unwrap_or_default();
     ui.add(egui::Label::new(text.clone()).truncate()).on_hover_text(text);
     ui.horizontal(|ui| {
@@ -134,14 +136,14 @@ pub(crate) fn ui(
         progress(ui, measuring, derived);
     });
     if derived.too_many.is_some() {
-        // Numbers of another scene would pass for this one's.
+        // The numbers of another scene could be mistaken for this one's.
         return;
     }
     let Some(report) = measuring.report().cloned() else { return };
     let Some(case) = report.cases.first() else { return };
     let area = ui.available_rect_before_wrap();
     let middle = area.left() + (0.42 * area.width()).max(area.width() - TABLE);
-    // The axis' name needs the room that the panel's edge would cut off.
+    // The axis's name needs the room that the panel's edge would cut off.
     let left = Rect::from_min_max(area.min, pos2(middle - 6.0, area.bottom() - 10.0));
     let right = Rect::from_min_max(pos2(middle + 6.0, area.top()), area.max);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| plot::ui(ui, case));
@@ -152,7 +154,7 @@ pub(crate) fn ui(
     });
 }
 
-/// How far measuring is, or what the numbers rest on.
+/// Shows the progress of measuring, or the processor and reference of the numbers.
 fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     if derived.fault.is_some() {
         ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
@@ -172,8 +174,8 @@ fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
     }
 }
 
-/// What the ladder and the map's method say of the selected pixel, be it among those that the map
-/// shows or not.
+/// Returns the results of the ladder and of the map's method at the selected pixel, whether or not
+/// the map shows that pixel.
 fn selected(derived: &Derived, document: &Document, session: &Session) -> Option<RichText> {
     if derived.too_many.is_some() {
         return None;
@@ -188,7 +190,7 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     let place = format!("row {}, column {}", pixel.row + from, pixel.column + from);
     let says = |object: u32, t: f64| match object {
         NO_OBJECT => "hits nothing".to_owned(),
-        // Every digit: the last ones are what this is about.
+        // Every digit: the difference is in the last ones.
         object => format!("hits {} at t = {}", document.title_of(object as usize), shortest(t)),
     };
     let verdict = match Comparison::new(&truth, &traced).errors[0] {

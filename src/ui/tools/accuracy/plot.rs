@@ -1,4 +1,4 @@
-//! Error against run time, both logarithmic: a mark a method.
+//! The plot of error against run time, both logarithmic, with one mark per method.
 
 use egui::{Align2, Color32, RichText, Ui};
 use egui_plot::{
@@ -13,7 +13,7 @@ use crate::report::plot::{SINGLE, in_ulps_of_f64};
 use crate::view::accuracy::WRONG;
 use crate::view::typesetting::theme;
 
-/// Where errors of zero stand: two decades below one ulp.
+/// Position of errors of zero: two decades below one ulp.
 const EXACT: f64 = -2.0;
 
 /// Half the width of a mark, in points.
@@ -22,14 +22,14 @@ const RADIUS: f32 = 7.5;
 /// A method in the plot.
 struct Mark<'a> {
     row: &'a MethodRow,
-    /// Powers of ten: nanoseconds, ulps of `f64`.
+    /// Powers of ten of nanoseconds and of ulps of `f64`.
     at: [f64; 2],
     color: Color32,
 }
 
 /// Shows the plot of a case.
 pub(super) fn ui(ui: &mut Ui, case: &Case) {
-    // In greys it is told by its ring.
+    // In greys, only the ring marks a wrong method.
     let wrong = theme::finished(ui, WRONG);
     let mark = |row| Some(Mark { row, at: place_of(row)?, color: color_of(ui, row) });
     let marks: Vec<Mark> = case.methods.iter().filter_map(mark).collect();
@@ -58,14 +58,14 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
                 let line = HLine::new(name, f64::log10(ulp)).allow_hover(false);
                 plot.hline(line.color(Color32::GRAY).style(LineStyle::dashed_loose()));
             }
-            // Where a mark is, so that the plot gets no wider for it.
+            // At the position of a mark, so that the plot gets no wider for the text.
             if let Some(left) = marks.iter().map(|mark| mark.at[0]).reduce(f64::min) {
                 let at = [left, SINGLE.log10()].into();
                 let name = RichText::new("one ulp of f32").size(13.0);
                 let name = Text::new("name of the line", at, name);
                 plot.text(name.color(Color32::GRAY).anchor(Align2::LEFT_BOTTOM).allow_hover(false));
             }
-            // The first method on top, as in the plots that are written to files.
+            // The first method is on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
         });
     let name = "Every method's error against its time";
@@ -86,7 +86,7 @@ fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
     }
 }
 
-/// Where a method stands; nowhere before it was timed, or without any hit in common.
+/// Returns the position of a method; `None` before it was timed, or without any common hit.
 fn place_of(row: &MethodRow) -> Option<[f64; 2]> {
     let time = row.ns_per_pixel.median.filter(|time| *time > 0.0)?;
     let error = in_ulps_of_f64(row, row.ulp.max)?;
@@ -108,7 +108,7 @@ fn shape_of(family: &str) -> MarkerShape {
     }
 }
 
-/// What is said of a method under the pointer.
+/// Returns the description of a method under the pointer.
 fn description(row: &MethodRow) -> String {
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
     let mut lines = vec![
@@ -124,7 +124,7 @@ fn description(row: &MethodRow) -> String {
     lines.join("\n")
 }
 
-/// Short lines: the plot does not break them.
+/// Splits a text into short lines, because the plot does not wrap them.
 fn wrapped(text: &str) -> Vec<String> {
     const MOST: usize = 60;
     let mut lines: Vec<String> = Vec::new();
@@ -147,18 +147,19 @@ fn error_text(exponent: f64) -> String {
     power_of_ten(exponent.round() as i32)
 }
 
-/// 1, 2 and 5 times powers of ten, or powers alone where that would be too many.
+/// Returns grid marks at 1, 2 and 5 times powers of ten, or only at powers if those would be too
+/// many.
 fn times(input: &GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let digits: &[f64] = if high - low > 2.5 { &[1.0] } else { &[1.0, 2.0, 5.0] };
     let decades = low.floor() as i32..=high.ceil() as i32;
     let values = decades.flat_map(|e| digits.iter().map(move |d| f64::from(e) + d.log10()));
-    // Of one thickness, so that all have their number.
+    // All lines have the same thickness, so that all get a number.
     let values = values.filter(|value| (low..=high).contains(value));
     values.map(|value| GridMark { value, step_size: 1.0 }).collect()
 }
 
-/// The place of zero errors, and powers of ten, few enough to be read.
+/// Returns grid marks at the position of zero errors and at powers of ten, few enough to be read.
 fn errors(input: &GridInput) -> Vec<GridMark> {
     let (low, high) = input.bounds;
     let step = ((high - low) / 6.0).ceil().max(1.0) as usize;

@@ -1,4 +1,4 @@
-//! The methods in numbers.
+//! The table of the methods' results.
 
 use egui::{Color32, Grid, RichText, Stroke, Ui, vec2};
 use pinhole_core::methods::Method;
@@ -10,7 +10,7 @@ use crate::report::plot::marker;
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
 
-/// Heads, and what they mean.
+/// The columns' names and their explanations.
 const COLUMNS: [(&str, &str); 7] = [
     ("wrong", "Decisions (hit or miss, which object is first) that exact arithmetic does not make"),
     ("share", "Wrong decisions as a share of all"),
@@ -21,9 +21,9 @@ const COLUMNS: [(&str, &str); 7] = [
     ("ns", "Nanoseconds a pixel, the median of interleaved rounds, on one thread"),
 ];
 
-/// Shows a row a method; a click on one makes it the error map's.
+/// Shows one row per method; a click on a row shows its method in the error map.
 pub(super) fn ui(ui: &mut Ui, case: &Case, compared: &mut MethodName) {
-    // All methods and all columns in the room that is left below two pictures.
+    // All methods and all columns must fit into the room below two pictures.
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(13.0));
     ui.spacing_mut().interact_size.y = 17.0;
     ui.spacing_mut().button_padding = vec2(4.0, 0.0);
@@ -83,7 +83,7 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
     ui.label(number(row.ns_per_pixel.median));
 }
 
-/// A method's colour on this window's ground.
+/// Returns a method's colour on this window's background.
 pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
     let [r, g, b] = marker::of(row.family()).ink_on(ui.visuals().dark_mode);
     theme::finished(ui, Color32::from_rgb(r, g, b))
