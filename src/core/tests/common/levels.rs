@@ -1,7 +1,7 @@
 //! The SIMD levels that tests run on.
 #![allow(clippy::print_stdout, reason = "a test tells which levels it ran on")]
 
-use fearless_simd::Level;
+use pinhole_core::Level;
 
 /// The levels that this machine has, from the lowest on, which are printed; on x86-64 at least SSE2,
 /// and AVX2 where the processor has it.
