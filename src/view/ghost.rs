@@ -5,7 +5,7 @@ use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, Posed
 
 use crate::model::inspection::Inspection;
 use crate::model::session::Selection;
-use pinhole_lecture::mistakes::Seen;
+use pinhole_lecture::mistakes::ComparedPixels;
 
 /// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub struct AgainstGhost {
     /// The difference from the ghost to the edited camera.
     pub difference: CameraDifference,
     /// Number of shown pixels, and of those among them that see another object.
-    pub seen: Seen,
+    pub seen: ComparedPixels,
     /// The ghost's ray through the selected position.
     pub inspection: Inspection,
 }
@@ -37,7 +37,7 @@ impl AgainstGhost {
         Ok(AgainstGhost {
             ghost: *ghost,
             difference: now.difference_from(then)?,
-            seen: Seen { pixels: now_frame.object.len(), differing },
+            seen: ComparedPixels { pixels: now_frame.object.len(), differing },
             inspection: match selection.inside(ghost.image()) {
                 Selection::Pixel(pixel) => Inspection::of_pixel(ghost, scene, pixel),
                 Selection::Uv(uv) => Inspection::of_uv(ghost, scene, uv),

@@ -5,6 +5,7 @@ use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
     pos2, vec2,
 };
+use pinhole_lecture::grading::{Cell, Graded};
 
 use pinhole_lecture::grading::{Cell, Graded};
 

@@ -3,7 +3,7 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_lecture::exercises::{self, Exercise, Part};
+use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
 use crate::exercises::{Exercises, LARGEST_SEED, Said, Typed};
 use crate::ui::action::{Action, MadeUp};
@@ -150,7 +150,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
 }
 
 /// Shows the fields of one part. Returns true if Enter was pressed in one.
-fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
+fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut Typed) -> bool {
     let mut entered = false;
     let name = part.asked.id();
     ui.horizontal_wrapped(|ui| {
@@ -201,7 +201,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
 }
 
 /// Shows the right answer below the fields.
-fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
+fn solution(ui: &mut Ui, part: &QuestionPart, style: NumberStyle) {
     let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
@@ -210,7 +210,7 @@ fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
 }
 
 /// Shows the verdict on a part once it was checked.
-fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
+fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &Typed) {
     let Some(said) = &typed.said else { return };
     let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();
     let is_wrong = !said.is_good() && !matches!(said, Said::NotAnswered | Said::Missing);

@@ -11,7 +11,7 @@ use crate::model::letters;
 use crate::view::formula::{Formula, Operator, fraction, negative, norm, parentheses, row, word};
 
 pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
-    match BasisDerivation::of(camera) {
+    match BasisDerivation::new(camera) {
         BasisDerivation::FromUp(from_up) => derived(&from_up, numbers),
         BasisDerivation::ByHand(by_hand) => checked(&by_hand, numbers),
     }

@@ -44,7 +44,7 @@ pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
 }
 
 pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
-    let substitution = match Substitution::of(lab.line(), lab.ray) {
+    let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
         Err(error) => return no_line(ui, &error),
     };
