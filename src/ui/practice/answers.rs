@@ -7,8 +7,6 @@ use egui::{
 };
 use pinhole_lecture::grading::{Cell, Graded};
 
-use pinhole_lecture::grading::{Cell, Graded};
-
 use crate::grades::AnswersAtHand;
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};
