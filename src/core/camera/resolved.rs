@@ -195,24 +195,9 @@ impl PosedCamera {
         self.ray(self.uv_of_pixel(pixel))
     }
 
-    /// What the basis was made of.
-    pub(crate) fn aim(&self) -> AimGiven {
-        self.aim
-    }
-
     /// The basis with all its digits.
     pub(crate) fn fine_basis(&self) -> &FineBasis {
         &self.fine_basis
-    }
-
-    /// The same camera with its basis from exact numbers, which costs microseconds and leaves later
-    /// steps of the ladder less to do.
-    pub(crate) fn with_finest_basis(&self) -> PosedCamera {
-        let finest = match self.aim {
-            AimGiven::ViewUp(view, up) => FineBasis::from_exact(&view, up),
-            AimGiven::Basis => None,
-        };
-        PosedCamera { fine_basis: finest.unwrap_or(self.fine_basis), ..*self }
     }
 
     /// `(u, v, distance)` times the place's stretch, as three pairs whose products are exact.

@@ -25,8 +25,6 @@ pub(crate) trait Number:
     const SUM: f64;
     /// Of a product.
     const PRODUCT: f64;
-    /// Of a product with one `f64`.
-    const STRETCH: f64;
     /// Of a quotient.
     const QUOTIENT: f64;
     /// Of a square root.
@@ -43,9 +41,6 @@ pub(crate) trait Number:
     /// The square root of a number that is greater than 0.
     fn root(self) -> Self;
 
-    /// The product with one `f64`.
-    fn stretched(self, x: f64) -> Self;
-
     /// The number in `f64`, rounded.
     fn near(self) -> f64;
 }
@@ -56,18 +51,12 @@ pub(crate) const UNIT: f64 = 0.5 * f64::EPSILON;
 impl Number for f64 {
     const SUM: f64 = UNIT;
     const PRODUCT: f64 = UNIT;
-    const STRETCH: f64 = UNIT;
     const QUOTIENT: f64 = UNIT;
     const ROOT: f64 = UNIT;
 
     #[inline(always)]
     fn root(self) -> f64 {
         self.sqrt()
-    }
-
-    #[inline(always)]
-    fn stretched(self, x: f64) -> f64 {
-        self * x
     }
 
     #[inline(always)]
@@ -80,16 +69,11 @@ impl Number for DoubleDouble {
     // Proven at the operations.
     const SUM: f64 = 3.01 * U2;
     const PRODUCT: f64 = 7.0 * U2;
-    const STRETCH: f64 = 3.0 * U2;
     const QUOTIENT: f64 = 17.0 * U2;
     const ROOT: f64 = 3.2 * U2;
 
     fn root(self) -> DoubleDouble {
         self.square_root()
-    }
-
-    fn stretched(self, x: f64) -> DoubleDouble {
-        self.times(x)
     }
 
     fn near(self) -> f64 {

@@ -8,7 +8,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::error_free::{Lane, fast_two_sum, two_sum};
 use crate::exact::scale::ldexp;
 
-/// `hi + lo` with `|lo| <= ulp(hi) / 2`. `F` is one `f64` or a vector of them.
+/// `hi + lo` with `|lo| <= ulp(hi) / 2`.
 ///
 /// ```
 /// use pinhole_core::DoubleDouble;
@@ -17,31 +17,21 @@ use crate::exact::scale::ldexp;
 /// assert!((third * DoubleDouble::from(3.0) - DoubleDouble::from(1.0)).hi.abs() < 1e-31);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DoubleDouble<F = f64> {
+pub struct DoubleDouble {
     /// The number, rounded.
-    pub hi: F,
+    pub hi: f64,
     /// What rounding left out.
-    pub lo: F,
+    pub lo: f64,
 }
 
 /// `u^2 = 2^-106`.
 pub(crate) const U2: f64 = 0.25 * f64::EPSILON * f64::EPSILON;
 
-impl<F: Lane> DoubleDouble<F> {
+impl DoubleDouble {
     /// `a * b`, exactly.
     #[inline(always)]
-    pub(crate) fn product(a: F, b: F) -> Self {
+    pub(crate) fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = a.two_product(b);
-        DoubleDouble { hi, lo }
-    }
-
-    /// The sum, off by at most `8 u^2 (|self| + |other|)` (Joldes, Muller, Popescu, algorithm 5): the
-    /// two low parts' rounding and that of what they are added to make `3 u^2`, and where the high
-    /// parts cancel, the last step makes 5 more. Half the operations of `+`.
-    #[inline(always)]
-    pub(crate) fn loosely_plus(self, other: Self) -> Self {
-        let (high, error) = two_sum(self.hi, other.hi);
-        let (hi, lo) = fast_two_sum(high, error + (self.lo + other.lo));
         DoubleDouble { hi, lo }
     }
 
@@ -49,7 +39,7 @@ impl<F: Lane> DoubleDouble<F> {
     /// error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44, 2017,
     /// algorithm 8 and theorem 4.2).
     #[inline(always)]
-    pub(crate) fn times(self, x: F) -> Self {
+    pub(crate) fn times(self, x: f64) -> Self {
         let (product, error) = self.hi.two_product(x);
         let (hi, lo) = fast_two_sum(product, error + self.lo * x);
         DoubleDouble { hi, lo }
@@ -69,7 +59,7 @@ impl<F: Lane> DoubleDouble<F> {
     }
 }
 
-impl<F: Lane> Add for DoubleDouble<F> {
+impl Add for DoubleDouble {
     type Output = Self;
 
     /// Relative error at most `3 u^2 / (1 - 4u)`, whatever the signs (the same, algorithm 6 and
@@ -84,7 +74,7 @@ impl<F: Lane> Add for DoubleDouble<F> {
     }
 }
 
-impl<F: Lane> Sub for DoubleDouble<F> {
+impl Sub for DoubleDouble {
     type Output = Self;
 
     #[inline(always)]
@@ -93,7 +83,7 @@ impl<F: Lane> Sub for DoubleDouble<F> {
     }
 }
 
-impl<F: Lane> Neg for DoubleDouble<F> {
+impl Neg for DoubleDouble {
     type Output = Self;
 
     #[inline(always)]
@@ -102,7 +92,7 @@ impl<F: Lane> Neg for DoubleDouble<F> {
     }
 }
 
-impl<F: Lane> Mul for DoubleDouble<F> {
+impl Mul for DoubleDouble {
     type Output = Self;
 
     /// Relative error at most `7 u^2` (the same, algorithm 10 and theorem 5.1).
@@ -115,7 +105,7 @@ impl<F: Lane> Mul for DoubleDouble<F> {
     }
 }
 
-impl<F: Lane> Div for DoubleDouble<F> {
+impl Div for DoubleDouble {
     type Output = Self;
 
     /// Relative error at most `17 u^2` (the same, algorithm 17 and theorem 6.2: `15 u^2` and a

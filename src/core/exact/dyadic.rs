@@ -247,11 +247,6 @@ impl Mul for &Dyadic {
     }
 }
 
-/// The number as given.
-pub(crate) fn big_of(x: f64) -> Dyadic {
-    Dyadic::from(x)
-}
-
 /// A vector of exact numbers.
 pub type Exact3 = [Dyadic; 3];
 

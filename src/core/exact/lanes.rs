@@ -17,12 +17,6 @@ impl<S: Simd> Lanes<S> {
     pub(crate) fn splat(simd: S, x: f64) -> Self {
         Lanes(S::f64s::splat(simd, x))
     }
-
-    /// 1 in as many lanes as another vector has.
-    #[inline(always)]
-    pub(crate) fn one(like: Self) -> Self {
-        Lanes::splat(like.0.token(), 1.0)
-    }
 }
 
 /// Whether the level multiplies and adds in one instruction.

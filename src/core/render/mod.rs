@@ -19,7 +19,8 @@
 //! - Normals, where they are asked for, and colours ([`shade`](mod@shade)), while the band is in the
 //!   cache.
 //!
-//! A frame of `f64` draws everything by polynomials, in double-double.
+//! A frame of `f64` is drawn in `f32`, which finds the objects; then each pixel's `t` is asked of the
+//! ladder ([`row_band::exact_values`]).
 //!
 //! What was left out is counted ([`Counts`](frame::counts::Counts)).
 
@@ -40,7 +41,7 @@ use rayon::prelude::*;
 
 use crate::camera::resolved::PosedCamera;
 use crate::exact::steps::Steps;
-use crate::render::frame::buffers::{BandBuffers, band_buffers, empty_frame, or_own};
+use crate::render::frame::buffers::{BandBuffers, OwnBuffers, band_buffers, empty_frame, or_own};
 use crate::render::frame::counts::Counts;
 use crate::render::frame::depth::sealed::Sealed;
 use crate::render::frame::depth::{Depth, Finish};
@@ -48,6 +49,7 @@ use crate::render::frame::{Frame, Outputs, Raster, Stage};
 use crate::render::plan::Plan;
 use crate::render::plan::classify::SLICE_ROWS;
 use crate::render::row_band::Band;
+use crate::render::row_band::exact_values::fill_exactly;
 use crate::render::shade::paint::{Paint, Rgb, Shade};
 use crate::render::shade::paint_frame;
 use crate::render::shade::painter::Painter;
@@ -188,38 +190,39 @@ fn fill<T: Depth>(
     if raster.is_empty() {
         return;
     }
-    let plan = Plan::new::<T>(level, scene, camera, raster);
+    let plan = Plan::new(level, scene, camera, raster);
     observe(Stage::Planned);
     *counts = plan.counts;
-    let is_quick = plan.is_quick && finish.is_none() && normal.is_empty();
+    let is_quick = T::IS_DRAWN && plan.is_quick && finish.is_none() && normal.is_empty();
     let (width, bands) = (raster.columns().len(), plan.bands());
     let buffers = band_buffers(t, object, normal, (plan.band_rows * width, bands.len()));
-    let draw = |own: &mut (Vec<T>, Vec<u32>), (rows, part): (Range<usize>, BandBuffers<T>)| {
-        let t = or_own(part.t, &mut own.0, rows.len() * width, T::ZERO);
-        let object = or_own(part.object, &mut own.1, rows.len() * width, 0);
-        let mut band = Band::new(&plan, rows.clone(), t, object);
+    let draw = |own: &mut OwnBuffers<T>, (rows, part): (Range<usize>, BandBuffers<T>)| {
+        let needs_t = !part.t.is_empty() || finish.is_some();
+        let t = or_own(part.t, &mut own.t, rows.len() * width, T::ZERO);
+        let object = or_own(part.object, &mut own.object, rows.len() * width, 0);
+        let mut band = Band::new(&plan, rows.clone(), T::drawn(t, &mut own.drawn), object);
         band.draw_large();
         while band.draw_rows() {
             band.resolve_doubt();
         }
         band.draw_others();
-        band.fill_normals(part.normal);
         let drawn = band.counted();
+        let found = if needs_t { T::found(t) } else { &mut [] };
+        fill_exactly(&plan, rows.clone(), object, found, part.normal);
         if let Some(finish) = finish {
             finish(rows.clone(), t, object);
         }
         observe(Stage::Rows(rows.len()));
         drawn
     };
-    let own = || (Vec::new(), Vec::new());
     let bands = bands.into_iter().zip(buffers);
     let of_bands;
     (*steps, of_bands) = if is_quick {
-        let mut own = own();
+        let mut own = OwnBuffers::new();
         bands.map(|band| draw(&mut own, band)).fold(Default::default(), sums)
     } else {
         let bands: Vec<_> = bands.collect();
-        bands.into_par_iter().map_init(own, draw).reduce(Default::default, sums)
+        bands.into_par_iter().map_init(OwnBuffers::new, draw).reduce(Default::default, sums)
     };
     *counts += of_bands;
 }

@@ -60,6 +60,14 @@ impl ObjectSeen {
         }
     }
 
+    /// Returns the end at which every ray that hits the object hits it first.
+    pub(crate) fn end_of_hit(&self) -> End {
+        match self {
+            ObjectSeen::Sphere(seen) => seen.end_of_hit(),
+            ObjectSeen::Plane(_) => End::Near,
+        }
+    }
+
     /// Where the ray's line meets the object, by ascending `t`.
     pub(crate) fn ends(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [End] {
         match self {

@@ -135,7 +135,9 @@ impl SphereSeen {
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
         /// `t` that is off by less is compared as it is.
         const SHARE: f64 = 1e-6;
-        let Some(parts) = SphereSeen::rough_parts(sphere, ray.origin()) else { return false };
+        let Some(parts) = SphereSeen::rough_parts(sphere, ray.origin()) else {
+            return false;
+        };
         let quadratic = Quadratic::new(&parts, &ray.rough);
         let Quadratic { b, discriminant, b_doubt, discriminant_doubt, .. } = quadratic;
         if discriminant < -discriminant_doubt || b < -b_doubt {
@@ -207,7 +209,13 @@ impl SphereSeen {
         if self.meets(ray, steps) == Meets::Misses || self.ahead(ray, steps) != Ordering::Greater {
             return None;
         }
-        Some(if self.side == Ordering::Equal { End::Far } else { End::Near })
+        Some(self.end_of_hit())
+    }
+
+    /// Returns the end at which every ray that hits the sphere hits it first: the far one from inside
+    /// and from the sphere itself.
+    pub(crate) fn end_of_hit(&self) -> End {
+        if self.side == Ordering::Greater { End::Near } else { End::Far }
     }
 
     /// `t` at an end of a chord that is there, with a relative error of at most `doubt`.
@@ -288,7 +296,9 @@ impl SphereSeen {
             _ if self.side == Ordering::Equal && self.is_origin(ray, end) => {
                 DoubleDouble::from(0.0)
             }
-            _ => return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end)),
+            _ => {
+                return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end));
+            }
         };
         let normal = sphere_normal(self.fine.q, &ray.fine, t);
         DVec3::from_array(std::array::from_fn(|i| {

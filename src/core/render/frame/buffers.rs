@@ -34,6 +34,20 @@ pub(crate) struct BandBuffers<'a, T> {
     pub(crate) normal: &'a mut [DVec3],
 }
 
+/// A thread's own buffers, in the place of those that were not asked for.
+pub(crate) struct OwnBuffers<T> {
+    pub(crate) t: Vec<T>,
+    pub(crate) object: Vec<u32>,
+    /// `t` as it is drawn, for a frame that keeps it in another precision.
+    pub(crate) drawn: Vec<f32>,
+}
+
+impl<T> OwnBuffers<T> {
+    pub(crate) fn new() -> OwnBuffers<T> {
+        OwnBuffers { t: Vec::new(), object: Vec::new(), drawn: Vec::new() }
+    }
+}
+
 /// The buffers of all bands, each of so many pixels, the last one of what is left.
 pub(crate) fn band_buffers<'a, T>(
     t: &'a mut [T],

@@ -3,7 +3,6 @@
 
 pub(crate) mod classify;
 
-use std::collections::HashMap;
 use std::ops::Range;
 
 use fearless_simd::Level;
@@ -13,19 +12,16 @@ use crate::camera::resolved::PosedCamera;
 use crate::render::bvh::visible::Crowd;
 use crate::render::frame::Raster;
 use crate::render::frame::counts::Counts;
-use crate::render::frame::depth::Depth;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::plan::classify::{SLICE_ROWS, Sorted, Sorter};
 use crate::render::polynomial::frame_rays::FrameRays;
-use crate::render::polynomial::object_kernel::FineKernel;
 use crate::render::rows::span::Span;
 use crate::scene::Scene;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::ObjectSeen;
 use crate::scene::plane::Plane;
-use crate::scene::sphere_predicates::SphereSeen;
 
 /// What all bands of a frame share.
 pub(crate) struct Plan<'a> {
@@ -47,32 +43,23 @@ pub(crate) struct Plan<'a> {
     pub(crate) extents: Extents<'a>,
     /// `None` for one that an earlier one hides altogether.
     pub(crate) planes: Vec<Option<ObjectSeen>>,
-    /// Spheres that cover so much of the picture that coefficients from exact numbers, once a frame,
-    /// save more pixels from going up the ladder than they cost.
-    pub(crate) large: HashMap<u32, FineKernel>,
 }
-
-/// How many pixels a large sphere covers at least.
-const LARGE: usize = 4096;
-
-/// How many large spheres there are at most.
-const MOST_LARGE: usize = 256;
 
 /// Spheres whose bounds one thread finds at a time.
 const SPHERES_PER_RUN: usize = 8192;
 
 impl<'a> Plan<'a> {
-    pub(crate) fn new<T: Depth>(
+    pub(crate) fn new(
         level: Level,
         scene: &'a Scene,
         camera: &'a PosedCamera,
         raster: &'a Raster,
     ) -> Self {
-        let rays = FrameRays::new(camera, raster, T::IS_FINE);
+        let rays = FrameRays::new(camera, raster);
         let axes = RasterAxes::new(raster);
         let space = CameraSpace::new(camera);
         let extents = Extents::new(camera, raster);
-        let space = (!T::IS_FINE && space.is_plain).then_some(space);
+        let space = space.is_plain.then_some(space);
         let mut counts = Counts {
             spheres: scene.spheres().len() as u64,
             planes: scene.planes().len() as u64,
@@ -105,7 +92,6 @@ impl<'a> Plan<'a> {
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
         let planes: Vec<Option<ObjectSeen>> = planes.collect();
         counts.planes_asked = planes.iter().flatten().count() as u64;
-        let large = HashMap::new();
         let keeps_outlines = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
         let band_rows = if keeps_outlines { SLICE_ROWS } else { 2 * SLICE_ROWS };
         let mut plan = Plan {
@@ -121,12 +107,8 @@ impl<'a> Plan<'a> {
             is_quick: false,
             extents,
             planes,
-            large,
         };
-        if T::IS_FINE {
-            plan.prepare_large::<T>();
-        }
-        plan.is_quick = !T::IS_FINE && plan.is_quick();
+        plan.is_quick = plan.is_quick();
         plan
     }
 
@@ -138,28 +120,6 @@ impl<'a> Plan<'a> {
         let has_others = self.others.iter().flatten().any(|slice| !slice.is_empty());
         let is_simple = self.crowd.is_none() && self.planes.is_empty() && !has_others;
         is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
-    }
-
-    fn prepare_large<T: Depth>(&mut self) {
-        let camera = self.rays.camera();
-        let mut steppers = None;
-        for (index, extent) in self.others.iter().flatten().flatten() {
-            let (rows, columns) = (extent.rows(), extent.columns());
-            let area = rows.len() * columns.len();
-            if area < LARGE || self.large.len() >= MOST_LARGE || self.large.contains_key(index) {
-                continue;
-            }
-            let sphere = &self.scene.spheres()[*index as usize];
-            let seen = SphereSeen::new(sphere, camera.eye());
-            let patch = self.rays.patch(&rows, &columns);
-            let steppers = steppers.get_or_insert_with(|| camera.big_steppers());
-            let (conic, near_root) = steppers.conic(sphere, &patch, seen.scale, self.rays.scale);
-            if let Some(kernel) =
-                FineKernel::new::<T>(&self.rays, &seen, conic, Some(near_root), &patch)
-            {
-                self.large.insert(*index, kernel);
-            }
-        }
     }
 
     /// The rows of each band.

@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot, length, near};
+use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot, length};
 use crate::exact::quadratic::{Form, SphereParts};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
@@ -12,10 +12,10 @@ use crate::render::polynomial::frame_rays::{Patch, Steppers};
 /// k^2. The middle is near the outline's, where `r^2 a` and `|q x d|^2` are small, so that nothing
 /// cancels.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Conic<T> {
-    a: [T; 6],
-    b: [T; 3],
-    discriminant: [T; 6],
+pub(crate) struct Conic {
+    a: [f64; 6],
+    b: [f64; 3],
+    discriminant: [f64; 6],
     /// How far D may be off, in the patch.
     discriminant_doubt: f64,
     /// How far b may be off.
@@ -26,10 +26,10 @@ pub(crate) struct Conic<T> {
 
 /// One row of a [`Conic`]: polynomials in m.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ConicRow<T> {
-    pub(crate) a: [T; 3],
-    pub(crate) b: [T; 2],
-    pub(crate) discriminant: [T; 3],
+pub(crate) struct ConicRow {
+    pub(crate) a: [f64; 3],
+    pub(crate) b: [f64; 2],
+    pub(crate) discriminant: [f64; 3],
 }
 
 /// Where a pixel is beyond doubt.
@@ -44,7 +44,7 @@ pub(crate) struct Thresholds {
 }
 
 /// The six coefficients of `x . y` for `x = x0 + m x1 + k x2` with itself.
-fn square<T: Number>([x0, x1, x2]: [Vector<T>; 3]) -> [T; 6] {
+fn square([x0, x1, x2]: [Vector<f64>; 3]) -> [f64; 6] {
     let twice = |a, b| {
         let product = dot(a, b);
         product + product
@@ -52,7 +52,7 @@ fn square<T: Number>([x0, x1, x2]: [Vector<T>; 3]) -> [T; 6] {
     [dot(x0, x0), twice(x0, x1), twice(x0, x2), dot(x1, x1), twice(x1, x2), dot(x2, x2)]
 }
 
-impl<T: Number> Conic<T> {
+impl Conic {
     /// The coefficients and bounds of their error anywhere in the patch.
     ///
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
@@ -74,39 +74,39 @@ impl<T: Number> Conic<T> {
     /// suffices elsewhere: with `|m| <= r S + sqrt |D|` the error is at most
     /// `2 r S M + 2 sqrt |D| M + M^2`, and `-|D| + 2 sqrt |D| M <= M^2`, so that D computed above the
     /// bound (with `2 M^2`) is not negative.
-    pub(crate) fn new(sphere: &SphereParts<T>, rays: &Steppers<T>, patch: &Patch) -> Conic<T> {
+    pub(crate) fn new(sphere: &SphereParts<f64>, rays: &Steppers, patch: &Patch) -> Conic {
         let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let corner = |x| patch.corner(x);
-        let reach_of = |v: [Vector<T>; 3]| corner(v.map(|x| length(near(x))));
+        let reach_of = |v: [Vector<f64>; 3]| corner(v.map(|x| length(x)));
         let p = rays.doubt();
-        let step = T::STRETCH + T::SUM;
+        let step = f64::PRODUCT + f64::SUM;
         let reach = reach_of(vectors);
         let b = vectors.map(|v| dot(q, v));
-        let b_reach = corner(b.map(|x| x.near().abs()));
-        let moved = sphere.distance * reach * (T::DOT + p + sphere.q_doubt);
+        let b_reach = corner(b.map(|x| x.abs()));
+        let moved = sphere.distance * reach * (f64::DOT + p + sphere.q_doubt);
         let b_doubt = moved + 3.0 * step * b_reach;
         let a = square(vectors);
-        let evaluated = T::SUM + 4.0 * step;
+        let evaluated = f64::SUM + 4.0 * step;
         let (discriminant, doubt) = match sphere.form {
             Form::Far => {
                 let moments = vectors.map(|v| cross(q, v));
                 let moment = reach_of(moments);
                 let rr = sphere.radius * sphere.radius;
                 let squares = square(moments);
-                let extent = sphere.radius.near() * reach;
-                let moved = sphere.distance * reach * (T::CROSS + p + sphere.q_doubt);
+                let extent = sphere.radius * reach;
+                let moved = sphere.distance * reach * (f64::CROSS + p + sphere.q_doubt);
                 let doubt = 2.0 * (extent + moved) * moved
-                    + (2.0 * T::PRODUCT + T::DOT + 2.0 * p + evaluated) * extent * extent
-                    + (T::DOT + evaluated) * moment * moment;
+                    + (2.0 * f64::PRODUCT + f64::DOT + 2.0 * p + evaluated) * extent * extent
+                    + (f64::DOT + evaluated) * moment * moment;
                 (std::array::from_fn(|i| rr * a[i] - squares[i]), doubt)
             }
             Form::Near => {
-                let squares = square(b.map(|x| [x, T::from(0.0), T::from(0.0)]));
-                let c_share = T::PRODUCT + T::DOT + 2.0 * p + sphere.c_doubt + evaluated;
+                let squares = square(b.map(|x| [x, 0.0, 0.0]));
+                let c_share = f64::PRODUCT + f64::DOT + 2.0 * p + sphere.c_doubt + evaluated;
                 let doubt = (2.0 * b_reach + b_doubt) * b_doubt
-                    + (T::DOT + evaluated) * b_reach * b_reach
-                    + c_share * sphere.c.near().abs() * reach * reach;
+                    + (f64::DOT + evaluated) * b_reach * b_reach
+                    + c_share * sphere.c.abs() * reach * reach;
                 (std::array::from_fn(|i| squares[i] - a[i] * sphere.c), doubt)
             }
         };
@@ -117,45 +117,21 @@ impl<T: Number> Conic<T> {
             discriminant,
             discriminant_doubt: SECOND_ORDER * doubt + UNDERFLOW,
             b_doubt: SECOND_ORDER * b_doubt + UNDERFLOW,
-            a_doubt: SECOND_ORDER * (T::DOT + 2.0 * p + 4.0 * step) * longest * longest,
+            a_doubt: SECOND_ORDER * (f64::DOT + 2.0 * p + 4.0 * step) * longest * longest,
         }
     }
 
     /// The row that is `k` steps from the middle.
     #[inline(always)]
-    pub(crate) fn row(&self, k: f64) -> ConicRow<T> {
-        let of = |c: &[T; 6]| {
-            let constant = c[0] + (c[2] + c[5].stretched(k)).stretched(k);
-            [constant, c[1] + c[4].stretched(k), c[3]]
+    pub(crate) fn row(&self, k: f64) -> ConicRow {
+        let of = |c: &[f64; 6]| {
+            let constant = c[0] + (c[2] + c[5] * k) * k;
+            [constant, c[1] + c[4] * k, c[3]]
         };
         ConicRow {
             a: of(&self.a),
-            b: [self.b[0] + self.b[2].stretched(k), self.b[1]],
+            b: [self.b[0] + self.b[2] * k, self.b[1]],
             discriminant: of(&self.discriminant),
-        }
-    }
-
-    /// From coefficients that are off by no more than a rounding each: all that is left is the
-    /// evaluation, 4 steps of a product with a whole number and a sum, of what the terms can be at
-    /// the patch's corner.
-    pub(crate) fn of_coefficients(
-        a: [T; 6],
-        b: [T; 3],
-        discriminant: [T; 6],
-        patch: &Patch,
-    ) -> Conic<T> {
-        let Patch { columns: m, rows: k, .. } = *patch;
-        let powers = [1.0, m, k, m * m, m * k, k * k];
-        let size = |c: &[T]| -> f64 { c.iter().zip(powers).map(|(x, p)| x.near().abs() * p).sum() };
-        let share = SECOND_ORDER * (T::SUM + 4.0 * (T::STRETCH + T::SUM));
-        let least_a = a[0].near() - (size(&a) - a[0].near());
-        Conic {
-            discriminant_doubt: share * size(&discriminant) + UNDERFLOW,
-            b_doubt: share * size(&b) + UNDERFLOW,
-            a_doubt: if least_a > 0.0 { share * size(&a) / least_a } else { f64::INFINITY },
-            a,
-            b,
-            discriminant,
         }
     }
 
@@ -166,7 +142,7 @@ impl<T: Number> Conic<T> {
     /// `t = 2 b / a`.
     pub(crate) fn thresholds(
         &self,
-        sphere: &SphereParts<T>,
+        sphere: &SphereParts<f64>,
         side: Ordering,
         least_length: f64,
         t_doubt: f64,
@@ -174,13 +150,13 @@ impl<T: Number> Conic<T> {
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
         // The kernels' own operations: at most 80 u^2 and a product in double-double, half a dozen u
         // in f64.
-        let operations = 5.0 * T::QUOTIENT + 2.0 * T::PRODUCT;
+        let operations = 5.0 * f64::QUOTIENT + 2.0 * f64::PRODUCT;
         if side == Ordering::Equal {
             let left = t_doubt - self.a_doubt - operations;
             let ahead = if left > 0.0 { b_doubt / left } else { f64::INFINITY };
             return Thresholds { hit: 0.0, miss: -b_doubt, ahead: ahead.max(b_doubt) };
         }
-        let z = 0.99 * sphere.c.near().abs().sqrt() * least_length;
+        let z = 0.99 * sphere.c.abs().sqrt() * least_length;
         let other = if side == Ordering::Less { self.a_doubt } else { 0.0 };
         let left = t_doubt - sphere.c_doubt - other - operations - b_doubt / z;
         // The root of a D that is large against its doubt is off by little more than half of

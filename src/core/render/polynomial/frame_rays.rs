@@ -28,8 +28,7 @@ pub(crate) struct FrameRays<'a> {
     column_parts: Vec<Vector<f64>>,
     /// At least the length of every direction.
     longest: f64,
-    pub(crate) fine: Steppers<DoubleDouble>,
-    pub(crate) rough: Steppers<f64>,
+    pub(crate) steppers: Steppers,
     /// `2 W H`
     pub(crate) stretch: f64,
     /// All three vectors are in units of `2^scale`.
@@ -38,10 +37,10 @@ pub(crate) struct FrameRays<'a> {
 
 /// The vectors e, g and z above.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Steppers<T> {
-    pub(crate) e: Vector<T>,
-    pub(crate) g: Vector<T>,
-    pub(crate) z: Vector<T>,
+pub(crate) struct Steppers {
+    pub(crate) e: Vector<f64>,
+    pub(crate) g: Vector<f64>,
+    pub(crate) z: Vector<f64>,
     /// Error of each of them, as a share of its length.
     vector_doubt: f64,
     /// `|z|`, rounded: no view ray's direction is shorter.
@@ -49,46 +48,36 @@ pub(crate) struct Steppers<T> {
 }
 
 impl<'a> FrameRays<'a> {
-    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster, is_fine: bool) -> FrameRays<'a> {
+    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster) -> FrameRays<'a> {
         let image = camera.image();
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let viewport = camera.viewport();
         let measures = [viewport.width, viewport.height, viewport.distance];
         let (_, scale) = crate::exact::bounded::scaled(measures.map(DoubleDouble::from));
-        // What `f64` kernels see of it does not depend on the last digits.
-        let finest = if is_fine { camera.with_finest_basis() } else { *camera };
-        let basis = finest.fine_basis();
+        let basis = camera.fine_basis();
         let along = |v: Vector<DoubleDouble>, measure: f64, count: f64| {
             let step = DoubleDouble::product(ldexp(measure, -scale), count);
             v.map(|x| x * step)
         };
-        let z = along(basis.w, viewport.distance, -2.0 * w * h);
-        let fine = Steppers {
-            e: along(basis.u, viewport.width, h),
-            g: along(basis.v, viewport.height, w),
+        let z = near(along(basis.w, viewport.distance, -2.0 * w * h));
+        let steppers = Steppers {
+            e: near(along(basis.u, viewport.width, h)),
+            g: near(along(basis.v, viewport.height, w)),
             z,
-            vector_doubt: basis.doubt() + DoubleDouble::PRODUCT,
-            least_length: 0.99 * length(near(z)),
-        };
-        let rough = Steppers {
-            e: near(fine.e),
-            g: near(fine.g),
-            z: near(z),
-            vector_doubt: fine.vector_doubt + UNIT,
-            least_length: fine.least_length,
+            vector_doubt: basis.doubt() + DoubleDouble::PRODUCT + UNIT,
+            least_length: 0.99 * length(z),
         };
         let n: Vec<f64> = raster.columns().iter().map(|c| 2.0 * f64::from(*c) + 1.0 - w).collect();
         let l: Vec<f64> = raster.rows().iter().map(|r| h - 2.0 * f64::from(*r) - 1.0).collect();
-        let parts = [w * length(rough.e), h * length(rough.g), length(rough.z)];
+        let parts = [w * length(steppers.e), h * length(steppers.g), length(steppers.z)];
         FrameRays {
             camera,
             raster,
-            column_parts: n.iter().map(|n| rough.e.map(|x| n * x)).collect(),
+            column_parts: n.iter().map(|n| steppers.e.map(|x| n * x)).collect(),
             longest: 1.01 * parts.iter().sum::<f64>(),
             n,
             l,
-            fine,
-            rough,
+            steppers,
             stretch: ViewPlace::Pixel(Pixel { row: 0, column: 0 }).stretch(image),
             scale,
         }
@@ -110,17 +99,17 @@ impl<'a> FrameRays<'a> {
     /// Whether e, g and z are of ordinary lengths, so that none of their digits was lost to the
     /// common scale.
     pub(crate) fn is_plain(&self) -> bool {
-        let Steppers { e, g, z, .. } = &self.rough;
+        let Steppers { e, g, z, .. } = &self.steppers;
         [e, g, z].iter().all(|v| (1e-60..1e60).contains(&length(**v)))
     }
 
     /// A pixel's direction in `f64`; of its length, a bound is enough for what it is used for.
     #[inline(always)]
     pub(crate) fn rough_direction(&self, row: usize, column: usize) -> DirectionParts<f64> {
-        let Steppers { g, z, .. } = &self.rough;
+        let Steppers { g, z, .. } = &self.steppers;
         let (part, l) = (self.column_parts[column], self.l[row]);
         let d = std::array::from_fn(|i| part[i] + (l * g[i] + z[i]));
-        DirectionParts { d, length: self.longest, doubt: self.rough.doubt() }
+        DirectionParts { d, length: self.longest, doubt: self.steppers.doubt() }
     }
 
     /// The pixel in the raster's `row`th row and `column`th column.
@@ -129,16 +118,15 @@ impl<'a> FrameRays<'a> {
     }
 }
 
-impl<T: Number> Steppers<T> {
+impl Steppers {
     /// Error of a direction made of the vectors, as a share of its length. They are at right angles
     /// (by hand, within 1e-9), so that the three terms are together no longer than `sqrt 3` times it.
     pub(crate) fn doubt(&self) -> f64 {
-        1.74 * (self.vector_doubt + T::DOT)
+        1.74 * (self.vector_doubt + f64::DOT)
     }
 
     /// `n e + l g + z`
-    pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<T> {
-        let (n, l) = (T::from(n), T::from(l));
+    pub(crate) fn direction(&self, n: f64, l: f64) -> Vector<f64> {
         std::array::from_fn(|i| n * self.e[i] + l * self.g[i] + self.z[i])
     }
 }

@@ -1,8 +1,8 @@
-//! What is not drawn by rows: spheres that are near or large, planes, and every object of a frame of
-//! `f64`. An object's quadratic is a polynomial in rows and columns.
+//! What is not drawn by rows: spheres that are near or large, and planes. An object's quadratic is a
+//! polynomial in rows and columns.
 
+pub(crate) mod blend;
 pub(crate) mod conic;
-pub(crate) mod exact_conic;
 pub(crate) mod frame_rays;
 pub(crate) mod kernel;
 pub(crate) mod object_kernel;

@@ -2,16 +2,15 @@
 
 use std::cmp::Ordering;
 
-use crate::exact::precise::Precise;
 use crate::exact::steps::Steps;
 use crate::render::frame::NO_OBJECT;
-use crate::render::frame::depth::Depth;
+use crate::render::polynomial::blend::{T_SHARE, to_single};
 use crate::render::row_band::Band;
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
 use crate::scene::object_from_origin::{Hit, ObjectSeen};
 
-impl<T: Depth> Band<'_, T> {
+impl Band<'_> {
     /// A sphere as the eye sees it.
     pub(crate) fn seen(&self, index: u32) -> ObjectSeen {
         let sphere = Object::Sphere(self.plan.scene.spheres()[index as usize]);
@@ -57,7 +56,9 @@ impl<T: Depth> Band<'_, T> {
         let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
         // The ladder counts this decision at its own step.
         self.steps.f64 -= 1;
-        let Some(end) = seen.first_end(&ray, &mut self.steps) else { return };
+        let Some(end) = seen.first_end(&ray, &mut self.steps) else {
+            return;
+        };
         let hit = Hit { index, seen, end };
         let known = self.object[place];
         if known != NO_OBJECT
@@ -75,16 +76,10 @@ impl<T: Depth> Band<'_, T> {
         }
         self.object[place] = index;
         if let Some(t) = t {
-            self.t[place] = T::of(f64::from(t));
+            self.t[place] = to_single(f64::from(t));
             return;
         }
-        // A large sphere's polynomials may know t at a fraction of the ladder's cost.
-        let polynomials = self.plan.large.get(&index).and_then(|kernel| {
-            let (m, k) = (self.plan.rays.n[column], self.plan.rays.l[row]);
-            let near_root = kernel.near_root.as_ref()?.t(m - kernel.patch.n, k - kernel.patch.l)?;
-            Some(Precise::new(near_root.value.times(self.plan.rays.stretch), near_root.scale))
-        });
-        let t = polynomials.unwrap_or_else(|| seen.t_within(&ray, end, T::DOUBT));
-        self.t[place] = T::of(t.to_f64());
+        let t = seen.t_within(&ray, end, T_SHARE);
+        self.t[place] = to_single(t.to_f64());
     }
 }

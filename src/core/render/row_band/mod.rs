@@ -1,5 +1,6 @@
 //! Some rows of a frame, and the objects that are added to them one after the other.
 
+pub(crate) mod exact_values;
 pub(crate) mod fallback;
 
 use std::cmp::Ordering;
@@ -8,28 +9,21 @@ use std::ops::Range;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
-use glam::DVec3;
 
-use crate::exact::double_double::DoubleDouble;
-use crate::exact::lanes::Lanes;
-use crate::exact::quadratic::Quadratic;
-use crate::exact::quadratic::SphereParts;
+use crate::exact::quadratic::{Quadratic, SphereParts};
 use crate::exact::steps::Steps;
 use crate::render::bvh::draw::{CrowdDrawn, draw_crowd};
 use crate::render::frame::NO_OBJECT;
 use crate::render::frame::counts::Counts;
-use crate::render::frame::depth::{DOUBT, Depth};
 use crate::render::outline::extent::Extent;
 use crate::render::plan::Plan;
 use crate::render::plan::classify::SLICE_ROWS;
-use crate::render::polynomial::conic::Conic;
+use crate::render::polynomial::blend::{DOUBT, blend, is_in_doubt, to_single};
 use crate::render::polynomial::frame_rays::Patch;
-use crate::render::polynomial::object_kernel::{
-    EVERYWHERE, FineKernel, PlaneKernel, RoughKernel, SphereKernel, factor,
-};
+use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
 use crate::render::polynomial::per_pixel::small_hit;
 use crate::render::rows::span::{Doubt, SpanTarget};
-use crate::scene::object_from_origin::{ObjectSeen, plane_normal};
+use crate::scene::object_from_origin::ObjectSeen;
 use crate::scene::sphere_predicates::SphereSeen;
 
 /// The widest vector there is: rows are padded to whole ones.
@@ -37,10 +31,10 @@ const LANES: usize = 8;
 
 /// Rows of a frame with their part of the buffers. Objects are added in any order: of two that are
 /// too close to tell, or equal, the ladder finds the first, and of equals the one that is listed first.
-pub(crate) struct Band<'a, T> {
+pub(crate) struct Band<'a> {
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) rows: Range<usize>,
-    pub(crate) t: &'a mut [T],
+    pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
     /// From which sphere, or group and block of many, rows are drawn next; `None` where all are.
@@ -65,17 +59,14 @@ type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
 /// From which to which m, columns from the middle, a row can have a hit.
 type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
 
-impl<'a, T: Depth> Band<'a, T> {
+impl<'a> Band<'a> {
     pub(crate) fn new(
         plan: &'a Plan<'a>,
         rows: Range<usize>,
-        t: &'a mut [T],
+        t: &'a mut [f32],
         object: &'a mut [u32],
     ) -> Self {
-        match T::singles(t) {
-            Some(t) => dispatch!(plan.level, simd => clear(simd, t)),
-            None => t.fill(T::NONE),
-        }
+        dispatch!(plan.level, simd => clear(simd, t));
         object.fill(NO_OBJECT);
         Band {
             plan,
@@ -140,15 +131,6 @@ impl<'a, T: Depth> Band<'a, T> {
         }
     }
 
-    /// Fills in the normals, where they are asked for: each from its own exact ray.
-    pub(crate) fn fill_normals(&self, normals: &mut [DVec3]) {
-        let width = self.plan.axes.width();
-        let of_rows = normals.chunks_mut(width).zip(self.object.chunks(width));
-        for (row, (normals, object)) in self.rows.clone().zip(of_rows) {
-            fill_normals(self.plan, row, object, normals);
-        }
-    }
-
     /// Tells how the decisions were made, and what was left out.
     pub(crate) fn counted(self) -> (Steps, Counts) {
         let untouched = self.is_reached.iter().filter(|is_reached| !**is_reached).count();
@@ -161,7 +143,7 @@ impl<'a, T: Depth> Band<'a, T> {
     }
 
     /// The slices of rows that it consists of.
-    fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<T> {
+    fn slices(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let Range { start, end } = self.rows;
         (start..end).step_by(SLICE_ROWS).map(move |from| from..end.min(from + SLICE_ROWS))
     }
@@ -192,7 +174,7 @@ impl<'a, T: Depth> Band<'a, T> {
         let mut target = SpanTarget {
             axes: &plan.axes,
             rows: self.rows.clone(),
-            t: T::singles(self.t)?,
+            t: self.t,
             object: self.object,
             doubts,
             spheres: plan.scene.spheres(),
@@ -209,14 +191,6 @@ impl<'a, T: Depth> Band<'a, T> {
         self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
         let eye = self.plan.rays.camera().eye();
-        if let Some(kernel) = self.plan.large.get(&index) {
-            let level = self.plan.level;
-            let row = |m: &[f64], k: f64, found: &mut [f64]| {
-                dispatch!(level, simd => kernel.answer(simd, m, k, found));
-            };
-            let reach = |k| kernel.reach(k);
-            return self.add(index, rows, columns, &kernel.patch, (&row, &reach), None);
-        }
         let parts = SphereSeen::rough_parts(&sphere, eye);
         let is_small = rows.len() * columns.len() <= SMALL;
         if is_small
@@ -226,32 +200,23 @@ impl<'a, T: Depth> Band<'a, T> {
             return self.add_small_sphere(index, rows, columns, parts, factor);
         }
         let patch = self.plan.rays.patch(&rows, &columns);
+        let rays = &self.plan.rays;
         let kernel = match parts {
-            Some(parts) if !T::IS_FINE => self.rough_kernel(&parts, Ordering::Greater, 0, &patch),
-            _ => {
+            Some(parts) => SphereKernel::new(rays, &parts, Ordering::Greater, 0, &patch),
+            None => {
                 let seen = SphereSeen::new(&sphere, eye);
-                if T::IS_FINE {
-                    let conic = Conic::new(&seen.fine, &self.plan.rays.fine, &patch);
-                    let kernel = FineKernel::new::<T>(&self.plan.rays, &seen, conic, None, &patch);
-                    kernel.map(|fine| SphereKernel::Fine(Box::new(fine)))
-                } else {
-                    self.rough_kernel(&seen.rough, seen.side, seen.scale, &patch)
-                }
+                SphereKernel::new(rays, &seen.rough, seen.side, seen.scale, &patch)
             }
         };
         let level = self.plan.level;
         let row: RowOf = match &kernel {
-            Some(SphereKernel::Rough(kernel)) => &|m, k, found| {
-                dispatch!(level, simd => kernel.answer(simd, m, k, found));
-            },
-            Some(SphereKernel::Fine(kernel)) => &|m, k, found| {
+            Some(kernel) => &|m, k, found| {
                 dispatch!(level, simd => kernel.answer(simd, m, k, found));
             },
             None => &|_, _, found| found.fill(DOUBT),
         };
         let reach: ReachOf = match &kernel {
-            Some(SphereKernel::Rough(kernel)) => &|k| kernel.reach(k),
-            Some(SphereKernel::Fine(kernel)) => &|k| kernel.reach(k),
+            Some(kernel) => &|k| kernel.reach(k),
             None => &|_| Some(EVERYWHERE),
         };
         self.add(index, rows, columns, &patch, (row, reach), None);
@@ -275,31 +240,22 @@ impl<'a, T: Depth> Band<'a, T> {
             for column in columns.clone() {
                 let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
                 let place = (row - self.rows.start) * width + column;
-                let found = small_hit::<T>(&quadratic, parts, factor, self.t[place]);
+                let found = small_hit(&quadratic, parts, factor, self.t[place]);
                 if found.is_nan() {
                     let seen = own.get_or_insert_with(|| self.seen(index));
                     self.settle(index, seen, row, column);
                 } else if found < f64::INFINITY {
-                    (self.t[place], self.object[place]) = (T::of(found), index);
+                    (self.t[place], self.object[place]) = (to_single(found), index);
                 }
             }
         }
     }
 
-    fn rough_kernel(
-        &self,
-        parts: &SphereParts<f64>,
-        side: Ordering,
-        scale: i32,
-        patch: &Patch,
-    ) -> Option<SphereKernel> {
-        let kernel = RoughKernel::new::<T>(&self.plan.rays, parts, side, scale, patch);
-        kernel.map(SphereKernel::Rough)
-    }
-
     /// Adds a plane; none that the eye lies in, which no ray hits.
     fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectSeen, rows: Range<usize>) {
-        let ObjectSeen::Plane(seen) = seen_by_eye else { return };
+        let ObjectSeen::Plane(seen) = seen_by_eye else {
+            return;
+        };
         if seen.side == Ordering::Equal {
             return;
         }
@@ -308,19 +264,12 @@ impl<'a, T: Depth> Band<'a, T> {
         let columns = 0..self.plan.rays.n.len();
         let patch = self.plan.rays.patch(&rows, &columns);
         let level = self.plan.level;
-        let (rough, fine);
+        let kernel;
         let row: RowOf = match factor(&self.plan.rays, seen.scale) {
             None => &|_, _, found| found.fill(DOUBT),
-            Some(factor) if !T::IS_FINE => {
-                let rays = &self.plan.rays.rough;
-                rough = PlaneKernel::new(seen, seen.offset.hi * factor, rays, &patch, T::DOUBT);
-                &|m, k, found| dispatch!(level, simd => rough.answer::<_, Lanes<_>>(simd, m, k, found))
-            }
             Some(factor) => {
-                let rays = &self.plan.rays.fine;
-                let offset = seen.offset * DoubleDouble::from(factor);
-                fine = PlaneKernel::new(seen, offset, rays, &patch, T::DOUBT);
-                &|m, k, found| dispatch!(level, simd => fine.answer::<_, DoubleDouble<Lanes<_>>>(simd, m, k, found))
+                kernel = PlaneKernel::new(seen, factor, &self.plan.rays.steppers, &patch);
+                &|m, k, found| dispatch!(level, simd => kernel.answer(simd, m, k, found))
             }
         };
         let reach: ReachOf = &|_| Some(EVERYWHERE);
@@ -345,7 +294,9 @@ impl<'a, T: Depth> Band<'a, T> {
         let mut own = None;
         for row in rows {
             let k = self.plan.rays.l[row] - patch.l;
-            let Some([low, high]) = reach(k) else { continue };
+            let Some([low, high]) = reach(k) else {
+                continue;
+            };
             let m = &self.m[..columns.len()];
             let from = m.partition_point(|m| *m < low) / LANES * LANES;
             let to = m.partition_point(|m| *m <= high);
@@ -359,12 +310,12 @@ impl<'a, T: Depth> Band<'a, T> {
             let place = start + from..start + to;
             let (t, object) = (&mut self.t[place.clone()], &mut self.object[place.clone()]);
             let (level, found_here) = (self.plan.level, &found[from..to]);
-            let in_doubt = dispatch!(level, simd => T::blend(simd, found_here, t, object, index));
+            let in_doubt = dispatch!(level, simd => blend(simd, found_here, t, object, index));
             self.steps.f64 += found_here.len() as u64;
             if in_doubt {
                 for (place, (column, found)) in place.zip((columns.start + from..).zip(found_here))
                 {
-                    if T::is_in_doubt(*found, self.t[place], self.object[place], index) {
+                    if is_in_doubt(*found, self.t[place], self.object[place], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
                         self.settle(index, seen, row, column);
@@ -379,12 +330,12 @@ impl<'a, T: Depth> Band<'a, T> {
 /// No hit anywhere.
 #[inline(always)]
 fn clear<S: Simd>(simd: S, t: &mut [f32]) {
-    let none = S::f32s::splat(simd, f32::NONE);
+    let none = S::f32s::splat(simd, f32::INFINITY);
     let mut vectors = t.chunks_exact_mut(S::f32s::LEN);
     for vector in &mut vectors {
         none.store_slice(vector);
     }
-    vectors.into_remainder().fill(f32::NONE);
+    vectors.into_remainder().fill(f32::INFINITY);
 }
 
 #[inline(always)]
@@ -410,31 +361,4 @@ fn draw<S: Simd>(
 /// The part of some rows that lies in a slice.
 fn within(rows: &Range<usize>, slice: &Range<usize>) -> Range<usize> {
     rows.start.max(slice.start)..rows.end.min(slice.end)
-}
-
-/// Normals of one row, each from its own exact ray.
-fn fill_normals(plan: &Plan, row: usize, object: &[u32], normals: &mut [DVec3]) {
-    let eye = plan.rays.camera().eye();
-    let mut known: Option<(u32, ObjectSeen)> = None;
-    for (column, normal) in normals.iter_mut().enumerate() {
-        if object[column] == NO_OBJECT {
-            continue;
-        }
-        let seen = match known.take() {
-            Some((index, seen)) if index == object[column] => seen,
-            _ => match plan.scene.object(object[column]) {
-                Some(object) => ObjectSeen::new(&object, eye),
-                None => continue,
-            },
-        };
-        *normal = match &seen {
-            ObjectSeen::Plane(seen) => plane_normal(seen.plane().normal),
-            ObjectSeen::Sphere(sphere) => {
-                let ray = plan.rays.camera().exact_ray(plan.rays.pixel(row, column));
-                let end = seen.first_end(&ray, &mut Steps::default());
-                end.map_or(DVec3::ZERO, |end| sphere.normal(&ray, end))
-            }
-        };
-        known = Some((object[column], seen));
-    }
 }

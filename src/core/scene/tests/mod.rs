@@ -6,7 +6,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use crate::camera::ray::Ray;
-use crate::exact::dyadic::{Dyadic, big_of};
+use crate::exact::dyadic::Dyadic;
 use crate::exact::scale::exponent;
 use crate::scene::Scene;
 use crate::scene::boxes::{BOX_LANES, Boxes};
@@ -49,7 +49,7 @@ fn assert_contains([middle, half]: [f64; 2], [inner, inner_half]: [f64; 2]) {
     if half == f64::INFINITY {
         return;
     }
-    let big = |x: f64| -> Dyadic { big_of(x) };
+    let big = |x: f64| -> Dyadic { Dyadic::from(x) };
     let below = &(&big(inner) - &big(inner_half)) - &(&big(middle) - &big(half));
     let above = &(&big(middle) + &big(half)) - &(&big(inner) + &big(inner_half));
     let is_inside = below.sign().is_ge() && above.sign().is_ge();

@@ -1,0 +1,52 @@
+//! Values of single pixels by the ladder: `t` in `f64`, and normals, of hits that are known.
+
+use std::ops::Range;
+
+use glam::DVec3;
+
+use crate::render::frame::NO_OBJECT;
+use crate::render::plan::Plan;
+use crate::scene::object_from_origin::{ObjectSeen, plane_normal};
+
+/// Fills in `t` and normals of the pixels in some rows, whose objects are known; neither where there
+/// is no room for it.
+pub(crate) fn fill_exactly(
+    plan: &Plan,
+    rows: Range<usize>,
+    object: &[u32],
+    t: &mut [f64],
+    normals: &mut [DVec3],
+) {
+    if t.is_empty() && normals.is_empty() {
+        return;
+    }
+    let (camera, width) = (plan.rays.camera(), plan.axes.width());
+    let mut known: Option<(u32, ObjectSeen)> = None;
+    for (place, object) in object.iter().copied().enumerate() {
+        if object == NO_OBJECT {
+            if let Some(t) = t.get_mut(place) {
+                *t = f64::INFINITY;
+            }
+            continue;
+        }
+        let seen = match known.take() {
+            Some((index, seen)) if index == object => seen,
+            _ => match plan.scene.object(object) {
+                Some(object) => ObjectSeen::new(&object, camera.eye()),
+                None => continue,
+            },
+        };
+        let ray = camera.exact_ray(plan.rays.pixel(rows.start + place / width, place % width));
+        let end = seen.end_of_hit();
+        if let Some(t) = t.get_mut(place) {
+            *t = seen.t(&ray, end).to_f64();
+        }
+        if let Some(normal) = normals.get_mut(place) {
+            *normal = match &seen {
+                ObjectSeen::Plane(seen) => plane_normal(seen.plane().normal),
+                ObjectSeen::Sphere(seen) => seen.normal(&ray, end),
+            };
+        }
+        known = Some((object, seen));
+    }
+}
