@@ -1,9 +1,42 @@
 //! Arithmetic in number fields: `sqrt(2)/2`, `1/3`, `2*pi`.
 
-use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral, literal_matcher_from_pattern};
+use std::f64::consts::{E, PI, TAU};
 
-// exmex's own pattern for numbers has no exponent.
-literal_matcher_from_pattern!(NumberLiteral, r"^(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?");
+/// Functions of one number, by name.
+const FUNCTIONS: [(&str, fn(f64) -> f64); 26] = [
+    ("abs", f64::abs),
+    ("signum", f64::signum),
+    ("sin", f64::sin),
+    ("cos", f64::cos),
+    ("tan", f64::tan),
+    ("asin", f64::asin),
+    ("acos", f64::acos),
+    ("atan", f64::atan),
+    ("sinh", f64::sinh),
+    ("cosh", f64::cosh),
+    ("tanh", f64::tanh),
+    ("asinh", f64::asinh),
+    ("acosh", f64::acosh),
+    ("atanh", f64::atanh),
+    ("floor", f64::floor),
+    ("round", f64::round),
+    ("ceil", f64::ceil),
+    ("trunc", f64::trunc),
+    ("fract", f64::fract),
+    ("exp", f64::exp),
+    ("sqrt", f64::sqrt),
+    ("cbrt", f64::cbrt),
+    ("ln", f64::ln),
+    ("log", f64::ln),
+    ("log2", f64::log2),
+    ("log10", f64::log10),
+];
+
+const CONSTANTS: [(&str, f64); 7] =
+    [("pi", PI), ("PI", PI), ("π", PI), ("e", E), ("E", E), ("tau", TAU), ("τ", TAU)];
+
+/// More brackets and signs than this within each other are refused: nobody types them.
+const DEEPEST: usize = 64;
 
 /// Evaluates the text of a number field: a number, or arithmetic with `+ - * / ^`, brackets,
 /// functions such as `sqrt`, `sin`, `cos` and `tan`, and `pi`. Accepts the signs that people paste
@@ -22,20 +55,130 @@ pub fn evaluate(text: &str) -> Result<f64, String> {
         })
         .collect::<String>()
         .replace('√', "sqrt")
-        .replace("pi", "π")
         .replace('²', "^2")
         .replace('³', "^3");
     if plain.is_empty() {
         return Err("type a number, such as 0.5, 1/3 or sqrt(2)/2".to_owned());
     }
     // A plain number first: this keeps every digit and accepts exponents such as `1e-300`.
-    let value = match plain.parse::<f64>() {
-        Ok(value) => value,
-        Err(_) => FlatEx::<f64, FloatOpsFactory<f64>, NumberLiteral>::parse(&plain)
-            .and_then(|expression| expression.eval(&[]))
-            .map_err(|_| format!("“{typed}” is not a number: try 0.5, 1/3 or sqrt(2)/2"))?,
-    };
+    let value = plain.parse::<f64>().ok().or_else(|| Parser { rest: &plain }.whole());
+    let value =
+        value.ok_or_else(|| format!("“{typed}” is not a number: try 0.5, 1/3 or sqrt(2)/2"))?;
     if value.is_finite() { Ok(value) } else { Err(format!("“{typed}” is not a finite number")) }
+}
+
+/// A parser by recursive descent; `None` is a syntax error.
+struct Parser<'a> {
+    rest: &'a str,
+}
+
+impl<'a> Parser<'a> {
+    fn whole(mut self) -> Option<f64> {
+        let value = self.sum(0)?;
+        self.rest.trim_start().is_empty().then_some(value)
+    }
+
+    fn sum(&mut self, depth: usize) -> Option<f64> {
+        let mut value = self.product(depth)?;
+        loop {
+            if self.takes("+") {
+                value += self.product(depth)?;
+            } else if self.takes("-") {
+                value -= self.product(depth)?;
+            } else {
+                return Some(value);
+            }
+        }
+    }
+
+    fn product(&mut self, depth: usize) -> Option<f64> {
+        let mut value = self.signed(depth)?;
+        loop {
+            if self.takes("*") {
+                value *= self.signed(depth)?;
+            } else if self.takes("/") {
+                value /= self.signed(depth)?;
+            } else {
+                return Some(value);
+            }
+        }
+    }
+
+    /// A power, with any signs before it: `-2^2` is -4.
+    fn signed(&mut self, depth: usize) -> Option<f64> {
+        if depth > DEEPEST {
+            return None;
+        }
+        if self.takes("-") {
+            self.signed(depth + 1).map(|value| -value)
+        } else if self.takes("+") {
+            self.signed(depth + 1)
+        } else {
+            self.power(depth)
+        }
+    }
+
+    /// A value, or one raised to another: `2^3^2` is 2 to the ninth.
+    fn power(&mut self, depth: usize) -> Option<f64> {
+        let base = self.value(depth)?;
+        if self.takes("^") { Some(base.powf(self.signed(depth + 1)?)) } else { Some(base) }
+    }
+
+    /// A number, a constant, brackets, or a function with what it is applied to.
+    fn value(&mut self, depth: usize) -> Option<f64> {
+        if depth > DEEPEST {
+            return None;
+        }
+        if self.takes("(") {
+            let value = self.sum(depth + 1)?;
+            return self.takes(")").then_some(value);
+        }
+        if let Some(number) = self.number() {
+            return Some(number);
+        }
+        let name = self.name();
+        if let Some((_, constant)) = CONSTANTS.iter().find(|(known, _)| *known == name) {
+            return Some(*constant);
+        }
+        let (_, function) = FUNCTIONS.iter().find(|(known, _)| *known == name)?;
+        self.value(depth + 1).map(function)
+    }
+
+    fn takes(&mut self, sign: &str) -> bool {
+        let rest = self.rest.trim_start().strip_prefix(sign);
+        self.rest = rest.unwrap_or(self.rest);
+        rest.is_some()
+    }
+
+    /// Digits with at most one point and at most one exponent.
+    fn number(&mut self) -> Option<f64> {
+        let text = self.rest.trim_start();
+        let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+        let mut end = digits(text);
+        if text[end..].starts_with('.') {
+            end += 1 + digits(&text[end + 1..]);
+        }
+        let exponent = &text[end..];
+        if let Some(power) = exponent.strip_prefix(['e', 'E']) {
+            let power = power.strip_prefix(['+', '-']).unwrap_or(power);
+            if digits(power) > 0 {
+                end += exponent.len() - power.len() + digits(power);
+            }
+        }
+        let number = text[..end].parse().ok()?;
+        self.rest = &text[end..];
+        Some(number)
+    }
+
+    /// Letters, and the digits behind them where a function has some in its name.
+    fn name(&mut self) -> &'a str {
+        let text = self.rest.trim_start();
+        let letters = text.find(|c: char| !c.is_alphabetic()).unwrap_or(text.len());
+        let with_digits = ["log10", "log2"].into_iter().find(|name| text.starts_with(name));
+        let (name, rest) = text.split_at(with_digits.map_or(letters, str::len));
+        self.rest = rest;
+        name
+    }
 }
 
 #[cfg(test)]
@@ -63,6 +206,16 @@ mod tests {
             ("1e-3*2", 0.002),
             ("tan(0.5)", 0.5f64.tan()),
             (" 7 ", 7.0),
+            ("5*√2", 5.0 * 2f64.sqrt()),
+            ("-2²", -4.0),
+            ("2^-1", 0.5),
+            ("2^3^2", 512.0),
+            ("1-2-3", -4.0),
+            ("8/4/2", 1.0),
+            ("2 * ( 1 + .5 )", 3.0),
+            ("log10(1e2) + log2(8)", 5.0),
+            ("--1", 1.0),
+            ("2*e", 2.0 * std::f64::consts::E),
         ];
         for (text, value) in cases {
             assert_eq!(evaluate(text), Ok(value), "{text}");
@@ -72,7 +225,28 @@ mod tests {
     #[test]
     fn what_is_no_number_is_told() {
         for text in [
-            "", "abc", "1/", "sqrt(", "1,5", "x+1", "1/0", "0/0", "sqrt(-1)", "1e999", "nan", "inf",
+            "",
+            "abc",
+            "1/",
+            "sqrt(",
+            "1,5",
+            "x+1",
+            "1/0",
+            "0/0",
+            "sqrt(-1)",
+            "1e999",
+            "nan",
+            "inf",
+            "2 3",
+            "2e",
+            "(1",
+            "1)",
+            "sin",
+            "..",
+            "1+*2",
+            "sinus(1)",
+            &"(".repeat(100_000),
+            &"-".repeat(100_000),
         ] {
             assert!(evaluate(text).is_err(), "{text}: {:?}", evaluate(text));
         }
