@@ -7,10 +7,7 @@
 
 pub mod chart;
 pub mod cli;
-pub mod exercises;
 pub mod figures;
-pub mod grades;
-pub mod mistakes;
 pub mod model;
 pub mod platform;
 pub mod report;

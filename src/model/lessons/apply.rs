@@ -2,8 +2,8 @@
 //! become the window's state.
 
 use super::lesson::Step;
-use crate::exercises::Exercises;
-use crate::mistakes::Gallery;
+use crate::model::exercises::Exercises;
+use crate::model::mistakes_view::Gallery;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
 use crate::model::session::Session;

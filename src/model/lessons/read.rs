@@ -10,9 +10,9 @@ use pinhole_lecture::mistakes::Mistake;
 use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Looks, Step};
-use crate::exercises::LARGEST_SEED;
 use crate::model::concept::Thing;
 use crate::model::derivation_sections::{LedgerSection, LedgerSections};
+use crate::model::exercises::LARGEST_SEED;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};

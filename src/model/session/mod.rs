@@ -8,18 +8,18 @@ use serde::{Deserialize, Serialize};
 
 pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
 
-use crate::exercises::Exercises;
-use crate::grades::AnswersAtHand;
-use crate::mistakes::Gallery;
 use crate::model::color_scheme::Scheme;
 use crate::model::concept::{Pointed, Thing};
 use crate::model::derivation_sections::LedgerSections;
+use crate::model::exercises::Exercises;
 use crate::model::ghost::Ghost;
 use crate::model::hand::Hand;
 use crate::model::lines::LinesLab;
+use crate::model::mistakes_view::Gallery;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::presenting::{Presenting, SMALLEST_TEXT};
+use crate::model::student_answers::AnswersAtHand;
 use crate::model::translator::Translator;
 
 /// Everything about the window that is not the document. Changing it never marks the document as

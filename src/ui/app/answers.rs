@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::App;
-use crate::grades::{AnswersAtHand, AnswersFile};
 use crate::model::session::ViewLayout;
+use crate::model::student_answers::{AnswersAtHand, AnswersFile};
 use crate::ui::action::Action;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use pinhole_exchange::scenes::SceneSource;

@@ -4,8 +4,8 @@
 use egui::{Context, ThemePreference, Ui};
 
 use super::App;
-use crate::mistakes::Gallery;
 use crate::model::lessons::Which;
+use crate::model::mistakes_view::Gallery;
 use crate::model::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout};
 use crate::ui::action::{Action, GhostMove, ObjectMove, PlayMove};

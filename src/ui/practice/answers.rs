@@ -7,9 +7,9 @@ use egui::{
 };
 use pinhole_lecture::grading::{Cell, Graded};
 
-use crate::grades::AnswersAtHand;
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};
+use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::Action;
 use crate::ui::scene::places::STRIP;
 use crate::ui::scene::views;

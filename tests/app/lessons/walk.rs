@@ -3,7 +3,7 @@
 use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::exercises::Exercises;
+use pinhole::model::exercises::Exercises;
 use pinhole::model::lessons::{Looks, Step, builtin};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::ui::app::App;

@@ -6,7 +6,7 @@ use pinhole_core::{Camera, PosedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::checks;
-use crate::mistakes::Gallery;
+use crate::model::mistakes_view::Gallery;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 

@@ -7,7 +7,7 @@ mod guess;
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
-use crate::mistakes::Gallery;
+use crate::model::mistakes_view::Gallery;
 use crate::model::number::grouped;
 use crate::model::session::Session;
 use crate::ui::scene::places::STRIP;
