@@ -18,7 +18,7 @@ start_display "$size"
 width=${size%x*} height=${size#*x}
 
 # Moves the mouse in the right half of the window, where the camera view is in every layout here but
-# the ledger's.
+# the derivation's.
 drag() {
   local x=$1 y=$2 k
   xdotool mousemove "$x" "$y" mousedown 3
@@ -44,13 +44,13 @@ printf '%-16s %-8s %-8s %7s %7s %7s %7s %7s %7s %7s %7s\n' \
   scene layout renderer input wait ui trace overlay readout own paint
 export PINHOLE_FRAME_TIMES=
 for scene in "${scenes[@]}"; do
-  for layout in Both Ledger; do
+  for layout in Both Derivation; do
     for renderer in cpu wgpu; do
       PINHOLE_FRAME_TIMES=$work/frames.csv
       rm -f "$work/frames.csv"
       open_window "$program" "{\"layout\": \"$layout\"}" "$scene" --renderer "$renderer"
       x=$((width * 75 / 100)) y=$((height * 45 / 100))
-      [ "$layout" = Ledger ] && x=$((width * 36 / 100)) y=$((height * 80 / 100))
+      [ "$layout" = Derivation ] && x=$((width * 36 / 100)) y=$((height * 80 / 100))
       DISPLAY=$display drag "$x" "$y"
       # The log is written when the window is closed, which asks about changes if there are any.
       DISPLAY=$display xdotool key ctrl+z

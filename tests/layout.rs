@@ -106,7 +106,7 @@ fn what_is_pure_knows_no_effect() {
 }
 
 #[test]
-fn formulas_the_ledger_and_exchange_know_no_window() {
+fn formulas_the_derivation_and_exchange_know_no_window() {
     for (name, text) in sources("src") {
         if ["src/view/formula/", "src/view/derivation/", "src/exchange/"]
             .iter()

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &FigureArguments, kind: Kind) -> Result<(), Command
 }
 
 fn start_of(document: &Document, session: &Session) -> Start {
-    // The ray is asked about wherever the ledger is open.
+    // The ray is asked about wherever the derivation is open.
     let derived = Deriver::default().derive(document, session, &ViewSizes::default());
     Start::of(document, session, derived.inspection.as_deref())
 }

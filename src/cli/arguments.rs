@@ -66,7 +66,7 @@ pub enum Command {
     Check(CheckArguments),
     /// Measure the error of every method against its run time
     Report(ReportArguments),
-    /// Write a view, the ledger or the lab of lines as a figure for slides
+    /// Write a view, the derivation or the lab of lines as a figure for slides
     Figure(FigureArguments),
     /// Write the camera and the scene as another program has them
     Export(ExportArguments),
@@ -142,13 +142,13 @@ pub struct FigureArguments {
     pub scene: PathBuf,
     /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
     /// number, or the lab of lines, which is the same for every scene
-    #[arg(long, value_name = "world|camera|ledger|lines")]
+    #[arg(long, value_name = "world|camera|derivation|lines")]
     #[arg(value_parser = subject())]
     pub view: Subject,
     /// The file to write; the ending chooses the format
     ///
     /// SVG and PDF keep strokes and text as such, and have the fonts in them; PNG has the pixels of
-    /// the window. The ledger can be written as text, too: .tex for LaTeX (with amsmath), .md for
+    /// the window. The derivation can be written as text, too: .tex for LaTeX (with amsmath), .md for
     /// Markdown with $formulas$.
     #[arg(short, long, value_name = "OUT.svg|pdf|png")]
     pub output: PathBuf,

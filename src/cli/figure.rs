@@ -1,4 +1,4 @@
-//! `pinhole figure`: a view, the ledger or the lab of lines as SVG, PDF or PNG; the ledger as LaTeX and
+//! `pinhole figure`: a view, the derivation or the lab of lines as SVG, PDF or PNG; the derivation as LaTeX and
 //! Markdown, too.
 
 use std::io::Write as _;
@@ -21,13 +21,13 @@ use crate::model::session::{Selection, Session};
 use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
-/// The sizes of the world view and of the lab of lines, in dots, and the ledger's width,
+/// The sizes of the world view and of the lab of lines, in dots, and the derivation's width,
 /// unless others are asked for.
 const WORLD: [u32; 2] = [1920, 1080];
 const LINES: [u32; 2] = [1280, 960];
-const LEDGER: u32 = 1600;
-/// The ledger's width, and the lab's smaller side, in points.
-const LEDGER_POINTS: f32 = 800.0;
+const DERIVATION: u32 = 1600;
+/// The derivation's width, and the lab's smaller side, in points.
+const DERIVATION_POINTS: f32 = 800.0;
 const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
@@ -44,7 +44,7 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     let progress = Progress::of("drawing");
     let bytes = match content {
         Content::Text(markup) => {
-            figures::ledger_of(&document, &session).written_in(markup).into_bytes()
+            figures::derivation_of(&document, &session).written_in(markup).into_bytes()
         }
         Content::Figure(format) => {
             let figure = order
@@ -75,9 +75,9 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
             ));
         }
     }
-    if *view == Subject::Ledger && height.is_some() {
+    if *view == Subject::Derivation && height.is_some() {
         return refused(
-            "the ledger is as high as its lines: leave out --height, give --width".to_owned(),
+            "the derivation is as high as its lines: leave out --height, give --width".to_owned(),
         );
     }
     Ok(())
@@ -92,15 +92,15 @@ pub(super) fn order_of(
         Subject::World => free(arguments, WORLD)?,
         Subject::Camera => in_proportion(arguments, image)?,
         Subject::Lines => free(arguments, LINES)?,
-        Subject::Ledger => {
-            let width = arguments.width.unwrap_or(LEDGER);
+        Subject::Derivation => {
+            let width = arguments.width.unwrap_or(DERIVATION);
             [width, width]
         }
     };
     let least = size[0].min(size[1]) as f32;
     let scale = match subject {
         Subject::World | Subject::Camera => figures::scale_of(size),
-        Subject::Ledger => least / LEDGER_POINTS,
+        Subject::Derivation => least / DERIVATION_POINTS,
         Subject::Lines => least / LINES_POINTS,
     };
     Ok(Order { subject, size, points: size.map(|n| n as f32 / scale), style, transparent })
@@ -119,7 +119,7 @@ pub(super) fn session_of(
     session.settings.items.set(Item::Handles, false);
     let asked = ray.pixel.is_some() || ray.uv.is_some();
     let sees = matches!(view, Subject::World | Subject::Camera);
-    // The ledger of a camera without a basis says where its derivation fails.
+    // The derivation of a camera without a basis says where its derivation fails.
     if asked || sees {
         let camera = pose(scene, document)?;
         if asked {

@@ -1,13 +1,13 @@
 //! Figures for slides: what the window shows, as SVG, PDF and PNG.
 //!
 //! Nothing is drawn a second time. The overlay's marks come from its [`Drawing`], and labels, the
-//! ledger and the lab of lines are drawn by the window's own code into an egui pass without a window.
+//! derivation and the lab of lines are drawn by the window's own code into an egui pass without a window.
 //! PNG is painted from both as the window is. For SVG and PDF, both become the same `Part`s: paths,
 //! text and one picture. So what is on the screen is what is in the file.
 //!
 //! - `order`: what is asked for;
 //! - `animation`: many figures, one for each phase of what plays;
-//! - `views`: figures of the two views; `sheets`: of the ledger and the lab of lines;
+//! - `views`: figures of the two views; `sheets`: of the derivation and the lab of lines;
 //! - `shapes`: what egui was told to draw, as parts; `text`: its text, glyph by glyph;
 //! - `typeface`: the fonts that the letters come from; `subset`: those letters alone, as a font;
 //! - `svg`, `pdf`: parts as files.
@@ -32,7 +32,7 @@ use crate::view::overlay::{Drawing, Style};
 use pinhole_exchange::images::png;
 
 pub use self::animation::{Animation, Frames, Recorder, Reel, check_name};
-pub use self::order::{Content, Order, Subject, ledger_of};
+pub use self::order::{Content, Order, Subject, derivation_of};
 pub use self::sheets::MARGIN;
 pub use self::views::{View, of_view, scale_of};
 

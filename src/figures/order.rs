@@ -12,7 +12,7 @@ use super::View;
 use super::of_view;
 use super::sheets;
 use crate::model::session::{Session, ViewLayout};
-use crate::view::derivation::{Ledger, Markup, Section};
+use crate::view::derivation::{Derivation, Markup, Section};
 use crate::view::derive::{Deriver, ViewSizes};
 use crate::view::overlay::Style;
 use pinhole_exchange::document::Document;
@@ -25,7 +25,7 @@ pub enum Subject {
     /// What the camera sees.
     Camera,
     /// How every number comes about.
-    Ledger,
+    Derivation,
     /// The lab of lines: the plane, and one line put into the other.
     Lines,
 }
@@ -33,14 +33,14 @@ pub enum Subject {
 impl Subject {
     /// All of them.
     pub const ALL: [Subject; 4] =
-        [Subject::World, Subject::Camera, Subject::Ledger, Subject::Lines];
+        [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
 
     /// In one word, as the command line has it.
     pub fn name(self) -> &'static str {
         match self {
             Subject::World => "world",
             Subject::Camera => "camera",
-            Subject::Ledger => "ledger",
+            Subject::Derivation => "derivation",
             Subject::Lines => "lines",
         }
     }
@@ -51,7 +51,7 @@ impl Subject {
 pub enum Content {
     /// A figure.
     Figure(Format),
-    /// The ledger as text.
+    /// The derivation as text.
     Text(Markup),
 }
 
@@ -64,7 +64,7 @@ impl Content {
         let mut known: Vec<(&str, Content)> =
             Format::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
         let mut formats = "SVG, PDF or PNG";
-        if subject == Subject::Ledger {
+        if subject == Subject::Derivation {
             known.extend([
                 ("tex", Content::Text(Markup::Latex)),
                 ("md", Content::Text(Markup::Markdown)),
@@ -89,7 +89,7 @@ impl Content {
 pub struct Order {
     /// What it shows.
     pub subject: Subject,
-    /// Width and height in dots; a ledger is as high as its lines.
+    /// Width and height in dots; a derivation is as high as its lines.
     pub size: [u32; 2],
     /// The same in points: how much of the plane there is room for, where lines are broken, and how
     /// large letters are.
@@ -104,7 +104,7 @@ impl Order {
     /// Dots per point: as many as have room for all points.
     fn scale(&self) -> f32 {
         let [across, down] = [0, 1].map(|k| self.size[k] as f32 / self.points[k].max(1.0));
-        if self.subject == Subject::Ledger { across } else { across.min(down) }
+        if self.subject == Subject::Derivation { across } else { across.min(down) }
     }
 
     /// The figure, of the document as the session looks at it.
@@ -127,9 +127,12 @@ impl Order {
         match self.subject {
             Subject::World => of_view(View::World),
             Subject::Camera => of_view(View::Camera),
-            Subject::Ledger => {
-                Ok(sheets::ledger(&ledger_of(document, session), self.points[0], look, is_folded))
-            }
+            Subject::Derivation => Ok(sheets::derivation(
+                &derivation_of(document, session),
+                self.points[0],
+                look,
+                is_folded,
+            )),
             Subject::Lines => {
                 let points = self.size.map(|dots| dots as f32 / scale);
                 Ok(sheets::lines(&session.lines, session.settings.digits, points, look))
@@ -138,10 +141,10 @@ impl Order {
     }
 }
 
-/// The ledger of the document, whatever the layout shows.
-pub fn ledger_of(document: &Document, session: &Session) -> Ledger {
+/// The derivation of the document, whatever the layout shows.
+pub fn derivation_of(document: &Document, session: &Session) -> Derivation {
     let mut session = session.clone();
-    session.settings.layout = ViewLayout::Ledger;
+    session.settings.layout = ViewLayout::Derivation;
     let derived = Deriver::default().derive(document, &session, &ViewSizes::default());
-    derived.ledger.map(|ledger| (*ledger).clone()).unwrap_or_default()
+    derived.derivation.map(|derivation| (*derivation).clone()).unwrap_or_default()
 }

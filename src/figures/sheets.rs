@@ -1,26 +1,26 @@
-//! Figures of what the window's panels draw: the ledger, and the lab of lines.
+//! Figures of what the window's panels draw: the derivation, and the lab of lines.
 
 use egui::{Context, Pos2, Rect, Theme, Ui, Vec2, vec2};
 
 use super::Figure;
 use super::Look;
 use crate::model::lines::LinesLab;
-use crate::view::derivation::{Ledger, Section};
+use crate::view::derivation::{Derivation, Section};
 use crate::view::headless::Sheet;
 use crate::view::lines as lines_lab;
 use crate::view::overlay::{Drawing, Style};
 use crate::view::typesetting::derivation;
 use crate::view::typesetting::theme;
 
-/// Left and right of the ledger, and above and below it, in points.
+/// Left and right of the derivation, and above and below it, in points.
 pub const MARGIN: f32 = 12.0;
 
 /// Nothing that is set on it is higher, in points.
 const HIGHEST: f32 = 1e6;
 
-/// The ledger, so many points wide with its margins; of a section that `is_folded` only the title.
-pub(super) fn ledger(
-    ledger: &Ledger,
+/// The derivation, so many points wide with its margins; of a section that `is_folded` only the title.
+pub(super) fn derivation(
+    derivation: &Derivation,
     width: f32,
     look: Look,
     is_folded: impl Fn(&Section) -> bool,
@@ -28,16 +28,16 @@ pub(super) fn ledger(
     let column = vec2((width - 2.0 * MARGIN).max(60.0), HIGHEST);
     let column = Rect::from_min_size(Pos2::new(MARGIN, MARGIN), column);
     let mut height = 0.0;
-    let mut draw = |ui: &mut Ui| height = derivation::draw(ui, ledger, column, &is_folded);
+    let mut draw = |ui: &mut Ui| height = derivation::draw(ui, derivation, column, &is_folded);
     // How high it is shows when it is drawn.
     Sheet::draw(&context(look.style), [1, 1], look.scale, &mut draw);
     let page = vec2(width, height + 2.0 * MARGIN);
     let (ctx, size) = (context(look.style), dots(page, look.scale));
     let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
-        derivation::draw(ui, ledger, column, &is_folded);
+        derivation::draw(ui, derivation, column, &is_folded);
     });
     let ground = ctx.style_of(egui_theme(look.style)).visuals.panel_fill;
-    figure("Ledger", size, look, ground, sheet)
+    figure("Derivation", size, look, ground, sheet)
 }
 
 /// The lab of lines, so many points wide and high.

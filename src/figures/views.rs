@@ -9,7 +9,7 @@ use super::Figure;
 use super::Look;
 use crate::model::fault::Fault;
 use crate::model::session::Session;
-use crate::view::adaptive_resolution::Coarseness;
+use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::Sheet;
 use crate::view::overlay::Drawing;
@@ -51,7 +51,7 @@ pub fn of_view(
         scale,
         style,
         purpose: Purpose::Figure { clear: transparent },
-        coarseness: Coarseness::NONE,
+        subsampling: Subsampling::NONE,
         under_hand: false,
     };
     let derived = Deriver::default().derive(document, session, &sizes);

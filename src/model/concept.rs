@@ -5,7 +5,7 @@ use crate::model::symbols;
 
 /// A named concept of the scene or of a camera's derivation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Thing {
+pub enum Concept {
     /// The camera's position.
     Eye,
     /// The point the camera looks at.
@@ -57,60 +57,60 @@ pub enum Thing {
 
 /// The concept that is hovered, and the place where it is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pointed {
+pub struct Hovered {
     /// The hovered concept.
-    pub thing: Thing,
+    pub concept: Concept,
     /// The place where it is hovered.
-    pub by: Pointing,
+    pub by: HoverSource,
 }
 
 /// A place where a concept is hovered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pointing {
+pub enum HoverSource {
     /// A view: the derivation scrolls to the concept's line.
     View,
     /// A line of the derivation, or the text beside the plot.
-    Ledger,
+    Derivation,
 }
 
 /// The concepts without a number, with their names in files and their descriptions.
-const NAMES: [(Thing, &str, &str); 19] = [
-    (Thing::Eye, "eye", symbols::EYE),
-    (Thing::At, "at", symbols::AT),
-    (Thing::View, "view", symbols::VIEW),
-    (Thing::Up, "up", symbols::UP),
-    (Thing::Backwards, "backwards", "−view: backwards, not yet of length 1"),
-    (Thing::U, "u", symbols::U),
-    (Thing::V, "v", symbols::V),
-    (Thing::W, "w", symbols::W),
-    (Thing::UpCrossW, "up-cross-w", "up × 𝐰: at right angles to both"),
-    (Thing::WCrossU, "w-cross-u", "𝐰 × 𝐮: at right angles to both"),
-    (Thing::Viewport, "viewport", "viewport: what the image is stretched over"),
-    (Thing::Distance, "distance", symbols::DISTANCE),
-    (Thing::Pixel, "pixel", "the selected place in the viewport"),
-    (Thing::AlongU, "along-u", "𝑢 𝐮: how far to the right"),
-    (Thing::AlongV, "along-v", "𝑣 𝐯: how far up"),
-    (Thing::AlongW, "along-w", "−distance 𝐰: how far forwards"),
-    (Thing::Direction, "direction", symbols::D),
-    (Thing::Ray, "ray", "𝐩 + 𝑡 𝐝: the view ray"),
-    (Thing::Normal, "normal", symbols::NORMAL),
+const NAMES: [(Concept, &str, &str); 19] = [
+    (Concept::Eye, "eye", symbols::EYE),
+    (Concept::At, "at", symbols::AT),
+    (Concept::View, "view", symbols::VIEW),
+    (Concept::Up, "up", symbols::UP),
+    (Concept::Backwards, "backwards", "−view: backwards, not yet of length 1"),
+    (Concept::U, "u", symbols::U),
+    (Concept::V, "v", symbols::V),
+    (Concept::W, "w", symbols::W),
+    (Concept::UpCrossW, "up-cross-w", "up × 𝐰: at right angles to both"),
+    (Concept::WCrossU, "w-cross-u", "𝐰 × 𝐮: at right angles to both"),
+    (Concept::Viewport, "viewport", "viewport: what the image is stretched over"),
+    (Concept::Distance, "distance", symbols::DISTANCE),
+    (Concept::Pixel, "pixel", "the selected place in the viewport"),
+    (Concept::AlongU, "along-u", "𝑢 𝐮: how far to the right"),
+    (Concept::AlongV, "along-v", "𝑣 𝐯: how far up"),
+    (Concept::AlongW, "along-w", "−distance 𝐰: how far forwards"),
+    (Concept::Direction, "direction", symbols::D),
+    (Concept::Ray, "ray", "𝐩 + 𝑡 𝐝: the view ray"),
+    (Concept::Normal, "normal", symbols::NORMAL),
 ];
 
-impl Thing {
+impl Concept {
     /// Returns the concept with this name in files: `up-cross-w`, `object 0`, or `root 0 1` (root 1
     /// of object 0).
-    pub fn from_name(name: &str) -> Option<Thing> {
+    pub fn from_name(name: &str) -> Option<Concept> {
         if let Some(object) = name.strip_prefix("object ") {
-            return Some(Thing::Object(object.parse().ok()?));
+            return Some(Concept::Object(object.parse().ok()?));
         }
         if let Some(rest) = name.strip_prefix("root ") {
             let (object, number) = rest.split_once(' ')?;
-            return Some(Thing::Root {
+            return Some(Concept::Root {
                 object: object.parse().ok()?,
                 number: number.parse().ok()?,
             });
         }
-        NAMES.iter().find(|(_, known, _)| *known == name).map(|(thing, ..)| *thing)
+        NAMES.iter().find(|(_, known, _)| *known == name).map(|(concept, ..)| *concept)
     }
 
     /// Returns the names of all concepts without a number.
@@ -121,8 +121,8 @@ impl Thing {
     /// Returns the concept's name in files.
     pub fn name(self) -> String {
         match self {
-            Thing::Object(object) => format!("object {object}"),
-            Thing::Root { object, number } => format!("root {object} {number}"),
+            Concept::Object(object) => format!("object {object}"),
+            Concept::Root { object, number } => format!("root {object} {number}"),
             other => other.entry().0.to_owned(),
         }
     }
@@ -131,14 +131,14 @@ impl Thing {
     /// `title`.
     pub fn words(self, title: impl Fn(u32) -> String) -> String {
         match self {
-            Thing::Object(object) => title(object),
-            Thing::Root { object, .. } => format!("where the ray's line meets {}", title(object)),
+            Concept::Object(object) => title(object),
+            Concept::Root { object, .. } => format!("where the ray's line meets {}", title(object)),
             other => other.entry().1.to_owned(),
         }
     }
 
     fn entry(self) -> (&'static str, &'static str) {
-        let found = NAMES.iter().find(|(thing, ..)| *thing == self);
+        let found = NAMES.iter().find(|(concept, ..)| *concept == self);
         found.map_or(("", ""), |(_, name, words)| (name, words))
     }
 }
@@ -149,13 +149,13 @@ mod tests {
 
     #[test]
     fn names_lead_back_to_their_things() {
-        let numbered = [Thing::Object(7), Thing::Root { object: 2, number: 1 }];
-        for thing in NAMES.iter().map(|(thing, ..)| *thing).chain(numbered) {
-            assert_eq!(Thing::from_name(&thing.name()), Some(thing));
-            assert!(!thing.words(|k| format!("sphere {k}")).is_empty());
+        let numbered = [Concept::Object(7), Concept::Root { object: 2, number: 1 }];
+        for concept in NAMES.iter().map(|(concept, ..)| *concept).chain(numbered) {
+            assert_eq!(Concept::from_name(&concept.name()), Some(concept));
+            assert!(!concept.words(|k| format!("sphere {k}")).is_empty());
         }
         for wrong in ["", "nothing", "object", "object x", "root 1", "root 1 x"] {
-            assert_eq!(Thing::from_name(wrong), None, "{wrong}");
+            assert_eq!(Concept::from_name(wrong), None, "{wrong}");
         }
     }
 }

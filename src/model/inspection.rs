@@ -6,7 +6,7 @@ use pinhole_core::{
     SphereQuadratic,
 };
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 
 /// Number of objects whose parts are kept: more than anybody reads.
 pub const LISTED_OBJECTS: usize = 12;
@@ -84,10 +84,10 @@ impl Inspection {
 
     /// Returns the concept of a root: its object, and its index among the object's roots by
     /// ascending t.
-    pub fn thing_of(&self, root: &Root) -> Thing {
+    pub fn thing_of(&self, root: &Root) -> Concept {
         let own = self.roots.iter().filter(|other| other.object == root.object);
         let number = own.take_while(|other| other.t < root.t).count() as u8;
-        Thing::Root { object: root.object, number }
+        Concept::Root { object: root.object, number }
     }
 
     /// Returns the root of this object with this index.

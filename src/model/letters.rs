@@ -34,7 +34,7 @@ pub(crate) fn plain_scalars(text: &str) -> String {
 
 /// Returns a message of the core in the window's notation: the signs `−`, `×` and `·`, bold vectors
 /// u, v and w, and "centre" for "center".
-pub(crate) fn told(message: impl std::fmt::Display) -> String {
+pub(crate) fn typeset_message(message: impl std::fmt::Display) -> String {
     let message = message.to_string().replace(" x ", " × ").replace(" . ", " · ");
     let letters: Vec<char> = message.replace("center", "centre").chars().collect();
     let at = |k: Option<usize>| k.and_then(|k| letters.get(k)).copied().unwrap_or(' ');
@@ -75,7 +75,7 @@ mod tests {
             ("center is (0, -inf, 1)", "centre is (0, −inf, 1)"),
             ("basis.u is 0 - and up x w", "basis.u is 0 - and up × 𝐰"),
         ] {
-            assert_eq!(told(message), on_screen);
+            assert_eq!(typeset_message(message), on_screen);
         }
     }
 }

@@ -4,7 +4,7 @@ use pinhole_lecture::mistakes::Mistake;
 
 /// The state of the mistakes view. A lesson's step sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gallery {
+pub struct MistakesView {
     /// The mistake whose camera is shown.
     pub chosen: Mistake,
     /// The riddle in its place, if one is on.
@@ -24,13 +24,13 @@ pub struct Guess {
     pub answer: Option<Mistake>,
 }
 
-impl Default for Gallery {
+impl Default for MistakesView {
     fn default() -> Self {
-        Gallery { chosen: Mistake::WAsPrinted, guess: None, seed: 1, nothing_shows: false }
+        MistakesView { chosen: Mistake::WAsPrinted, guess: None, seed: 1, nothing_shows: false }
     }
 }
 
-impl Gallery {
+impl MistakesView {
     /// The mistake of the camera that is shown.
     pub fn shown(&self) -> Mistake {
         self.guess.map_or(self.chosen, |guess| guess.mistake)
@@ -81,19 +81,19 @@ mod tests {
         // Half a pixel of 400, and a distance of 1.
         assert!(!visible.contains(&Mistake::PixelCorner), "{visible:?}");
         assert!(!visible.contains(&Mistake::DistanceDropped), "{visible:?}");
-        let mut gallery = Gallery::default();
+        let mut mistakes_view = MistakesView::default();
         let mut last = None;
         let mut asked: Vec<Mistake> = Vec::new();
         for _ in 0..60 {
-            gallery.ask(&visible);
-            assert_ne!(Some(gallery.shown()), last);
-            assert!(visible.contains(&gallery.shown()) && !gallery.is_told());
-            last = Some(gallery.shown());
+            mistakes_view.ask(&visible);
+            assert_ne!(Some(mistakes_view.shown()), last);
+            assert!(visible.contains(&mistakes_view.shown()) && !mistakes_view.is_told());
+            last = Some(mistakes_view.shown());
             asked.extend(last);
         }
         assert!(visible.iter().all(|mistake| asked.contains(mistake)), "{asked:?}");
-        gallery.guess = None;
-        gallery.ask(&[]);
-        assert_eq!((gallery.guess, gallery.nothing_shows), (None, true));
+        mistakes_view.guess = None;
+        mistakes_view.ask(&[]);
+        assert_eq!((mistakes_view.guess, mistakes_view.nothing_shows), (None, true));
     }
 }

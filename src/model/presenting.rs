@@ -6,7 +6,7 @@ use crate::model::session::ViewLayout;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Full {
     /// The derivation.
-    Ledger,
+    Derivation,
     /// The world view.
     World,
     /// The camera view.
@@ -19,7 +19,7 @@ impl Full {
     /// Returns the layout that shows these views.
     pub fn layout(self) -> ViewLayout {
         match self {
-            Full::Ledger => ViewLayout::LedgerAlone,
+            Full::Derivation => ViewLayout::DerivationAlone,
             Full::World => ViewLayout::World,
             Full::Camera => ViewLayout::Camera,
             Full::Both => ViewLayout::Both,
@@ -101,8 +101,8 @@ mod tests {
         let mut presenting = Presenting::begin(false);
         let mut layout = ViewLayout::Plot;
         presenting.fill(Full::Camera, &mut layout);
-        presenting.fill(Full::Ledger, &mut layout);
-        assert_eq!(layout, ViewLayout::LedgerAlone);
+        presenting.fill(Full::Derivation, &mut layout);
+        assert_eq!(layout, ViewLayout::DerivationAlone);
         assert_eq!(presenting.before(layout), ViewLayout::Plot);
         assert_eq!(presenting.before(ViewLayout::Mistakes), ViewLayout::Mistakes);
         layout = ViewLayout::Mistakes;

@@ -8,7 +8,7 @@ use pinhole_lecture::mistakes::Mistake;
 
 use crate::figures::{Frames, Order};
 use crate::model::color_scheme::Scheme;
-use crate::model::derivation_sections::LedgerSection;
+use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::Place;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
@@ -145,8 +145,8 @@ pub enum Action {
         /// Where to.
         path: PathBuf,
     },
-    /// Put the ledger on the clipboard.
-    CopyLedger(Markup),
+    /// Put the derivation on the clipboard.
+    CopyDerivation(Markup),
     /// Ask for the clipboard's text.
     AskPaste,
     /// Set the camera from another program's text.
@@ -226,7 +226,7 @@ pub enum Action {
     /// Open the command palette.
     Palette,
     /// Open the sheet of all keys.
-    KeySheet,
+    KeyList,
 }
 
 /// What is either on or off.
@@ -234,8 +234,8 @@ pub enum Action {
 pub enum Switch {
     /// Something that is drawn over the views.
     Item(Item),
-    /// A part of the ledger.
-    Section(LedgerSection),
+    /// A part of the derivation.
+    Section(DerivationSection),
     /// Rows and columns are shown counted from 1.
     CountFromOne,
     /// A moved eye takes the view along; off, it orbits at.

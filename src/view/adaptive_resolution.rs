@@ -7,20 +7,20 @@ use pinhole_core::{ImageSize, Raster};
 
 /// The step between traced rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Coarseness(u32);
+pub struct Subsampling(u32);
 
-impl Default for Coarseness {
-    fn default() -> Coarseness {
-        Coarseness::NONE
+impl Default for Subsampling {
+    fn default() -> Subsampling {
+        Subsampling::NONE
     }
 }
 
-impl Coarseness {
+impl Subsampling {
     /// Full resolution: all pixels that can be shown are traced.
-    pub const NONE: Coarseness = Coarseness(1);
+    pub const NONE: Subsampling = Subsampling(1);
 
     /// Lowest resolution: one row and column in 8 is traced; motion can still be followed.
-    pub const MOST: Coarseness = Coarseness(8);
+    pub const MOST: Subsampling = Subsampling(8);
 
     /// Returns the pixels to trace of an image shown on `columns` x `rows` dots.
     pub(crate) fn raster(self, image: ImageSize, [columns, rows]: [u32; 2]) -> Raster {
@@ -29,14 +29,14 @@ impl Coarseness {
     }
 
     /// Returns the note on a picture with reduced resolution.
-    pub(crate) fn told(self) -> Option<String> {
-        let Coarseness(step) = self;
+    pub(crate) fn message(self) -> Option<String> {
+        let Subsampling(step) = self;
         let ending = match step {
             2 => "nd",
             3 => "rd",
             _ => "th",
         };
-        (self != Coarseness::NONE)
+        (self != Subsampling::NONE)
             .then(|| format!("coarser while it moves: every {step}{ending} row and column"))
     }
 }
@@ -53,32 +53,36 @@ pub(crate) const REST: f64 = 0.15;
 
 /// Chooses the coarseness from the times of earlier pictures.
 #[derive(Debug)]
-pub(crate) struct Governor {
+pub(crate) struct AdaptiveResolution {
     budget: Duration,
     /// The coarseness during a drag.
-    moving: Coarseness,
+    moving: Subsampling,
     /// Time of the last move, in seconds.
     moved_at: f64,
 }
 
-impl Default for Governor {
-    fn default() -> Governor {
-        Governor { budget: BUDGET, moving: Coarseness::NONE, moved_at: f64::NEG_INFINITY }
+impl Default for AdaptiveResolution {
+    fn default() -> AdaptiveResolution {
+        AdaptiveResolution {
+            budget: BUDGET,
+            moving: Subsampling::NONE,
+            moved_at: f64::NEG_INFINITY,
+        }
     }
 }
 
-impl Governor {
+impl AdaptiveResolution {
     /// Creates a governor with a time budget for pictures during a drag.
-    pub(crate) fn within(budget: Duration) -> Governor {
-        Governor { budget, ..Governor::default() }
+    pub(crate) fn within(budget: Duration) -> AdaptiveResolution {
+        AdaptiveResolution { budget, ..AdaptiveResolution::default() }
     }
 
     /// Returns the current coarseness; `moves` is true if the view is being moved right now.
-    pub(crate) fn now(&mut self, moves: bool, time: f64) -> Coarseness {
+    pub(crate) fn now(&mut self, moves: bool, time: f64) -> Subsampling {
         if moves {
             self.moved_at = time;
         }
-        if self.is_followed(time) { self.moving } else { Coarseness::NONE }
+        if self.is_followed(time) { self.moving } else { Subsampling::NONE }
     }
 
     /// Returns true if something was moved recently.
@@ -87,8 +91,8 @@ impl Governor {
     }
 
     /// Takes note of the time in which new pictures were traced.
-    pub(crate) fn took(&mut self, coarseness: Coarseness, traced_in: Duration) {
-        let step = f64::from(coarseness.0);
+    pub(crate) fn took(&mut self, subsampling: Subsampling, traced_in: Duration) {
+        let step = f64::from(subsampling.0);
         // The time is at most proportional to the number of pixels, and so to 1 / step^2.
         let share = traced_in.as_secs_f64() / self.budget.as_secs_f64().max(1e-9);
         let next = if share > 1.0 {
@@ -97,7 +101,7 @@ impl Governor {
             let finer = (step - 1.0).max(1.0);
             if share * (step / finer).powi(2) <= COMFORT { finer } else { step }
         };
-        self.moving = Coarseness(next.clamp(1.0, f64::from(Coarseness::MOST.0)) as u32);
+        self.moving = Subsampling(next.clamp(1.0, f64::from(Subsampling::MOST.0)) as u32);
     }
 }
 
@@ -109,50 +113,50 @@ mod tests {
 
     #[test]
     fn what_fits_into_a_frame_is_never_coarse() {
-        let mut governor = Governor::default();
+        let mut adaptive_resolution = AdaptiveResolution::default();
         for k in 0..10 {
             let now = f64::from(k);
-            assert_eq!(governor.now(true, now), Coarseness::NONE);
-            governor.took(Coarseness::NONE, 7 * MS);
+            assert_eq!(adaptive_resolution.now(true, now), Subsampling::NONE);
+            adaptive_resolution.took(Subsampling::NONE, 7 * MS);
         }
     }
 
     #[test]
     fn what_is_too_heavy_is_coarse_as_long_as_the_hand_moves() {
-        let mut governor = Governor::default();
-        governor.took(Coarseness::NONE, 70 * MS);
-        assert_eq!(governor.now(false, 0.0), Coarseness::NONE, "nothing moves");
+        let mut adaptive_resolution = AdaptiveResolution::default();
+        adaptive_resolution.took(Subsampling::NONE, 70 * MS);
+        assert_eq!(adaptive_resolution.now(false, 0.0), Subsampling::NONE, "nothing moves");
         // Three times as coarse takes a ninth: 7.8 ms.
-        assert_eq!(governor.now(true, 5.0), Coarseness(3));
-        governor.took(Coarseness(3), 78 * MS / 10);
-        assert_eq!(governor.now(false, 5.1), Coarseness(3), "between two moves");
-        assert_eq!(governor.now(false, 5.2), Coarseness::NONE, "the hand rests");
+        assert_eq!(adaptive_resolution.now(true, 5.0), Subsampling(3));
+        adaptive_resolution.took(Subsampling(3), 78 * MS / 10);
+        assert_eq!(adaptive_resolution.now(false, 5.1), Subsampling(3), "between two moves");
+        assert_eq!(adaptive_resolution.now(false, 5.2), Subsampling::NONE, "the hand rests");
     }
 
     #[test]
     fn it_comes_to_rest_at_one_step_for_every_weight() {
         for full in 1..2000 {
-            let mut governor = Governor::default();
-            let time = |c: Coarseness| MS * full / (c.0 * c.0);
+            let mut adaptive_resolution = AdaptiveResolution::default();
+            let time = |c: Subsampling| MS * full / (c.0 * c.0);
             let mut steps = Vec::new();
             for k in 0..30 {
-                let now = governor.now(true, f64::from(k));
-                governor.took(now, time(now));
+                let now = adaptive_resolution.now(true, f64::from(k));
+                adaptive_resolution.took(now, time(now));
                 steps.push(now);
             }
             assert!(steps[20..].iter().all(|step| *step == steps[20]), "{full} ms: {steps:?}");
-            assert!(time(steps[20]) <= BUDGET || steps[20] == Coarseness::MOST, "{full} ms");
+            assert!(time(steps[20]) <= BUDGET || steps[20] == Subsampling::MOST, "{full} ms");
         }
     }
 
     #[test]
     fn a_coarse_raster_has_pixels_of_the_fine_one_all_over_it() {
         let image = ImageSize::new(400, 300).expect("a size");
-        let full = Coarseness::NONE.raster(image, [800, 800]);
+        let full = Subsampling::NONE.raster(image, [800, 800]);
         assert_eq!(full, Raster::full(image));
-        let coarse = Coarseness(3).raster(image, [800, 800]);
+        let coarse = Subsampling(3).raster(image, [800, 800]);
         assert_eq!([coarse.columns().len(), coarse.rows().len()], [134, 100]);
-        let small = Coarseness(8).raster(image, [1, 5]);
+        let small = Subsampling(8).raster(image, [1, 5]);
         assert_eq!([small.columns().len(), small.rows().len()], [1, 1]);
     }
 }

@@ -37,7 +37,7 @@ pub struct Plot {
     /// The curves' samples within the range.
     pub samples: Arc<Samples>,
     /// The t of the point that moves along the ray, and each curve's f there.
-    pub walked: Option<(f64, Arc<Vec<f64>>)>,
+    pub ray_point_t: Option<(f64, Arc<Vec<f64>>)>,
 }
 
 /// One object's f along the ray.
@@ -134,7 +134,7 @@ pub fn values(curves: &[Curve], scene: &Scene, ray: &ExactRay, t: f64) -> Vec<f6
 
 /// Returns the range of t of the plot: all zeros that are not far, the eye, the viewport, and the
 /// moving point.
-pub fn range(curves: &[Curve], walked: Option<f64>) -> RangeInclusive<f64> {
+pub fn range(curves: &[Curve], ray_point_t: Option<f64>) -> RangeInclusive<f64> {
     let mut ts: Vec<f64> = curves.iter().flat_map(Curve::landmarks).collect();
     ts.retain(|t| t.is_finite());
     let hits = curves.iter().filter_map(|curve| curve.derivation.hit());
@@ -143,8 +143,8 @@ pub fn range(curves: &[Curve], walked: Option<f64>) -> RangeInclusive<f64> {
     let right = ts.iter().copied().filter(|t| *t <= limit).fold(1.3, f64::max) * 1.2;
     let left = ts.iter().copied().filter(|t| *t >= -right).fold(0.0, f64::min);
     let left = (1.15 * left).min(-0.2 * right);
-    let walked = walked.unwrap_or(0.0);
-    left.min(walked)..=right.max(walked)
+    let ray_point_t = ray_point_t.unwrap_or(0.0);
+    left.min(ray_point_t)..=right.max(ray_point_t)
 }
 
 impl Curve {

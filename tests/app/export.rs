@@ -1,4 +1,4 @@
-//! Exporting a figure from the window, and the ledger to the clipboard.
+//! Exporting a figure from the window, and the derivation to the clipboard.
 
 use std::fs;
 
@@ -86,7 +86,7 @@ fn the_first_number_that_is_typed_counts() {
 fn the_layout_chooses_what_is_exported_first() {
     let folder = tempfile::tempdir().unwrap();
     let mut window = window("canonical");
-    for (layout, file) in [("Ledger", "ledger.pdf"), ("Lines", "lines.pdf")] {
+    for (layout, file) in [("Derivation", "derivation.pdf"), ("Lines", "lines.pdf")] {
         window.get_by_label(layout).click();
         window.run();
         open_dialog(&mut window);
@@ -127,12 +127,12 @@ fn a_folder_that_is_not_there_is_told() {
 }
 
 #[test]
-fn the_ledger_is_copied_as_latex_and_as_markdown() {
+fn the_derivation_is_copied_as_latex_and_as_markdown() {
     let mut window = window("canonical");
-    window.get_by_label("Ledger").click();
+    window.get_by_label("Derivation").click();
     window.run();
     for (name, part) in [("LaTeX", r"\begin{align*}"), ("Markdown", "### Basis")] {
-        window.get_by_label("Copy the ledger as").click();
+        window.get_by_label("Copy the derivation as").click();
         window.run();
         window.get_by_label(name).click();
         let mut copied = String::new();

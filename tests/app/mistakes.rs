@@ -155,7 +155,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     assert_says(&window, "Wrong camera: which mistake is it?");
     assert_says(&window, "Which mistake is it?");
     assert!(values(&window, " finds it").is_empty(), "that would tell");
-    let guess = window.state().session().gallery.guess.unwrap();
+    let guess = window.state().session().mistakes_view.guess.unwrap();
     assert!(!wrong_says(&window).contains(guess.mistake.name()), "{}", wrong_says(&window));
     assert!(!texts_with(&window, guess.mistake.formula()).iter().any(|_| true));
     // Wrong first: one that gives another picture.
@@ -170,12 +170,12 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     assert!(!texts_with(&window, "What would have told: ").is_empty());
     assert!(!values(&window, " finds it").is_empty());
     click(&mut window, "Next one");
-    let next = window.state().session().gallery.guess.unwrap();
+    let next = window.state().session().mistakes_view.guess.unwrap();
     assert_ne!(next.mistake, guess.mistake);
     assert_eq!(next.answer, None);
     click(&mut window, next.mistake.name());
     assert_says(&window, &format!("Right: {}.", next.mistake.name()));
     click(&mut window, "Gallery");
-    assert_eq!(window.state().session().gallery.guess, None);
+    assert_eq!(window.state().session().mistakes_view.guess, None);
     assert_says(&window, &format!("Wrong camera: {}", next.mistake.name()));
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use pinhole::model::observer::Observer;
 use pinhole::model::session::{Session, Settings, ShadeName};
-use pinhole::view::adaptive_resolution::Coarseness;
+use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole::view::derive::{Derived, Deriver, Purpose, ViewSizes};
 use pinhole::view::overlay::Style;
 use pinhole_core::{Camera, DVec3, Plane, Scene, Sphere};
@@ -21,7 +21,7 @@ const SIZES: ViewSizes = ViewSizes {
     scale: 1.0,
     style: Style::Light,
     purpose: Purpose::Window,
-    coarseness: Coarseness::NONE,
+    subsampling: Subsampling::NONE,
     under_hand: false,
 };
 

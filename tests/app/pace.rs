@@ -9,14 +9,14 @@ use egui::{ColorImage, Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
-use pinhole::view::adaptive_resolution::Coarseness;
+use pinhole::view::adaptive_resolution::Subsampling;
 use pinhole_core::{DVec3, Orientation};
 
 use crate::harness::{says, window};
 
 const TOLD: &str = "coarser while it moves: every 8th row and column";
 
-const COARSE: [Coarseness; 2] = [Coarseness::MOST, Coarseness::NONE];
+const COARSE: [Subsampling; 2] = [Subsampling::MOST, Subsampling::NONE];
 
 /// A window on the lecture's scene in which nothing is traced fast enough.
 fn heavy() -> Harness<'static, App> {
@@ -46,8 +46,8 @@ fn press(window: &mut Harness<'_, App>, pos: Pos2, button: PointerButton, presse
     window.step();
 }
 
-fn coarseness(window: &Harness<'_, App>) -> [Coarseness; 2] {
-    window.state().derived().coarseness
+fn coarseness(window: &Harness<'_, App>) -> [Subsampling; 2] {
+    window.state().derived().subsampling
 }
 
 /// What the camera view shows.
@@ -64,9 +64,9 @@ fn under_the_hand_the_picture_is_coarse_and_at_rest_it_is_fine() {
     let mut both = |what: &dyn Fn(&mut Harness<'_, App>)| {
         what(&mut window);
         what(&mut patient);
-        assert_eq!(coarseness(&patient), [Coarseness::NONE; 2]);
+        assert_eq!(coarseness(&patient), [Subsampling::NONE; 2]);
         let told = says(&window, TOLD);
-        assert_eq!(told, coarseness(&window) != [Coarseness::NONE; 2]);
+        assert_eq!(told, coarseness(&window) != [Subsampling::NONE; 2]);
         (coarseness(&window), image(&window) == image(&patient))
     };
     let moved_to = |x: f32| {
@@ -81,13 +81,13 @@ fn under_the_hand_the_picture_is_coarse_and_at_rest_it_is_fine() {
         window.run();
     };
     // The hand rests, the button still held.
-    assert_eq!(both(&rest), ([Coarseness::NONE; 2], true));
+    assert_eq!(both(&rest), ([Subsampling::NONE; 2], true));
     assert_eq!(both(&moved_to(60.0)), (COARSE, false));
     let let_go = |window: &mut Harness<'_, App>| {
         press(window, from + vec2(60.0, 10.0), PointerButton::Secondary, false);
         window.run();
     };
-    assert_eq!(both(&let_go), ([Coarseness::NONE; 2], true));
+    assert_eq!(both(&let_go), ([Subsampling::NONE; 2], true));
 }
 
 #[test]
@@ -104,13 +104,13 @@ fn the_observer_in_the_hand_makes_the_world_view_coarse_alone() {
             window.step();
         }
     }
-    assert_eq!(coarseness(&window), [Coarseness::NONE, Coarseness::MOST]);
+    assert_eq!(coarseness(&window), [Subsampling::NONE, Subsampling::MOST]);
     assert!(says(&window, TOLD));
     for window in [&mut window, &mut patient] {
         press(window, from + vec2(60.0, 0.0), PointerButton::Primary, false);
         window.run();
     }
-    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
     let image =
         |w: &Harness<'_, App>| w.state().derived().world_view.clone().map(|view| view.image);
     assert!(image(&window) == image(&patient), "the world view stays coarse");
@@ -123,12 +123,12 @@ fn an_animation_that_stands_still_is_fine() {
     window.run();
     window.get_by_label("Orbit the camera round at").click();
     window.run();
-    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
     let before = window.state().document().camera;
     window.key_press(Key::Period);
     window.run();
     assert_ne!(window.state().document().camera, before);
-    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn a_fine_picture_stays_while_the_hand_moves_something_else() {
     press(&mut window, from, PointerButton::Primary, true);
     window.event(Event::PointerMoved(from + vec2(30.0, 10.0)));
     window.step();
-    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
     assert_eq!(window.state().pictures_traced(), traced);
 }
 
@@ -148,7 +148,7 @@ fn an_edit_that_is_no_drag_is_fine_at_once() {
     let mut window = heavy();
     crate::harness::type_into(&mut window, "eye z", "0.5");
     window.step();
-    assert_eq!(coarseness(&window), [Coarseness::NONE; 2]);
+    assert_eq!(coarseness(&window), [Subsampling::NONE; 2]);
     match window.state().document().camera.orientation {
         Orientation::At { .. } => assert_eq!(window.state().document().camera.eye.z, 0.5),
         _ => panic!("given by at"),

@@ -41,7 +41,7 @@ fn command(harness: &mut Harness<'_, App>, text: &str) {
 /// The titles of the commands that are listed, and the chosen one's.
 fn listed(harness: &Harness<'_, App>) -> (Vec<String>, Vec<String>) {
     let titles: Vec<String> =
-        commands_table::all().iter().map(commands_table::Verb::title).collect();
+        commands_table::all().iter().map(commands_table::UiCommand::title).collect();
     let nodes = harness.root().children_recursive().filter_map(|node| {
         let node = node.accesskit_node();
         let title = node.label().filter(|label| titles.contains(label))?;
@@ -55,8 +55,8 @@ fn listed(harness: &Harness<'_, App>) -> (Vec<String>, Vec<String>) {
 #[test]
 fn everything_is_reached_by_a_few_letters() {
     let mut harness = window("canonical");
-    command(&mut harness, "layout ledger");
-    assert_eq!(harness.state().session().settings.layout, ViewLayout::Ledger);
+    command(&mut harness, "layout derivation");
+    assert_eq!(harness.state().session().settings.layout, ViewLayout::Derivation);
     command(&mut harness, "overlay labels");
     assert!(!harness.state().session().settings.items.shows(Item::Labels));
     command(&mut harness, "shade normal");
@@ -72,7 +72,7 @@ fn everything_is_reached_by_a_few_letters() {
     assert_eq!(session.exercises.question().exercise, Exercise::Sphere);
     assert_eq!(session.settings.layout, ViewLayout::Exercises);
     command(&mut harness, &format!("mistake {}", Mistake::UpAsV.name()));
-    assert_eq!(harness.state().session().gallery.chosen, Mistake::UpAsV);
+    assert_eq!(harness.state().session().mistakes_view.chosen, Mistake::UpAsV);
     command(&mut harness, "scene look-at");
     assert!(harness.state().document().spheres.len() > 1);
     command(&mut harness, "step lesson 7 2.");

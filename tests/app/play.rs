@@ -156,18 +156,18 @@ fn without_loop_it_ends_at_the_end() {
 fn t_runs_from_the_eye_to_the_hit() {
     let mut harness = playing("canonical", "Run t along the ray");
     let hit = harness.state().derived().inspection.as_ref().unwrap().first_hit().unwrap().t;
-    assert_eq!(harness.state().session().walked, None, "not begun");
+    assert_eq!(harness.state().session().ray_point_t, None, "not begun");
     for _ in 0..6 {
         press(&mut harness, Key::Period);
     }
-    assert_eq!(harness.state().session().walked, Some(0.25 * hit));
+    assert_eq!(harness.state().session().ray_point_t, Some(0.25 * hit));
     for _ in 0..18 {
         press(&mut harness, Key::Period);
     }
-    assert_eq!(harness.state().session().walked, Some(hit));
+    assert_eq!(harness.state().session().ray_point_t, Some(hit));
     let document = harness.state().document().clone();
     click(&mut harness, "Stop and go back");
-    assert_eq!(harness.state().session().walked, None);
+    assert_eq!(harness.state().session().ray_point_t, None);
     assert_eq!(*harness.state().document(), document);
 }
 
@@ -185,7 +185,7 @@ fn pixels_are_scanned_and_the_rest_is_not_there_yet() {
     assert_says(&harness, "27 of 64 pixels");
     let session = harness.state().session();
     assert_eq!(session.selection, Selection::Pixel(Pixel { row: 3, column: 2 }));
-    assert_eq!(session.scanned, Some(27));
+    assert_eq!(session.scanned_pixels, Some(27));
     let image = harness.state().derived().camera_view.clone().unwrap().image;
     // The middle of a pixel has no mark and no edge.
     let differs = |row: usize, column: usize| {

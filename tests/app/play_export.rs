@@ -38,7 +38,7 @@ fn figure(window: &Harness<'_, App>, kind: Kind, phase: f64, size: u32) -> Figur
     let app = window.state();
     let (mut document, mut session) = (app.document().clone(), app.session().clone());
     // What the mouse was at is nothing to keep.
-    session.pointed = None;
+    session.hovered = None;
     let still = app.player().unwrap().start.at(kind, phase).unwrap();
     still.show(kind, &mut document, &mut session);
     let style = if window.ctx.theme() == egui::Theme::Dark { Style::Dark } else { Style::Light };

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::concept::Thing;
+use pinhole::model::concept::Concept;
 use pinhole::model::overlay_items::Item;
 use pinhole::ui::app::App;
 use pinhole::view::overlay::world_position_of;
@@ -74,11 +74,11 @@ fn what_is_said_of_a_curve_lights_its_object() {
     let line = window.get_by_label("straight line, 0 at t = 6").rect();
     window.hover_at(line.center());
     window.run();
-    let thing = window.state().session().pointed.map(|pointed| pointed.thing);
-    assert_eq!(thing, Some(Thing::Object(2)));
+    let thing = window.state().session().hovered.map(|pointed| pointed.concept);
+    assert_eq!(thing, Some(Concept::Object(2)));
     window.remove_cursor();
     window.run();
-    assert_eq!(window.state().session().pointed, None);
+    assert_eq!(window.state().session().hovered, None);
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn walking_is_seen_in_the_world_view_and_read_off_as_numbers() {
     assert_eq!(t_in_the_world_view(&window), None);
     window.get_by_role_and_label(Role::CheckBox, "Walk along the ray").click();
     window.run();
-    assert_eq!(window.state().session().walked, Some(2.0));
+    assert_eq!(window.state().session().ray_point_t, Some(2.0));
     assert_says(&window, "inside of none of these objects");
     type_into(&mut window, "walked t", "4.5");
     assert_eq!(t_in_the_world_view(&window).as_deref(), Some("t = 4.5"));
@@ -126,12 +126,12 @@ fn dragging_in_the_plot_walks_there() {
     window.run();
     window.drag_at(at(0.5));
     window.run();
-    let middle = window.state().session().walked;
+    let middle = window.state().session().ray_point_t;
     window.hover_at(at(0.8));
     window.run();
     window.drop_at(at(0.8));
     window.run();
-    let walked = window.state().session().walked.unwrap();
+    let walked = window.state().session().ray_point_t.unwrap();
     assert!(middle.is_none_or(|middle| middle < walked), "{middle:?} {walked}");
     let value = window.get_by_label("Plot of f(p + t d)").value();
     assert_eq!(value.as_deref(), Some(format!("walked to t = {walked}").as_str()));
@@ -177,7 +177,7 @@ fn the_point_that_walks_is_dragged_in_the_world_view() {
     window.run();
     window.drop_at(to);
     window.run();
-    let walked = window.state().session().walked.unwrap();
+    let walked = window.state().session().ray_point_t.unwrap();
     assert!((walked - 4.5).abs() < 0.05, "{walked}");
     assert_eq!(window.state().session().observer, observer, "the observer stays");
 }

@@ -112,8 +112,8 @@ fn a_key_each_fills_the_window() {
         if let Some(height) = widest.reduce(f32::max) {
             assert!(height > 0.9 * window.height().min(0.5 * window.width()), "{key:?}: {height}");
         }
-        let ledger = harness.state().derived().ledger.is_some();
-        assert_eq!(ledger, key == Key::Num1);
+        let derivation = harness.state().derived().derivation.is_some();
+        assert_eq!(derivation, key == Key::Num1);
     }
     press(&mut harness, Key::F5);
     assert_eq!(layout(&harness), ViewLayout::Both);

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole::model::concept::Thing;
+use pinhole::model::concept::Concept;
 use pinhole::model::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, load, parse};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::model::session::{Selection, ViewLayout};
@@ -26,8 +26,8 @@ fn every_lesson_is_read_and_says_how_it_begins() {
                 && looks.count_from_one.is_some()
                 && looks.keep_picture.is_some()
                 && looks.teaching.is_some()
-                && looks.ledger.is_some()
-                && looks.lit.is_some()
+                && looks.derivation.is_some()
+                && looks.highlighted.is_some()
                 && looks.observer.is_some(),
             "{}",
             file.name
@@ -63,9 +63,9 @@ fn a_step_says_what_it_wants_and_inherits_the_rest() {
 scene = "canonical"
 uv = [0.5, 0]
 observer = { target = [0, 0, -3], azimuth = 40, elevation = 20, distance = 12 }
-layout = "ledger"
+layout = "derivation"
 show = ["eye", "view-and-up"]
-ledger = ["basis"]
+derivation = ["basis"]
 mistake = "w-as-printed"
 t = 2
 lines = { implicit = [1, 1, -2], p = [0, 0], d = [1, 1] }
@@ -92,7 +92,7 @@ exercise = "lines"
     let [a, c, d] = &lesson.steps[..] else { panic!("{}", lesson.steps.len()) };
     assert_eq!(a.document.camera.viewport.distance, 2.0);
     assert_eq!(a.selection, Selection::Uv(DVec2::new(0.5, 0.0)));
-    assert_eq!(a.looks.layout, Some(ViewLayout::Ledger));
+    assert_eq!(a.looks.layout, Some(ViewLayout::Derivation));
     let shown = OverlayItems::NONE.with(Item::Eye, true).with(Item::ViewAndUp, true);
     assert_eq!(a.looks.items, Some(shown));
     let observer = a.looks.observer.unwrap();
@@ -107,8 +107,8 @@ exercise = "lines"
     assert_eq!(c.selection, Selection::Pixel(Pixel { row: 3, column: 4 }));
     assert_eq!(c.looks.layout, Some(ViewLayout::World));
     assert_eq!(
-        (&c.looks.ledger, c.looks.t, c.looks.observer),
-        (&a.looks.ledger, Some(2.0), a.looks.observer)
+        (&c.looks.derivation, c.looks.t, c.looks.observer),
+        (&a.looks.derivation, Some(2.0), a.looks.observer)
     );
     assert_eq!(c.document.camera, a.document.camera);
     let sphere = Sphere { center: DVec3::new(0.0, 0.0, -9.0), radius: 2.0 };
@@ -126,9 +126,9 @@ fn what_is_lit_goes_with_its_scene() {
                 [[step]]\ntitle = \"B\"\ntext = \"C.\"\nlit = \"root 4 0\"\n\
                 [[step]]\ntitle = \"C\"\ntext = \"D.\"\nscene = \"canonical\"\n";
     let lesson = parse(&format!("{HEAD}{more}"), Path::new("lesson.toml"), None).unwrap();
-    let lit: Vec<_> = lesson.steps.iter().map(|step| step.looks.lit).collect();
-    let root = Thing::Root { object: 4, number: 0 };
-    assert_eq!(lit, [Some(Some(Thing::Object(4))), Some(Some(root)), Some(None)]);
+    let lit: Vec<_> = lesson.steps.iter().map(|step| step.looks.highlighted).collect();
+    let root = Concept::Root { object: 4, number: 0 };
+    assert_eq!(lit, [Some(Some(Concept::Object(4))), Some(Some(root)), Some(None)]);
 }
 
 #[test]
@@ -255,11 +255,11 @@ const STEPS: Cases = &[
     ),
     (
         "scene = \"canonical\"\nlayout = \"leger\"\n",
-        "7:10: step 1.layout is \"leger\": did you mean \"ledger\"?",
+        "7:10: step 1.layout is \"leger\": did you mean \"derivation\"?",
     ),
     (
         "scene = \"canonical\"\nlayout = \"side\"\n",
-        "7:10: step 1.layout is \"side\": it must be one of both, world, camera, ledger, plot, lines, mistakes, compare, translator, exercises",
+        "7:10: step 1.layout is \"side\": it must be one of both, world, camera, derivation, plot, lines, mistakes, compare, translator, exercises",
     ),
     (
         "scene = \"canonical\"\nshow = [\"eye\", \"frustrum\"]\n",
@@ -270,8 +270,8 @@ const STEPS: Cases = &[
         "7:8: step 1.show is \"eye\": it must be a list, such as [\"eye\", \"basis\", \"ray\"]",
     ),
     (
-        "scene = \"canonical\"\nledger = [\"basics\"]\n",
-        "7:11: step 1.ledger[0] is \"basics\": did you mean \"basis\"?",
+        "scene = \"canonical\"\nderivation = [\"basics\"]\n",
+        "7:11: step 1.derivation[0] is \"basics\": did you mean \"basis\"?",
     ),
     (
         "scene = \"canonical\"\nlit = \"up-cross-v\"\n",

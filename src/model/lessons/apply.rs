@@ -3,7 +3,7 @@
 
 use super::lesson::Step;
 use crate::model::exercises::Exercises;
-use crate::model::mistakes_view::Gallery;
+use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
 use crate::model::session::Session;
@@ -34,12 +34,12 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.selection = step.selection;
     let looks = &step.looks;
     session.observer = looks.observer.or(seen_from).or(session.observer);
-    set(&mut session.sections, looks.ledger);
-    set(&mut session.lit, looks.lit);
-    session.walked = looks.t;
+    set(&mut session.sections, looks.derivation);
+    set(&mut session.highlighted, looks.highlighted);
+    session.ray_point_t = looks.t;
     set(&mut session.lines, looks.lines.clone());
     if let Some(chosen) = looks.mistake {
-        session.gallery = Gallery { chosen, ..Gallery::default() };
+        session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
     }
     if let Some(asked) = looks.exercise {
         session.exercises.show(asked.exercise, asked.seed);
@@ -62,10 +62,10 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
 /// stay with the step's scene, which stays open.
 pub fn give_back(before: &Session, session: &mut Session) {
     session.sections = before.sections;
-    session.lit = before.lit;
-    session.walked = before.walked;
+    session.highlighted = before.highlighted;
+    session.ray_point_t = before.ray_point_t;
     session.lines = before.lines.clone();
-    session.gallery = before.gallery;
+    session.mistakes_view = before.mistakes_view;
     session.exercises = before.exercises.clone();
     let (before, settings) = (&before.settings, &mut session.settings);
     settings.layout = before.layout;

@@ -3,8 +3,8 @@
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 
-use crate::model::concept::Thing;
-use crate::model::derivation_sections::LedgerSections;
+use crate::model::concept::Concept;
+use crate::model::derivation_sections::DerivationSections;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
@@ -37,7 +37,7 @@ pub struct Step {
     /// The selected ray.
     pub selection: Selection,
     /// The rest of the step's view.
-    pub looks: Looks,
+    pub looks: StepView,
 }
 
 /// A question: the lecture's own question of its kind, or one with random numbers from a seed.
@@ -51,7 +51,7 @@ pub struct AskedExercise {
 
 /// The view of a step; `None` leaves a field of the window unchanged.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Looks {
+pub struct StepView {
     /// The observer of the world view.
     pub observer: Option<Observer>,
     /// The layout of the views.
@@ -69,10 +69,10 @@ pub struct Looks {
     /// True if the teaching part of the camera panel is unfolded.
     pub teaching: Option<bool>,
     /// The sections of the derivation that are shown.
-    pub ledger: Option<LedgerSections>,
+    pub derivation: Option<DerivationSections>,
     /// The concept that is highlighted in the views and the derivation; `Some(None)` highlights
     /// nothing.
-    pub lit: Option<Option<Thing>>,
+    pub highlighted: Option<Option<Concept>>,
     /// The wrong camera beside the right one.
     pub mistake: Option<Mistake>,
     /// The parameter t of the point on the selected ray; `None` if there is no such point.

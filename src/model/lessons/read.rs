@@ -9,9 +9,9 @@ use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::mistakes::Mistake;
 use toml_edit::Document as Toml;
 
-use super::lesson::{AskedExercise, Lesson, Looks, Step};
-use crate::model::concept::Thing;
-use crate::model::derivation_sections::{LedgerSection, LedgerSections};
+use super::lesson::{AskedExercise, Lesson, Step, StepView};
+use crate::model::concept::Concept;
+use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::exercises::LARGEST_SEED;
 use crate::model::lines::LinesLab;
 use crate::model::observer::Observer;
@@ -46,7 +46,7 @@ const STEP: [&str; 21] = [
     "digits",
     "keep_picture",
     "teaching",
-    "ledger",
+    "derivation",
     "lit",
     "mistake",
     "t",
@@ -61,7 +61,7 @@ const LAYOUTS: [(&str, ViewLayout); 10] = [
     ("both", ViewLayout::Both),
     ("world", ViewLayout::World),
     ("camera", ViewLayout::Camera),
-    ("ledger", ViewLayout::Ledger),
+    ("derivation", ViewLayout::Derivation),
     ("plot", ViewLayout::Plot),
     ("lines", ViewLayout::Lines),
     ("mistakes", ViewLayout::Mistakes),
@@ -173,9 +173,9 @@ fn step(section: &Section, before: &[Step], base: Option<&Path>) -> Result<Step,
     let image = document.camera.image;
     let selection = selected(section, image)?.unwrap_or(selection.inside(image));
     let objects = document.object_count();
-    if !is_in_scene(looks.lit.flatten(), objects) {
+    if !is_in_scene(looks.highlighted.flatten(), objects) {
         // It referred to an object of the previous step's scene.
-        looks.lit = Some(None);
+        looks.highlighted = Some(None);
     }
     read_looks(section, &mut looks, objects)?;
     let scene_from = last.filter(|_| !is_new).map_or(before.len(), |step| step.scene_from);
@@ -228,7 +228,7 @@ fn selected(section: &Section, image: ImageSize) -> Result<Option<Selection>, Fi
     Ok(Some(Selection::Pixel(Pixel { row: row as u32, column: column as u32 })))
 }
 
-fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<(), FileError> {
+fn read_looks(section: &Section, looks: &mut StepView, objects: usize) -> Result<(), FileError> {
     /// Replaces the value of the previous step if the field is there.
     fn say<'a, T>(
         section: &Section<'a>,
@@ -255,8 +255,8 @@ fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<()
     })?;
     say(section, "keep_picture", &mut looks.keep_picture, Field::boolean)?;
     say(section, "teaching", &mut looks.teaching, Field::boolean)?;
-    say(section, "ledger", &mut looks.ledger, ledger)?;
-    say(section, "lit", &mut looks.lit, |field| lit(field, objects))?;
+    say(section, "derivation", &mut looks.derivation, derivation)?;
+    say(section, "lit", &mut looks.highlighted, |field| highlighted(field, objects))?;
     say(section, "mistake", &mut looks.mistake, |field| {
         let ids: Vec<_> = Mistake::GALLERY.iter().map(|mistake| mistake.id()).collect();
         let id = field.one_of(&ids)?;
@@ -323,25 +323,25 @@ fn elements<'a>(field: &Field<'a>, such_as: &str) -> Result<Vec<Field<'a>>, File
     field.elements().ok_or_else(|| field.error(&format!("it must be a list, such as {such_as}")))
 }
 
-fn ledger(field: &Field) -> Result<LedgerSections, FileError> {
-    let known = LedgerSection::ALL.map(LedgerSection::name);
-    let section = |element: &Field| Ok(LedgerSection::from_name(element.one_of(&known)?));
+fn derivation(field: &Field) -> Result<DerivationSections, FileError> {
+    let known = DerivationSection::ALL.map(DerivationSection::name);
+    let section = |element: &Field| Ok(DerivationSection::from_name(element.one_of(&known)?));
     let sections: Result<Vec<_>, FileError> =
         elements(field, "[\"basis\"]")?.iter().map(section).collect();
     Ok(sections?.into_iter().flatten().collect())
 }
 
 /// Returns true if the concept exists in a scene with this number of objects.
-fn is_in_scene(thing: Option<Thing>, objects: usize) -> bool {
-    match thing {
-        Some(Thing::Object(object) | Thing::Root { object, .. }) => (object as usize) < objects,
+fn is_in_scene(concept: Option<Concept>, objects: usize) -> bool {
+    match concept {
+        Some(Concept::Object(object) | Concept::Root { object, .. }) => (object as usize) < objects,
         _ => true,
     }
 }
 
 /// Reads a concept of a scene with this number of objects, or none.
-fn lit(field: &Field, objects: usize) -> Result<Option<Thing>, FileError> {
-    let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Thing::from_name);
+fn highlighted(field: &Field, objects: usize) -> Result<Option<Concept>, FileError> {
+    let numbered = field.text().ok().filter(|name| name.contains(' ')).and_then(Concept::from_name);
     match numbered {
         Some(_) if is_in_scene(numbered, objects) => return Ok(numbered),
         Some(_) if objects == 0 => return Err(field.error("the scene has no objects")),
@@ -352,8 +352,8 @@ fn lit(field: &Field, objects: usize) -> Result<Option<Thing>, FileError> {
         None => {}
     }
     let numbered = ["object 0", "root 0 1"];
-    let known: Vec<&str> = [NOTHING].into_iter().chain(Thing::names()).chain(numbered).collect();
-    Ok(Thing::from_name(field.one_of(&known)?))
+    let known: Vec<&str> = [NOTHING].into_iter().chain(Concept::names()).chain(numbered).collect();
+    Ok(Concept::from_name(field.one_of(&known)?))
 }
 
 /// The name for no highlighted concept.

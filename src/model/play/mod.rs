@@ -113,7 +113,7 @@ pub struct Start {
     /// The selected ray.
     pub selection: Selection,
     /// The parameter t of the point on the selected ray.
-    pub walked: Option<f64>,
+    pub ray_point_t: Option<f64>,
     /// The t at which [`Kind::Walk`] ends.
     pub end: f64,
 }
@@ -126,9 +126,9 @@ pub struct Still {
     /// The selected ray.
     pub selection: Selection,
     /// The parameter t of the point on the selected ray.
-    pub walked: Option<f64>,
+    pub ray_point_t: Option<f64>,
     /// Number of pixels that the picture shows so far, row by row; `None` shows all.
-    pub scanned: Option<u64>,
+    pub scanned_pixels: Option<u64>,
 }
 
 /// A reason why an animation cannot move.
@@ -159,8 +159,10 @@ impl Still {
                 let camera = &mut document.camera;
                 (camera.eye, camera.orientation) = (self.camera.eye, self.camera.orientation);
             }
-            Kind::Walk => session.walked = self.walked,
-            Kind::Scan => (session.selection, session.scanned) = (self.selection, self.scanned),
+            Kind::Walk => session.ray_point_t = self.ray_point_t,
+            Kind::Scan => {
+                (session.selection, session.scanned_pixels) = (self.selection, self.scanned_pixels)
+            }
         }
     }
 }
@@ -171,8 +173,8 @@ impl Start {
         Start {
             camera: document.camera,
             selection: session.selection,
-            walked: session.walked,
-            end: walk_end(inspection),
+            ray_point_t: session.ray_point_t,
+            end: ray_point_end(inspection),
         }
     }
 
@@ -190,8 +192,8 @@ impl Start {
 
     /// Returns the state before anything has moved.
     pub fn still(&self) -> Still {
-        let Start { camera, selection, walked, .. } = *self;
-        Still { camera, selection, walked, scanned: None }
+        let Start { camera, selection, ray_point_t, .. } = *self;
+        Still { camera, selection, ray_point_t, scanned_pixels: None }
     }
 
     /// Returns the state at a phase between 0, the start, and 1, the end.
@@ -212,20 +214,24 @@ impl Start {
                 let yaw = std::f64::consts::TAU * turn;
                 Still { camera: self.camera.orbited(yaw, 0.0).map_err(PlayError::Orbit)?, ..still }
             }
-            Kind::Walk => Still { walked: Some(phase * self.end), ..still },
+            Kind::Walk => Still { ray_point_t: Some(phase * self.end), ..still },
             Kind::Scan => {
-                let scanned = (phase * self.pixels() as f64).round() as u64;
+                let scanned_pixels = (phase * self.pixels() as f64).round() as u64;
                 let width = u64::from(self.camera.image.width());
-                let last = scanned.saturating_sub(1);
+                let last = scanned_pixels.saturating_sub(1);
                 let pixel = Pixel { row: (last / width) as u32, column: (last % width) as u32 };
-                Still { selection: Selection::Pixel(pixel), scanned: Some(scanned), ..still }
+                Still {
+                    selection: Selection::Pixel(pixel),
+                    scanned_pixels: Some(scanned_pixels),
+                    ..still
+                }
             }
         })
     }
 }
 
 /// Returns the t at which a walk along a ray ends: that of its first hit.
-pub(crate) fn walk_end(inspection: Option<&Inspection>) -> f64 {
+pub(crate) fn ray_point_end(inspection: Option<&Inspection>) -> f64 {
     inspection.and_then(Inspection::first_hit).map_or(WALK_TO, |hit| hit.t)
 }
 

@@ -9,16 +9,17 @@ use super::*;
 fn start() -> Start {
     let camera = Camera { image: ImageSize::new(4, 3).unwrap(), ..Camera::CANONICAL };
     let selection = Selection::Uv(DVec2::new(0.2, -0.1));
-    Start { camera, selection, walked: None, end: 6.0 }
+    Start { camera, selection, ray_point_t: None, end: 6.0 }
 }
 
 #[test]
 fn up_swings_round_the_view() {
     let start = start();
     for (phase, up) in [(0.25, DVec3::NEG_X), (0.5, DVec3::NEG_Y), (0.75, DVec3::X)] {
-        let Still { camera, walked, scanned, .. } = start.at(Kind::SwingUp, phase).unwrap();
+        let Still { camera, ray_point_t, scanned_pixels, .. } =
+            start.at(Kind::SwingUp, phase).unwrap();
         assert_eq!(camera.orientation, Orientation::At { at: DVec3::NEG_Z, up });
-        assert_eq!((camera.eye, walked, scanned), (DVec3::ZERO, None, None));
+        assert_eq!((camera.eye, ray_point_t, scanned_pixels), (DVec3::ZERO, None, None));
     }
     for phase in [0.0, 1.0] {
         assert_eq!(start.at(Kind::SwingUp, phase).unwrap(), start.still());
@@ -39,15 +40,15 @@ fn the_eye_orbits_at() {
 
 #[test]
 fn t_runs_to_the_hit() {
-    let walked = |phase| start().at(Kind::Walk, phase).unwrap().walked;
-    assert_eq!([0.0, 0.25, 1.0].map(walked), [Some(0.0), Some(1.5), Some(6.0)]);
+    let ray_point_t = |phase| start().at(Kind::Walk, phase).unwrap().ray_point_t;
+    assert_eq!([0.0, 0.25, 1.0].map(ray_point_t), [Some(0.0), Some(1.5), Some(6.0)]);
 }
 
 #[test]
 fn pixels_are_scanned_row_by_row() {
-    let at = |scanned: u64| {
-        let still = start().at(Kind::Scan, scanned as f64 / 12.0).unwrap();
-        assert_eq!(still.scanned, Some(scanned));
+    let at = |scanned_pixels: u64| {
+        let still = start().at(Kind::Scan, scanned_pixels as f64 / 12.0).unwrap();
+        assert_eq!(still.scanned_pixels, Some(scanned_pixels));
         still.selection
     };
     let pixel = |row, column| Selection::Pixel(Pixel { row, column });

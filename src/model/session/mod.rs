@@ -9,13 +9,13 @@ use serde::{Deserialize, Serialize};
 pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
 
 use crate::model::color_scheme::Scheme;
-use crate::model::concept::{Pointed, Thing};
-use crate::model::derivation_sections::LedgerSections;
+use crate::model::concept::{Concept, Hovered};
+use crate::model::derivation_sections::DerivationSections;
 use crate::model::exercises::Exercises;
 use crate::model::ghost::Ghost;
 use crate::model::hand::Hand;
 use crate::model::lines::LinesLab;
-use crate::model::mistakes_view::Gallery;
+use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::presenting::{Presenting, SMALLEST_TEXT};
@@ -31,21 +31,21 @@ pub struct Session {
     /// Who looks at the world view; `None` until it is framed for the first time.
     pub observer: Option<Observer>,
     /// The t of the point p + t d that walks along the selected ray; `None` where none does.
-    pub walked: Option<f64>,
+    pub ray_point_t: Option<f64>,
     /// How many pixels the camera's picture shows so far, row by row; all of them without a number.
-    pub scanned: Option<u64>,
+    pub scanned_pixels: Option<u64>,
     /// The camera to compare with.
     pub ghost: Option<Ghost>,
     /// The lab of lines in two dimensions.
     pub lines: LinesLab,
     /// What the mouse or the keyboard points at just now.
-    pub pointed: Option<Pointed>,
+    pub hovered: Option<Hovered>,
     /// What is lit while nothing is pointed at.
-    pub lit: Option<Thing>,
-    /// Which sections of the ledger are shown.
-    pub sections: LedgerSections,
+    pub highlighted: Option<Concept>,
+    /// Which sections of the derivation are shown.
+    pub sections: DerivationSections,
     /// The wrong camera beside the right one.
-    pub gallery: Gallery,
+    pub mistakes_view: MistakesView,
     /// The exercise at hand, and what was answered.
     pub exercises: Exercises,
     /// A student's answers, to be graded.
@@ -114,8 +114,8 @@ pub struct Settings {
     pub answers_height: f32,
     /// The height of both cameras in numbers, in points.
     pub compare_height: f32,
-    /// The ledger's share of the width.
-    pub ledger_split: f32,
+    /// The derivation's share of the width.
+    pub derivation_split: f32,
     /// The world view's share of the width, where the ghost's picture is beside the camera's.
     pub compare_split: f32,
     /// The world view's share of the height, where the camera view is below it.
@@ -158,7 +158,7 @@ impl Default for Settings {
             mistakes_height: 330.0,
             answers_height: 230.0,
             compare_height: 230.0,
-            ledger_split: 0.5,
+            derivation_split: 0.5,
             stack_split: 0.55,
             compare_split: 0.42,
             method: MethodName(Method::Ladder),
@@ -198,7 +198,8 @@ impl Settings {
             finite(self.answers_height, default.answers_height).clamp(0.0, 10_000.0);
         self.compare_height =
             finite(self.compare_height, default.compare_height).clamp(0.0, 10_000.0);
-        self.ledger_split = finite(self.ledger_split, default.ledger_split).clamp(0.0, 1.0);
+        self.derivation_split =
+            finite(self.derivation_split, default.derivation_split).clamp(0.0, 1.0);
         self.stack_split = finite(self.stack_split, default.stack_split).clamp(0.0, 1.0);
         self.smallest_text = finite(self.smallest_text, default.smallest_text)
             .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
@@ -213,14 +214,14 @@ impl Default for Session {
         Session {
             selection: Selection::Uv(DVec2::new(0.2, -0.1)),
             observer: None,
-            walked: None,
-            scanned: None,
+            ray_point_t: None,
+            scanned_pixels: None,
             ghost: None,
             lines: LinesLab::default(),
-            pointed: None,
-            lit: None,
-            sections: LedgerSections::default(),
-            gallery: Gallery::default(),
+            hovered: None,
+            highlighted: None,
+            sections: DerivationSections::default(),
+            mistakes_view: MistakesView::default(),
             exercises: Exercises::default(),
             answers: None,
             presenting: None,
@@ -233,9 +234,9 @@ impl Default for Session {
 }
 
 impl Session {
-    /// What both views and the ledger show lit.
-    pub fn lit(&self) -> Option<Thing> {
-        self.pointed.map(|pointed| pointed.thing).or(self.lit)
+    /// What both views and the derivation show lit.
+    pub fn highlighted(&self) -> Option<Concept> {
+        self.hovered.map(|hovered| hovered.concept).or(self.highlighted)
     }
 }
 

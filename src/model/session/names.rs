@@ -20,9 +20,9 @@ pub enum ViewLayout {
     /// Both views, and what a frame takes and leaves out.
     Frame,
     /// Both views, one above the other, and the derivation of every number beside them.
-    Ledger,
+    Derivation,
     /// The derivation of every number alone.
-    LedgerAlone,
+    DerivationAlone,
     /// Both views, and every object's f(p + t d) against t below them.
     Plot,
     /// Lines in two dimensions, implicit and parametric.
@@ -40,13 +40,13 @@ pub enum ViewLayout {
 }
 
 impl ViewLayout {
-    /// Those that one chooses from; the ledger alone is for presenting, and answers are there only
+    /// Those that one chooses from; the derivation alone is for presenting, and answers are there only
     /// once there are some.
     pub const LISTED: [ViewLayout; 12] = [
         ViewLayout::Both,
         ViewLayout::World,
         ViewLayout::Camera,
-        ViewLayout::Ledger,
+        ViewLayout::Derivation,
         ViewLayout::Plot,
         ViewLayout::Lines,
         ViewLayout::Mistakes,
@@ -68,8 +68,8 @@ impl ViewLayout {
             ViewLayout::Both => "Both views",
             ViewLayout::World => "World",
             ViewLayout::Camera => "Camera",
-            ViewLayout::Ledger => "Ledger",
-            ViewLayout::LedgerAlone => "Ledger alone",
+            ViewLayout::Derivation => "Derivation",
+            ViewLayout::DerivationAlone => "Derivation alone",
             ViewLayout::Plot => "Plot",
             ViewLayout::Lines => "Lines",
             ViewLayout::Mistakes => "Mistakes",
@@ -88,8 +88,8 @@ impl ViewLayout {
             ViewLayout::Both => "World view and camera view side by side",
             ViewLayout::World => "The world view alone",
             ViewLayout::Camera => "The camera view alone",
-            ViewLayout::Ledger => "Every number's derivation, line by line",
-            ViewLayout::LedgerAlone => "Every number's derivation, without the views",
+            ViewLayout::Derivation => "Every number's derivation, line by line",
+            ViewLayout::DerivationAlone => "Every number's derivation, without the views",
             ViewLayout::Plot => "Every object's f(p + t d) against t",
             ViewLayout::Lines => "Implicit and parametric lines in two dimensions",
             ViewLayout::Mistakes => "The classic wrong cameras beside the right one",
@@ -102,9 +102,9 @@ impl ViewLayout {
         }
     }
 
-    /// Whether the ledger is on the screen.
-    pub fn shows_ledger(self) -> bool {
-        matches!(self, ViewLayout::Ledger | ViewLayout::LedgerAlone)
+    /// Whether the derivation is on the screen.
+    pub fn shows_derivation(self) -> bool {
+        matches!(self, ViewLayout::Derivation | ViewLayout::DerivationAlone)
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use egui::{Context, ViewportCommand};
 
 use super::App;
-use crate::figures::ledger_of;
+use crate::figures::derivation_of;
 use crate::model::files::{OpenDocument, remember, title_of};
 use crate::model::lessons::{self, Place, Which};
 use crate::model::session::{Selection, Session, ViewLayout};
@@ -76,9 +76,9 @@ impl App {
                 self.export_animation(order, frames, path);
             }
             Action::Export { order, path } => self.export(&order, &path),
-            Action::CopyLedger(markup) => {
-                let ledger = ledger_of(&self.open.document, &self.session);
-                ctx.copy_text(ledger.written_in(markup));
+            Action::CopyDerivation(markup) => {
+                let derivation = derivation_of(&self.open.document, &self.session);
+                ctx.copy_text(derivation.written_in(markup));
             }
             Action::AskPaste => self.ask_paste(ctx),
             Action::Paste(text) => self.paste(ctx, &text),

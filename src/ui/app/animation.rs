@@ -28,7 +28,7 @@ impl App {
     /// Begins to write the animation that is open.
     pub(super) fn export_animation(&mut self, order: Order, frames: Frames, path: PathBuf) {
         let Some(player) = &self.player else { return };
-        let session = Session { pointed: None, ..self.session.clone() };
+        let session = Session { hovered: None, ..self.session.clone() };
         let animation = Animation {
             kind: player.kind,
             start: player.start,

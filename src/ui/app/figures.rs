@@ -6,7 +6,7 @@ use std::path::Path;
 use egui::Context;
 
 use super::App;
-use crate::figures::{Content, MARGIN, Order, Subject, ledger_of};
+use crate::figures::{Content, MARGIN, Order, Subject, derivation_of};
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::export::{ExportForm, OnScreen};
@@ -16,7 +16,7 @@ use pinhole_exchange::atomic;
 
 /// The larger side of a view that is not on the screen, and the size of what else is not, in points.
 const VIEW: f32 = 960.0;
-const LEDGER: [f32; 2] = [800.0, 600.0];
+const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
@@ -27,7 +27,7 @@ impl App {
             | ViewLayout::Accuracy
             | ViewLayout::Mistakes
             | ViewLayout::Answers => Subject::Camera,
-            ViewLayout::Ledger | ViewLayout::LedgerAlone => Subject::Ledger,
+            ViewLayout::Derivation | ViewLayout::DerivationAlone => Subject::Derivation,
             ViewLayout::Lines => Subject::Lines,
             _ => Subject::World,
         };
@@ -50,9 +50,9 @@ impl App {
         let points = match subject {
             Subject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
             Subject::Camera => seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)]),
-            Subject::Ledger => {
-                let page = |width| [width + 2.0 * MARGIN, LEDGER[1]];
-                self.ledger.width().map_or(LEDGER, page)
+            Subject::Derivation => {
+                let page = |width| [width + 2.0 * MARGIN, DERIVATION[1]];
+                self.derivation.width().map_or(DERIVATION, page)
             }
             Subject::Lines => lines::size(ctx).unwrap_or(LINES),
         };
@@ -62,7 +62,7 @@ impl App {
     /// Writes a figure of what is on the screen.
     pub(super) fn export(&mut self, order: &Order, path: &Path) {
         // What the mouse was at is nothing to keep.
-        let session = Session { pointed: None, ..self.session.clone() };
+        let session = Session { hovered: None, ..self.session.clone() };
         if let Err(problem) = self.exported(order, path, &session) {
             self.tell("The figure was not exported", problem);
         }
@@ -71,9 +71,11 @@ impl App {
     fn exported(&self, order: &Order, path: &Path, session: &Session) -> Result<(), String> {
         let document = &self.open.document;
         let bytes = match Content::of(order.subject, path)? {
-            Content::Text(markup) => ledger_of(document, session).written_in(markup).into_bytes(),
+            Content::Text(markup) => {
+                derivation_of(document, session).written_in(markup).into_bytes()
+            }
             Content::Figure(format) => {
-                let is_folded = |section: &_| self.ledger.is_folded(section);
+                let is_folded = |section: &_| self.derivation.is_folded(section);
                 order.figure(document, session, is_folded)?.to_file(format)?
             }
         };

@@ -29,7 +29,7 @@ use self::history::Changes;
 use self::lessons::Lessons;
 use self::verbs::Sheet;
 use crate::figures::Recorder;
-use crate::model::concept::Pointed;
+use crate::model::concept::Hovered;
 use crate::model::files::{OpenDocument, argument_of, remember, title_of};
 use crate::model::observer::Observer;
 use crate::model::play::Player;
@@ -37,7 +37,7 @@ use crate::model::session::{Session, Settings, ViewLayout};
 use crate::model::store::{Remembered, Store};
 use crate::model::window_geometry::WindowGeometry;
 use crate::ui::action::Action;
-use crate::ui::derivation::LedgerPanel;
+use crate::ui::derivation::DerivationPanel;
 use crate::ui::dialogs::dialog as dialogs;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::frame_times::{FrameWork, Stopwatch};
@@ -49,7 +49,7 @@ use crate::ui::scene::{places, views};
 use crate::ui::tools::measuring::Measuring;
 use crate::ui::tools::translator::TranslatorPanel;
 use crate::ui::view_texture::ViewTexture;
-use crate::view::adaptive_resolution::Governor;
+use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::{Derived, Deriver, ViewSizes};
 use crate::view::typesetting::theme::{self, Look};
 use pinhole_exchange::document::Document;
@@ -75,14 +75,14 @@ pub struct App {
     derived: Derived,
     world_texture: ViewTexture,
     camera_texture: ViewTexture,
-    ledger: LedgerPanel,
+    derivation: DerivationPanel,
     translator: TranslatorPanel,
     /// The error map, or what a wrong camera sees.
     beside_texture: ViewTexture,
     measuring: Measuring,
     /// What went into the last frame, for those who keep a log.
     frame_work: Option<FrameWork>,
-    governor: Governor,
+    adaptive_resolution: AdaptiveResolution,
     hand: HandInput,
     navigation: Navigation,
     store: Option<Store>,
@@ -121,12 +121,12 @@ impl App {
             derived: Derived::default(),
             world_texture: ViewTexture::default(),
             camera_texture: ViewTexture::default(),
-            ledger: LedgerPanel::default(),
+            derivation: DerivationPanel::default(),
             translator: TranslatorPanel::default(),
             beside_texture: ViewTexture::default(),
             measuring: Measuring::default(),
             frame_work: None,
-            governor: Governor::default(),
+            adaptive_resolution: AdaptiveResolution::default(),
             hand: HandInput::default(),
             navigation: Navigation::default(),
             store,
@@ -205,14 +205,14 @@ impl App {
             if !self.is_covered() {
                 views::inputs(ui, &places, &mut self.session, &self.derived, &mut actions);
             }
-            self.session.pointed = self.pointed(ui, &places);
+            self.session.hovered = self.hovered(ui, &places);
             for action in actions {
                 self.apply(&ctx, action);
             }
-            let coarseness = self.coarseness(&ctx);
+            let subsampling = self.subsampling(&ctx);
             let sizes = views::sizes(ui, &places, self.session.settings.layout);
             let under_hand = self.is_under_hand(&ctx);
-            let sizes = ViewSizes { coarseness, under_hand, ..sizes };
+            let sizes = ViewSizes { subsampling, under_hand, ..sizes };
             // Whose spheres are then changed in place, not copied.
             self.derived.scene = None;
             let stopwatch = Stopwatch::start();
@@ -220,7 +220,7 @@ impl App {
             let (document, session) = (&self.open.document, &self.session);
             self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
             let times = stopwatch.stop();
-            self.keep_pace(&ctx, coarseness, times.traced());
+            self.keep_pace(&ctx, subsampling, times.traced());
             if let Some(frame_work) = &mut self.frame_work {
                 frame_work.add(ctx.cumulative_frame_nr(), times);
             }
@@ -259,7 +259,7 @@ impl App {
                 // Nor do handles, which are taken before anything is drawn.
                 looked_at.hand.clone_from(&session.hand);
                 // Nor does pointing, which is known before anything is drawn.
-                looked_at.pointed = session.pointed;
+                looked_at.hovered = session.hovered;
                 (document, session, *had_changes) != (&as_drawn, &looked_at, now.2)
             }
         };
@@ -330,16 +330,18 @@ impl App {
     }
 
     /// What the mouse or the focus is on: something in a view, or a line about it.
-    fn pointed(&self, ui: &Ui, places: &places::Places) -> Option<Pointed> {
+    fn hovered(&self, ui: &Ui, places: &places::Places) -> Option<Hovered> {
         if self.is_covered() {
             return None;
         }
         let at_line = || match self.session.settings.layout {
-            ViewLayout::Ledger | ViewLayout::LedgerAlone => self.ledger.pointed(ui.ctx()),
-            ViewLayout::Plot => plot::pointed(ui.ctx(), &self.derived),
+            ViewLayout::Derivation | ViewLayout::DerivationAlone => {
+                self.derivation.hovered(ui.ctx())
+            }
+            ViewLayout::Plot => plot::hovered(ui.ctx(), &self.derived),
             _ => None,
         };
-        views::pointed(ui, places, &self.derived).or_else(at_line)
+        views::hovered(ui, places, &self.derived).or_else(at_line)
     }
 
     /// Where everything can be seen from.

@@ -4,7 +4,7 @@ use egui::{Rect, Ui, UiBuilder};
 
 use super::App;
 use crate::model::fault::Fault;
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::model::session::{Session, ViewLayout};
 use crate::ui::action::{Action, Observe};
 use crate::ui::practice::{answers, exercises, mistakes};
@@ -42,7 +42,7 @@ impl App {
         // One of them speaks at a time.
         let is_steered = self.navigation.has_word(ui.input(|i| i.time));
         if self.session.hand.over.is_none() && !is_steered {
-            views::tell_pointed(ui, self.session.pointed, &self.open.document);
+            views::tell_pointed(ui, self.session.hovered, &self.open.document);
         }
         if let (Some(area), Some(rect)) = (places.beside_area, places.beside) {
             match self.session.settings.layout {
@@ -57,11 +57,11 @@ impl App {
             views::drawn_by(ui, rect, &text);
         }
         if let (Some(rect), Some(fault)) = (places.camera.or(places.world), self.derived.fault) {
-            views::reason(ui, rect, &told(fault));
+            views::reason(ui, rect, &typeset_message(fault));
         }
-        let coarseness = self.derived.coarseness;
-        for (place, coarseness) in [places.camera, places.world].into_iter().zip(coarseness) {
-            if let (Some(rect), Some(text)) = (place, coarseness.told()) {
+        let subsampling = self.derived.subsampling;
+        for (place, subsampling) in [places.camera, places.world].into_iter().zip(subsampling) {
+            if let (Some(rect), Some(text)) = (place, subsampling.message()) {
                 views::coarse(ui, rect, &text);
             }
         }
@@ -77,7 +77,7 @@ impl App {
 
     /// What the layout has beside the views, or below them.
     fn beside_views(&mut self, ui: &mut Ui) {
-        let lit = self.session.lit();
+        let highlighted = self.session.highlighted();
         let settings = &self.session.settings;
         let style = NumberStyle {
             digits: settings.digits,
@@ -94,10 +94,10 @@ impl App {
             ViewLayout::Plot => {
                 plot::ui(ui, &mut self.session, &self.derived, style.digits);
             }
-            ViewLayout::Ledger | ViewLayout::LedgerAlone => {
-                let Session { sections, pointed, .. } = &mut self.session;
-                if let Some(ledger) = &self.derived.ledger {
-                    self.ledger.ui(ui, ledger, sections, *pointed, lit);
+            ViewLayout::Derivation | ViewLayout::DerivationAlone => {
+                let Session { sections, hovered, .. } = &mut self.session;
+                if let Some(derivation) = &self.derived.derivation {
+                    self.derivation.ui(ui, derivation, sections, *hovered, highlighted);
                 }
             }
             ViewLayout::Mistakes => {
@@ -158,12 +158,12 @@ impl App {
 
     /// Beside the right picture, what a wrong camera sees.
     fn wrong_camera(&mut self, ui: &mut Ui, area: Rect, rect: Rect, dimmed: bool) {
-        mistakes::strip(ui, area, &self.session.gallery);
+        mistakes::strip(ui, area, &self.session.mistakes_view);
         let Some(wrong) = &self.derived.wrong else { return };
-        views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &self.session.gallery));
+        views::speak(ui, views::WRONG, &mistakes::spoken(wrong, &self.session.mistakes_view));
         match &self.derived.wrong_view {
             Some(shown) => views::show(ui, rect, shown, &mut self.beside_texture, dimmed),
-            None => mistakes::no_picture(ui, rect, wrong, &self.session.gallery),
+            None => mistakes::no_picture(ui, rect, wrong, &self.session.mistakes_view),
         }
     }
 }

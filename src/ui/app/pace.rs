@@ -6,7 +6,7 @@ use egui::{Context, Key, Vec2};
 
 use super::App;
 use crate::ui::frame_times::{FrameWork, WorkTimes};
-use crate::view::adaptive_resolution::{Coarseness, Governor, REST};
+use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
 
 /// Keys that move the camera, the observer or a handle as long as they are held.
 const STEERING: [Key; 7] = [
@@ -33,11 +33,11 @@ impl App {
     /// How long tracing may take while a hand moves what is traced; pictures are coarser where it
     /// would take longer. For those who want to see it happen on any scene.
     pub fn follow_within(&mut self, budget: Duration) {
-        self.governor = Governor::within(budget);
+        self.adaptive_resolution = AdaptiveResolution::within(budget);
     }
 
     /// How coarse new pictures are in this pass.
-    pub(super) fn coarseness(&mut self, ctx: &Context) -> Coarseness {
+    pub(super) fn subsampling(&mut self, ctx: &Context) -> Subsampling {
         let plays = self.player.as_ref().is_some_and(|p| p.running && p.kind.moves_camera());
         let (moves, time) = ctx.input(|i| {
             let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
@@ -45,24 +45,24 @@ impl App {
             let steps = STEERING.into_iter().any(|key| i.key_down(key));
             (drags || scrolls || steps, i.time)
         });
-        self.governor.now(moves || plays, time)
+        self.adaptive_resolution.now(moves || plays, time)
     }
 
     /// Whether a hand moves what is seen, or did just now.
     pub(super) fn is_under_hand(&self, ctx: &Context) -> bool {
-        self.governor.is_followed(ctx.input(|i| i.time))
+        self.adaptive_resolution.is_followed(ctx.input(|i| i.time))
     }
 
     /// Tracing took so long, if anything was traced. What is coarse is made finer as soon as the hand
     /// rests.
-    pub(super) fn keep_pace(&mut self, ctx: &Context, was: Coarseness, traced: Option<Duration>) {
+    pub(super) fn keep_pace(&mut self, ctx: &Context, was: Subsampling, traced: Option<Duration>) {
         if let Some(traced) = traced {
-            self.governor.took(was, traced);
+            self.adaptive_resolution.took(was, traced);
         }
         // A grade may have been put off, too.
         let waits = self.is_under_hand(ctx) && self.session.answers.is_some();
-        let is_coarse = |shown: Coarseness| shown != Coarseness::NONE;
-        if waits || self.derived.coarseness.into_iter().any(is_coarse) {
+        let is_coarse = |shown: Subsampling| shown != Subsampling::NONE;
+        if waits || self.derived.subsampling.into_iter().any(is_coarse) {
             ctx.request_repaint_after(Duration::from_secs_f64(REST));
         }
     }

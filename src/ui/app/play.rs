@@ -4,7 +4,7 @@ use egui::{Context, Panel, Ui};
 
 use super::App;
 use crate::model::observer::Observer;
-use crate::model::play::{Kind, Player, Start, Still, walk_end};
+use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
 use crate::ui::action::{Action, GhostMove, PlayMove};
 use crate::ui::panels::play;
 use pinhole_exchange::document::Document;
@@ -25,7 +25,7 @@ impl App {
         }
         player.start.camera.image = camera.image;
         player.start.camera.viewport = camera.viewport;
-        player.start.end = walk_end(self.derived.inspection.as_deref());
+        player.start.end = ray_point_end(self.derived.inspection.as_deref());
         player.reduced = self.session.settings.reduced_motion;
         player.go_on(ctx.input(|input| input.time));
         Panel::bottom("play").show(ui, |ui| play::ui(ui, player, actions));
@@ -44,8 +44,8 @@ impl App {
         // Nothing of this has been drawn yet, so nothing drawn is older than it.
         if let Some((_, looked_at, _)) = &mut self.known {
             looked_at.selection = self.session.selection;
-            looked_at.walked = self.session.walked;
-            looked_at.scanned = self.session.scanned;
+            looked_at.ray_point_t = self.session.ray_point_t;
+            looked_at.scanned_pixels = self.session.scanned_pixels;
         }
     }
 
@@ -100,7 +100,7 @@ impl App {
     /// history.
     pub(super) fn keep_play(&mut self, ctx: &Context) {
         let Some(player) = self.player.take() else { return };
-        self.session.scanned = None;
+        self.session.scanned_pixels = None;
         if player.kind.moves_camera() {
             let edited = self.open.document.camera;
             let camera = &mut self.open.document.camera;

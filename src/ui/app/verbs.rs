@@ -5,11 +5,11 @@ use egui::{Context, ThemePreference, Ui};
 
 use super::App;
 use crate::model::lessons::Which;
-use crate::model::mistakes_view::Gallery;
+use crate::model::mistakes_view::MistakesView;
 use crate::model::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout};
 use crate::ui::action::{Action, GhostMove, ObjectMove, PlayMove};
-use crate::ui::commands_table::{self, Group, Verb};
+use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
 use crate::view::typesetting::theme::{self, Look};
@@ -61,7 +61,7 @@ impl App {
                 settings.layout = ViewLayout::Translator;
             }
             Action::Mistake(chosen) => {
-                session.gallery = Gallery { chosen, ..Gallery::default() };
+                session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
                 settings.layout = ViewLayout::Mistakes;
             }
             Action::Present => self.present_or_end(),
@@ -71,7 +71,7 @@ impl App {
                 presenting.fill(full, &mut settings.layout);
             }
             Action::Palette => self.sheet = Some(Sheet::Palette(Palette::default())),
-            Action::KeySheet => self.sheet = Some(Sheet::Keys),
+            Action::KeyList => self.sheet = Some(Sheet::Keys),
             _ => return,
         }
         ctx.request_discard("a command changed how things are shown");
@@ -143,7 +143,7 @@ impl App {
             Some(Sheet::Palette(mut palette)) => {
                 let extra = self.commands_of_what_is_open();
                 let commands = commands_table::all().iter().chain(&extra);
-                let commands: Vec<&Verb> =
+                let commands: Vec<&UiCommand> =
                     commands.filter(|verb| self.is_possible(&verb.action)).collect();
                 let is_open = palette::ui(ctx, &mut palette, &commands, &self.session, actions);
                 self.sheet = Some(Sheet::Palette(palette));
@@ -156,7 +156,7 @@ impl App {
     }
 
     /// Commands for the steps of a lesson from a file, recent files and the scene's objects.
-    fn commands_of_what_is_open(&self) -> Vec<Verb> {
+    fn commands_of_what_is_open(&self) -> Vec<UiCommand> {
         let open = self.lessons.open.as_ref();
         let own = open.filter(|open| open.place().lesson == Which::File);
         let mut commands =
@@ -200,8 +200,8 @@ impl App {
 }
 
 /// An object to choose.
-fn object(document: &Document, index: usize) -> Verb {
-    Verb {
+fn object(document: &Document, index: usize) -> UiCommand {
+    UiCommand {
         group: Group::Objects,
         name: format!("choose {}", document.title_of(index)).into(),
         about: "Shows its fields, and its handles in the world view.".into(),
@@ -211,9 +211,9 @@ fn object(document: &Document, index: usize) -> Verb {
 }
 
 /// A file that was opened lately.
-fn recent(path: &std::path::Path) -> Verb {
+fn recent(path: &std::path::Path) -> UiCommand {
     use pinhole_exchange::scenes::SceneSource;
-    Verb {
+    UiCommand {
         group: Group::File,
         name: format!("open {}", path.display()).into(),
         about: "Opens it again.".into(),

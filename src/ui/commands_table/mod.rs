@@ -89,7 +89,7 @@ impl Group {
 
 /// A command.
 #[derive(Clone, Debug)]
-pub struct Verb {
+pub struct UiCommand {
     /// What it belongs to.
     pub group: Group,
     /// What it is called within its group.
@@ -102,7 +102,7 @@ pub struct Verb {
     pub action: Action,
 }
 
-impl Verb {
+impl UiCommand {
     /// What the palette calls it.
     pub fn title(&self) -> String {
         format!("{}: {}", self.group.label(), self.name)
@@ -115,10 +115,10 @@ impl Verb {
     }
 }
 
-static ALL: LazyLock<Vec<Verb>> = LazyLock::new(table::table);
+static ALL: LazyLock<Vec<UiCommand>> = LazyLock::new(table::table);
 
 /// Every command that does not depend on what is open, by groups.
-pub fn all() -> &'static [Verb] {
+pub fn all() -> &'static [UiCommand] {
     &ALL
 }
 
@@ -131,7 +131,7 @@ pub fn shortcut(action: &Action) -> String {
 /// All keys of this action, such as `Page Down, Right`; nothing where it has none.
 pub fn keys_text(action: &Action) -> String {
     let verb = all().iter().find(|verb| verb.action == *action);
-    verb.map(Verb::keys_text).unwrap_or_default()
+    verb.map(UiCommand::keys_text).unwrap_or_default()
 }
 
 /// What commands that are one but for their direction are called together.
@@ -152,7 +152,7 @@ fn family(action: &Action) -> Option<&'static str> {
 }
 
 /// The keys of commands that belong together: `Alt+arrows`, or all of them.
-fn keys_of(family: &[&Verb]) -> String {
+fn keys_of(family: &[&UiCommand]) -> String {
     let arrows = [Key::ArrowUp, Key::ArrowDown, Key::ArrowLeft, Key::ArrowRight];
     let keys: Vec<&Keys> = family.iter().flat_map(|verb| verb.keys).collect();
     let are_arrows = keys.len() == 4 && arrows.iter().all(|a| keys.iter().any(|k| k.key == *a));
@@ -169,9 +169,9 @@ fn keys_of(family: &[&Verb]) -> String {
 /// are one entry.
 pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     let mut groups: Vec<(Group, Vec<(String, String)>)> = Vec::new();
-    let with_keys: Vec<&Verb> = all().iter().filter(|verb| !verb.keys.is_empty()).collect();
-    let same = |a: &&Verb, b: &&Verb| {
-        let of = |verb: &Verb| family(&verb.action);
+    let with_keys: Vec<&UiCommand> = all().iter().filter(|verb| !verb.keys.is_empty()).collect();
+    let same = |a: &&UiCommand, b: &&UiCommand| {
+        let of = |verb: &UiCommand| family(&verb.action);
         of(a).is_some() && of(a) == of(b)
     };
     let verbs = with_keys.chunk_by(same).map(|verbs| {

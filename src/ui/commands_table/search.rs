@@ -4,15 +4,15 @@
 //! a command's title, its letters in order, and the better it fits the farther up the command
 //! stands. Pure.
 
-use super::Verb;
+use super::UiCommand;
 
 /// The commands that fit what was typed, best first; all of them, in their order, where nothing was.
-pub fn found<'a>(typed: &str, verbs: impl Iterator<Item = &'a Verb>) -> Vec<&'a Verb> {
+pub fn found<'a>(typed: &str, verbs: impl Iterator<Item = &'a UiCommand>) -> Vec<&'a UiCommand> {
     if typed.trim().is_empty() {
         return verbs.collect();
     }
     let scored = verbs.filter_map(|verb| Some((score(typed, &verb.title())?, verb)));
-    let mut scored: Vec<(u32, &Verb)> = scored.collect();
+    let mut scored: Vec<(u32, &UiCommand)> = scored.collect();
     // Stable: equally good ones stay in the table's order.
     scored.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
     scored.into_iter().map(|(_, verb)| verb).collect()
@@ -65,11 +65,11 @@ mod tests {
 
     #[test]
     fn letters_in_order_fit_and_others_do_not() {
-        assert!(score("lay led", "Layout: Ledger").is_some());
-        assert!(score("ledger layout", "Layout: Ledger").is_some());
-        assert!(score("lldg", "Layout: Ledger").is_some());
-        assert_eq!(score("ledgre", "Layout: Ledger"), None);
-        assert!(score("", "Layout: Ledger").is_some());
+        assert!(score("lay led", "Layout: Derivation").is_some());
+        assert!(score("derivation layout", "Layout: Derivation").is_some());
+        assert!(score("lldg", "Layout: Derivation").is_some());
+        assert_eq!(score("ledgre", "Layout: Derivation"), None);
+        assert!(score("", "Layout: Derivation").is_some());
     }
 
     #[test]
@@ -79,7 +79,7 @@ mod tests {
         };
         better("undo", "Edit: Undo", "Colours: light under no dome");
         better("cam", "Layout: Camera", "Colours: as the system");
-        better("led", "Layout: Ledger", "Overlay: labels and eye, dashed");
+        better("led", "Layout: Derivation", "Overlay: labels and eye, dashed");
         better("fa", "Views: Frame all", "Overlay: frustum");
     }
 }

@@ -9,9 +9,9 @@ use egui::{
     pos2, vec2,
 };
 
-use crate::model::concept::{Pointed, Pointing, Thing};
-use crate::model::derivation_sections::{LedgerSection, LedgerSections};
-use crate::view::derivation::{Ledger, Line, Markup, Section, left_out};
+use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::derivation_sections::{DerivationSection, DerivationSections};
+use crate::view::derivation::{Derivation, Line, Markup, Section, left_out};
 use crate::view::typesetting::derivation::{
     BEFORE_SECTION, BETWEEN_LINES, LaidLine, NOTE, SIZE, baseline_of, laid_line, paint,
 };
@@ -20,40 +20,40 @@ use crate::view::typesetting::theme;
 
 /// The derivation's layout, and its folded sections.
 #[derive(Default)]
-pub(crate) struct LedgerPanel {
+pub(crate) struct DerivationPanel {
     laid: Option<Laid>,
-    folded: Vec<(LedgerSection, Option<u32>)>,
+    folded: Vec<(DerivationSection, Option<u32>)>,
     /// The concept that the panel scrolled to last.
-    scrolled_to: Option<Thing>,
+    scrolled_to: Option<Concept>,
 }
 
 /// All lines with their layout.
 struct Laid {
-    of: Arc<Ledger>,
+    of: Arc<Derivation>,
     width: f32,
     per_point: f32,
     lines: Vec<Vec<LaidLine>>,
 }
 
-impl LedgerPanel {
+impl DerivationPanel {
     /// Returns the concept in the last frame's derivation that the mouse or the keyboard focus is
     /// on.
-    pub(crate) fn pointed(&self, ctx: &Context) -> Option<Pointed> {
+    pub(crate) fn hovered(&self, ctx: &Context) -> Option<Hovered> {
         let laid = self.laid.as_ref()?;
         let focused = ctx.memory(|memory| memory.focused());
         let (mut hovered, mut has_focus) = (None, None);
         for (section, lines) in laid.of.sections.iter().zip(&laid.lines) {
             for (line, place) in section.lines.iter().zip(lines) {
                 if focused == Some(place.id) {
-                    has_focus = line.thing;
+                    has_focus = line.concept;
                 }
                 if ctx.read_response(place.id).is_some_and(|response| response.hovered()) {
-                    hovered = line.thing;
+                    hovered = line.concept;
                 }
             }
         }
-        let thing = hovered.or(has_focus)?;
-        Some(Pointed { thing, by: Pointing::Ledger })
+        let concept = hovered.or(has_focus)?;
+        Some(Hovered { concept, by: HoverSource::Derivation })
     }
 
     /// Returns the panel's width when it was last shown, in points.
@@ -70,57 +70,57 @@ impl LedgerPanel {
     pub(crate) fn ui(
         &mut self,
         ui: &mut Ui,
-        ledger: &Arc<Ledger>,
-        sections: &mut LedgerSections,
-        pointed: Option<Pointed>,
-        lit: Option<Thing>,
+        derivation: &Arc<Derivation>,
+        sections: &mut DerivationSections,
+        hovered: Option<Hovered>,
+        highlighted: Option<Concept>,
     ) {
         if !theme::installed(ui.ctx()).presenting {
-            self.head(ui, ledger, sections);
+            self.head(ui, derivation, sections);
         }
         // The panel scrolls only once to a concept that is hovered in a view.
-        let by_view = pointed.filter(|pointed| pointed.by == Pointing::View);
-        let goal = by_view.map(|pointed| pointed.thing);
+        let by_view = hovered.filter(|hovered| hovered.by == HoverSource::View);
+        let goal = by_view.map(|hovered| hovered.concept);
         let goal = goal.filter(|goal| self.scrolled_to != Some(*goal));
-        self.scrolled_to = by_view.map(|pointed| pointed.thing);
-        ScrollArea::vertical().id_salt("ledger scrolled").auto_shrink(false).show(ui, |ui| {
-            self.lay_out(ui, ledger);
+        self.scrolled_to = by_view.map(|hovered| hovered.concept);
+        ScrollArea::vertical().id_salt("derivation scrolled").auto_shrink(false).show(ui, |ui| {
+            self.lay_out(ui, derivation);
             ui.spacing_mut().item_spacing.y = BETWEEN_LINES;
             let inks = Inks::of(ui);
             let mut goal = goal;
-            for (k, section) in ledger.sections.iter().enumerate() {
-                self.section(ui, k, section, inks, lit, &mut goal);
+            for (k, section) in derivation.sections.iter().enumerate() {
+                self.section(ui, k, section, inks, highlighted, &mut goal);
             }
-            if ledger.left_out > 0 {
+            if derivation.left_out > 0 {
                 ui.add_space(BEFORE_SECTION);
-                ui.label(RichText::new(left_out(ledger.left_out)).size(NOTE));
+                ui.label(RichText::new(left_out(derivation.left_out)).size(NOTE));
             }
             ui.add_space(12.0);
         });
     }
 
     /// Shows the title, a checkbox for each section, and buttons that copy the derivation.
-    fn head(&self, ui: &mut Ui, ledger: &Ledger, sections: &mut LedgerSections) {
+    fn head(&self, ui: &mut Ui, derivation: &Derivation, sections: &mut DerivationSections) {
         ui.horizontal_wrapped(|ui| {
-            ui.label(RichText::new("Ledger").strong().size(SIZE));
+            ui.label(RichText::new("Derivation").strong().size(SIZE));
             let copy = ui.button("Copy");
-            ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label("Copy the ledger"));
+            ui.ctx().accesskit_node_builder(copy.id, |node| node.set_label("Copy the derivation"));
             if copy.clicked() {
-                ui.ctx().copy_text(ledger.to_string());
+                ui.ctx().copy_text(derivation.to_string());
             }
             let menu = ui.menu_button("Copy as", |ui| {
                 for (name, markup) in [("LaTeX", Markup::Latex), ("Markdown", Markup::Markdown)] {
                     if ui.button(name).clicked() {
-                        ui.ctx().copy_text(ledger.written_in(markup));
+                        ui.ctx().copy_text(derivation.written_in(markup));
                     }
                 }
             });
-            let label = "Copy the ledger as";
+            let label = "Copy the derivation as";
             ui.ctx().accesskit_node_builder(menu.response.id, |node| node.set_label(label));
-            for section in LedgerSection::ALL {
+            for section in DerivationSection::ALL {
                 let mut shown = sections.shows(section);
                 let response = ui.checkbox(&mut shown, section.label());
-                let name = format!("Ledger: {}", section.label());
+                let name = format!("Derivation: {}", section.label());
                 ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
                 if response.changed() {
                     sections.set(section, shown);
@@ -130,22 +130,23 @@ impl LedgerPanel {
         ui.separator();
     }
 
-    fn lay_out(&mut self, ui: &Ui, ledger: &Arc<Ledger>) {
+    fn lay_out(&mut self, ui: &Ui, derivation: &Arc<Derivation>) {
         let (width, per_point) = (ui.available_width(), ui.ctx().pixels_per_point());
         let known = self.laid.as_ref().is_some_and(|laid| {
-            Arc::ptr_eq(&laid.of, ledger) && laid.width == width && laid.per_point == per_point
+            Arc::ptr_eq(&laid.of, derivation) && laid.width == width && laid.per_point == per_point
         });
         if known {
             return;
         }
-        let lines = ledger.sections.iter().map(|section| {
+        let lines = derivation.sections.iter().map(|section| {
             let line = |(k, line): (usize, &Line)| {
-                let id = Id::unique(("ledger line", section.section, section.object, k));
+                let id = Id::unique(("derivation line", section.section, section.object, k));
                 laid_line(ui, line, id, width)
             };
             section.lines.iter().enumerate().map(line).collect()
         });
-        self.laid = Some(Laid { of: Arc::clone(ledger), width, per_point, lines: lines.collect() });
+        self.laid =
+            Some(Laid { of: Arc::clone(derivation), width, per_point, lines: lines.collect() });
     }
 
     fn section(
@@ -154,12 +155,12 @@ impl LedgerPanel {
         k: usize,
         section: &Section,
         inks: Inks,
-        lit: Option<Thing>,
-        goal: &mut Option<Thing>,
+        highlighted: Option<Concept>,
+        goal: &mut Option<Concept>,
     ) {
         let key = (section.section, section.object);
         let is_folded = self.is_folded(section);
-        let is_lit = |line: &Line| lit.is_some_and(|thing| line.is_about(thing));
+        let is_lit = |line: &Line| highlighted.is_some_and(|concept| line.is_about(concept));
         ui.add_space(BEFORE_SECTION);
         let head = ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;

@@ -157,7 +157,7 @@ impl ExportForm {
         let [width, height] = &mut self.size;
         let is_wider = number(ui, width, "width");
         match shown.subject {
-            Subject::Ledger => {
+            Subject::Derivation => {
                 ui.label("height");
                 ui.weak("as its lines need");
                 ui.end_row();
@@ -215,7 +215,7 @@ fn title(subject: Subject) -> &'static str {
     match subject {
         Subject::World => "World view",
         Subject::Camera => "Camera view",
-        Subject::Ledger => "Ledger",
+        Subject::Derivation => "Derivation",
         Subject::Lines => "Lines",
     }
 }

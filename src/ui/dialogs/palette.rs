@@ -6,7 +6,7 @@ use egui::{
 
 use crate::model::session::Session;
 use crate::ui::action::Action;
-use crate::ui::commands_table::{Verb, found};
+use crate::ui::commands_table::{UiCommand, found};
 
 /// Size of the names, in points.
 const TEXT: f32 = 17.0;
@@ -25,7 +25,7 @@ pub(crate) struct Palette {
 pub(crate) fn ui(
     ctx: &Context,
     palette: &mut Palette,
-    commands: &[&Verb],
+    commands: &[&UiCommand],
     session: &Session,
     actions: &mut Vec<Action>,
 ) -> bool {
@@ -82,7 +82,7 @@ fn field(ui: &mut Ui, palette: &mut Palette) {
 /// Shows the matching commands. Returns the index of the clicked one.
 fn list(
     ui: &mut Ui,
-    fitting: &[&Verb],
+    fitting: &[&UiCommand],
     chosen: usize,
     follow: bool,
     session: &Session,
@@ -124,7 +124,7 @@ fn list(
     clicked
 }
 
-fn entry<'a>(verb: &Verb, is_chosen: bool, session: &Session, row: f32) -> Button<'a> {
+fn entry<'a>(verb: &UiCommand, is_chosen: bool, session: &Session, row: f32) -> Button<'a> {
     let on = match verb.action {
         Action::Toggle(switch) => Some(switch.is_on(session)),
         _ => None,

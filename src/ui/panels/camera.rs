@@ -6,7 +6,7 @@ use pinhole_core::{
 };
 
 use super::teaching;
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, words};
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
@@ -31,7 +31,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     Grid::new("viewport").num_columns(4).show(ui, |ui| viewport(ui, camera, settings));
     if let Err(fault) = camera.viewport.check() {
         // Below the grid, where the text wraps: in a cell it would widen the panel.
-        ui.label(RichText::new(told(fault)).color(error_color(ui)));
+        ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
     }
     let hint = "Editing width, height, W or H takes another of them along";
     ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
@@ -55,7 +55,7 @@ fn given_by(ui: &mut Ui, camera: &mut Camera) {
                 ui.selectable_label(kind == present, text).on_hover_text(hint)
             });
             if let Err(reason) = converted {
-                button.inner.on_disabled_hover_text(told(reason));
+                button.inner.on_disabled_hover_text(typeset_message(reason));
             } else if button.inner.clicked()
                 && let Ok(converted) = converted
             {
@@ -77,7 +77,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         ui.vertical(|ui| {
             ui.horizontal(|ui| vector_row(ui, name, value));
             if let Some(fault) = fault.filter(|fault| is_at_fault(fault, field)) {
-                ui.label(RichText::new(told(fault)).color(error_color(ui)));
+                ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
             }
         });
         ui.end_row();

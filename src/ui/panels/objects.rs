@@ -3,7 +3,7 @@
 use egui::{Button, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::ui::widgets::number::{NumberField, vector_row};
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
@@ -203,6 +203,6 @@ fn plane(ui: &mut Ui, plane: &mut Plane) {
 
 fn reason(ui: &mut Ui, fault: Option<ObjectError>) {
     if let Some(fault) = fault {
-        ui.label(RichText::new(told(fault)).color(error_color(ui)));
+        ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
     }
 }

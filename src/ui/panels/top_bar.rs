@@ -105,8 +105,8 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
     entry(ui, "Check answers…", Action::AskAnswers, actions);
     ui.separator();
     entry(ui, "Export a figure…", Action::AskExport, actions);
-    entry(ui, "Copy the ledger as LaTeX", Action::CopyLedger(Markup::Latex), actions);
-    entry(ui, "Copy the ledger as Markdown", Action::CopyLedger(Markup::Markdown), actions);
+    entry(ui, "Copy the derivation as LaTeX", Action::CopyDerivation(Markup::Latex), actions);
+    entry(ui, "Copy the derivation as Markdown", Action::CopyDerivation(Markup::Markdown), actions);
     ui.separator();
     ui.menu_button("Recent", |ui| {
         if recent.is_empty() {
@@ -150,7 +150,7 @@ fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mu
     entry(ui, "Frame all", Action::FrameAll, actions);
     entry(ui, "Frame the camera", Action::Observe(Observe::FrameCamera), actions);
     entry(ui, "Command palette", Action::Palette, actions);
-    entry(ui, "Keys", Action::KeySheet, actions);
+    entry(ui, "Keys", Action::KeyList, actions);
     ui.separator();
     compare::menu(ui, has_ghost, actions);
     ui.separator();

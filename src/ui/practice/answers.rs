@@ -7,7 +7,7 @@ use egui::{
 };
 use pinhole_lecture::grading::{Cell, Graded};
 
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::Action;
@@ -165,7 +165,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
             {
                 *selection = Selection::Pixel(pixel);
             }
-            ui.add(egui::Label::new(told(format!("Worst: {worst}"))).wrap());
+            ui.add(egui::Label::new(typeset_message(format!("Worst: {worst}"))).wrap());
         });
     }
     ui.add_space(6.0);
@@ -176,7 +176,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     let text = RichText::new(format!("Mistake: {}", graded.mistakes())).size(17.0).strong();
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
-        ui.label(told(mistake.advice()));
+        ui.label(typeset_message(mistake.advice()));
         if mistake.is_in_gallery() && ui.button(format!("See it: {}", mistake.name())).clicked() {
             actions.push(Action::Mistake(*mistake));
         }

@@ -43,15 +43,15 @@ pub(crate) fn places(
 ) -> Places {
     let area = ui.available_rect_before_wrap();
     let (views, rest) = match settings.layout {
-        ViewLayout::Lines | ViewLayout::Exercises | ViewLayout::LedgerAlone => {
+        ViewLayout::Lines | ViewLayout::Exercises | ViewLayout::DerivationAlone => {
             return Places::of([None; 3], area, image, 1.0, 0.0);
         }
         // Only the views.
         ViewLayout::Both | ViewLayout::World | ViewLayout::Camera if presenting => {
             (area, Rect::from_min_size(area.left_bottom(), Vec2::ZERO))
         }
-        ViewLayout::Ledger | ViewLayout::Translator => {
-            split_across(ui, area, &mut settings.ledger_split, "ledger handle")
+        ViewLayout::Derivation | ViewLayout::Translator => {
+            split_across(ui, area, &mut settings.derivation_split, "derivation handle")
         }
         _ => split_at_bottom(ui, area, settings),
     };
@@ -74,7 +74,7 @@ pub(crate) fn places(
             let (middle, right) = halves(right);
             [Some(left), Some(middle), Some(right)]
         }
-        ViewLayout::Ledger | ViewLayout::Translator => {
+        ViewLayout::Derivation | ViewLayout::Translator => {
             let (top, bottom) = split_down(ui, views, &mut settings.stack_split);
             [Some(top), Some(bottom), None]
         }

@@ -6,7 +6,7 @@ use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
 
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::model::number::{grouped, written};
 use crate::model::symbols::words_of_readout;
 use crate::ui::widgets::number::vector_color;
@@ -55,7 +55,7 @@ const HITS: f32 = 280.0;
 /// Shows the three blocks side by side.
 pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: NumberStyle) {
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
+        ui.label(RichText::new(typeset_message(fault)).strong().color(error_color(ui)));
     }
     ScrollArea::vertical().id_salt("readouts scrolled").auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {

@@ -5,8 +5,8 @@ use egui::{
 };
 use pinhole_core::{ImageSize, NO_OBJECT};
 
-use crate::model::concept::{Pointed, Pointing, Thing};
-use crate::model::letters::told;
+use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::letters::typeset_message;
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::commands_table::{self, When};
@@ -131,7 +131,7 @@ pub(crate) fn speak(ui: &Ui, name: &str, text: &str) {
 /// Returns the description of the selected ray for screen readers.
 pub(crate) fn spoken(shown: &Derived) -> String {
     if let Some(fault) = shown.fault {
-        return told(fault);
+        return typeset_message(fault);
     }
     let Some(inspection) = &shown.inspection else { return String::new() };
     let place = match inspection.pixel() {
@@ -177,8 +177,8 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
             session.selection = Selection::Pixel(place.pixel);
         }
     }
-    if let Some(t) = walking::dragged(ui, response, session.walked, shown) {
-        session.walked = Some(t);
+    if let Some(t) = walking::dragged(ui, response, session.ray_point_t, shown) {
+        session.ray_point_t = Some(t);
         return;
     }
     let Some(observer) = &mut session.observer else { return };
@@ -210,15 +210,15 @@ const ASKED_OBJECTS: usize = 4096;
 
 /// Returns the hovered concept in a view: that of the nearest mark, or else the object under the
 /// mouse.
-pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Pointed> {
+pub(crate) fn hovered(ui: &Ui, places: &Places, shown: &Derived) -> Option<Hovered> {
     // While presenting, the pointer often rests on a floor or wall: highlighting it would dim
     // everything else.
     let planes_from = shown.scene.as_ref().map_or(0, |scene| scene.spheres().len());
     let presenting = theme::installed(ui.ctx()).presenting;
-    let is_ground = |thing: &Thing| {
-        presenting && matches!(thing, Thing::Object(index) if *index as usize >= planes_from)
+    let is_ground = |concept: &Concept| {
+        presenting && matches!(concept, Concept::Object(index) if *index as usize >= planes_from)
     };
-    let thing = ui.input(|i| !i.pointer.any_down()).then(|| {
+    let concept = ui.input(|i| !i.pointer.any_down()).then(|| {
         in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
             .or_else(|| {
                 let rect = places.camera?;
@@ -227,7 +227,7 @@ pub(crate) fn pointed(ui: &Ui, places: &Places, shown: &Derived) -> Option<Point
                 in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
             })
     })??;
-    Some(Pointed { thing, by: Pointing::View })
+    Some(Hovered { concept, by: HoverSource::View })
 }
 
 fn in_view(
@@ -235,8 +235,8 @@ fn in_view(
     rect: Option<Rect>,
     name: &str,
     shown: Option<&Shown>,
-    object_at: impl Fn(Vec2) -> Option<Thing>,
-) -> Option<Thing> {
+    object_at: impl Fn(Vec2) -> Option<Concept>,
+) -> Option<Concept> {
     let response = ui.ctx().read_response(ui.scope_id().with(name))?;
     let pointer = response.hover_pos().filter(|_| response.hovered())?;
     let per_point = ui.ctx().pixels_per_point();
@@ -245,17 +245,17 @@ fn in_view(
 }
 
 /// Returns the sphere at a position of the world view.
-fn object_seen(shown: &Derived, at: Vec2) -> Option<Thing> {
+fn object_seen(shown: &Derived, at: Vec2) -> Option<Concept> {
     let frame = shown.world_frame.as_ref()?;
     let image = frame.camera().image();
     let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
     let place = (at.y as usize) * image.width() as usize + at.x as usize;
     let object = *frame.object.get(place).filter(|object| inside && **object != NO_OBJECT)?;
-    Some(Thing::Object(object))
+    Some(Concept::Object(object))
 }
 
 /// Returns the object at a position of the camera view.
-fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
+fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Concept> {
     let (posed, scene) = (shown.posed.as_ref()?, shown.scene.as_ref()?);
     if scene.len() > ASKED_OBJECTS {
         return None;
@@ -263,13 +263,13 @@ fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
     let size = [size.x.round() as usize, size.y.round() as usize];
     let uv = overlay::camera_uv_at(posed, size, [at.x, at.y]);
     let ray = posed.exact_ray_at(uv).ok()?;
-    Some(Thing::Object(scene.first_hit_of(&ray)?.object))
+    Some(Concept::Object(scene.first_hit_of(&ray)?.object))
 }
 
 /// Shows the name of the hovered concept beside the mouse.
-pub(crate) fn tell_pointed(ui: &Ui, pointed: Option<Pointed>, document: &Document) {
-    let Some(Pointed { thing, by: Pointing::View }) = pointed else { return };
-    let words = thing.words(|object| document.title_of(object as usize));
+pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Document) {
+    let Some(Hovered { concept, by: HoverSource::View }) = hovered else { return };
+    let words = concept.words(|object| document.title_of(object as usize));
     let id = ui.scope_id().with("pointed");
     egui::Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), id, egui::PopupAnchor::Pointer)
         .show(|ui| {

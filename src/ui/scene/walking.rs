@@ -12,10 +12,10 @@ const GRASP: f32 = 14.0;
 pub(crate) fn dragged(
     ui: &Ui,
     response: &Response,
-    walked: Option<f64>,
+    ray_point_t: Option<f64>,
     shown: &Derived,
 ) -> Option<f64> {
-    let (t, frame) = (walked?, shown.world_frame.as_deref()?);
+    let (t, frame) = (ray_point_t?, shown.world_frame.as_deref()?);
     let ray = shown.inspection.as_deref()?.ray;
     let key = response.id.with("walks");
     let per_point = ui.ctx().pixels_per_point();

@@ -29,7 +29,7 @@ pub(crate) struct Measuring {
     run: Option<Run>,
     report: Option<Arc<Report>>,
     /// Time when the report was made, in the context's seconds.
-    told: f64,
+    typeset_message: f64,
     /// True if the report is about the subject.
     is_current: bool,
     /// True if nothing is left to measure.
@@ -64,9 +64,9 @@ impl Measuring {
         let Some(run) = &mut self.run else { return };
         run.step();
         self.is_done = run.is_done();
-        if self.is_done || now - self.told >= BETWEEN {
+        if self.is_done || now - self.typeset_message >= BETWEEN {
             self.report = Some(Arc::new(run.report()));
-            (self.told, self.is_current) = (now, true);
+            (self.typeset_message, self.is_current) = (now, true);
         }
         if !self.is_done {
             ctx.request_repaint();

@@ -9,7 +9,7 @@ use egui::{
 use pinhole_core::Pixel;
 
 use crate::model::conventions::Row;
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::Action;
@@ -260,7 +260,7 @@ fn table(ui: &mut Ui, rows: &[Row], label: &str) {
 }
 
 fn sentence(text: &str) -> String {
-    let text = told(text);
+    let text = typeset_message(text);
     // A name such as zNear keeps its case.
     let word = text.split_whitespace().next().unwrap_or_default();
     if word.contains(|c: char| c.is_uppercase() || c == '_') {

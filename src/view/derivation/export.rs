@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::Ledger;
+use super::Derivation;
 use super::Line;
 use super::left_out;
 use crate::view::formula::latex;
@@ -16,7 +16,7 @@ pub enum Markup {
     Markdown,
 }
 
-impl Ledger {
+impl Derivation {
     /// Writes the derivation for slides or notes.
     pub fn written_in(&self, markup: Markup) -> String {
         match markup {

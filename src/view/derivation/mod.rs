@@ -20,7 +20,7 @@ use pinhole_core::{ExactRay, PosedCamera, Scene};
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use self::numbers::Numbers;
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
@@ -28,7 +28,7 @@ use crate::model::session::Selection;
 use crate::view::formula::{Formula, word};
 use pinhole_exchange::document::Document;
 
-use crate::model::derivation_sections::{LedgerSection, LedgerSections};
+use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 pub use export::Markup;
 
 /// Maximum number of objects that are listed. Of more objects, those that the ray hits first are
@@ -37,7 +37,7 @@ pub const LISTED: usize = 6;
 
 /// The whole derivation.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ledger {
+pub struct Derivation {
     /// The sections from top to bottom.
     pub sections: Vec<Section>,
     /// Number of objects that are not listed.
@@ -48,7 +48,7 @@ pub struct Ledger {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// The kind of section.
-    pub section: LedgerSection,
+    pub section: DerivationSection,
     /// Index of the object, in the section of an object.
     pub object: Option<u32>,
     /// The title above it.
@@ -63,9 +63,9 @@ pub struct Line {
     /// The formula.
     pub formula: Formula,
     /// The concept that it is about.
-    pub thing: Option<Thing>,
+    pub concept: Option<Concept>,
     /// Other concepts that highlight it.
-    pub also: &'static [Thing],
+    pub also: &'static [Concept],
     /// The note behind it; may be empty.
     pub note: String,
     /// True if the derivation fails here; the note then says why.
@@ -73,11 +73,11 @@ pub struct Line {
 }
 
 impl Line {
-    fn of(thing: Thing, formula: Formula) -> Line {
-        Line { formula, thing: Some(thing), also: &[], note: String::new(), is_fault: false }
+    fn of(concept: Concept, formula: Formula) -> Line {
+        Line { formula, concept: Some(concept), also: &[], note: String::new(), is_fault: false }
     }
 
-    fn also(self, also: &'static [Thing]) -> Line {
+    fn also(self, also: &'static [Concept]) -> Line {
         Line { also, ..self }
     }
 
@@ -86,8 +86,8 @@ impl Line {
     }
 
     /// Returns true if the line is highlighted together with this concept.
-    pub fn is_about(&self, thing: Thing) -> bool {
-        self.thing == Some(thing) || self.also.contains(&thing)
+    pub fn is_about(&self, concept: Concept) -> bool {
+        self.concept == Some(concept) || self.also.contains(&concept)
     }
 }
 
@@ -101,7 +101,7 @@ impl fmt::Display for Line {
     }
 }
 
-impl fmt::Display for Ledger {
+impl fmt::Display for Derivation {
     /// Writes plain text, one line for each step.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (k, section) in self.sections.iter().enumerate() {
@@ -141,7 +141,7 @@ pub struct Sources<'a> {
     /// The selected pixel or position.
     pub selection: Selection,
     /// The sections to show.
-    pub sections: LedgerSections,
+    pub sections: DerivationSections,
     /// Significant digits.
     pub digits: usize,
     /// True if rows and columns are counted from 1.
@@ -149,20 +149,20 @@ pub struct Sources<'a> {
 }
 
 /// Computes the derivation.
-pub fn ledger(of: &Sources) -> Ledger {
+pub fn derivation(of: &Sources) -> Derivation {
     let numbers = Numbers { digits: of.digits, from_one: of.from_one };
-    let mut ledger = Ledger::default();
-    let mut add = |section: LedgerSection, lines: Vec<Line>| {
+    let mut derivation = Derivation::default();
+    let mut add = |section: DerivationSection, lines: Vec<Line>| {
         let title = section.label().to_owned();
-        ledger.sections.push(Section { section, object: None, title, lines });
+        derivation.sections.push(Section { section, object: None, title, lines });
     };
-    if of.sections.shows(LedgerSection::Basis) {
-        add(LedgerSection::Basis, basis::lines(&of.document.camera, numbers));
+    if of.sections.shows(DerivationSection::Basis) {
+        add(DerivationSection::Basis, basis::lines(&of.document.camera, numbers));
     }
     let exact = of.posed.and_then(|posed| exact_ray(posed, of.selection));
     let derived =
         exact.as_ref().and_then(|(_, derived)| Some((of.posed?, derived, of.inspection?)));
-    if of.sections.shows(LedgerSection::PixelToRay) {
+    if of.sections.shows(DerivationSection::PixelToRay) {
         let lines = match (derived, of.fault) {
             (Some((posed, derived, inspection)), _) => {
                 ray::lines(posed, derived, inspection, numbers)
@@ -170,20 +170,20 @@ pub fn ledger(of: &Sources) -> Ledger {
             (None, Some(fault)) => vec![fault_line(&fault)],
             (None, None) => Vec::new(),
         };
-        add(LedgerSection::PixelToRay, lines);
+        add(DerivationSection::PixelToRay, lines);
     }
-    if of.sections.shows(LedgerSection::Objects) {
+    if of.sections.shows(DerivationSection::Objects) {
         match (exact, of.scene, of.inspection, of.fault) {
             (Some((exact, derived)), Some(scene), Some(inspection), _) => {
-                add_objects(&mut ledger, of, (&exact, &derived), (scene, inspection), numbers);
+                add_objects(&mut derivation, of, (&exact, &derived), (scene, inspection), numbers);
             }
             (.., Some(fault @ Fault::Scene(_))) => {
-                add(LedgerSection::Objects, vec![fault_line(&fault)]);
+                add(DerivationSection::Objects, vec![fault_line(&fault)]);
             }
             _ => {}
         }
     }
-    ledger
+    derivation
 }
 
 /// Returns the selected ray and its derivation.
@@ -199,28 +199,28 @@ fn exact_ray(posed: &PosedCamera, selection: Selection) -> Option<(ExactRay<'_>,
 fn fault_line(fault: &Fault) -> Line {
     Line {
         formula: word("no ray"),
-        thing: None,
+        concept: None,
         also: &[],
-        note: letters::told(fault),
+        note: letters::typeset_message(fault),
         is_fault: true,
     }
 }
 
 fn add_objects(
-    ledger: &mut Ledger,
+    derivation: &mut Derivation,
     of: &Sources,
     (exact, derived): (&ExactRay, &RayDerivation),
     (scene, inspection): (&Scene, &Inspection),
     numbers: Numbers,
 ) {
     let listed = listed(scene, inspection);
-    ledger.left_out = scene.len() - listed.len();
+    derivation.left_out = scene.len() - listed.len();
     for object in listed {
         let Some(shape) = scene.object(object) else { continue };
-        let Ok(derivation) = ObjectDerivation::new(&shape, object, exact) else { continue };
-        let lines = objects::lines(object, &derivation, derived.ray(), inspection, numbers);
-        ledger.sections.push(Section {
-            section: LedgerSection::Objects,
+        let Ok(steps) = ObjectDerivation::new(&shape, object, exact) else { continue };
+        let lines = objects::lines(object, &steps, derived.ray(), inspection, numbers);
+        derivation.sections.push(Section {
+            section: DerivationSection::Objects,
             object: Some(object),
             title: of.document.title_of(object as usize),
             lines,

@@ -10,7 +10,7 @@ use super::Line;
 use super::names::{CENTRE, D, HIT, N, P, POINT, T, dot, equation, minus};
 use super::numbers::Numbers;
 use super::ray::along;
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::view::formula::{
     Formula, Operator, fraction, index, negative, norm, number, parentheses, power, root, row,
@@ -48,7 +48,7 @@ pub(super) fn lines(
 
 impl Sheet<'_> {
     fn line(&mut self, formula: Formula) -> &mut Line {
-        self.push(Line::of(Thing::Object(self.object), formula))
+        self.push(Line::of(Concept::Object(self.object), formula))
     }
 
     fn push(&mut self, line: Line) -> &mut Line {
@@ -57,8 +57,8 @@ impl Sheet<'_> {
         &mut self.lines[last]
     }
 
-    fn root_thing(&self, number: usize) -> Thing {
-        Thing::Root { object: self.object, number: number as u8 }
+    fn root_thing(&self, number: usize) -> Concept {
+        Concept::Root { object: self.object, number: number as u8 }
     }
 
     fn sphere(&mut self, of: &SphereDerivation) {
@@ -147,7 +147,7 @@ impl Sheet<'_> {
                 PlaneMeeting::Within => "𝐧 · 𝐝 = 0, and the line lies in the plane: no hit",
                 _ => "𝐧 · 𝐝 = 0: no t, the ray is parallel to the plane",
             };
-            let line = Line::of(Thing::Object(self.object), quotient);
+            let line = Line::of(Concept::Object(self.object), quotient);
             self.push(line.noted(note));
             return;
         };
@@ -180,12 +180,12 @@ impl Sheet<'_> {
             .inspection
             .first_hit()
             .is_some_and(|first| first.object == hit.object && first.t == hit.t);
-        let thing = if is_first { Thing::Normal } else { self.root_thing(k) };
+        let concept = if is_first { Concept::Normal } else { self.root_thing(k) };
         let normal = Formula::Vector("normal", crate::view::formula::Ink::Text);
         let result = self.numbers.equals_vector(hit.normal);
         let formula = equation(normal, symbols);
         let formula = put_in.into_iter().fold(formula, equation);
-        self.push(Line::of(thing, row([formula, result])));
+        self.push(Line::of(concept, row([formula, result])));
     }
 }
 

@@ -9,7 +9,7 @@ fn document(scene: &str) -> Document {
     SceneSource::of(scene.as_ref()).expect("a scene").load().expect("a document")
 }
 
-fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Ledger {
+fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Derivation {
     let posed = document.camera.posed();
     let scene = document.scene();
     let inspection =
@@ -22,14 +22,14 @@ fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) 
         (_, Err(e)) => Some(Fault::Scene(*e)),
         _ => None,
     };
-    ledger(&Sources {
+    derivation(&Sources {
         document,
         posed: posed.as_ref().ok(),
         scene: scene.as_ref().ok(),
         inspection: inspection.as_ref(),
         fault,
         selection,
-        sections: LedgerSections::default(),
+        sections: DerivationSections::default(),
         digits,
         from_one,
     })
@@ -223,8 +223,8 @@ fn the_lectures_forty_five_degrees() {
 #[test]
 fn rows_and_columns_counted_from_one() {
     let pixel = Selection::Pixel(Pixel { row: 99, column: 199 });
-    let ledger = of(&document("canonical"), pixel, 5, true);
-    let lines = ledger.sections[1].lines.iter().take(3).map(|line| format!("{line}\n"));
+    let derivation = of(&document("canonical"), pixel, 5, true);
+    let lines = derivation.sections[1].lines.iter().take(3).map(|line| format!("{line}\n"));
     expect![[r#"
         row i = 100, column j = 200   (counted from 1)
         u = width ((j − 0.5)/W − 0.5) = 1 ((200 − 0.5)/400 − 0.5) = −0.00125
@@ -242,10 +242,10 @@ fn a_camera_without_a_basis_is_derived_up_to_the_line_that_fails() {
         (DVec3::new(0.0, 0.0, -1.0), DVec3::new(0.0, 0.0, 2.0)),
     ] {
         document.camera.orientation = Orientation::At { at, up };
-        let ledger = of(&document, WARM_UP, 5, false);
-        let last = ledger.sections[0].lines.last().expect("lines");
-        assert!(last.is_fault && !last.note.is_empty(), "{ledger}");
-        assert!(ledger.sections[1].lines.iter().all(|line| line.is_fault));
+        let derivation = of(&document, WARM_UP, 5, false);
+        let last = derivation.sections[0].lines.last().expect("lines");
+        assert!(last.is_fault && !last.note.is_empty(), "{derivation}");
+        assert!(derivation.sections[1].lines.iter().all(|line| line.is_fault));
     }
     expect![[r#"
         Basis
@@ -308,9 +308,10 @@ fn is_balanced(latex: &str) -> bool {
 
 #[test]
 fn as_latex_and_as_markdown() {
-    let ledger = of(&document("forty-five"), WARM_UP, 5, false);
-    let sections = ledger.sections.iter().filter(|s| s.section != LedgerSection::Objects).cloned();
-    let ledger = Ledger { sections: sections.collect(), left_out: 1 };
+    let derivation = of(&document("forty-five"), WARM_UP, 5, false);
+    let sections =
+        derivation.sections.iter().filter(|s| s.section != DerivationSection::Objects).cloned();
+    let derivation = Derivation { sections: sections.collect(), left_out: 1 };
     expect![[r#"
         % needs \usepackage{amsmath}
         \subsection*{Basis}
@@ -338,7 +339,7 @@ fn as_latex_and_as_markdown() {
           \mathbf{p} + t \mathbf{d} &= \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right) && \text{$\mathbf{p}$ = eye; $t$ = 1 is on the viewport}
         \end{align*}
         1 more object is not listed
-    "#]].assert_eq(&ledger.written_in(Markup::Latex));
+    "#]].assert_eq(&derivation.written_in(Markup::Latex));
     expect![[r#"
         ### Basis
 
@@ -365,19 +366,19 @@ fn as_latex_and_as_markdown() {
         - $\mathbf{p} + t \mathbf{d} = \left( 0, 0, 0 \right) + t \left( -\frac{2 \sqrt{2}}{5}, -0.1, -\frac{3 \sqrt{2}}{5} \right)$ (𝐩 = eye; 𝑡 = 1 is on the viewport)
 
         1 more object is not listed
-    "#]].assert_eq(&ledger.written_in(Markup::Markdown));
+    "#]].assert_eq(&derivation.written_in(Markup::Markdown));
 }
 
 #[test]
-fn every_ledger_is_balanced_and_has_all_its_lines() {
+fn every_derivation_is_balanced_and_has_all_its_lines() {
     for scene in ["canonical", "look-at", "almost-parallel-up", "inside", "tiny-far", "grazing"] {
-        let ledger = of(&document(scene), WARM_UP, 17, true);
-        let lines: usize = ledger.sections.iter().map(|section| section.lines.len()).sum();
-        let latex = ledger.written_in(Markup::Latex);
+        let derivation = of(&document(scene), WARM_UP, 17, true);
+        let lines: usize = derivation.sections.iter().map(|section| section.lines.len()).sum();
+        let latex = derivation.written_in(Markup::Latex);
         assert!(is_balanced(&latex), "{scene}: {latex}");
         let breaks = latex.matches(" \\\\\n").count();
         assert_eq!(breaks + latex.matches(r"\begin{align*}").count(), lines, "{scene}: {latex}");
-        let markdown = ledger.written_in(Markup::Markdown);
+        let markdown = derivation.written_in(Markup::Markdown);
         assert!(is_balanced(&markdown), "{scene}: {markdown}");
         assert_eq!(markdown.matches("\n- $").count(), lines, "{scene}: {markdown}");
     }

@@ -26,7 +26,7 @@ pub(super) fn shown_beside(
         size: size.map(|n| n as usize),
         scale: sizes.scale,
         style: sizes.style,
-        lit: None,
+        highlighted: None,
         loupe: None,
     };
     let mut pixels = blank(size);

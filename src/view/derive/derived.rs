@@ -10,8 +10,8 @@ use super::answers::Grading;
 use super::picture::{Compared, TooMany};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
-use crate::view::adaptive_resolution::Coarseness;
-use crate::view::derivation::Ledger;
+use crate::view::adaptive_resolution::Subsampling;
+use crate::view::derivation::Derivation;
 use crate::view::ghost::AgainstGhost;
 use crate::view::overlay::{Drawing, Label, Mark, Style, Target};
 use crate::view::plot::Plot;
@@ -39,7 +39,7 @@ pub struct ViewSizes {
     /// The purpose of the pictures.
     pub purpose: Purpose,
     /// The coarseness of new pictures of the scene.
-    pub coarseness: Coarseness,
+    pub subsampling: Subsampling,
     /// True if something is being dragged: slow work that can wait is put off.
     pub under_hand: bool,
 }
@@ -87,7 +87,7 @@ pub struct Derived {
     /// Counts of the objects that the camera's picture dropped and looked at.
     pub counts: Option<Counts>,
     /// The coarseness of the camera's and of the observer's picture.
-    pub coarseness: [Coarseness; 2],
+    pub subsampling: [Subsampling; 2],
     /// The reason why only the ladder drew the scene, if another method should have.
     pub too_many: Option<TooMany>,
     /// The ladder's answer for the shown pixels, if another method is compared with it.
@@ -99,7 +99,7 @@ pub struct Derived {
     /// The error map.
     pub error_map: Option<Shown>,
     /// The derivation of all numbers, if the layout shows it.
-    pub ledger: Option<Arc<Ledger>>,
+    pub derivation: Option<Arc<Derivation>>,
     /// The functions f(p + t d) of all objects, if the layout shows them.
     pub plot: Option<Plot>,
     /// The wrong camera beside the right one, or the reason why there is none.

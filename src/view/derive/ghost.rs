@@ -59,7 +59,7 @@ impl GhostPictures {
         else {
             return;
         };
-        let raster = derived.coarseness[0].raster(now.image(), size);
+        let raster = derived.subsampling[0].raster(now.image(), size);
         let made = self.of((&document.camera, now), (ghost, &seen), world, session, raster, watch);
         let Some((against, pictures)) = made else { return };
         let view = self.shown(&against, &pictures, ghost, session, (size, sizes), watch);

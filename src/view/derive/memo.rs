@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::view::adaptive_resolution::Coarseness;
+use crate::view::adaptive_resolution::Subsampling;
 
 /// A value with the key it was made from.
 #[derive(Debug)]
@@ -48,7 +48,7 @@ impl<T> PartialEq for Same<T> {
 
 /// The resolution of a picture of something: a coarser picture never replaces a finer one.
 #[derive(Debug)]
-pub(super) struct Fineness<K>(Option<(K, Coarseness)>);
+pub(super) struct Fineness<K>(Option<(K, Subsampling)>);
 
 impl<K> Default for Fineness<K> {
     fn default() -> Self {
@@ -58,10 +58,10 @@ impl<K> Default for Fineness<K> {
 
 impl<K: PartialEq> Fineness<K> {
     /// Returns the coarseness to use: the wanted one, or a finer one if there already was one.
-    pub(super) fn at_most(&mut self, key: K, wanted: Coarseness) -> Coarseness {
+    pub(super) fn at_most(&mut self, key: K, wanted: Subsampling) -> Subsampling {
         let known = self.0.as_ref().filter(|(known, _)| *known == key);
-        let coarseness = known.map_or(wanted, |(_, known)| wanted.min(*known));
-        self.0 = Some((key, coarseness));
-        coarseness
+        let subsampling = known.map_or(wanted, |(_, known)| wanted.min(*known));
+        self.0 = Some((key, subsampling));
+        subsampling
     }
 }

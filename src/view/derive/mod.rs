@@ -3,9 +3,9 @@
 
 mod answers;
 mod beside;
+mod derivations;
 mod derived;
 mod ghost;
-mod ledgers;
 mod memo;
 mod objects;
 mod picture;
@@ -23,9 +23,9 @@ use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
 
 use self::answers::GradedAnswers;
 pub use self::answers::Grading;
+use self::derivations::Derivations;
 pub use self::derived::{Derived, Purpose, Shown, ViewSizes};
 use self::ghost::GhostPictures;
-use self::ledgers::Ledgers;
 use self::memo::{Memo, Same};
 use self::objects::Objects;
 pub use self::picture::{Compared, MOST_QUESTIONS, TooMany};
@@ -35,7 +35,7 @@ use self::watch::watched;
 pub use self::watch::{Watch, Work};
 use self::world::{WorldPicture, WorldPictures};
 use self::wrong::{Right, WrongPictures};
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::fault::Fault;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
@@ -43,7 +43,9 @@ use crate::model::session::{Selection, Session};
 use crate::view::accuracy;
 use crate::view::handles::{self, Stage};
 use crate::view::overlay;
-use crate::view::overlay::{Backdrop, CameraView, Handles, Lit, Loupe, Picture, Style, WorldView};
+use crate::view::overlay::{
+    Backdrop, CameraView, Handles, Highlighted, Loupe, Picture, Style, WorldView,
+};
 use pinhole_exchange::document::Document;
 
 /// Computes [`Derived`] values, each from its arguments alone; its caches only save work.
@@ -55,7 +57,7 @@ pub struct Deriver {
     error_map: Memo<(Method, CameraViewKey), Shown>,
     world_pictures: WorldPictures,
     world_view: Memo<WorldViewKey, Shown>,
-    ledgers: Ledgers,
+    derivations: Derivations,
     plots: Plots,
     wrong: WrongPictures,
     ghosts: GhostPictures,
@@ -67,12 +69,12 @@ pub struct Deriver {
 #[derive(Debug, PartialEq)]
 struct CameraViewKey {
     picture: u64,
-    scanned: Option<u64>,
+    scanned_pixels: Option<u64>,
     posed: PosedCamera,
     size: [u32; 2],
     selection: Selection,
     items: OverlayItems,
-    lit: Option<(Thing, usize)>,
+    highlighted: Option<(Concept, usize)>,
     loupe: Option<Arc<Loupe>>,
     scale: f32,
     style: Style,
@@ -86,11 +88,11 @@ struct WorldViewKey {
     observer: Observer,
     size: [u32; 2],
     picture: Option<u64>,
-    scanned: Option<u64>,
+    scanned_pixels: Option<u64>,
     selection: Selection,
     items: OverlayItems,
-    lit: Option<(Thing, usize)>,
-    walked: Option<f64>,
+    highlighted: Option<(Concept, usize)>,
+    ray_point_t: Option<f64>,
     handles: Handles,
     ghost: Option<PosedCamera>,
     scale: f32,
@@ -104,7 +106,7 @@ impl CameraViewKey {
         &'a self,
         picture: &'a Picture,
         good: &'a GoodPicture,
-        lit: Option<Lit<'a>>,
+        highlighted: Option<Highlighted<'a>>,
     ) -> CameraView<'a> {
         CameraView {
             picture,
@@ -114,7 +116,7 @@ impl CameraViewKey {
             size: self.size.map(|n| n as usize),
             scale: self.scale,
             style: self.style,
-            lit,
+            highlighted,
             loupe: self.loupe.as_deref(),
         }
     }
@@ -184,7 +186,7 @@ impl Deriver {
         let good = self.objects.good().filter(|_| derived.fault.is_none());
         self.ghosts.update(&mut derived, document, good, session, sizes, watch);
         self.world_view(&mut derived, document, session, sizes, watch);
-        derived.ledger = self.ledgers.of(document, session, &derived);
+        derived.derivation = self.derivations.of(document, session, &derived);
         let generation = self.objects.good().map_or(0, |good| good.generation);
         derived.plot = self.plots.of(document, session, &derived, generation, sizes.style.scheme());
         derived
@@ -201,24 +203,26 @@ impl Deriver {
     ) {
         let Some(good) = self.last_good.clone() else { return };
         // A highlighted concept belongs to the current document; an older picture does not show it.
-        let lit = lit_key(session).filter(|_| derived.fault.is_none());
+        let highlighted = highlight_key(session).filter(|_| derived.fault.is_none());
         let scene = derived.scene.as_deref();
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
-            scanned: session.scanned,
+            scanned_pixels: session.scanned_pixels,
             posed: good.posed,
             size,
             selection: good.selection,
             items: session.settings.items,
-            lit,
+            highlighted,
             loupe: good.loupe.clone(),
             scale: sizes.scale,
             style: sizes.style,
             purpose: sizes.purpose,
         };
         let draw = |picture: &Picture, key: &CameraViewKey, pixels: &mut [Color32]| {
-            let lit = scene.zip(key.lit).map(|(scene, lit)| lit_of(lit, document, scene));
-            let view = key.view(picture, &good, lit);
+            let highlighted = scene
+                .zip(key.highlighted)
+                .map(|(scene, highlighted)| highlighted_from(highlighted, document, scene));
+            let view = key.view(picture, &good, highlighted);
             match key.purpose {
                 Purpose::Window => overlay::camera(&view, pixels),
                 Purpose::Figure { .. } => overlay::camera_apart(&view, pixels),
@@ -248,7 +252,7 @@ impl Deriver {
         }
         derived.drawn_by.clone_from(&good.drawn_by);
         derived.too_many = good.too_many;
-        derived.coarseness[0] = good.coarseness;
+        derived.subsampling[0] = good.subsampling;
         (derived.steps, derived.counts) = (Some(good.steps), Some(good.counts));
         derived.truth = good.truth;
     }
@@ -269,7 +273,7 @@ impl Deriver {
                 posed: &good.posed,
                 inspection: &good.inspection,
                 selection: good.selection,
-                coarseness: good.coarseness,
+                subsampling: good.subsampling,
             };
             (right, world)
         });
@@ -296,14 +300,14 @@ impl Deriver {
         let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
         let pictures = &mut self.world_pictures;
-        let coarseness = sizes.coarseness;
-        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, coarseness, watch)
+        let subsampling = sizes.subsampling;
+        let Some(world) = pictures.of(&mut self.objects, eye, observer_camera, subsampling, watch)
         else {
             return;
         };
-        derived.coarseness[1] = world.coarseness;
+        derived.subsampling[1] = world.subsampling;
         let seen = self.last_good.as_ref().filter(|_| derived.fault.is_none());
-        let lit = lit_key(session);
+        let highlighted = highlight_key(session);
         let stage = Stage {
             document,
             posed: derived.posed.as_ref(),
@@ -318,11 +322,11 @@ impl Deriver {
             observer,
             size,
             picture: seen.map(|_| self.pictures.made()),
-            scanned: session.scanned,
+            scanned_pixels: session.scanned_pixels,
             selection: session.selection,
             items: session.settings.items,
-            lit,
-            walked: session.walked,
+            highlighted,
+            ray_point_t: session.ray_point_t,
             handles: handles::drawn(&stage, &session.hand),
             ghost: derived.ghost,
             scale: sizes.scale,
@@ -344,8 +348,10 @@ impl Deriver {
                 items: key.items,
                 scale: key.scale,
                 style: key.style,
-                lit: key.lit.map(|lit| lit_of(lit, document, &good.scene)),
-                walked: key.walked,
+                highlighted: key
+                    .highlighted
+                    .map(|highlighted| highlighted_from(highlighted, document, &good.scene)),
+                ray_point_t: key.ray_point_t,
                 handles: &key.handles,
                 ghost: key.ghost.as_ref(),
                 is_clear: key.purpose.is_clear(),
@@ -377,14 +383,14 @@ fn blank([width, height]: [u32; 2]) -> Vec<Color32> {
 }
 
 /// Returns the highlighted concept and the number of digits of its labels.
-fn lit_key(session: &Session) -> Option<(Thing, usize)> {
-    Some((session.lit()?, session.settings.digits))
+fn highlight_key(session: &Session) -> Option<(Concept, usize)> {
+    Some((session.highlighted()?, session.settings.digits))
 }
 
-fn lit_of<'a>(
-    (thing, digits): (Thing, usize),
+fn highlighted_from<'a>(
+    (concept, digits): (Concept, usize),
     document: &'a Document,
     scene: &'a Scene,
-) -> Lit<'a> {
-    Lit { thing, camera: &document.camera, scene, digits }
+) -> Highlighted<'a> {
+    Highlighted { concept, camera: &document.camera, scene, digits }
 }

@@ -18,7 +18,7 @@ use crate::model::number::grouped;
 use crate::model::overlay_items::Item;
 use crate::model::session::{Selection, Session, Settings};
 use crate::view::accuracy::{self, Comparison};
-use crate::view::adaptive_resolution::Coarseness;
+use crate::view::adaptive_resolution::Subsampling;
 use crate::view::overlay::{Loupe, Picture, loupe_window};
 
 /// Maximum number of intersection tests that a method may do for one picture: about a second of
@@ -75,7 +75,7 @@ pub(super) struct GoodPicture {
     /// Number of decisions at each step of the ladder.
     pub(super) steps: Steps,
     /// The picture's coarseness.
-    pub(super) coarseness: Coarseness,
+    pub(super) subsampling: Subsampling,
     /// Counts of the objects that the picture dropped and looked at.
     pub(super) counts: Counts,
     /// The reason why no other method is compared with it, if one should be.
@@ -112,7 +112,7 @@ pub(super) struct Pictures {
     map: Memo<(Method, Seen), Arc<Picture>>,
     inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
-    scanned: ScannedPicture,
+    scanned_pixels: ScannedPicture,
     fineness: Fineness<(PosedCamera, u64, [u32; 2])>,
     /// Number of pictures made so far, which distinguishes one from the next.
     made: u64,
@@ -144,11 +144,11 @@ impl Pictures {
         let inspection = self.inspected(posed, world, selection);
         // If only the world view is open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
-        let coarseness = self.fineness.at_most((posed, world.generation, size), sizes.coarseness);
-        let seen = (posed, world.generation, coarseness.raster(posed.image(), size));
+        let subsampling = self.fineness.at_most((posed, world.generation, size), sizes.subsampling);
+        let seen = (posed, world.generation, subsampling.raster(posed.image(), size));
         let settings = &session.settings;
         // A method that is too slow for the full picture is not used during a drag, either.
-        let all = Coarseness::NONE.raster(posed.image(), size).len();
+        let all = Subsampling::NONE.raster(posed.image(), size).len();
         let too_many = TooMany::of(world.scene.len(), all);
         let with_map = sizes.map.is_some();
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
@@ -171,7 +171,7 @@ impl Pictures {
             let key = (method, seen, mode, palette, false);
             let key = (key, settings.count_from_one);
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
-            match session.scanned {
+            match session.scanned_pixels {
                 None => loupe,
                 Some(count) => {
                     let picture = first_pixels(&loupe.picture, count);
@@ -179,9 +179,9 @@ impl Pictures {
                 }
             }
         });
-        let picture = match session.scanned {
+        let picture = match session.scanned_pixels {
             None => picture,
-            Some(count) => self.scanned.of(&picture, count),
+            Some(count) => self.scanned_pixels.of(&picture, count),
         };
         GoodPicture {
             loupe,
@@ -189,7 +189,7 @@ impl Pictures {
             picture,
             selection,
             inspection,
-            coarseness,
+            subsampling,
             steps,
             counts,
             too_many: beside.too_many,

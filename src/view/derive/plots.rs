@@ -21,7 +21,7 @@ type Key = (PosedCamera, u64, Selection, Vec<Named>);
 pub(super) struct Plots {
     curves: Memo<Key, Arc<Vec<Curve>>>,
     samples: Memo<(u64, [f64; 2], Heights), Arc<Samples>>,
-    walked: Memo<(u64, f64), Arc<Vec<f64>>>,
+    ray_point_t: Memo<(u64, f64), Arc<Vec<f64>>>,
     /// Number of times that curves were made, which distinguishes some from the next.
     made: u64,
 }
@@ -55,17 +55,17 @@ impl Plots {
             *made += 1;
             Arc::new(curves(scene, &ray, named))
         });
-        let range = range(&curves, session.walked);
+        let range = range(&curves, session.ray_point_t);
         let ends = [*range.start(), *range.end()];
         let heights = session.settings.plot_heights();
         let samples = self.samples.get((*made, ends, heights), |_| {
             Arc::new(samples(&curves, scene, &ray, &range, heights))
         });
-        let walked = session.walked.map(|t| {
+        let ray_point_t = session.ray_point_t.map(|t| {
             let make = |_: &_| Arc::new(values(&curves, scene, &ray, t));
-            (t, self.walked.get((*made, t), make))
+            (t, self.ray_point_t.get((*made, t), make))
         });
         let left_out = scene.len() - curves.len();
-        Some(Plot { curves, left_out, range, heights, samples, walked })
+        Some(Plot { curves, left_out, range, heights, samples, ray_point_t })
     }
 }

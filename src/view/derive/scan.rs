@@ -18,30 +18,30 @@ pub(super) struct ScannedPicture(Option<(Arc<Picture>, u64, Arc<Picture>)>);
 
 impl ScannedPicture {
     /// Returns the picture with only its first pixels, row by row.
-    pub(super) fn of(&mut self, whole: &Arc<Picture>, scanned: u64) -> Arc<Picture> {
+    pub(super) fn of(&mut self, whole: &Arc<Picture>, scanned_pixels: u64) -> Arc<Picture> {
         match &self.0 {
-            Some((of, count, part)) if Arc::ptr_eq(of, whole) && *count == scanned => {
+            Some((of, count, part)) if Arc::ptr_eq(of, whole) && *count == scanned_pixels => {
                 Arc::clone(part)
             }
             _ => {
-                let part = Arc::new(first_pixels(whole, scanned));
-                self.0 = Some((Arc::clone(whole), scanned, Arc::clone(&part)));
+                let part = Arc::new(first_pixels(whole, scanned_pixels));
+                self.0 = Some((Arc::clone(whole), scanned_pixels, Arc::clone(&part)));
                 part
             }
         }
     }
 }
 
-/// Returns the picture with only the first `scanned` pixels of the image; the others are not there
+/// Returns the picture with only the first `scanned_pixels` pixels of the image; the others are not there
 /// yet.
-pub(super) fn first_pixels(picture: &Picture, scanned: u64) -> Picture {
+pub(super) fn first_pixels(picture: &Picture, scanned_pixels: u64) -> Picture {
     let mut part = picture.clone();
     let width = u64::from(picture.image.width());
     let (rows, columns) = (picture.raster.rows(), picture.raster.columns());
     let side = (rows.len().min(columns.len()) / SQUARES).max(1);
     for (i, (row, pixels)) in rows.iter().zip(part.pixels.chunks_mut(columns.len())).enumerate() {
         // Number of finished columns of this row.
-        let done = scanned.saturating_sub(u64::from(*row) * width);
+        let done = scanned_pixels.saturating_sub(u64::from(*row) * width);
         let from = columns.partition_point(|column| u64::from(*column) < done);
         for (j, pixel) in pixels.iter_mut().enumerate().skip(from) {
             *pixel = NOT_YET[(i / side + j / side) % 2];

@@ -9,7 +9,7 @@ use super::memo::{Fineness, Memo, Same};
 use super::objects::{Enclosing, Objects};
 use super::watch::{Watch, Work, picture, repainted, watched};
 use crate::model::observer::enclosing;
-use crate::view::adaptive_resolution::Coarseness;
+use crate::view::adaptive_resolution::Subsampling;
 use crate::view::overlay::Backdrop;
 
 /// The scene as the observer sees it.
@@ -20,7 +20,7 @@ pub(super) struct WorldPicture {
     pub(super) pixels: Vec<Color32>,
     pub(super) enclosing: Enclosing,
     /// The picture's coarseness.
-    pub(super) coarseness: Coarseness,
+    pub(super) subsampling: Subsampling,
 }
 
 /// The inputs of a trace: the observer, the generation of the objects, and the hidden spheres.
@@ -32,9 +32,9 @@ pub(super) struct WorldPictures {
     enclosing: Memo<(u64, DVec3, DVec3), Enclosing>,
     fineness: Fineness<Seen>,
     /// Frames that can be recoloured without a trace.
-    frame: Memo<(Seen, Coarseness), Arc<Frame<f32>>>,
+    frame: Memo<(Seen, Subsampling), Arc<Frame<f32>>>,
     /// The picture; the last part of the key is the palette's number.
-    picture: Memo<(Seen, Coarseness, u64), Arc<WorldPicture>>,
+    picture: Memo<(Seen, Subsampling, u64), Arc<WorldPicture>>,
     backdrop: Memo<(Same<WorldPicture>, Backdrop), Arc<Vec<Color32>>>,
     traced: u64,
 }
@@ -52,7 +52,7 @@ impl WorldPictures {
         objects: &mut Objects,
         eye: DVec3,
         observer: PosedCamera,
-        wanted: Coarseness,
+        wanted: Subsampling,
         watch: Watch<'_>,
     ) -> Option<Arc<WorldPicture>> {
         let good = objects.good()?.clone();
@@ -63,15 +63,15 @@ impl WorldPictures {
         let colors = (Shade::Lambert, |i: u32| good.colors[i as usize]);
         let (frame, traced) = (&mut self.frame, &mut self.traced);
         let seen = (observer, good.generation, enclosing);
-        let coarseness = self.fineness.at_most(seen.clone(), wanted);
-        Some(self.picture.get((seen, coarseness, good.palette), |(seen, ..)| {
+        let subsampling = self.fineness.at_most(seen.clone(), wanted);
+        Some(self.picture.get((seen, subsampling, good.palette), |(seen, ..)| {
             let mut fresh = None;
-            let frame = frame.get((seen.clone(), coarseness), |_| {
+            let frame = frame.get((seen.clone(), subsampling), |_| {
                 *traced += 1;
                 let image = observer.image();
-                let raster = coarseness.raster(image, [image.width(), image.height()]);
+                let raster = subsampling.raster(image, [image.width(), image.height()]);
                 let traced = picture(&scene, &observer, &raster, Outputs::default(), colors, watch);
-                if coarseness == Coarseness::NONE {
+                if subsampling == Subsampling::NONE {
                     fresh = Some(traced.1);
                     return Arc::new(traced.0);
                 }
@@ -81,7 +81,7 @@ impl WorldPictures {
             });
             let pixels = fresh.unwrap_or_else(|| repainted(&frame, &scene, colors, watch));
             let enclosing = Arc::clone(&seen.2);
-            Arc::new(WorldPicture { frame, pixels, enclosing, coarseness })
+            Arc::new(WorldPicture { frame, pixels, enclosing, subsampling })
         }))
     }
 

@@ -16,7 +16,7 @@ use super::watch::{Watch, Work, watched};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};
-use crate::view::adaptive_resolution::Coarseness;
+use crate::view::adaptive_resolution::Subsampling;
 use crate::view::overlay::{Picture, Style};
 
 /// The inputs of a wrong picture: the camera, the objects and colours by number, and the rest.
@@ -41,7 +41,7 @@ pub(super) struct Right<'a> {
     pub(super) inspection: &'a Inspection,
     pub(super) selection: Selection,
     /// The coarseness of its picture.
-    pub(super) coarseness: Coarseness,
+    pub(super) subsampling: Subsampling,
 }
 
 impl WrongPictures {
@@ -64,7 +64,7 @@ impl WrongPictures {
             self.last = Some(self.of(&right, world, session, size, sizes, watch));
         }
         // While there is a fault, an older picture must not be shown under another mistake's name.
-        self.last.take_if(|(wrong, _)| wrong.mistake != session.gallery.shown());
+        self.last.take_if(|(wrong, _)| wrong.mistake != session.mistakes_view.shown());
         if let Some((wrong, shown)) = &self.last {
             derived.wrong = Some(Arc::clone(wrong));
             derived.wrong_view.clone_from(shown);
@@ -81,9 +81,9 @@ impl WrongPictures {
         watch: Watch<'_>,
     ) -> (Arc<ComparedCamera>, Option<Shown>) {
         let image = right.posed.image();
-        let raster = right.coarseness.raster(image, size);
+        let raster = right.subsampling.raster(image, size);
         let mode = Shade::from(session.settings.shade);
-        let mistake = session.gallery.shown();
+        let mistake = session.mistakes_view.shown();
         let key = (*right.camera, world.generation, world.palette, raster, mode, mistake);
         let count = &mut self.count;
         let (wrong, picture) = self.made.get(key, |(camera, _, _, raster, mode, mistake)| {

@@ -11,7 +11,7 @@ use crate::model::lines::{Handle, LinesLab};
 use crate::view::lines::canvas::{Sheet, round_step};
 use crate::view::lines::steps::number;
 use crate::view::overlay::Style;
-use crate::view::typesetting::label_layout::{Font, Words, around};
+use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
 use crate::view::typesetting::theme;
 
 /// Text sizes in points: coordinates, names, regions.
@@ -75,7 +75,7 @@ pub(crate) fn paint(
         signs(sheet, &line, ink);
         implicit(sheet, &line, ink);
     }
-    let mut words = Words::new(sheet.painter.clone(), halo, rect.shrink(3.0));
+    let mut words = LabelLayout::new(sheet.painter.clone(), halo, rect.shrink(3.0));
     handles::keep_free(sheet, lab, &mut words);
     let is_ray = lab.ray.check().is_ok();
     if is_ray {
@@ -141,7 +141,7 @@ fn signs(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
 }
 
 /// Draws the grid's numbers along the axes, or along the edge where an axis is out of sight.
-fn coordinates(sheet: &Sheet, ink: &Ink, words: &mut Words) {
+fn coordinates(sheet: &Sheet, ink: &Ink, words: &mut LabelLayout) {
     let (_, [xs, ys]) = grid_lines(sheet);
     let (origin, rect) = (sheet.place(DVec2::ZERO), sheet.rect);
     let axis = Pos2::new(
@@ -172,7 +172,7 @@ fn implicit(sheet: &Sheet, line: &ImplicitLine, ink: &Ink) {
 }
 
 /// Writes on both sides of the line where f is positive, negative and 0.
-fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut Words) {
+fn regions(sheet: &Sheet, line: &ImplicitLine, ink: &Ink, words: &mut LabelLayout) {
     let direction = line.direction().normalize_or_zero();
     let normal = direction.perp();
     let middle = line.nearest_to(sheet.center());
@@ -234,7 +234,7 @@ fn left_of(d: DVec2) -> Vec2 {
 
 /// Writes t at the generated points, as far as there is room. Returns a description of these
 /// points.
-fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) -> String {
+fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout) -> String {
     let font = Font { size: SMALL, color: ink.ray, bold: false };
     let left = left_of(lab.ray.d);
     let points: Vec<(f64, DVec2)> = generated(sheet, lab).collect();
@@ -254,7 +254,7 @@ fn trail(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) -> String 
 }
 
 /// Labels the parts of the line with t < 0 and t > 0.
-fn sides(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) {
+fn sides(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout) {
     let direction = lab.ray.d.normalize_or_zero();
     let font = Font { size: SMALL + 2.0, color: ink.ray, bold: false };
     for (text, sign) in [("t < 0", -1.0), ("t > 0", 1.0)] {
@@ -266,7 +266,7 @@ fn sides(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) {
     }
 }
 
-fn meeting(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words, digits: usize) {
+fn meeting(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut LabelLayout, digits: usize) {
     let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
         Substitution::new(lab.line(), lab.ray)
     else {

@@ -6,13 +6,13 @@ use crate::model::lines::{Handle, LinesLab};
 use crate::view::lines::canvas::Sheet;
 use crate::view::lines::drawing::{Ink, NAMES};
 use crate::view::lines::steps::number;
-use crate::view::typesetting::label_layout::{Font, Words, around};
+use crate::view::typesetting::label_layout::{Font, LabelLayout, around};
 
 /// Half the side of the square around a handle that takes the pointer, in points.
 pub(crate) const GRASP: f32 = 13.0;
 
 /// Keeps labels off the handles.
-pub(crate) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut Words) {
+pub(crate) fn keep_free(sheet: &Sheet, lab: &LinesLab, words: &mut LabelLayout) {
     for handle in Handle::ALL {
         if let Some(place) = lab.place_of(handle) {
             words.keep_free(Rect::from_center_size(sheet.place(place), Vec2::splat(15.0)));
@@ -60,7 +60,13 @@ fn one(sheet: &Sheet, handle: Handle, at: Pos2, ink: &Ink, held: bool) {
 }
 
 /// Writes p, d and t at their handles.
-pub(crate) fn names(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words, digits: usize) {
+pub(crate) fn names(
+    sheet: &Sheet,
+    lab: &LinesLab,
+    ink: &Ink,
+    words: &mut LabelLayout,
+    digits: usize,
+) {
     let d = lab.ray.d.normalize_or_zero();
     // y grows downwards on the screen: these are the direction to the right of d, and backwards.
     let (right, back) = (vec2(d.y as f32, d.x as f32), vec2(-d.x as f32, d.y as f32));

@@ -10,7 +10,7 @@ use egui::{Rect, RichText, Ui, UiBuilder, Vec2, pos2};
 use pinhole_lecture::lines::{LineError, Substitution};
 
 use self::steps::{number, steps, verdict};
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::model::lines::LinesLab;
 use crate::view::typesetting::notation;
 use crate::view::typesetting::theme::error_color;
@@ -70,6 +70,6 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
 }
 
 fn no_line(ui: &mut Ui, error: &LineError) {
-    let text = RichText::new(told(error)).size(TEXT + 2.0).strong();
+    let text = RichText::new(typeset_message(error)).size(TEXT + 2.0).strong();
     ui.label(text.color(error_color(ui)));
 }

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel, PosedCamera};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::number::written;
 use crate::model::overlay_items::Item;
@@ -114,7 +114,8 @@ impl Sketch<'_> {
     }
 
     fn outline(&mut self, posed: &PosedCamera) {
-        let pen = Pen::new(Item::Viewport, self.colors.ink, 2.2).of(Thing::Viewport).on_viewport();
+        let pen =
+            Pen::new(Item::Viewport, self.colors.ink, 2.2).of(Concept::Viewport).on_viewport();
         let corners = corners(posed).map(|uv| posed.viewport_point(uv));
         for k in 0..4 {
             self.line(corners[k], corners[(k + 1) % 4], pen);
@@ -166,7 +167,7 @@ impl Sketch<'_> {
         for pixel in touched.into_iter().flatten() {
             self.pixel(posed, pixel);
         }
-        let pen = Pen::new(Item::Ray, color, 2.8).of(Thing::Ray);
+        let pen = Pen::new(Item::Ray, color, 2.8).of(Concept::Ray);
         let hit = inspection.first_hit();
         let end = match hit {
             Some(hit) => Some(hit.point),
@@ -175,13 +176,13 @@ impl Sketch<'_> {
         if let Some(end) = end {
             self.line(ray.origin, end, pen);
         }
-        self.point(ray.at(1.0), 3.6, pen.of(Thing::Pixel).on_viewport());
-        if let Some(t) = view.walked {
-            self.walked(inspection, t);
+        self.point(ray.at(1.0), 3.6, pen.of(Concept::Pixel).on_viewport());
+        if let Some(t) = view.ray_point_t {
+            self.ray_point_t(inspection, t);
         }
         let Some(hit) = hit else { return };
         let ink = self.colors.hit;
-        let pen = Pen::new(Item::Hit, ink, 2.4).of(Thing::Normal);
+        let pen = Pen::new(Item::Hit, ink, 2.4).of(Concept::Normal);
         let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
         let tip = self.arrow(hit.point, hit.point + length * hit.normal, Head::Filled, pen);
         self.label_tip(pen, "n", tip, (ink, POINT_TEXT, true));
@@ -192,7 +193,7 @@ impl Sketch<'_> {
     }
 
     /// Draws the point p + t d with its t, and a line to it where the ray is not drawn that far.
-    fn walked(&mut self, inspection: &Inspection, t: f64) {
+    fn ray_point_t(&mut self, inspection: &Inspection, t: f64) {
         let ray = &inspection.ray;
         let (at, last) = (ray.at(t), inspection.first_hit().map_or(f64::INFINITY, |hit| hit.t));
         let color = self.colors.ray;
@@ -217,7 +218,7 @@ impl Sketch<'_> {
         let v = [posed.v_of_row_edge(row), posed.v_of_row_edge(row + 1)];
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
             .map(|(i, j)| posed.viewport_point(DVec2::new(u[i], v[j])));
-        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).of(Thing::Pixel).on_viewport();
+        let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).of(Concept::Pixel).on_viewport();
         for k in 0..4 {
             self.line(corners[k], corners[(k + 1) % 4], pen.without_halo());
         }
@@ -232,12 +233,12 @@ impl Sketch<'_> {
         let color = self.colors.given;
         let eye = view.camera.eye;
         let vectors = [
-            ("view", view.camera.view(), arrow * VIEW_LENGTH, Thing::View),
-            ("up", up, view.handles.up.unwrap_or(arrow * UP_LENGTH), Thing::Up),
+            ("view", view.camera.view(), arrow * VIEW_LENGTH, Concept::View),
+            ("up", up, view.handles.up.unwrap_or(arrow * UP_LENGTH), Concept::Up),
         ];
-        for (name, vector, length, thing) in vectors {
+        for (name, vector, length, concept) in vectors {
             if let Some(direction) = unit(vector) {
-                let pen = Pen::new(Item::ViewAndUp, color, 1.9).of(thing);
+                let pen = Pen::new(Item::ViewAndUp, color, 1.9).of(concept);
                 let tip = self.arrow(eye, eye + length * direction, Head::Filled, pen);
                 self.label_tip(pen, name, tip, (color, POINT_TEXT, false));
             }
@@ -247,13 +248,13 @@ impl Sketch<'_> {
     fn basis(&mut self, posed: &PosedCamera, arrow: f64) {
         let (eye, basis) = (posed.eye(), posed.basis());
         let arrows = [
-            ("u", basis.u, Head::Filled, Thing::U),
-            ("v", basis.v, Head::Open, Thing::V),
-            ("w", basis.w, Head::Double, Thing::W),
+            ("u", basis.u, Head::Filled, Concept::U),
+            ("v", basis.v, Head::Open, Concept::V),
+            ("w", basis.w, Head::Double, Concept::W),
         ];
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((name, vector, head, thing), (color, pattern)) in arrows.into_iter().zip(inks) {
-            let pen = Pen::new(Item::Basis, color, 3.4).of(thing).patterned(pattern);
+        for ((name, vector, head, concept), (color, pattern)) in arrows.into_iter().zip(inks) {
+            let pen = Pen::new(Item::Basis, color, 3.4).of(concept).patterned(pattern);
             let tip = self.arrow(eye, eye + arrow * vector, head, pen);
             self.label_tip(pen, name, tip, (color, VECTOR_TEXT, true));
         }
@@ -263,13 +264,13 @@ impl Sketch<'_> {
         let ink = self.colors.ink;
         if let Orientation::At { at, .. } = view.camera.orientation {
             let color = self.colors.given;
-            let pen = Pen::new(Item::At, color, 2.0).of(Thing::At);
+            let pen = Pen::new(Item::At, color, 2.0).of(Concept::At);
             if let Some(spot) = self.point(at, 4.5, pen) {
                 let font = (color, POINT_TEXT, false);
                 self.label(pen, "at", spot.at, DVec2::new(0.5, 1.0), font);
             }
         }
-        let pen = Pen::new(Item::Eye, ink, 2.0).of(Thing::Eye);
+        let pen = Pen::new(Item::Eye, ink, 2.0).of(Concept::Eye);
         if let Some(spot) = self.point(view.camera.eye, 6.0, pen) {
             self.label(pen, "eye", spot.at, DVec2::new(-0.6, 1.0), (ink, POINT_TEXT, false));
         }

@@ -5,14 +5,14 @@ use std::borrow::Cow;
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_in_space::MARK_TEXT;
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
+use crate::view::overlay::highlighted::Highlighted;
 use crate::view::overlay::labels::{self, Request};
 use crate::view::overlay::layers::{contrast, mix};
-use crate::view::overlay::lit::Lit;
 use crate::view::overlay::loupe::{self, Loupe};
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::sketch::Pen;
@@ -36,7 +36,7 @@ pub struct CameraView<'a> {
     /// The colours.
     pub style: Style,
     /// The highlighted concept, if any.
-    pub lit: Option<Lit<'a>>,
+    pub highlighted: Option<Highlighted<'a>>,
     /// The content of the loupe, if it is open.
     pub loupe: Option<&'a Loupe>,
 }
@@ -133,8 +133,8 @@ impl CameraView<'_> {
         sheet.uv_axes();
         sheet.marks();
         sheet.selected();
-        if let Some(lit) = self.lit {
-            sheet.light(lit);
+        if let Some(highlighted) = self.highlighted {
+            sheet.light(highlighted);
         }
         let placed = labels::place(&sheet.requests, &sheet.drawing, self.extent(), colors.halo);
         sheet.loupe();
@@ -169,11 +169,11 @@ pub(super) struct Sheet<'a> {
 
 impl Sheet<'_> {
     pub(super) fn add(&mut self, pen: Pen, shape: Shape) {
-        let Pen { item, thing, color, pattern, .. } = pen;
+        let Pen { item, concept, color, pattern, .. } = pen;
         if self.items.shows(item) {
             let halo = pen.halo.then_some(self.colors.halo);
             let hidden = false;
-            self.drawing.marks.push(Mark { item, thing, shape, color, halo, hidden, pattern });
+            self.drawing.marks.push(Mark { item, concept, shape, color, halo, hidden, pattern });
         }
     }
 
@@ -190,10 +190,10 @@ impl Sheet<'_> {
         toward: DVec2,
         (size, bold): (f32, bool),
     ) {
-        let Pen { item, thing, color, .. } = pen;
+        let Pen { item, concept, color, .. } = pen;
         if self.items.shows(Item::Labels) && self.items.shows(item) {
             let text = text.into();
-            let request = Request { item, text, thing, anchor, toward, color, size, bold };
+            let request = Request { item, text, concept, anchor, toward, color, size, bold };
             self.requests.push(request);
         }
     }
@@ -204,11 +204,11 @@ impl Sheet<'_> {
         let across = [DVec2::new(0.0, middle.y), DVec2::new(size.x, middle.y)];
         let down = [DVec2::new(middle.x, 0.0), DVec2::new(middle.x, size.y)];
         let axes = [
-            ("u", across, DVec2::new(size.x - 1.0, middle.y), Thing::U),
-            ("v", down, DVec2::new(middle.x, 1.0), Thing::V),
+            ("u", across, DVec2::new(size.x - 1.0, middle.y), Concept::U),
+            ("v", down, DVec2::new(middle.x, 1.0), Concept::V),
         ];
-        for (name, points, end, thing) in axes {
-            let pen = Pen::new(Item::UvAxes, color, 1.0).of(thing);
+        for (name, points, end, concept) in axes {
+            let pen = Pen::new(Item::UvAxes, color, 1.0).of(concept);
             self.line(&points, pen);
             self.label(pen, name, end, middle - end, (MARK_TEXT, false));
         }
@@ -245,7 +245,7 @@ impl Sheet<'_> {
     /// position.
     fn selected(&mut self) {
         let Some(inspection) = self.view.inspection else { return };
-        let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).of(Thing::Pixel);
+        let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).of(Concept::Pixel);
         let frame = Pen { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
         let posed = self.view.posed;

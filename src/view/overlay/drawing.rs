@@ -4,7 +4,7 @@
 use egui::Color32;
 use pinhole_core::DVec2;
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 
 /// A shape in dots from the top left corner.
@@ -37,7 +37,7 @@ pub struct Mark {
     /// The overlay item that it belongs to.
     pub item: Item,
     /// The concept that is hovered when the pointer is on this mark.
-    pub thing: Option<Thing>,
+    pub concept: Option<Concept>,
     /// The shape and position.
     pub shape: Shape,
     /// The colour.
@@ -84,7 +84,7 @@ pub struct Drawing {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Target {
     /// The concept.
-    pub thing: Thing,
+    pub concept: Concept,
     /// The shape, in dots.
     pub shape: Shape,
 }
@@ -92,20 +92,20 @@ pub struct Target {
 impl Drawing {
     /// Returns every mark that can be hovered, in the order of painting.
     pub fn targets(&self) -> Vec<Target> {
-        let pointable = self.marks.iter().filter_map(|mark| Some((mark.thing?, &mark.shape)));
-        pointable.map(|(thing, shape)| Target { thing, shape: shape.clone() }).collect()
+        let pointable = self.marks.iter().filter_map(|mark| Some((mark.concept?, &mark.shape)));
+        pointable.map(|(concept, shape)| Target { concept, shape: shape.clone() }).collect()
     }
 }
 
 /// Returns the concept nearest to a position, at most `within` away, all in dots. If several are
 /// equally near, the one drawn on top wins.
-pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Thing> {
+pub fn thing_at(targets: &[Target], position: [f32; 2], within: f32) -> Option<Concept> {
     let at = DVec2::new(position[0].into(), position[1].into());
     let mut nearest = (f64::from(within), None);
-    for Target { thing, shape } in targets {
+    for Target { concept, shape } in targets {
         let distance = shape.distance(at);
         if distance <= nearest.0 {
-            nearest = (distance, Some(*thing));
+            nearest = (distance, Some(*concept));
         }
     }
     nearest.1

@@ -141,8 +141,8 @@ impl Sketch<'_> {
         let radius = scale * if mark.state == KnobState::Plain { PLAIN } else { LARGE };
         let mut add = |shape: Shape, color, cased: bool| {
             let halo = cased.then_some(halo);
-            let (item, thing, hidden, pattern) = (Item::Handles, None, false, None);
-            let mark = Mark { item, thing, shape, color, halo, hidden, pattern };
+            let (item, concept, hidden, pattern) = (Item::Handles, None, false, None);
+            let mark = Mark { item, concept, shape, color, halo, hidden, pattern };
             self.drawing.marks.push(mark);
         };
         if mark.state == KnobState::Held {

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::Color32;
 use pinhole_core::DVec2;
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
 
@@ -15,7 +15,7 @@ use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
 pub(crate) struct Request {
     pub(crate) item: Item,
     pub(crate) text: Cow<'static, str>,
-    pub(crate) thing: Option<Thing>,
+    pub(crate) concept: Option<Concept>,
     /// The point it names, in dots.
     pub(crate) anchor: DVec2,
     /// The preferred direction from the anchor; of any length, zero for no preference.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use egui::Color32;
 use pinhole_core::{DVec2, ImageSize, Pixel, PixelOfUv};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_view::{CameraView, Sheet, place_of};
 use crate::view::overlay::drawing::{Drawing, Label, Shape, dot};
@@ -125,13 +125,13 @@ impl Sheet<'_> {
         for pixel in place.touching(view.posed.image()) {
             let corner =
                 |k: u32| inset.place(f64::from(pixel.column + k), f64::from(pixel.row + k));
-            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).of(Thing::Pixel));
+            self.frame(corner(0), corner(1), pen(colors.ray, 2.5).of(Concept::Pixel));
         }
         let per_pixel = view.dots_per_pixel();
         let spot = inset.place(at.x / per_pixel.x, at.y / per_pixel.y);
         for axis in [DVec2::X, DVec2::Y] {
             let arm = 0.8 * inset.cell * axis;
-            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).of(Thing::Pixel));
+            self.line(&[spot - arm, spot + arm], pen(colors.ray, 3.0).of(Concept::Pixel));
         }
     }
 

@@ -8,7 +8,7 @@
 //!
 //! - `world_view`: contents of the world view; `camera_view`: contents of the camera view.
 //! - `ghost`: the camera to compare with, in the world view.
-//! - `lit`, `lit_world`, `lit_camera`: the highlighted concept, on top of everything else.
+//! - `highlighted`, `highlighted_world`, `highlighted_camera`: the highlighted concept, on top of everything else.
 //! - `handles`: the handles that can be dragged.
 //! - `screen`: projection and clipping; `flat`: its inverse, from a dot to a point of a plane.
 //! - `layers`: areas filled dot by dot (planes, the picture on the viewport), and occlusion.
@@ -21,11 +21,11 @@ mod drawing;
 mod flat;
 mod ghost;
 mod handles;
+mod highlighted;
+mod highlighted_camera;
+mod highlighted_world;
 mod labels;
 mod layers;
-mod lit;
-mod lit_camera;
-mod lit_world;
 mod loupe;
 mod objects;
 mod paint;
@@ -42,7 +42,7 @@ pub use drawing::{Drawing, Label, Mark, Shape, Target, thing_at};
 pub use handles::{
     Guide, HandleMark, Handles, Knob, KnobState, arrow_length, length_of_points, normal_length,
 };
-pub use lit::Lit;
+pub use highlighted::Highlighted;
 pub use loupe::{Loupe, loupe_window};
 pub use path::{Ink, Outline, Path};
 pub use picture::Picture;

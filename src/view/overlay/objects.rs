@@ -4,7 +4,7 @@
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Plane, Rgb, Sphere};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::Item;
 use crate::view::overlay::flat::{Flat, Grid};
 use crate::view::overlay::layers::{Patch, mix};
@@ -107,7 +107,7 @@ impl Sketch<'_> {
     pub(crate) fn circles(&mut self, index: u32, sphere: &Sphere, [r, g, b]: Rgb) {
         const SIDES: usize = 72;
         let color = mix(Color32::from_rgb(r, g, b), self.colors.ink, 0.3);
-        let pen = Pen::new(Item::Frustum, color, 1.2).of(Thing::Object(index)).without_halo();
+        let pen = Pen::new(Item::Frustum, color, 1.2).of(Concept::Object(index)).without_halo();
         for (a, b) in [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)] {
             let at = |k: usize| {
                 let (sin, cos) = (k as f64 * std::f64::consts::TAU / SIDES as f64).sin_cos();

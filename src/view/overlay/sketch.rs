@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use egui::Color32;
 use pinhole_core::{DVec2, DVec3};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::drawing::{Drawing, Mark, Shape, dot};
 use crate::view::overlay::labels::Request;
@@ -18,7 +18,7 @@ use crate::view::overlay::style::Colors;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen {
     pub(crate) item: Item,
-    pub(crate) thing: Option<Thing>,
+    pub(crate) concept: Option<Concept>,
     pub(crate) color: Color32,
     /// Width in points.
     pub(crate) width: f32,
@@ -70,9 +70,9 @@ struct Run {
 
 impl Pen {
     pub(crate) fn new(item: Item, color: Color32, width: f32) -> Pen {
-        let (thing, on_viewport, on_top, dashed) = (None, false, false, false);
+        let (concept, on_viewport, on_top, dashed) = (None, false, false, false);
         let pattern = None;
-        Pen { item, thing, color, width, halo: true, on_viewport, on_top, dashed, pattern }
+        Pen { item, concept, color, width, halo: true, on_viewport, on_top, dashed, pattern }
     }
 
     /// Sets dash and gap, in points, of the visible parts.
@@ -81,8 +81,8 @@ impl Pen {
     }
 
     /// Sets the concept that is hovered when the pointer is on the line.
-    pub(crate) fn of(self, thing: Thing) -> Pen {
-        Pen { thing: Some(thing), ..self }
+    pub(crate) fn of(self, concept: Concept) -> Pen {
+        Pen { concept: Some(concept), ..self }
     }
 
     pub(crate) fn on_top(self) -> Pen {
@@ -165,9 +165,9 @@ impl Sketch<'_> {
             };
             let halo = (pen.halo && !hidden).then_some(self.colors.halo);
             // The head is never dashed, or its shape would be lost.
-            let (item, thing, color) = (pen.item, pen.thing, pen.color);
+            let (item, concept, color) = (pen.item, pen.concept, pen.color);
             let pattern = None;
-            let mark = Mark { item, thing, shape, color, halo, hidden: false, pattern };
+            let mark = Mark { item, concept, shape, color, halo, hidden: false, pattern };
             self.drawing.marks.push(mark);
         };
         match head {
@@ -215,7 +215,7 @@ impl Sketch<'_> {
         let halo = pen.halo.then_some(self.colors.halo);
         self.drawing.marks.push(Mark {
             item: pen.item,
-            thing: pen.thing,
+            concept: pen.concept,
             shape,
             color: pen.color,
             halo,
@@ -252,8 +252,8 @@ impl Sketch<'_> {
         let inside = anchor.cmpge(DVec2::ZERO).all() && anchor.cmple(self.screen.size).all();
         if self.items.shows(Item::Labels) && self.items.shows(pen.item) && inside {
             let (color, size, bold) = font;
-            let (item, thing, text) = (pen.item, pen.thing, text.into());
-            let request = Request { item, text, thing, anchor, toward, color, size, bold };
+            let (item, concept, text) = (pen.item, pen.concept, text.into());
+            let request = Request { item, text, concept, anchor, toward, color, size, bold };
             self.requests.push(request);
         }
     }
@@ -270,9 +270,9 @@ impl Sketch<'_> {
             let dashed = run.hidden || pen.dashed;
             let halo = (pen.halo && !dashed).then_some(self.colors.halo);
             let shape = Shape::Line { points, width: thin * pen.width * scale };
-            let (item, thing, color) = (pen.item, pen.thing, pen.color);
+            let (item, concept, color) = (pen.item, pen.concept, pen.color);
             let pattern = pen.pattern;
-            let mark = Mark { item, thing, shape, color, halo, hidden: dashed, pattern };
+            let mark = Mark { item, concept, shape, color, halo, hidden: dashed, pattern };
             self.drawing.marks.push(mark);
         }
     }

@@ -10,9 +10,9 @@ use crate::view::overlay::camera_view::camera_uv_at;
 use crate::view::overlay::drawing::Drawing;
 use crate::view::overlay::flat::{Flat, Grid};
 use crate::view::overlay::handles::Handles;
+use crate::view::overlay::highlighted::Highlighted;
 use crate::view::overlay::labels;
 use crate::view::overlay::layers::{Layers, Patch, PictureLookup, ViewportLayer};
-use crate::view::overlay::lit::Lit;
 use crate::view::overlay::objects::{self, Onlooker};
 use crate::view::overlay::picture::Picture;
 use crate::view::overlay::screen::Screen;
@@ -49,11 +49,11 @@ pub struct WorldView<'a> {
     /// The colours.
     pub style: Style,
     /// The t of the point that moves along the selected ray.
-    pub walked: Option<f64>,
+    pub ray_point_t: Option<f64>,
     /// The frozen camera to compare with.
     pub ghost: Option<&'a PosedCamera>,
     /// The highlighted concept, if any.
-    pub lit: Option<Lit<'a>>,
+    pub highlighted: Option<Highlighted<'a>>,
     /// The handles that can be dragged.
     pub handles: &'a Handles,
     /// True if the picture is transparent where the observer sees nothing.
@@ -231,8 +231,8 @@ impl<'a> WorldView<'a> {
         sketch.camera_in_space(self);
         // The ghost's labels come after the camera's, where there is no room for both.
         sketch.requests.extend(of_ghost);
-        if let Some(lit) = self.lit {
-            sketch.light(self, lit);
+        if let Some(highlighted) = self.highlighted {
+            sketch.light(self, highlighted);
         }
         sketch.handles(self.handles);
         let Sketch { mut drawing, requests, .. } = sketch;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{FontId, Galley, Id, Rect, Ui, vec2};
 
-use crate::view::derivation::{Ledger, Line, Section, left_out};
+use crate::view::derivation::{Derivation, Line, Section, left_out};
 use crate::view::formula::{Column, Layout};
 use crate::view::typesetting::formula::{self, Inks};
 use crate::view::typesetting::theme::error_color;
@@ -80,13 +80,13 @@ pub(crate) fn paint(ui: &Ui, rect: Rect, line: &Line, place: &LaidLine, inks: In
 /// returns its height. Of a section that `is_folded`, only the title is drawn.
 pub(crate) fn draw(
     ui: &Ui,
-    ledger: &Ledger,
+    derivation: &Derivation,
     column: Rect,
     is_folded: impl Fn(&Section) -> bool,
 ) -> f32 {
     let (inks, painter) = (Inks::of(ui), ui.painter());
     let mut at = column.min;
-    for (k, section) in ledger.sections.iter().enumerate() {
+    for (k, section) in derivation.sections.iter().enumerate() {
         at.y += if k == 0 { 0.0 } else { BEFORE_SECTION };
         let color = ui.visuals().strong_text_color();
         let title = FontId::proportional(SIZE);
@@ -104,11 +104,11 @@ pub(crate) fn draw(
             at.y += place.height + BETWEEN_LINES;
         }
     }
-    if ledger.left_out > 0 {
+    if derivation.left_out > 0 {
         at.y += BEFORE_SECTION;
         let color = ui.visuals().text_color();
         let note = FontId::proportional(NOTE);
-        let note = painter.layout(left_out(ledger.left_out), note, color, column.width());
+        let note = painter.layout(left_out(derivation.left_out), note, color, column.width());
         let height = note.size().y;
         painter.galley(at, note, color);
         at.y += height;

@@ -17,16 +17,16 @@ pub(crate) struct Font {
 }
 
 /// The labels already written, and the area for more.
-pub(crate) struct Words {
+pub(crate) struct LabelLayout {
     painter: Painter,
     halo: Color32,
     within: Rect,
     taken: Vec<Rect>,
 }
 
-impl Words {
-    pub(crate) fn new(painter: Painter, halo: Color32, within: Rect) -> Words {
-        Words { painter, halo, within, taken: Vec::new() }
+impl LabelLayout {
+    pub(crate) fn new(painter: Painter, halo: Color32, within: Rect) -> LabelLayout {
+        LabelLayout { painter, halo, within, taken: Vec::new() }
     }
 
     /// Keeps a part of the drawing free of labels.
@@ -45,7 +45,7 @@ impl Words {
         self.write_clear_of(&[], text, font, places)
     }
 
-    /// Writes a label as [`Words::write`] does, at the first position that also covers none of
+    /// Writes a label as [`LabelLayout::write`] does, at the first position that also covers none of
     /// `points`.
     pub(crate) fn write_clear_of(
         &mut self,

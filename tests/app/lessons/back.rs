@@ -70,7 +70,7 @@ fn r_puts_back_what_a_step_sets_beside_the_scene() {
             window.run();
         }),
         (2, 4, |window| {
-            window.get_by_label("Ledger: Objects").click();
+            window.get_by_label("Derivation: Objects").click();
             window.run();
         }),
         (3, 3, |window| {

@@ -4,7 +4,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::model::exercises::Exercises;
-use pinhole::model::lessons::{Looks, Step, builtin};
+use pinhole::model::lessons::{Step, StepView, builtin};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::ui::app::App;
 
@@ -25,7 +25,7 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
     assert_eq!(*app.document(), step.document, "{now:?}");
     let session = app.session();
     assert_eq!(session.selection, step.selection, "{now:?}");
-    let Looks {
+    let StepView {
         observer,
         layout,
         items,
@@ -34,8 +34,8 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         digits,
         keep_picture,
         teaching,
-        ledger,
-        lit,
+        derivation,
+        highlighted,
         mistake,
         t,
         play,
@@ -52,10 +52,10 @@ fn assert_is_as_said(app: &App, step: &Step, now: (usize, usize)) {
         ("digits", digits.is_none_or(|said| settings.digits == said)),
         ("keep_picture", keep_picture.is_none_or(|said| settings.keep_picture == said)),
         ("teaching", teaching.is_none_or(|said| settings.teaching == said)),
-        ("ledger", ledger.is_none_or(|said| session.sections == said)),
-        ("lit", lit.is_none_or(|said| session.lit == said)),
-        ("mistake", mistake.is_none_or(|said| session.gallery.shown() == said)),
-        ("t", session.walked == t),
+        ("derivation", derivation.is_none_or(|said| session.sections == said)),
+        ("lit", highlighted.is_none_or(|said| session.highlighted == said)),
+        ("mistake", mistake.is_none_or(|said| session.mistakes_view.shown() == said)),
+        ("t", session.ray_point_t == t),
         ("play", app.player().map(|player| player.kind) == play),
         ("lines", lines.is_none_or(|said| session.lines == said)),
         (

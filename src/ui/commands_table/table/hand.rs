@@ -8,12 +8,12 @@ use super::key;
 use super::plain;
 use super::verb;
 use crate::ui::action::{Action, ObjectMove, Observe, PlayMove, Steer, Switch};
-use crate::ui::commands_table::{Group, Verb, When};
+use crate::ui::commands_table::{Group, UiCommand, When};
 
 const ALT: Modifiers = Modifiers::ALT;
 
 /// All of them.
-pub(super) fn hand() -> Vec<Verb> {
+pub(super) fn hand() -> Vec<UiCommand> {
     let mut verbs = steering();
     verbs.extend(observing());
     verbs.extend(objects());
@@ -22,7 +22,7 @@ pub(super) fn hand() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn steering() -> Vec<Verb> {
+fn steering() -> Vec<UiCommand> {
     use When::CameraView;
     let go = Action::Steer;
     verbs![
@@ -54,7 +54,7 @@ fn steering() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn observing() -> Vec<Verb> {
+fn observing() -> Vec<UiCommand> {
     use When::{View, WorldView};
     let go = Action::Observe;
     verbs![
@@ -84,7 +84,7 @@ fn observing() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn objects() -> Vec<Verb> {
+fn objects() -> Vec<UiCommand> {
     use When::View;
     let go = Action::Object;
     verbs![
@@ -102,7 +102,7 @@ fn objects() -> Vec<Verb> {
 }
 
 /// What stays when something is dragged.
-fn switches() -> Vec<Verb> {
+fn switches() -> Vec<UiCommand> {
     let of = |switch, name, about| verb(Group::Hand, name, about, Action::Toggle(switch));
     vec![
         of(
@@ -125,7 +125,7 @@ fn switches() -> Vec<Verb> {
 
 /// The strip of the animation that is open.
 #[rustfmt::skip]
-pub(super) fn strip() -> Vec<Verb> {
+pub(super) fn strip() -> Vec<UiCommand> {
     use When::Untyped;
     let go = Action::Play;
     verbs![

@@ -3,7 +3,7 @@
 /// Commands, written as the table that they are.
 macro_rules! verbs {
     ($($group:ident, $name:expr, $about:expr, [$($keys:expr),*], $action:expr;)*) => {
-        vec![$(Verb {
+        vec![$(UiCommand {
             group: Group::$group,
             name: std::borrow::Cow::Borrowed($name),
             about: std::borrow::Cow::Borrowed($about),
@@ -25,10 +25,10 @@ use pinhole_lecture::mistakes::Mistake;
 
 use super::Group;
 use super::Keys;
-use super::Verb;
+use super::UiCommand;
 use super::When;
 use crate::model::color_scheme::Scheme;
-use crate::model::derivation_sections::LedgerSection;
+use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
@@ -84,7 +84,7 @@ const fn plain(when: When, k: Key) -> Keys {
 }
 
 /// Every command that does not depend on what is open.
-pub(super) fn table() -> Vec<Verb> {
+pub(super) fn table() -> Vec<UiCommand> {
     let mut verbs = program();
     verbs.extend(presenting());
     verbs.extend(playing());
@@ -100,7 +100,7 @@ pub(super) fn table() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn program() -> Vec<Verb> {
+fn program() -> Vec<UiCommand> {
     use When::*;
     verbs![
         File, "Open…", "Asks which scene or lesson to open.",
@@ -113,10 +113,10 @@ fn program() -> Vec<Verb> {
             [], Action::AskAnswers;
         File, "Export a figure…", "Asks which figure to write to which file.",
             [key(Anywhere, CTRL, Key::E)], Action::AskExport;
-        File, "Copy the ledger as LaTeX", "Puts the ledger on the clipboard as LaTeX.",
-            [], Action::CopyLedger(Markup::Latex);
-        File, "Copy the ledger as Markdown", "Puts the ledger on the clipboard as Markdown.",
-            [], Action::CopyLedger(Markup::Markdown);
+        File, "Copy the derivation as LaTeX", "Puts the derivation on the clipboard as LaTeX.",
+            [], Action::CopyDerivation(Markup::Latex);
+        File, "Copy the derivation as Markdown", "Puts the derivation on the clipboard as Markdown.",
+            [], Action::CopyDerivation(Markup::Markdown);
         File, "Save the camera for another program…", "Asks which file to write the translator's text to.",
             [], Action::AskTranslate;
         File, "Quit", "Closes the window.",
@@ -140,7 +140,7 @@ fn program() -> Vec<Verb> {
             [key(Anywhere, CTRL, Key::P), key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash)],
             Action::Palette;
         Program, "Keys", "Shows all keys on one sheet.",
-            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], Action::KeySheet;
+            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], Action::KeyList;
         Program, "Larger", "Makes everything in the window larger; while presenting, the text.",
             [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], Action::ZoomBy(1);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",
@@ -151,14 +151,14 @@ fn program() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn presenting() -> Vec<Verb> {
+fn presenting() -> Vec<UiCommand> {
     use When::*;
     verbs![
         Presenting, "Presenter mode",
             "Puts panels away and makes text and lines large; once more gives back the window as it was.",
             [plain(Anywhere, Key::F5)], Action::Present;
-        Presenting, "Ledger full", "Fills the window with the ledger.",
-            [plain(Presenting, Key::Num1)], Action::Fill(Full::Ledger);
+        Presenting, "Derivation full", "Fills the window with the derivation.",
+            [plain(Presenting, Key::Num1)], Action::Fill(Full::Derivation);
         Presenting, "World view full", "Fills the window with the world view.",
             [plain(Presenting, Key::Num2)], Action::Fill(Full::World);
         Presenting, "Camera view full", "Fills the window with the camera view.",
@@ -171,7 +171,7 @@ fn presenting() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn playing() -> Vec<Verb> {
+fn playing() -> Vec<UiCommand> {
     use When::*;
     let play = |kind| Action::Play(PlayMove::Open(kind));
     verbs![
@@ -197,7 +197,7 @@ fn playing() -> Vec<Verb> {
 }
 
 #[rustfmt::skip]
-fn pixel_steps() -> Vec<Verb> {
+fn pixel_steps() -> Vec<UiCommand> {
     use When::View;
     let go = |rows, columns| Action::Step { rows, columns };
     const FAR: Modifiers = Modifiers::SHIFT;
@@ -224,19 +224,19 @@ fn verb(
     name: impl Into<Cow<'static, str>>,
     about: impl Into<Cow<'static, str>>,
     action: Action,
-) -> Verb {
+) -> UiCommand {
     let about: Cow<'static, str> = about.into();
     let about = if about.ends_with('.') { about } else { Cow::Owned(format!("{about}.")) };
-    Verb { group, name: name.into(), about, keys: &[], action }
+    UiCommand { group, name: name.into(), about, keys: &[], action }
 }
 
-fn layouts() -> impl Iterator<Item = Verb> {
+fn layouts() -> impl Iterator<Item = UiCommand> {
     ViewLayout::LISTED
         .into_iter()
         .map(|layout| verb(Group::Layout, layout.label(), layout.about(), Action::Layout(layout)))
 }
 
-fn translations() -> impl Iterator<Item = Verb> {
+fn translations() -> impl Iterator<Item = UiCommand> {
     Target::all().map(|target| {
         let name = format!("translate into {}", target.label());
         let about = "Shows the camera in these terms.";
@@ -244,19 +244,19 @@ fn translations() -> impl Iterator<Item = Verb> {
     })
 }
 
-fn switches() -> Vec<Verb> {
+fn switches() -> Vec<UiCommand> {
     let of = |switch: Switch, group, name: Cow<'static, str>, about: Cow<'static, str>| {
         verb(group, name, about, Action::Toggle(switch))
     };
-    let mut verbs: Vec<Verb> = Item::ALL
+    let mut verbs: Vec<UiCommand> = Item::ALL
         .into_iter()
         .map(|item| {
             let about = format!("Shows or hides {}.", item.label());
             of(Switch::Item(item), Group::Overlay, item.label().into(), about.into())
         })
         .collect();
-    verbs.extend(LedgerSection::ALL.into_iter().map(|section| {
-        let name = format!("ledger’s part “{}”", section.label());
+    verbs.extend(DerivationSection::ALL.into_iter().map(|section| {
+        let name = format!("derivation’s part “{}”", section.label());
         let about = format!("Shows or hides the {name}.");
         of(Switch::Section(section), Group::Layout, name.into(), about.into())
     }));
@@ -279,7 +279,7 @@ fn switches() -> Vec<Verb> {
     verbs
 }
 
-fn looks() -> Vec<Verb> {
+fn looks() -> Vec<UiCommand> {
     let mut verbs = Vec::new();
     for shade in ShadeName::ALL {
         let name = format!("shade by {}", Shade::from(shade).name());
@@ -299,7 +299,7 @@ fn looks() -> Vec<Verb> {
     verbs
 }
 
-fn places() -> Vec<Verb> {
+fn places() -> Vec<UiCommand> {
     let mut verbs = Vec::new();
     for scene in builtin::all() {
         let action = Action::Open(SceneSource::Builtin(scene));
@@ -320,7 +320,7 @@ fn places() -> Vec<Verb> {
 }
 
 /// A command for each step of a lesson.
-pub fn of_lesson(which: Which, lesson: &Lesson) -> Vec<Verb> {
+pub fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let title = title_of(which, lesson);
     let steps = lesson.steps.iter().enumerate().map(|(step, of)| {
         let name = format!("{title}, {}. {}", step + 1, of.title);

@@ -7,7 +7,7 @@ use egui::{Align2, Color32, FontId, Pos2, RichText, Sense, Shape, Stroke, Ui, po
 use pinhole_core::{BasisError, Camera, UpAngle};
 
 use super::reason;
-use crate::model::letters::told;
+use crate::model::letters::typeset_message;
 use crate::ui::widgets::number::significant;
 use crate::view::typesetting::theme::error_color;
 
@@ -37,7 +37,7 @@ pub(super) fn ui(ui: &mut Ui, camera: &Camera) {
     }
     match angle {
         Ok(UpAngle { conditioning, .. }) => words(ui, conditioning),
-        Err(fault) => reason(ui, format!("No camera: {}", told(fault))),
+        Err(fault) => reason(ui, format!("No camera: {}", typeset_message(fault))),
     }
 }
 

@@ -6,40 +6,45 @@ use pinhole_core::{Camera, PosedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::checks;
-use crate::model::mistakes_view::Gallery;
+use crate::model::mistakes_view::MistakesView;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;
 
 /// Shows the buttons that start a question, go to the next one, or return to the gallery.
 pub(super) fn buttons(
     ui: &mut Ui,
-    gallery: &mut Gallery,
+    mistakes_view: &mut MistakesView,
     camera: &Camera,
     seen: Option<(&PosedCamera, &Scene)>,
 ) {
     ui.horizontal(|ui| {
-        let text = if gallery.guess.is_some() { "Next one" } else { "Guess which" };
+        let text = if mistakes_view.guess.is_some() { "Next one" } else { "Guess which" };
         let hint = "Shows a wrong camera without its name";
         let button = ui.add_enabled(seen.is_some(), egui::Button::new(text));
         if button.on_hover_text(hint).clicked()
             && let Some((posed, scene)) = seen
         {
-            gallery.ask(&visible(camera, posed, scene));
+            mistakes_view.ask(&visible(camera, posed, scene));
         }
-        if gallery.guess.is_some() && ui.button("Gallery").clicked() {
-            gallery.chosen = gallery.shown();
-            gallery.guess = None;
+        if mistakes_view.guess.is_some() && ui.button("Gallery").clicked() {
+            mistakes_view.chosen = mistakes_view.shown();
+            mistakes_view.guess = None;
         }
     });
-    if gallery.nothing_shows {
+    if mistakes_view.nothing_shows {
         ui.label("No mistake shows in this picture: bring an object into it.");
     }
     ui.add_space(3.0);
 }
 
 /// Shows the question, or the verdict on the answer.
-pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &ComparedCamera, camera: &Camera) {
-    let Some(guess) = gallery.guess else { return };
+pub(super) fn verdict(
+    ui: &mut Ui,
+    mistakes_view: &MistakesView,
+    wrong: &ComparedCamera,
+    camera: &Camera,
+) {
+    let Some(guess) = mistakes_view.guess else { return };
     let Some(answer) = guess.answer else {
         ui.label(RichText::new("Which mistake is it?").size(18.0).strong());
         ui.label(
@@ -63,9 +68,9 @@ pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &ComparedCamera, ca
         let text = if is_right { text } else { text.color(error_color(ui)) };
         ui.add(egui::Label::new(text).wrap());
     });
-    let told: Vec<&str> = checks::failing(wrong).map(|c| c.check.formula()).collect();
-    if !told.is_empty() {
-        ui.label(format!("What would have told: {}.", told.join("; ")));
+    let typeset_message: Vec<&str> = checks::failing(wrong).map(|c| c.check.formula()).collect();
+    if !typeset_message.is_empty() {
+        ui.label(format!("What would have told: {}.", typeset_message.join("; ")));
     }
     ui.add_space(6.0);
 }

@@ -7,7 +7,7 @@ mod guess;
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
-use crate::model::mistakes_view::Gallery;
+use crate::model::mistakes_view::MistakesView;
 use crate::model::number::grouped;
 use crate::model::session::Session;
 use crate::ui::scene::places::STRIP;
@@ -32,36 +32,38 @@ const CHECKS: f32 = 420.0;
 const LETTER: f32 = 16.0;
 
 /// Shows the title above the wrong picture.
-pub(crate) fn strip(ui: &mut Ui, area: Rect, gallery: &Gallery) {
+pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &MistakesView) {
     let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
         ui.horizontal_centered(|ui| {
-            ui.strong(RichText::new(title(gallery)).color(error_color(ui)));
+            ui.strong(RichText::new(title(mistakes_view)).color(error_color(ui)));
         });
     });
 }
 
-fn title(gallery: &Gallery) -> String {
-    match gallery.is_told() {
-        true => format!("{}: {}", views::WRONG, gallery.shown().name()),
+fn title(mistakes_view: &MistakesView) -> String {
+    match mistakes_view.is_told() {
+        true => format!("{}: {}", views::WRONG, mistakes_view.shown().name()),
         false => format!("{}: which mistake is it?", views::WRONG),
     }
 }
 
 /// Returns the description of the wrong picture for screen readers.
-pub(crate) fn spoken(wrong: &ComparedCamera, gallery: &Gallery) -> String {
-    match (why_not(wrong, gallery), seen(wrong)) {
+pub(crate) fn spoken(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> String {
+    match (why_not(wrong, mistakes_view), seen(wrong)) {
         (Some(why), _) => why,
-        (None, Some(seen)) if gallery.is_told() => format!("{}: {seen}", wrong.mistake.name()),
+        (None, Some(seen)) if mistakes_view.is_told() => {
+            format!("{}: {seen}", wrong.mistake.name())
+        }
         (None, seen) => seen.unwrap_or_default(),
     }
 }
 
 /// Returns the reason why there is no wrong picture, without the mistake's name while it is to be
 /// guessed.
-fn why_not(wrong: &ComparedCamera, gallery: &Gallery) -> Option<String> {
+fn why_not(wrong: &ComparedCamera, mistakes_view: &MistakesView) -> Option<String> {
     let why = wrong.why_not()?;
-    Some(match gallery.is_told() {
+    Some(match mistakes_view.is_told() {
         true => why,
         false => "It does not show with this camera: change the camera, or ask again.".to_owned(),
     })
@@ -79,7 +81,12 @@ fn seen(wrong: &ComparedCamera) -> Option<String> {
 }
 
 /// Shows, in place of the wrong picture, the reason why there is none.
-pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &ComparedCamera, gallery: &Gallery) {
+pub(crate) fn no_picture(
+    ui: &mut Ui,
+    rect: Rect,
+    wrong: &ComparedCamera,
+    mistakes_view: &MistakesView,
+) {
     let fill = ui.visuals().faint_bg_color;
     ui.painter().rect_filled(rect, 4.0, fill);
     let inside = rect.shrink(16.0);
@@ -87,7 +94,7 @@ pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &ComparedCamera, galler
     ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
         ui.set_clip_rect(rect);
         ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
-        let why = why_not(wrong, gallery).unwrap_or_default();
+        let why = why_not(wrong, mistakes_view).unwrap_or_default();
         ui.label(RichText::new(why).size(17.0).strong());
     });
 }
@@ -110,20 +117,20 @@ pub(crate) fn ui(
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
         let (camera, posed) = (&document.camera, derived.posed.as_ref());
         let scene = derived.scene.as_deref();
-        guess::buttons(ui, &mut session.gallery, camera, posed.zip(scene));
-        list(ui, &mut session.gallery);
+        guess::buttons(ui, &mut session.mistakes_view, camera, posed.zip(scene));
+        list(ui, &mut session.mistakes_view);
     });
-    let gallery = &mut session.gallery;
+    let mistakes_view = &mut session.mistakes_view;
     let Some(wrong) = derived.wrong.as_deref() else { return };
     column(ui, part(left, right - 8.0), "mistake", |ui| {
-        if gallery.guess.is_some() {
-            guess::verdict(ui, gallery, wrong, &document.camera);
+        if mistakes_view.guess.is_some() {
+            guess::verdict(ui, mistakes_view, wrong, &document.camera);
         }
-        if gallery.is_told() {
+        if mistakes_view.is_told() {
             explanation(ui, wrong, style);
         }
     });
-    if gallery.is_told() {
+    if mistakes_view.is_told() {
         column(ui, part(right, whole.right()), "checks", |ui| checks::ui(ui, wrong, style));
     }
 }
@@ -136,19 +143,19 @@ fn column(ui: &mut Ui, rect: Rect, name: &str, content: impl FnOnce(&mut Ui)) {
 }
 
 /// Shows one button per mistake, which chooses it, or answers with it.
-fn list(ui: &mut Ui, gallery: &mut Gallery) {
-    let chosen = match gallery.guess {
+fn list(ui: &mut Ui, mistakes_view: &mut MistakesView) {
+    let chosen = match mistakes_view.guess {
         Some(guess) => guess.answer,
-        None => Some(gallery.chosen),
+        None => Some(mistakes_view.chosen),
     };
     ui.spacing_mut().item_spacing.y = 1.0;
     for &mistake in Mistake::GALLERY {
         let text = RichText::new(mistake.name()).size(TEXT);
         let response = ui.selectable_label(chosen == Some(mistake), text);
         if response.clicked() {
-            match &mut gallery.guess {
+            match &mut mistakes_view.guess {
                 Some(guess) => guess.answer = Some(mistake),
-                None => gallery.chosen = mistake,
+                None => mistakes_view.chosen = mistake,
             }
         }
     }

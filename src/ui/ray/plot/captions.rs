@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, Pos2, Rect, pos2};
 
 use super::drawing::{Strokes, TEXT};
-use crate::view::typesetting::label_layout::{Font, Words};
+use crate::view::typesetting::label_layout::{Font, LabelLayout};
 
 /// Distance from one position of a caption to the one above it, in points.
 const ROW: f32 = 20.0;
@@ -21,7 +21,7 @@ pub(super) struct Captions {
 
 impl Captions {
     /// Writes the captions where no curve runs through them.
-    pub(super) fn write(&self, drawn: &[Strokes], words: &mut Words) {
+    pub(super) fn write(&self, drawn: &[Strokes], words: &mut LabelLayout) {
         // The line f = 0 must not run through them either.
         let (left, right) = (self.rect.left() as i32, self.rect.right() as i32);
         let zero = (left..right).step_by(4).map(|x| pos2(x as f32, self.zero));

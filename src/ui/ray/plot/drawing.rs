@@ -11,7 +11,7 @@ use super::captions::Captions;
 use crate::model::session::Heights;
 use crate::ui::ray::lines::{number, round_step};
 use crate::view::plot::{Curve, Plot};
-use crate::view::typesetting::label_layout::{Font, Words};
+use crate::view::typesetting::label_layout::{Font, LabelLayout};
 use crate::view::typesetting::notation::formula;
 use crate::view::typesetting::theme;
 
@@ -60,7 +60,7 @@ pub(super) fn ui(
     rect: Rect,
     plot: &Plot,
     first: Option<(u32, f64)>,
-    walked: &mut Option<f64>,
+    ray_point_t: &mut Option<f64>,
 ) {
     let style = theme::style(ui);
     let colors = style.colors();
@@ -71,7 +71,7 @@ pub(super) fn ui(
     let top = if plot.heights == Heights::Even { TOP.0 } else { TOP.1 };
     let height = (plot.heights.of(bottom), plot.heights.of(top));
     let axes = Axes { rect: inner, t: plot.range.clone(), height };
-    input(ui, &axes, walked);
+    input(ui, &axes, ray_point_t);
     let painter = ui.painter_at(rect);
     painter.rect_filled(inner, 0.0, colors.background);
     let title = match plot.heights {
@@ -83,8 +83,8 @@ pub(super) fn ui(
     scales(&painter, &axes, colors.ink, plot.heights);
     let inside = ui.painter_at(inner);
     let within = inner.shrink(2.0);
-    let mut words = Words::new(inside.clone(), colors.halo, within);
-    if let Some(t) = *walked {
+    let mut words = LabelLayout::new(inside.clone(), colors.halo, within);
+    if let Some(t) = *ray_point_t {
         let x = axes.x(t);
         words.keep_free(Rect::from_x_y_ranges(x - 4.0..=x + 4.0, inner.y_range()));
     }
@@ -103,7 +103,7 @@ pub(super) fn ui(
     }
     captions.write(&drawn, &mut words);
     zeros(&inside, &axes, &plot.curves, first, &mut words, colors);
-    if plot.walked.is_some() {
+    if plot.ray_point_t.is_some() {
         point_that_walks(&inside, &axes, plot, &mut words, colors);
     }
     for (curve, strokes) in plot.curves.iter().zip(&drawn) {
@@ -117,7 +117,7 @@ pub(super) fn ui(
 }
 
 /// Sets t by a press or a drag in the plot, and moves it by arrow keys.
-fn input(ui: &Ui, axes: &Axes, walked: &mut Option<f64>) {
+fn input(ui: &Ui, axes: &Axes, ray_point_t: &mut Option<f64>) {
     let id = ui.scope_id().with("plot of f");
     let response = ui.interact(axes.rect, id, Sense::click_and_drag());
     if response.clicked() || response.drag_started() {
@@ -126,12 +126,12 @@ fn input(ui: &Ui, axes: &Axes, walked: &mut Option<f64>) {
     if (response.dragged() || response.clicked())
         && let Some(pointer) = response.interact_pointer_pos()
     {
-        *walked = Some(axes.t_at(pointer.x));
+        *ray_point_t = Some(axes.t_at(pointer.x));
     }
     let arrows = EventFilter { horizontal_arrows: true, ..Default::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(id, arrows));
     if response.has_focus()
-        && let Some(t) = walked
+        && let Some(t) = ray_point_t
     {
         let presses = |key| ui.input(|i| i.num_presses(key) as f32);
         let steps = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
@@ -139,7 +139,7 @@ fn input(ui: &Ui, axes: &Axes, walked: &mut Option<f64>) {
             *t = axes.t_at(axes.x(*t) + 3.0 * steps);
         }
     }
-    let text = walked.map_or("nobody walks".to_owned(), |t| format!("walked to t = {t}"));
+    let text = ray_point_t.map_or("nobody walks".to_owned(), |t| format!("walked to t = {t}"));
     ui.ctx().accesskit_node_builder(id, |node| {
         node.set_role(egui::accesskit::Role::Image);
         node.set_label("Plot of f(p + t d)");
@@ -185,7 +185,7 @@ fn scales(painter: &Painter, axes: &Axes, ink: Color32, heights: Heights) {
 
 /// Draws the lines of the eye and the viewport. Returns their captions, which are written after the
 /// curves.
-fn verticals(painter: &Painter, axes: &Axes, words: &mut Words, ink: Color32) -> Captions {
+fn verticals(painter: &Painter, axes: &Axes, words: &mut LabelLayout, ink: Color32) -> Captions {
     let rect = axes.rect;
     let [eye, viewport] = [0.0, 1.0].map(|t| axes.x(t));
     for (x, dash) in [(eye, 0.0), (viewport, 6.0)] {
@@ -301,7 +301,7 @@ fn zeros(
     axes: &Axes,
     curves: &[Curve],
     first: Option<(u32, f64)>,
-    words: &mut Words,
+    words: &mut LabelLayout,
     colors: &crate::view::overlay::Colors,
 ) {
     let y = axes.y(0.0);
@@ -357,10 +357,10 @@ fn point_that_walks(
     painter: &Painter,
     axes: &Axes,
     plot: &Plot,
-    words: &mut Words,
+    words: &mut LabelLayout,
     colors: &crate::view::overlay::Colors,
 ) {
-    let Some((t, values)) = &plot.walked else { return };
+    let Some((t, values)) = &plot.ray_point_t else { return };
     let (x, rect) = (axes.x(*t), axes.rect);
     painter.vline(x, rect.y_range(), Stroke::new(6.0, colors.halo));
     painter.vline(x, rect.y_range(), Stroke::new(3.0, colors.ray));

@@ -7,8 +7,8 @@ mod drawing;
 use egui::{Context, Id, Rect, RichText, ScrollArea, Sense, Slider, Ui, UiBuilder, pos2, vec2};
 
 use super::lines::number;
-use crate::model::concept::{Pointed, Pointing, Thing};
-use crate::model::letters::told;
+use crate::model::concept::{Concept, HoverSource, Hovered};
+use crate::model::letters::typeset_message;
 use crate::model::session::Session;
 use crate::ui::widgets::number::NumberField;
 use crate::view::derive::Derived;
@@ -23,10 +23,10 @@ const WORDS: (f32, f32) = (430.0, 0.44);
 
 /// Shows the plot and the text beside it.
 pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: usize) {
-    let walked = &mut session.walked;
+    let ray_point_t = &mut session.ray_point_t;
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     if let Some(fault) = derived.fault {
-        ui.label(RichText::new(told(fault)).strong().color(error_color(ui)));
+        ui.label(RichText::new(typeset_message(fault)).strong().color(error_color(ui)));
     }
     let (Some(plot), Some(inspection)) = (&derived.plot, &derived.inspection) else { return };
     let first = inspection.first_hit().map(|hit| (hit.object, hit.t));
@@ -34,11 +34,11 @@ pub(crate) fn ui(ui: &mut Ui, session: &mut Session, derived: &Derived, digits: 
     let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
     let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom() - 4.0));
     let right = Rect::from_min_max(pos2(middle, area.top()), area.max);
-    drawing::ui(ui, left, plot, first, walked);
+    drawing::ui(ui, left, plot, first, ray_point_t);
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false).show(ui, |ui| {
-            walk(ui, walked, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
-            if let Some((t, values)) = &plot.walked {
+            walk(ui, ray_point_t, plot.range.clone(), first.map_or(1.0, |(_, t)| t));
+            if let Some((t, values)) = &plot.ray_point_t {
                 let point = inspection.ray.at(*t);
                 let [x, y, z] = point.to_array().map(|x| number(x, digits));
                 text(ui, &format!("p + t d = ({x}, {y}, {z})"));
@@ -76,16 +76,16 @@ fn text(ui: &mut Ui, text: &str) {
 /// Shows the t of the walking point, as a number and as a slider.
 fn walk(
     ui: &mut Ui,
-    walked: &mut Option<f64>,
+    ray_point_t: &mut Option<f64>,
     range: std::ops::RangeInclusive<f64>,
     first_hit: f64,
 ) {
     ui.horizontal(|ui| {
-        let mut walks = walked.is_some();
+        let mut walks = ray_point_t.is_some();
         if ui.checkbox(&mut walks, "Walk along the ray").changed() {
-            *walked = walks.then_some(0.5 * first_hit);
+            *ray_point_t = walks.then_some(0.5 * first_hit);
         }
-        let Some(t) = walked else { return };
+        let Some(t) = ray_point_t else { return };
         text(ui, "t =");
         NumberField::new("walked t", t).within(-1e9..=1e9).show(ui);
         ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
@@ -107,12 +107,12 @@ fn inside(plot: &Plot, values: &[f64]) -> String {
 }
 
 /// Returns the concept that the mouse is on in the text beside the last frame's plot.
-pub(crate) fn pointed(ctx: &Context, derived: &Derived) -> Option<Pointed> {
+pub(crate) fn hovered(ctx: &Context, derived: &Derived) -> Option<Hovered> {
     let curves = &derived.plot.as_ref()?.curves;
     let is_hovered =
         |object: u32| ctx.read_response(said_id(object)).is_some_and(|said| said.hovered());
     let object = curves.iter().map(|curve| curve.named.object).find(|k| is_hovered(*k))?;
-    Some(Pointed { thing: Thing::Object(object), by: Pointing::Ledger })
+    Some(Hovered { concept: Concept::Object(object), by: HoverSource::Derivation })
 }
 
 fn said_id(object: u32) -> Id {
@@ -134,7 +134,7 @@ fn said(ui: &mut Ui, plot: &Plot, k: usize, first: Option<(u32, f64)>, digits: u
     });
     let words = ui.indent(("said", object), |ui| {
         text(ui, &curve.words(digits));
-        if let Some((t, values)) = &plot.walked {
+        if let Some((t, values)) = &plot.ray_point_t {
             text(
                 ui,
                 &format!("at t = {}: {}", number(*t, digits), curve.reading(values[k], digits)),

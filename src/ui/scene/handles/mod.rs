@@ -165,9 +165,9 @@ impl HandInput {
         session.hand.together = found.map_or(0, |hit| hit.together);
         let over = over.and_then(Handle::object);
         if over.is_none() {
-            let pointed = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
-            let pointed = pointed.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
-            session.hand.objects[1] = pointed;
+            let hovered = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
+            let hovered = hovered.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
+            session.hand.objects[1] = hovered;
         } else if over == chosen {
             session.hand.objects[1] = None;
         }
@@ -188,14 +188,14 @@ impl HandInput {
         self.clicked = self.clicked.filter(near);
         let found = hit(all, dots, reach, self.clicked)?;
         // The point that walks along the ray can be grabbed too.
-        let walked =
-            session.walked.zip(shown.inspection.as_deref()).zip(shown.world_frame.as_deref());
-        let walked = walked.and_then(|((t, inspection), frame)| {
+        let ray_point_t =
+            session.ray_point_t.zip(shown.inspection.as_deref()).zip(shown.world_frame.as_deref());
+        let ray_point_t = ray_point_t.and_then(|((t, inspection), frame)| {
             overlay::world_position_of(frame, inspection.ray.at(t))
         });
-        let walked = walked.map(|[x, y]| DVec2::new(x.into(), y.into()).distance(dots));
+        let ray_point_t = ray_point_t.map(|[x, y]| DVec2::new(x.into(), y.into()).distance(dots));
         let own = all.iter().find(|g| g.handle == found.handle)?.spot.distance(dots);
-        walked.is_none_or(|walked| walked > own).then_some(found)
+        ray_point_t.is_none_or(|ray_point_t| ray_point_t > own).then_some(found)
     }
 
     fn press(

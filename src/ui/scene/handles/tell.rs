@@ -12,9 +12,9 @@ use super::HandInput;
 use super::View;
 use super::id_of;
 use super::keys;
-use crate::model::concept::{Pointed, Pointing};
+use crate::model::concept::{HoverSource, Hovered};
 use crate::model::hand::{Along, Axis, Handle};
-use crate::model::letters::{bold, told};
+use crate::model::letters::{bold, typeset_message};
 use crate::model::number::written;
 use crate::model::session::Session;
 use crate::view::derive::Derived;
@@ -85,8 +85,8 @@ impl HandInput {
         if session.hand.held.is_some() {
             self.say_held(&mut lines, handle, session);
         } else {
-            if let Some(Pointed { thing, by: Pointing::View }) = session.pointed {
-                lines.push(thing.words(|object| document.title_of(object as usize)));
+            if let Some(Hovered { concept, by: HoverSource::View }) = session.hovered {
+                lines.push(concept.words(|object| document.title_of(object as usize)));
             }
             let rested = ui.input(|i| i.time) - self.over_since;
             if rested >= HINT {
@@ -200,7 +200,7 @@ pub(crate) fn say(
         }
         if let Some(reason) = refused {
             let color = error_color(ui);
-            ui.label(RichText::new(told(reason)).size(REST).color(color));
+            ui.label(RichText::new(typeset_message(reason)).size(REST).color(color));
         }
     });
 }

@@ -21,7 +21,7 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
         items: OverlayItems::NONE,
         scale: 1.0,
         style: Style::Light,
-        lit: None,
+        highlighted: None,
         loupe: None,
     };
     let mut plain = vec![Color32::BLACK; 63 * 40];
@@ -54,7 +54,7 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
             items: OverlayItems::NONE.with(Item::Ray, true),
             scale: 1.0,
             style: Style::Dark,
-            lit: None,
+            highlighted: None,
             loupe: None,
         };
         let lengths: Vec<usize> = view.drawing().marks.iter().map(|m| points(m).len()).collect();

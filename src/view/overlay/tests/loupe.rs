@@ -24,7 +24,7 @@ fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawin
         items: OverlayItems::NONE.with(Item::Loupe, true),
         scale: 1.0,
         style: Style::Light,
-        lit: None,
+        highlighted: None,
         loupe: Some(&loupe),
     };
     (view.drawing(), place)

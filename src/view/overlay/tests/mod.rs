@@ -3,7 +3,7 @@
 mod camera_view;
 mod dots;
 mod ghost;
-mod lit;
+mod highlighted;
 mod loupe;
 mod marks;
 mod wild;
@@ -89,8 +89,8 @@ impl Stage {
             items: self.items,
             scale: 1.0,
             style: Style::Light,
-            lit: None,
-            walked: None,
+            highlighted: None,
+            ray_point_t: None,
             handles: &NO_HANDLES,
             ghost: None,
             is_clear: false,

@@ -83,10 +83,10 @@ fn colour_blind_viewers_tell_the_safe_colours_apart() {
     for style in [Style::ColourBlindLight, Style::ColourBlindDark] {
         let c = style.colors();
         let [u, v, w] = c.basis;
-        let told = [u, v, w, c.given, c.ray, c.ink];
+        let typeset_message = [u, v, w, c.given, c.ray, c.ink];
         for viewer in &VIEWERS {
-            for (k, a) in told.iter().enumerate() {
-                for b in &told[..k] {
+            for (k, a) in typeset_message.iter().enumerate() {
+                for b in &typeset_message[..k] {
                     let apart = distance(lab(*a, viewer), lab(*b, viewer));
                     assert!(apart > 25.0, "{style:?}: {a:?} and {b:?}: {apart:.1}");
                 }

@@ -3,42 +3,42 @@
 use pinhole_core::Orientation;
 
 use super::*;
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 
 /// Concepts that both views show on the canonical stage, except its wall: see below.
-const THINGS: [Thing; 21] = [
-    Thing::Eye,
-    Thing::At,
-    Thing::View,
-    Thing::Up,
-    Thing::Backwards,
-    Thing::U,
-    Thing::V,
-    Thing::W,
-    Thing::UpCrossW,
-    Thing::WCrossU,
-    Thing::Viewport,
-    Thing::Distance,
-    Thing::Pixel,
-    Thing::AlongU,
-    Thing::AlongV,
-    Thing::AlongW,
-    Thing::Direction,
-    Thing::Ray,
-    Thing::Object(0),
-    Thing::Root { object: 0, number: 1 },
-    Thing::Normal,
+const THINGS: [Concept; 21] = [
+    Concept::Eye,
+    Concept::At,
+    Concept::View,
+    Concept::Up,
+    Concept::Backwards,
+    Concept::U,
+    Concept::V,
+    Concept::W,
+    Concept::UpCrossW,
+    Concept::WCrossU,
+    Concept::Viewport,
+    Concept::Distance,
+    Concept::Pixel,
+    Concept::AlongU,
+    Concept::AlongV,
+    Concept::AlongW,
+    Concept::Direction,
+    Concept::Ray,
+    Concept::Object(0),
+    Concept::Root { object: 0, number: 1 },
+    Concept::Normal,
 ];
 
-fn lit<'a>(stage: &'a Stage, thing: Thing) -> Option<Lit<'a>> {
-    Some(Lit { thing, camera: &stage.camera, scene: &stage.scene, digits: 5 })
+fn highlighted<'a>(stage: &'a Stage, concept: Concept) -> Option<Highlighted<'a>> {
+    Some(Highlighted { concept, camera: &stage.camera, scene: &stage.scene, digits: 5 })
 }
 
-fn world_drawing(stage: &Stage, thing: Thing) -> Drawing {
-    WorldView { scale: 0.3, lit: lit(stage, thing), ..stage.view() }.drawing()
+fn world_drawing(stage: &Stage, concept: Concept) -> Drawing {
+    WorldView { scale: 0.3, highlighted: highlighted(stage, concept), ..stage.view() }.drawing()
 }
 
-fn camera_drawing(stage: &Stage, thing: Option<Thing>) -> Drawing {
+fn camera_drawing(stage: &Stage, concept: Option<Concept>) -> Drawing {
     CameraView {
         posed: stage.posed(),
         picture: stage.picture.as_ref().expect("a picture"),
@@ -47,7 +47,7 @@ fn camera_drawing(stage: &Stage, thing: Option<Thing>) -> Drawing {
         items: stage.items,
         scale: 0.5,
         style: Style::Dark,
-        lit: thing.and_then(|thing| lit(stage, thing)),
+        highlighted: concept.and_then(|concept| highlighted(stage, concept)),
         loupe: None,
     }
     .drawing()
@@ -56,15 +56,15 @@ fn camera_drawing(stage: &Stage, thing: Option<Thing>) -> Drawing {
 #[test]
 fn every_thing_is_lit_in_the_views_that_can_show_it() {
     let stage = canonical();
-    for thing in THINGS {
-        let world = world_drawing(&stage, thing);
-        assert!(world.targets().iter().any(|target| target.thing == thing), "{thing:?}");
+    for concept in THINGS {
+        let world = world_drawing(&stage, concept);
+        assert!(world.targets().iter().any(|target| target.concept == concept), "{concept:?}");
         check_labels(&world, DVec2::new(SIZE.0.into(), SIZE.1.into()));
-        let camera = camera_drawing(&stage, Some(thing));
-        assert!(camera.targets().iter().any(|target| target.thing == thing), "{thing:?}");
+        let camera = camera_drawing(&stage, Some(concept));
+        assert!(camera.targets().iter().any(|target| target.concept == concept), "{concept:?}");
         check_labels(&camera, DVec2::splat(240.0));
     }
-    let nowhere = camera_drawing(&stage, Some(Thing::Object(99)));
+    let nowhere = camera_drawing(&stage, Some(Concept::Object(99)));
     assert_eq!(nowhere, camera_drawing(&stage, None));
 }
 
@@ -73,7 +73,7 @@ fn a_plane_is_hatched_where_it_is_seen() {
     let stage = canonical();
     let posed = stage.posed();
     let wall = stage.scene.spheres().len() as u32;
-    let drawing = camera_drawing(&stage, Some(Thing::Object(wall)));
+    let drawing = camera_drawing(&stage, Some(Concept::Object(wall)));
     let plain = camera_drawing(&stage, None);
     let count = drawing.marks.len() - plain.marks.len();
     assert_eq!(drawing.marks[count..], plain.marks, "what lies on the plane stays as it is");
@@ -101,12 +101,15 @@ fn what_is_lit_needs_no_item_and_the_rest_is_dimmed() {
     let ink = |drawing: &Drawing| {
         drawing.marks.iter().find(|mark| mark.item == Item::Frustum).map(|mark| mark.color)
     };
-    let dimmed = ink(&world_drawing(&stage, Thing::W)).expect("a frustum");
+    let dimmed = ink(&world_drawing(&stage, Concept::W)).expect("a frustum");
     assert!(dimmed.a() < ink(&plain).expect("a frustum").a());
     stage.items = OverlayItems::NONE;
     assert!(stage.view().drawing().marks.is_empty());
-    let lit = world_drawing(&stage, Thing::W);
-    assert!(lit.marks.iter().all(|mark| mark.thing == Some(Thing::W)) && !lit.marks.is_empty());
+    let highlighted = world_drawing(&stage, Concept::W);
+    assert!(
+        highlighted.marks.iter().all(|mark| mark.concept == Some(Concept::W))
+            && !highlighted.marks.is_empty()
+    );
 }
 
 #[test]
@@ -116,13 +119,13 @@ fn a_cross_product_shows_its_factors_its_parallelogram_and_its_area() {
     let camera = Camera { orientation: Orientation::At { at, up }, ..Camera::CANONICAL };
     let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 6.0);
     let stage = Stage::seen_by(camera, Scene::default(), observer);
-    let drawing = world_drawing(&stage, Thing::UpCrossW);
+    let drawing = world_drawing(&stage, Concept::UpCrossW);
     let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
     for text in ["up", "w", "up × w", "1.4142 · sin(45°) = 1"] {
         assert!(texts.contains(&text), "{text}: {texts:?}");
     }
     let fill = drawing.marks.iter().find(|mark| {
-        mark.thing == Some(Thing::UpCrossW)
+        mark.concept == Some(Concept::UpCrossW)
             && matches!(&mark.shape, Shape::Polygon { points } if points.len() == 4)
     });
     let fill = fill.expect("a parallelogram");
@@ -149,20 +152,20 @@ fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
     let uv = DVec2::new(0.45, 0.4);
     stage.inspection = Some(Inspection::of_uv(stage.posed(), &stage.scene, uv));
-    let drawing = world_drawing(&stage, Thing::AlongU);
-    for thing in [Thing::AlongU, Thing::AlongV, Thing::AlongW] {
-        assert!(drawing.targets().iter().any(|target| target.thing == thing), "{thing:?}");
+    let drawing = world_drawing(&stage, Concept::AlongU);
+    for concept in [Concept::AlongU, Concept::AlongV, Concept::AlongW] {
+        assert!(drawing.targets().iter().any(|target| target.concept == concept), "{concept:?}");
     }
-    let widths = |thing: Thing| {
-        drawing.marks.iter().filter(move |mark| mark.thing == Some(thing)).filter_map(|mark| {
+    let widths = |concept: Concept| {
+        drawing.marks.iter().filter(move |mark| mark.concept == Some(concept)).filter_map(|mark| {
             match &mark.shape {
                 Shape::Line { width, .. } => Some(*width),
                 _ => None,
             }
         })
     };
-    let widest = |thing| widths(thing).fold(0.0, f32::max);
-    assert!(widest(Thing::AlongU) > widest(Thing::AlongW));
+    let widest = |concept| widths(concept).fold(0.0, f32::max);
+    assert!(widest(Concept::AlongU) > widest(Concept::AlongW));
 }
 
 #[test]
@@ -172,30 +175,30 @@ fn without_a_basis_the_flat_parallelogram_is_still_drawn() {
         ..Camera::CANONICAL
     };
     let stage = Stage::new(camera, vec![sphere(0.0, 0.0, -5.0, 1.0)], vec![]);
-    let drawing = world_drawing(&stage, Thing::UpCrossW);
+    let drawing = world_drawing(&stage, Concept::UpCrossW);
     let texts: Vec<&str> = drawing.labels.iter().map(|label| label.text.as_str()).collect();
     assert!(texts.contains(&"sin(180°) = 0"), "{texts:?}");
-    assert!(world_drawing(&stage, Thing::U).targets().iter().all(|t| t.thing != Thing::U));
+    assert!(world_drawing(&stage, Concept::U).targets().iter().all(|t| t.concept != Concept::U));
 }
 
 #[test]
 fn the_nearest_mark_is_pointed_at() {
     let line = |y: f32| Shape::Line { points: vec![[0.0, y], [100.0, y]], width: 2.0 };
     let targets = [
-        Target { thing: Thing::U, shape: line(10.0) },
-        Target { thing: Thing::V, shape: line(30.0) },
-        Target { thing: Thing::Eye, shape: Shape::Disc { center: [0.0, 10.0], radius: 6.0 } },
+        Target { concept: Concept::U, shape: line(10.0) },
+        Target { concept: Concept::V, shape: line(30.0) },
+        Target { concept: Concept::Eye, shape: Shape::Disc { center: [0.0, 10.0], radius: 6.0 } },
         Target {
-            thing: Thing::W,
+            concept: Concept::W,
             shape: Shape::Polygon { points: vec![[60.0, 40.0], [90.0, 40.0], [60.0, 80.0]] },
         },
     ];
     let at = |x: f32, y: f32| thing_at(&targets, [x, y], 8.0);
-    assert_eq!(at(50.0, 12.0), Some(Thing::U));
-    assert_eq!(at(50.0, 24.0), Some(Thing::V));
+    assert_eq!(at(50.0, 12.0), Some(Concept::U));
+    assert_eq!(at(50.0, 24.0), Some(Concept::V));
     assert_eq!(at(50.0, 20.0), None, "too far from both");
-    assert_eq!(at(2.0, 11.0), Some(Thing::Eye), "drawn over the line");
-    assert_eq!(at(65.0, 55.0), Some(Thing::W), "inside");
+    assert_eq!(at(2.0, 11.0), Some(Concept::Eye), "drawn over the line");
+    assert_eq!(at(65.0, 55.0), Some(Concept::W), "inside");
     assert_eq!(at(88.0, 75.0), None);
-    assert_eq!(at(106.0, 10.0), Some(Thing::U), "beyond its end");
+    assert_eq!(at(106.0, 10.0), Some(Concept::U), "beyond its end");
 }

@@ -1,11 +1,11 @@
-//! The ledger: its lines, and pointing from it to the views and back.
+//! The derivation: its lines, and pointing from it to the views and back.
 
 use std::sync::Arc;
 
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::model::concept::{Pointed, Pointing, Thing};
+use pinhole::model::concept::{Concept, HoverSource, Hovered};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
@@ -13,13 +13,13 @@ use pinhole::view::overlay::{Shape, Target};
 
 use super::harness::{assert_says, says, texts_with, type_into, window_with};
 
-fn ledger_window(scene: &str) -> Harness<'static, App> {
-    let settings = Settings { layout: ViewLayout::Ledger, ..Settings::default() };
+fn derivation_window(scene: &str) -> Harness<'static, App> {
+    let settings = Settings { layout: ViewLayout::Derivation, ..Settings::default() };
     window_with(scene, Remembered { settings, ..Remembered::default() }, None)
 }
 
-fn pointed(window: &Harness<'_, App>) -> Option<Pointed> {
-    window.state().session().pointed
+fn pointed(window: &Harness<'_, App>) -> Option<Hovered> {
+    window.state().session().hovered
 }
 
 /// Moves the mouse to where nothing can be pointed at.
@@ -30,7 +30,7 @@ fn point_at_nothing(window: &mut Harness<'_, App>) {
 }
 
 /// Moves the mouse to a mark in a view.
-fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Thing) {
+fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Concept) {
     let derived = window.state().derived();
     let shown = if view == "World view" { &derived.world_view } else { &derived.camera_view };
     let target: Target = shown
@@ -38,7 +38,7 @@ fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Thing) {
         .unwrap()
         .targets
         .iter()
-        .rfind(|target| target.thing == thing)
+        .rfind(|target| target.concept == thing)
         .unwrap()
         .clone();
     let [x, y] = match target.shape {
@@ -55,7 +55,7 @@ fn hover_mark(window: &mut Harness<'_, App>, view: &str, thing: Thing) {
 
 #[test]
 fn every_line_can_be_read() {
-    let window = ledger_window("canonical");
+    let window = derivation_window("canonical");
     for line in [
         "eye = (0, 0, 0)",
         "view = at − eye = (0, 0, −1) − (0, 0, 0) = (0, 0, −1)",
@@ -72,7 +72,7 @@ fn every_line_can_be_read() {
 
 #[test]
 fn a_line_that_is_pointed_at_lights_its_thing_in_both_views() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     let before = window.state().document().clone();
     let pictures = |window: &Harness<'_, App>| {
         let derived = window.state().derived();
@@ -82,11 +82,14 @@ fn a_line_that_is_pointed_at_lights_its_thing_in_both_views() {
     let traced = window.state().pictures_traced();
     window.get_by_label("up × 𝐰 = (0, 1, 0) × (0, 0, 1) = (1, 0, 0)").hover();
     window.run();
-    assert_eq!(pointed(&window), Some(Pointed { thing: Thing::UpCrossW, by: Pointing::Ledger }));
+    assert_eq!(
+        pointed(&window),
+        Some(Hovered { concept: Concept::UpCrossW, by: HoverSource::Derivation })
+    );
     let lit = pictures(&window);
     for (lit, unlit) in lit.iter().zip(&unlit) {
         assert_ne!(lit.image, unlit.image);
-        assert!(lit.targets.iter().any(|target| target.thing == Thing::UpCrossW));
+        assert!(lit.targets.iter().any(|target| target.concept == Concept::UpCrossW));
     }
     let labels: Vec<&str> = lit[0].labels.iter().map(|label| label.text.as_str()).collect();
     assert!(labels.contains(&"sin(90°) = 1"), "{labels:?}");
@@ -100,28 +103,28 @@ fn a_line_that_is_pointed_at_lights_its_thing_in_both_views() {
 
 #[test]
 fn a_line_that_has_the_focus_lights_its_thing() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     window.get_by_label("−view = (0, 0, 1)").focus();
     window.run();
-    assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(Thing::Backwards));
+    assert_eq!(pointed(&window).map(|pointed| pointed.concept), Some(Concept::Backwards));
 }
 
 #[test]
 fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     for (view, thing, line, words) in [
         (
             "World view",
-            Thing::W,
+            Concept::W,
             "𝐰 = normalize",
             "𝐰: backwards, the opposite of the view direction, of length 1",
         ),
-        ("World view", Thing::V, "𝐯 = 𝐰 × 𝐮", "𝐯: up in the image, of length 1"),
-        ("World view", Thing::Eye, "eye = ", "eye: where every view ray begins"),
-        ("Camera view", Thing::Pixel, "(u, v) = ", "the selected place in the viewport"),
+        ("World view", Concept::V, "𝐯 = 𝐰 × 𝐮", "𝐯: up in the image, of length 1"),
+        ("World view", Concept::Eye, "eye = ", "eye: where every view ray begins"),
+        ("Camera view", Concept::Pixel, "(u, v) = ", "the selected place in the viewport"),
     ] {
         hover_mark(&mut window, view, thing);
-        assert_eq!(pointed(&window), Some(Pointed { thing, by: Pointing::View }), "{view}");
+        assert_eq!(pointed(&window), Some(Hovered { concept: thing, by: HoverSource::View }), "{view}");
         assert!(says(&window, words), "{:?}", texts_with(&window, words));
         let lit: Vec<String> = window
             .root()
@@ -137,7 +140,7 @@ fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
 
 #[test]
 fn the_line_of_what_is_pointed_at_is_scrolled_into_view() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     window.set_size(egui::vec2(1280.0, 560.0));
     window.run();
     let seen = |window: &Harness<'_, App>| {
@@ -147,15 +150,15 @@ fn the_line_of_what_is_pointed_at_is_scrolled_into_view() {
         line.rect().max.y < 560.0
     };
     assert!(!seen(&window));
-    let hit = Thing::Root { object: 2, number: 0 };
+    let hit = Concept::Root { object: 2, number: 0 };
     hover_mark(&mut window, "World view", hit);
-    assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(hit));
+    assert_eq!(pointed(&window).map(|pointed| pointed.concept), Some(hit));
     assert!(seen(&window));
 }
 
 #[test]
-fn a_number_that_changes_changes_the_ledger_in_the_same_frame() {
-    let mut window = ledger_window("canonical");
+fn a_number_that_changes_changes_the_derivation_in_the_same_frame() {
+    let mut window = derivation_window("canonical");
     window.get_by_role_and_label(Role::SpinButton, "distance").click();
     window.run();
     window.get_by_role_and_label(Role::SpinButton, "distance").type_text("2");
@@ -168,7 +171,7 @@ fn a_number_that_changes_changes_the_ledger_in_the_same_frame() {
 
 #[test]
 fn the_derivation_goes_up_to_the_line_that_fails() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     type_into(&mut window, "at z", "0");
     let reason = "eye and at are the same point (0, 0, 0): move one of them";
     assert_says(&window, "view = at − eye = (0, 0, 0) − (0, 0, 0) = (0, 0, 0)");
@@ -179,22 +182,22 @@ fn the_derivation_goes_up_to_the_line_that_fails() {
     let line = window.get_by_label("up × 𝐰 = (0, 1, 0) × (0, −1, 0) = (0, 0, 0)");
     line.hover();
     window.run();
-    assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(Thing::UpCrossW));
+    assert_eq!(pointed(&window).map(|pointed| pointed.concept), Some(Concept::UpCrossW));
 }
 
 #[test]
 fn sections_are_folded_and_left_out() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     window.get_by_label("Fold: Basis").click();
     window.run();
     assert!(!says(&window, "−view = (0, 0, 1)"));
     window.get_by_label("Unfold: Basis").click();
     window.run();
     assert_says(&window, "−view = (0, 0, 1)");
-    window.get_by_label("Ledger: Objects").click();
+    window.get_by_label("Derivation: Objects").click();
     window.run();
     assert!(texts_with(&window, "D = b²").is_empty());
-    window.get_by_label("Copy the ledger").click();
+    window.get_by_label("Copy the derivation").click();
     window.step();
     let copied =
         window.output().platform_output.commands.iter().find_map(|command| match command {
@@ -207,16 +210,16 @@ fn sections_are_folded_and_left_out() {
 }
 
 #[test]
-fn an_idle_window_keeps_its_ledger() {
-    let mut window = ledger_window("look-at");
-    let before = window.state().derived().ledger.clone().unwrap();
+fn an_idle_window_keeps_its_derivation() {
+    let mut window = derivation_window("look-at");
+    let before = window.state().derived().derivation.clone().unwrap();
     window.step();
-    assert!(Arc::ptr_eq(&before, window.state().derived().ledger.as_ref().unwrap()));
+    assert!(Arc::ptr_eq(&before, window.state().derived().derivation.as_ref().unwrap()));
 }
 
 #[test]
 fn a_symbol_that_the_mouse_rests_on_says_what_it_is() {
-    let mut window = ledger_window("canonical");
+    let mut window = derivation_window("canonical");
     let mut said = |line: &str, offset: f32| {
         let rect = window.get_by_label(line).rect();
         window.hover_at(rect.left_center() + egui::vec2(offset, 0.0));
@@ -246,23 +249,27 @@ fn things_are_pointed_at_in_the_views_of_every_layout() {
         let settings = Settings { layout, ..Settings::default() };
         let remembered = Remembered { settings, ..Remembered::default() };
         let mut window = window_with("canonical", remembered, None);
-        let views = [("World view", Thing::W), ("Camera view", Thing::Pixel)];
+        let views = [("World view", Concept::W), ("Camera view", Concept::Pixel)];
         for (view, thing) in views {
             if window.query_by_role_and_label(Role::Image, view).is_none() {
                 continue;
             }
             hover_mark(&mut window, view, thing);
-            assert_eq!(pointed(&window), Some(Pointed { thing, by: Pointing::View }), "{layout:?}");
+            assert_eq!(
+                pointed(&window),
+                Some(Hovered { concept: thing, by: HoverSource::View }),
+                "{layout:?}"
+            );
             point_at_nothing(&mut window);
         }
         let picture =
             |window: &Harness<'_, App>| window.state().derived().camera_view.clone().unwrap().image;
         // A plane has no outline of its own: its pixels are hatched.
-        let wall = Thing::Object(2);
+        let wall = Concept::Object(2);
         let view = window.get_by_role_and_label(Role::Image, "Camera view").rect();
         window.hover_at(view.min + egui::vec2(0.15, 0.8) * view.size());
         window.run();
-        assert_eq!(pointed(&window).map(|pointed| pointed.thing), Some(wall), "{layout:?}");
+        assert_eq!(pointed(&window).map(|pointed| pointed.concept), Some(wall), "{layout:?}");
         let lit = picture(&window);
         point_at_nothing(&mut window);
         assert_ne!(lit, picture(&window), "{layout:?}");

@@ -3,35 +3,35 @@
 use std::sync::Arc;
 
 use super::Derived;
-use crate::model::derivation_sections::LedgerSections;
+use crate::model::derivation_sections::DerivationSections;
 use crate::model::fault::Fault;
 use crate::model::session::{Selection, Session};
-use crate::view::derivation::{Ledger, Sources, ledger};
+use crate::view::derivation::{Derivation, Sources, derivation};
 use pinhole_exchange::document::Document;
 
 /// The last derivation and its inputs.
 #[derive(Debug, Default)]
-pub(super) struct Ledgers(Option<(Document, Looked, Arc<Ledger>)>);
+pub(super) struct Derivations(Option<(Document, Looked, Arc<Derivation>)>);
 
 /// The inputs of the derivation besides the document.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Looked {
     selection: Selection,
-    sections: LedgerSections,
+    sections: DerivationSections,
     digits: usize,
     from_one: bool,
     fault: Option<Fault>,
 }
 
-impl Ledgers {
+impl Derivations {
     /// Returns the derivation, if the layout shows it.
     pub(super) fn of(
         &mut self,
         document: &Document,
         session: &Session,
         derived: &Derived,
-    ) -> Option<Arc<Ledger>> {
-        if !session.settings.layout.shows_ledger() {
+    ) -> Option<Arc<Derivation>> {
+        if !session.settings.layout.shows_derivation() {
             return None;
         }
         let looked = Looked {
@@ -47,7 +47,7 @@ impl Ledgers {
                 Some(Arc::clone(made))
             }
             _ => {
-                let made = Arc::new(ledger(&Sources {
+                let made = Arc::new(derivation(&Sources {
                     document,
                     posed: derived.posed.as_ref(),
                     scene: derived.scene.as_deref(),

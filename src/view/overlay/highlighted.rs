@@ -1,12 +1,12 @@
 //! Highlighting of a concept: everything else is dimmed, and the concept is drawn again, thicker
 //! and on top, even if its overlay item is switched off.
 //!
-//! `lit_world` does so in the world view, `lit_camera` in the camera view.
+//! `highlighted_world` does so in the world view, `highlighted_camera` in the camera view.
 
 use egui::Color32;
 use pinhole_core::{Camera, DVec3, Scene, Sphere};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::number::written;
 use crate::view::overlay::drawing::Drawing;
 use crate::view::overlay::labels::Request;
@@ -15,9 +15,9 @@ use crate::view::overlay::sketch::Pen;
 
 /// The highlighted concept, and what is needed to draw it.
 #[derive(Clone, Copy, Debug)]
-pub struct Lit<'a> {
+pub struct Highlighted<'a> {
     /// The concept.
-    pub thing: Thing,
+    pub concept: Concept,
     /// The edited camera as given.
     pub camera: &'a Camera,
     /// The scene of the camera.
@@ -26,7 +26,7 @@ pub struct Lit<'a> {
     pub digits: usize,
 }
 
-impl Lit<'_> {
+impl Highlighted<'_> {
     /// Formats a number for a label.
     pub(super) fn number(&self, x: f64) -> String {
         written(x, self.digits)
@@ -42,21 +42,21 @@ impl Lit<'_> {
 const DIMMED: f32 = 0.42;
 
 /// Labels of the parts of a view ray's direction.
-pub(super) const ALONG: [(Thing, &str); 3] =
-    [(Thing::AlongW, "−distance 𝐰"), (Thing::AlongU, "𝑢 𝐮"), (Thing::AlongV, "𝑣 𝐯")];
+pub(super) const ALONG: [(Concept, &str); 3] =
+    [(Concept::AlongW, "−distance 𝐰"), (Concept::AlongU, "𝑢 𝐮"), (Concept::AlongV, "𝑣 𝐯")];
 
 /// Widths of highlighted lines and of those beside them, in points.
 pub(super) const STRONG: f32 = 5.0;
 pub(super) const BESIDE: f32 = 3.0;
 
 /// Dims the other marks and labels, and removes the concept's own, which are drawn again.
-pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, thing: Thing) {
-    drawing.marks.retain(|mark| mark.thing != Some(thing));
+pub(super) fn dim(drawing: &mut Drawing, requests: &mut Vec<Request>, concept: Concept) {
+    drawing.marks.retain(|mark| mark.concept != Some(concept));
     for mark in &mut drawing.marks {
         mark.color = mark.color.gamma_multiply(DIMMED);
         mark.halo = mark.halo.map(|halo| halo.gamma_multiply(DIMMED));
     }
-    requests.retain(|request| request.thing != Some(thing));
+    requests.retain(|request| request.concept != Some(concept));
     for request in requests {
         request.color = request.color.gamma_multiply(DIMMED);
     }

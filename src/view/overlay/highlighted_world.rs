@@ -4,12 +4,14 @@ use egui::Color32;
 use pinhole_core::{DVec2, DVec3, Object, Orientation, PosedCamera};
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_in_space::{
     ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, UP_LENGTH, VECTOR_TEXT, VIEW_LENGTH, corners,
 };
-use crate::view::overlay::lit::{ALONG, BESIDE, Lit, STRONG, cased, dim, first, silhouette};
+use crate::view::overlay::highlighted::{
+    ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
+};
 use crate::view::overlay::objects::tangents;
 use crate::view::overlay::screen::unit;
 use crate::view::overlay::sketch::{Head, Pen, Sketch};
@@ -17,16 +19,16 @@ use crate::view::overlay::world_view::WorldView;
 
 impl Sketch<'_> {
     /// Highlights a concept over everything that is already drawn.
-    pub(crate) fn light(&mut self, view: &WorldView, lit: Lit) {
-        dim(&mut self.drawing, &mut self.requests, lit.thing);
+    pub(crate) fn light(&mut self, view: &WorldView, highlighted: Highlighted) {
+        dim(&mut self.drawing, &mut self.requests, highlighted.concept);
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
-        self.light_given(view, lit);
+        self.light_given(view, highlighted);
         if let Some(posed) = view.posed {
-            self.light_camera(posed, lit);
-            self.light_selected(posed, view, lit);
+            self.light_camera(posed, highlighted);
+            self.light_selected(posed, view, highlighted);
         }
-        if let Thing::Object(index) = lit.thing {
+        if let Concept::Object(index) = highlighted.concept {
             self.light_object(view, index);
         }
         self.items = shown;
@@ -34,8 +36,8 @@ impl Sketch<'_> {
         self.requests = first(own, std::mem::take(&mut self.requests));
     }
 
-    fn lit_pen(&self, lit: Lit, color: Color32) -> Pen {
-        Pen::new(Item::Ray, color, STRONG).of(lit.thing).on_top()
+    fn highlighted_pen(&self, highlighted: Highlighted, color: Color32) -> Pen {
+        Pen::new(Item::Ray, color, STRONG).of(highlighted.concept).on_top()
     }
 
     fn lit_arrow(&mut self, from: DVec3, to: DVec3, head: Head, pen: Pen, text: &str, size: f32) {
@@ -60,21 +62,23 @@ impl Sketch<'_> {
     }
 
     /// Highlights what the camera is given by; it exists without a basis, too.
-    fn light_given(&mut self, view: &WorldView, lit: Lit) {
+    fn light_given(&mut self, view: &WorldView, highlighted: Highlighted) {
         let eye = view.camera.eye;
         let arrow = self.length_of_points(eye, ARROW_POINTS);
         let (given, ink) = (self.colors.given, self.colors.ink);
         let looks = unit(view.camera.view());
-        match (lit.thing, view.camera.orientation) {
-            (Thing::Eye, _) => self.lit_point(eye, self.lit_pen(lit, ink), "eye".to_owned()),
-            (Thing::At, Orientation::At { at, .. }) => {
-                self.lit_point(at, self.lit_pen(lit, given), "at".to_owned());
+        match (highlighted.concept, view.camera.orientation) {
+            (Concept::Eye, _) => {
+                self.lit_point(eye, self.highlighted_pen(highlighted, ink), "eye".to_owned())
             }
-            (Thing::View | Thing::Backwards, _) => {
+            (Concept::At, Orientation::At { at, .. }) => {
+                self.lit_point(at, self.highlighted_pen(highlighted, given), "at".to_owned());
+            }
+            (Concept::View | Concept::Backwards, _) => {
                 let Some(looks) = looks else { return };
-                let pen = self.lit_pen(lit, given);
+                let pen = self.highlighted_pen(highlighted, given);
                 let tip = eye + arrow * VIEW_LENGTH * looks;
-                if lit.thing == Thing::View {
+                if highlighted.concept == Concept::View {
                     self.lit_arrow(eye, tip, Head::Filled, pen, "view", POINT_TEXT);
                 } else {
                     let thin = Pen { width: BESIDE, ..pen };
@@ -83,23 +87,23 @@ impl Sketch<'_> {
                     self.lit_arrow(eye, tip, Head::Filled, pen, "−view", POINT_TEXT);
                 }
             }
-            (Thing::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
+            (Concept::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
                 let Some(up) = unit(up) else { return };
-                let pen = self.lit_pen(lit, given);
+                let pen = self.highlighted_pen(highlighted, given);
                 let tip = eye + arrow * UP_LENGTH * up;
                 self.lit_arrow(eye, tip, Head::Filled, pen, "up", POINT_TEXT);
             }
-            (Thing::UpCrossW | Thing::WCrossU, _) => {
+            (Concept::UpCrossW | Concept::WCrossU, _) => {
                 let BasisDerivation::FromUp(from_up) = BasisDerivation::new(view.camera) else {
                     return;
                 };
                 let [u, v, w] = self.colors.basis;
                 let cross = |s: &mut Self, cross: Option<Cross>, names, colors| {
                     if let Some(cross) = cross {
-                        s.light_cross(eye, arrow, &cross, lit, (names, colors));
+                        s.light_cross(eye, arrow, &cross, highlighted, (names, colors));
                     }
                 };
-                if lit.thing == Thing::UpCrossW {
+                if highlighted.concept == Concept::UpCrossW {
                     cross(self, from_up.up_cross_w, ["up", "w", "up × w"], [given, w, u]);
                 } else {
                     cross(self, from_up.w_cross_u, ["w", "u", "w × u = v"], [w, u, v]);
@@ -117,7 +121,7 @@ impl Sketch<'_> {
         eye: DVec3,
         arrow: f64,
         cross: &Cross,
-        lit: Lit,
+        highlighted: Highlighted,
         (names, colors): ([&str; 3], [Color32; 3]),
     ) {
         let (Some(a), Some(b)) = (unit(cross.first.vector), unit(cross.second.vector)) else {
@@ -126,7 +130,7 @@ impl Sketch<'_> {
         let own = cross.first.length;
         let length = if (0.4..=2.0).contains(&own) { own } else { 1.0 };
         let (a, b) = (arrow * length * a, arrow * b);
-        let pen = self.lit_pen(lit, colors[2]);
+        let pen = self.highlighted_pen(highlighted, colors[2]);
         let fill = Pen { color: colors[2].gamma_multiply(0.3), ..pen }.without_halo();
         self.polygon(&[eye, eye + a, eye + a + b, eye + b], fill);
         let edge = Pen { width: 1.6, ..pen }.without_halo();
@@ -143,43 +147,47 @@ impl Sketch<'_> {
             self.lit_arrow(eye, tip, Head::Filled, pen, names[2], VECTOR_TEXT);
         }
         if let Some(spot) = self.screen.spot(eye + 0.5 * (a + b)) {
-            let sine_of = format!("sin({})", lit.degrees(angle));
-            let text = if lit.number(length) == lit.number(1.0) {
-                format!("{sine_of} = {}", lit.number(sine))
+            let sine_of = format!("sin({})", highlighted.degrees(angle));
+            let text = if highlighted.number(length) == highlighted.number(1.0) {
+                format!("{sine_of} = {}", highlighted.number(sine))
             } else {
-                format!("{} · {sine_of} = {}", lit.number(length), lit.number(length * sine))
+                format!(
+                    "{} · {sine_of} = {}",
+                    highlighted.number(length),
+                    highlighted.number(length * sine)
+                )
             };
             self.label(pen, text, spot.at, DVec2::ZERO, (colors[2], POINT_TEXT, false));
         }
     }
 
     /// Highlights what needs the basis: its vectors, the viewport and its distance.
-    fn light_camera(&mut self, posed: &PosedCamera, lit: Lit) {
+    fn light_camera(&mut self, posed: &PosedCamera, highlighted: Highlighted) {
         let eye = posed.eye();
         let arrow = self.length_of_points(eye, ARROW_POINTS);
         let basis = posed.basis();
         let vectors = [
-            (Thing::U, "u", basis.u, Head::Filled),
-            (Thing::V, "v", basis.v, Head::Open),
-            (Thing::W, "w", basis.w, Head::Double),
+            (Concept::U, "u", basis.u, Head::Filled),
+            (Concept::V, "v", basis.v, Head::Open),
+            (Concept::W, "w", basis.w, Head::Double),
         ];
         let inks = self.colors.basis.into_iter().zip(self.colors.patterns);
-        for ((thing, name, vector, head), (color, pattern)) in vectors.into_iter().zip(inks) {
-            if thing == lit.thing {
-                let pen = self.lit_pen(lit, color).patterned(pattern);
+        for ((concept, name, vector, head), (color, pattern)) in vectors.into_iter().zip(inks) {
+            if concept == highlighted.concept {
+                let pen = self.highlighted_pen(highlighted, color).patterned(pattern);
                 self.lit_arrow(eye, eye + arrow * vector, head, pen, name, VECTOR_TEXT);
             }
         }
-        let pen = self.lit_pen(lit, self.colors.ink);
-        match lit.thing {
-            Thing::Viewport => {
+        let pen = self.highlighted_pen(highlighted, self.colors.ink);
+        match highlighted.concept {
+            Concept::Viewport => {
                 let corners = corners(posed).map(|uv| posed.viewport_point(uv));
                 for k in 0..4 {
                     self.line(corners[k], corners[(k + 1) % 4], pen);
                 }
             }
-            Thing::Distance => {
-                let text = format!("distance = {}", lit.number(posed.viewport().distance));
+            Concept::Distance => {
+                let text = format!("distance = {}", highlighted.number(posed.viewport().distance));
                 self.lit_line(eye, posed.viewport_point(DVec2::ZERO), pen, Some(text));
             }
             _ => {}
@@ -187,36 +195,36 @@ impl Sketch<'_> {
     }
 
     /// Highlights what belongs to the selected ray.
-    fn light_selected(&mut self, posed: &PosedCamera, view: &WorldView, lit: Lit) {
+    fn light_selected(&mut self, posed: &PosedCamera, view: &WorldView, highlighted: Highlighted) {
         let Some(inspection) = view.inspection else { return };
         let ray = &inspection.ray;
-        let pen = self.lit_pen(lit, self.colors.ray);
-        match lit.thing {
-            Thing::Pixel => {
+        let pen = self.highlighted_pen(highlighted, self.colors.ray);
+        match highlighted.concept {
+            Concept::Pixel => {
                 let touched = inspection.place.map(|place| place.touching(posed.image()));
                 touched.into_iter().flatten().for_each(|pixel| self.pixel(posed, pixel));
                 self.lit_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
             }
-            Thing::AlongU | Thing::AlongV | Thing::AlongW => {
+            Concept::AlongU | Concept::AlongV | Concept::AlongW => {
                 if let Ok(parts) = RayDerivation::of_uv(posed, inspection.uv) {
                     self.light_chain(posed.eye(), &parts, pen);
                 }
             }
-            Thing::Direction => {
+            Concept::Direction => {
                 self.lit_arrow(ray.origin, ray.at(1.0), Head::Filled, pen, "d", VECTOR_TEXT);
             }
-            Thing::Ray => {
+            Concept::Ray => {
                 let far = 100.0 * view.observer.distance();
                 let end = unit(ray.direction).map(|d| ray.origin + far * d);
                 self.line(ray.origin, end.unwrap_or(ray.origin), pen);
                 self.lit_line(ray.origin, ray.at(1.0), pen, Some("𝐩 + 𝑡 𝐝".to_owned()));
             }
-            Thing::Root { object, number } => {
+            Concept::Root { object, number } => {
                 let Some(root) = inspection.root_of(object, number) else { return };
                 self.line(ray.origin, root.point, Pen { width: BESIDE, ..pen });
-                self.lit_point(root.point, pen, format!("𝑡 = {}", lit.number(root.t)));
+                self.lit_point(root.point, pen, format!("𝑡 = {}", highlighted.number(root.t)));
             }
-            Thing::Normal => {
+            Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
                 let length = self.length_of_points(hit.point, (NORMAL_POINTS, NORMAL_POINTS));
                 let pen = Pen { color: self.colors.hit, ..pen };
@@ -232,9 +240,9 @@ impl Sketch<'_> {
         let [u, v, w] = self.colors.basis;
         let vectors = [(parts.along_w, w), (parts.along_u, u), (parts.along_v, v)];
         let mut from = eye;
-        for ((vector, color), (thing, text)) in vectors.into_iter().zip(ALONG) {
-            let width = if pen.thing == Some(thing) { STRONG } else { BESIDE };
-            let pen = Pen { color, width, ..pen }.of(thing);
+        for ((vector, color), (concept, text)) in vectors.into_iter().zip(ALONG) {
+            let width = if pen.concept == Some(concept) { STRONG } else { BESIDE };
+            let pen = Pen { color, width, ..pen }.of(concept);
             self.arrow(from, from + vector, Head::Filled, pen);
             if let Some(spot) = self.screen.spot(from + 0.5 * vector) {
                 let font = (color, POINT_TEXT, false);
@@ -242,14 +250,14 @@ impl Sketch<'_> {
             }
             from += vector;
         }
-        let ray = Pen { color: self.colors.ray, width: 2.0, thing: None, ..pen };
+        let ray = Pen { color: self.colors.ray, width: 2.0, concept: None, ..pen };
         self.line(eye, from, ray);
     }
 
     /// Draws a sphere's silhouette, or a square in a plane and its normal.
     fn light_object(&mut self, view: &WorldView, index: u32) {
         let Some(object) = view.scene.objects().nth(index as usize) else { return };
-        let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).of(Thing::Object(index)).on_top();
+        let pen = Pen::new(Item::Ray, self.colors.hit, 4.0).of(Concept::Object(index)).on_top();
         match object {
             Object::Sphere(sphere) => {
                 let from = view.frame.camera().eye();

@@ -7,12 +7,14 @@ use pinhole_core::{
 };
 use pinhole_lecture::{BasisDerivation, Cross};
 
-use crate::model::concept::Thing;
+use crate::model::concept::Concept;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::view::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
 use crate::view::overlay::camera_view::{Sheet, place_of};
 use crate::view::overlay::drawing::{Shape, dot};
-use crate::view::overlay::lit::{ALONG, BESIDE, Lit, STRONG, cased, dim, first, silhouette};
+use crate::view::overlay::highlighted::{
+    ALONG, BESIDE, Highlighted, STRONG, cased, dim, first, silhouette,
+};
 use crate::view::overlay::screen::{Screen, unit};
 use crate::view::overlay::sketch::Pen;
 
@@ -27,26 +29,26 @@ const CELL: f64 = 3.0;
 impl Sheet<'_> {
     /// Highlights a concept over everything that is already drawn. If the camera cannot see it, the
     /// picture stays as it is.
-    pub(super) fn light(&mut self, lit: Lit) {
+    pub(super) fn light(&mut self, highlighted: Highlighted) {
         let (shown, before) = (self.items, self.requests.len());
-        if let Thing::Object(index) = lit.thing
-            && let Some(Object::Plane(_)) = lit.scene.object(index)
+        if let Concept::Object(index) = highlighted.concept
+            && let Some(Object::Plane(_)) = highlighted.scene.object(index)
         {
-            return self.light_plane(lit, index);
+            return self.light_plane(highlighted, index);
         }
         let others = std::mem::take(&mut self.drawing.marks);
         self.items = OverlayItems::ALL;
-        self.light_given(lit);
-        self.light_basis(lit);
-        self.light_selected(lit);
-        if let Thing::Object(index) = lit.thing {
-            self.light_object(lit, index);
+        self.light_given(highlighted);
+        self.light_basis(highlighted);
+        self.light_selected(highlighted);
+        if let Concept::Object(index) = highlighted.concept {
+            self.light_object(highlighted, index);
         }
         self.items = shown;
         let mut own = std::mem::replace(&mut self.drawing.marks, others);
         let labels = self.requests.split_off(before);
         if !own.is_empty() {
-            dim(&mut self.drawing, &mut self.requests, lit.thing);
+            dim(&mut self.drawing, &mut self.requests, highlighted.concept);
         }
         self.drawing.marks.append(&mut own);
         self.requests = first(labels, std::mem::take(&mut self.requests));
@@ -56,8 +58,8 @@ impl Sheet<'_> {
         0.5 * self.view.extent()
     }
 
-    fn pen(lit: Lit, color: Color32) -> Pen {
-        Pen::new(Item::Ray, color, STRONG).of(lit.thing)
+    fn pen(highlighted: Highlighted, color: Color32) -> Pen {
+        Pen::new(Item::Ray, color, STRONG).of(highlighted.concept)
     }
 
     /// Projects a direction of the world into the image; the result has length 1 for a unit vector
@@ -105,23 +107,23 @@ impl Sheet<'_> {
     }
 
     /// Highlights eye, at, view, up and -view.
-    fn light_given(&mut self, lit: Lit) {
+    fn light_given(&mut self, highlighted: Highlighted) {
         let (middle, below) = (self.middle(), DVec2::new(0.6, 1.0));
-        let pen = Self::pen(lit, self.colors.given);
-        match (lit.thing, lit.camera.orientation) {
-            (Thing::Eye, _) => {
+        let pen = Self::pen(highlighted, self.colors.given);
+        match (highlighted.concept, highlighted.camera.orientation) {
+            (Concept::Eye, _) => {
                 // All rays begin at the eye: it is behind the picture's middle.
                 let pen = Pen { color: self.colors.ink, ..pen };
                 self.along_view(middle, false, pen, "eye: straight behind this point", below);
             }
-            (Thing::At, Orientation::At { .. }) => {
+            (Concept::At, Orientation::At { .. }) => {
                 let radius = 6.0 * self.view.scale;
                 self.add(pen, Shape::Disc { center: dot(middle), radius });
                 self.label(pen, "at", middle, below, (POINT_TEXT, false));
             }
-            (Thing::View, _) => self.along_view(middle, true, pen, "view", below),
-            (Thing::Backwards, _) => self.along_view(middle, false, pen, "−view", below),
-            (Thing::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
+            (Concept::View, _) => self.along_view(middle, true, pen, "view", below),
+            (Concept::Backwards, _) => self.along_view(middle, false, pen, "−view", below),
+            (Concept::Up, Orientation::At { up, .. } | Orientation::View { up, .. }) => {
                 let along = self.arrow_of(unit(up).unwrap_or_default());
                 self.arrow(middle, along, pen, "up", POINT_TEXT);
             }
@@ -129,34 +131,53 @@ impl Sheet<'_> {
         }
     }
 
-    fn light_basis(&mut self, lit: Lit) {
+    fn light_basis(&mut self, highlighted: Highlighted) {
         let middle = self.middle();
         let [u, v, w] = self.colors.basis;
         let given = self.colors.given;
         let basis = *self.view.posed.basis();
         let below = DVec2::new(0.6, 1.0);
-        match lit.thing {
-            Thing::W => self.along_view(middle, false, Self::pen(lit, w), "𝐰", below),
-            Thing::U | Thing::V => {
-                let (vector, color, name, k) =
-                    if lit.thing == Thing::U { (basis.u, u, "u", 0) } else { (basis.v, v, "v", 1) };
-                let pen = Self::pen(lit, color).patterned(self.colors.patterns[k]);
+        match highlighted.concept {
+            Concept::W => self.along_view(middle, false, Self::pen(highlighted, w), "𝐰", below),
+            Concept::U | Concept::V => {
+                let (vector, color, name, k) = if highlighted.concept == Concept::U {
+                    (basis.u, u, "u", 0)
+                } else {
+                    (basis.v, v, "v", 1)
+                };
+                let pen = Self::pen(highlighted, color).patterned(self.colors.patterns[k]);
                 self.arrow(middle, self.arrow_of(vector), pen, name, VECTOR_TEXT);
             }
-            Thing::UpCrossW | Thing::WCrossU => {
-                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(lit.camera) else {
+            Concept::UpCrossW | Concept::WCrossU => {
+                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(highlighted.camera)
+                else {
                     return;
                 };
-                if let (Thing::UpCrossW, Some(cross)) = (lit.thing, from_up.up_cross_w) {
-                    self.light_cross(lit, &cross, cross.first, ("up", given), ("up × 𝐰", u));
+                if let (Concept::UpCrossW, Some(cross)) = (highlighted.concept, from_up.up_cross_w)
+                {
+                    self.light_cross(
+                        highlighted,
+                        &cross,
+                        cross.first,
+                        ("up", given),
+                        ("up × 𝐰", u),
+                    );
                 } else if let Some(cross) = from_up.w_cross_u {
-                    self.light_cross(lit, &cross, cross.second, ("u", u), ("𝐰 × 𝐮 = 𝐯", v));
+                    self.light_cross(highlighted, &cross, cross.second, ("u", u), ("𝐰 × 𝐮 = 𝐯", v));
                 }
             }
-            Thing::Distance => {
-                let text =
-                    format!("distance = {}", lit.number(self.view.posed.viewport().distance));
-                self.along_view(middle, true, Self::pen(lit, self.colors.ink), &text, below);
+            Concept::Distance => {
+                let text = format!(
+                    "distance = {}",
+                    highlighted.number(self.view.posed.viewport().distance)
+                );
+                self.along_view(
+                    middle,
+                    true,
+                    Self::pen(highlighted, self.colors.ink),
+                    &text,
+                    below,
+                );
             }
             _ => {}
         }
@@ -165,14 +186,14 @@ impl Sheet<'_> {
     /// Draws w towards the observer, with the other factor and the product beside it.
     fn light_cross(
         &mut self,
-        lit: Lit,
+        highlighted: Highlighted,
         cross: &Cross,
         factor: pinhole_lecture::VectorAndLength,
         (name, color): (&str, Color32),
         (product, product_color): (&str, Color32),
     ) {
         let middle = self.middle();
-        let (pen, w) = (Self::pen(lit, product_color), self.colors.basis[2]);
+        let (pen, w) = (Self::pen(highlighted, product_color), self.colors.basis[2]);
         let along = |s: &Self, vector: DVec3| s.arrow_of(unit(vector).unwrap_or_default());
         let beside = Pen { width: BESIDE, color, ..pen };
         self.arrow(middle, along(self, factor.vector), beside, name, POINT_TEXT);
@@ -182,18 +203,18 @@ impl Sheet<'_> {
         self.along_view(middle, false, Pen { color: w, ..pen }, "𝐰", below);
     }
 
-    fn light_selected(&mut self, lit: Lit) {
+    fn light_selected(&mut self, highlighted: Highlighted) {
         let Some(inspection) = self.view.inspection else { return };
         let (posed, size) = (self.view.posed, self.view.size);
         let at = place_of(posed, size, inspection.uv);
-        let pen = Self::pen(lit, self.colors.ray);
+        let pen = Self::pen(highlighted, self.colors.ray);
         let radius = 6.0 * self.view.scale;
         let point = |s: &mut Self, text: String| {
             s.add(pen, Shape::Disc { center: dot(at), radius });
             s.label(pen, text, at, DVec2::new(0.4, 1.0), (POINT_TEXT, false));
         };
-        match lit.thing {
-            Thing::Viewport => {
+        match highlighted.concept {
+            Concept::Viewport => {
                 let inset = DVec2::splat(2.0 * f64::from(self.view.scale));
                 self.frame(
                     inset,
@@ -201,7 +222,7 @@ impl Sheet<'_> {
                     Pen { color: self.colors.ink, ..pen },
                 );
             }
-            Thing::Pixel => {
+            Concept::Pixel => {
                 let per_pixel = self.view.dots_per_pixel();
                 let touched = inspection.place.map(|place| place.touching(posed.image()));
                 for pixel in touched.into_iter().flatten() {
@@ -212,16 +233,18 @@ impl Sheet<'_> {
                 }
                 point(self, "(𝑢, 𝑣)".to_owned());
             }
-            Thing::Direction => point(self, "𝐝".to_owned()),
-            Thing::Ray => point(self, "𝐩 + 𝑡 𝐝".to_owned()),
-            Thing::Root { object, number } => {
+            Concept::Direction => point(self, "𝐝".to_owned()),
+            Concept::Ray => point(self, "𝐩 + 𝑡 𝐝".to_owned()),
+            Concept::Root { object, number } => {
                 let root = inspection.root_of(object, number).filter(|root| root.t > 0.0);
                 if let Some(root) = root {
-                    point(self, format!("𝑡 = {}", lit.number(root.t)));
+                    point(self, format!("𝑡 = {}", highlighted.number(root.t)));
                 }
             }
-            Thing::AlongU | Thing::AlongV | Thing::AlongW => self.light_parts(lit, inspection.uv),
-            Thing::Normal => {
+            Concept::AlongU | Concept::AlongV | Concept::AlongW => {
+                self.light_parts(highlighted, inspection.uv)
+            }
+            Concept::Normal => {
                 let Some(hit) = inspection.first_hit() else { return };
                 let along = self.arrow_of(hit.normal);
                 let pen = Pen { color: self.colors.hit, ..pen };
@@ -234,30 +257,30 @@ impl Sheet<'_> {
 
     /// Draws the parts of the selected ray's direction: the part along w at the picture's middle,
     /// those along u and v in the picture.
-    fn light_parts(&mut self, lit: Lit, uv: DVec2) {
+    fn light_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
         let (posed, size, middle) = (self.view.posed, self.view.size, self.middle());
         let place = |uv: DVec2| place_of(posed, size, uv);
         let (at, corner) = (place(uv), place(DVec2::new(uv.x, 0.0)));
         let [w, u, v] = ALONG;
         let [color_u, color_v, color_w] = self.colors.basis;
-        let pen = Self::pen(lit, color_w);
+        let pen = Self::pen(highlighted, color_w);
         let sides = [(u, middle, corner, color_u), (v, corner, at, color_v)];
-        for ((thing, text), from, to, color) in sides {
-            let width = if thing == lit.thing { STRONG } else { BESIDE };
-            self.arrow(from, to - from, Pen { color, width, ..pen }.of(thing), text, POINT_TEXT);
+        for ((concept, text), from, to, color) in sides {
+            let width = if concept == highlighted.concept { STRONG } else { BESIDE };
+            self.arrow(from, to - from, Pen { color, width, ..pen }.of(concept), text, POINT_TEXT);
         }
-        if lit.thing == Thing::AlongW {
+        if highlighted.concept == Concept::AlongW {
             self.along_view(middle, true, pen, w.1, DVec2::new(-0.6, -1.0));
         }
     }
 
     /// Draws a sphere's outline.
-    fn light_object(&mut self, lit: Lit, index: u32) {
-        let Some(Object::Sphere(sphere)) = lit.scene.object(index) else { return };
+    fn light_object(&mut self, highlighted: Highlighted, index: u32) {
+        let Some(Object::Sphere(sphere)) = highlighted.scene.object(index) else { return };
         let posed = self.view.posed;
         let unit = (sphere.center - posed.eye()).length();
         let screen = Screen::of_size(posed, self.view.extent(), unit);
-        let pen = Pen { width: 4.0, ..Self::pen(lit, self.colors.hit) };
+        let pen = Pen { width: 4.0, ..Self::pen(highlighted, self.colors.hit) };
         let outline = silhouette(&sphere, posed.eye()).unwrap_or_default();
         for pen in cased(pen, self.colors.halo) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
@@ -268,10 +291,10 @@ impl Sheet<'_> {
 
     /// Hatches the pixels at which a plane is seen, below everything else: the plane may fill the
     /// picture, and what lies on it must still be seen and hovered.
-    fn light_plane(&mut self, lit: Lit, index: u32) {
+    fn light_plane(&mut self, highlighted: Highlighted, index: u32) {
         let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
-        let cells = Cells::of(self.view.posed, lit.scene, extent, CELL * scale);
+        let cells = Cells::of(self.view.posed, highlighted.scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);
         let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         let mut others = std::mem::take(&mut self.drawing.marks);
