@@ -3,7 +3,7 @@
 mod json;
 mod text;
 
-use pinhole_core::{PosedCamera, UpAngle};
+use pinhole_core::{ResolvedCamera, UpAngle};
 
 use super::CommandError;
 use super::load;
@@ -18,7 +18,7 @@ use pinhole_exchange::document::Document;
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {
     document: &'a Document,
-    camera: PosedCamera,
+    camera: ResolvedCamera,
     up_angle: UpAngle,
     inspection: Inspection,
 }

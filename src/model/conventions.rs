@@ -71,7 +71,7 @@ pub(crate) const FIELD_OF_VIEW: &str = "field of view";
 /// line on pixels are about; numbers have that many significant digits.
 pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
     let terms = &format.terms;
-    let image = subject.posed().image();
+    let image = subject.resolve().image();
     let size = [image.width(), image.height()];
     let mut table = axes(terms, subject, digits);
     let hand = |right| if right { "right-handed" } else { "left-handed" };
@@ -114,7 +114,7 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
         flips(pixels),
         pixels != Pixels::Corner,
     );
-    let viewport = subject.posed().viewport();
+    let viewport = subject.resolve().viewport();
     line(
         FIELD_OF_VIEW,
         format!(
@@ -135,7 +135,7 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
 
 /// The lines on the camera's axes, with their vectors.
 fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
-    let basis = subject.posed().basis();
+    let basis = subject.resolve().basis();
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.direction());
         // 0 has no sign to read.

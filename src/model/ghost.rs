@@ -1,6 +1,6 @@
 //! The ghost: a frozen camera for comparison with the current camera. Pure.
 
-use pinhole_core::{Camera, CameraError, PosedCamera};
+use pinhole_core::{Camera, CameraError, ResolvedCamera};
 
 /// A frozen camera and the picture beside the camera view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,6 +25,6 @@ pub enum Beside {
 ///
 /// # Errors
 /// Returns an error if the ghost is an invalid camera.
-pub fn posed(ghost: &Camera, now: &Camera) -> Result<PosedCamera, CameraError> {
-    Camera { image: now.image, ..*ghost }.posed()
+pub fn resolve(ghost: &Camera, now: &Camera) -> Result<ResolvedCamera, CameraError> {
+    Camera { image: now.image, ..*ghost }.resolve()
 }

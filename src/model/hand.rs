@@ -1,7 +1,7 @@
 //! The handles of the world view, and the constraints of a drag.
 
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
-use pinhole_core::{DVec3, PosedCamera};
+use pinhole_core::{DVec3, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
 use crate::model::session::Settings;
@@ -93,8 +93,8 @@ impl Axis {
     }
 
     /// Returns the axis's direction; `None` for an axis of the camera if there is no camera.
-    pub fn direction(self, camera: Option<&PosedCamera>) -> Option<DVec3> {
-        let basis = camera.map(PosedCamera::basis);
+    pub fn direction(self, camera: Option<&ResolvedCamera>) -> Option<DVec3> {
+        let basis = camera.map(ResolvedCamera::basis);
         match self {
             Axis::X => Some(DVec3::X),
             Axis::Y => Some(DVec3::Y),

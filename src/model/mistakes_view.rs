@@ -76,7 +76,7 @@ mod tests {
     fn riddles_are_of_what_shows_and_never_twice_the_same() {
         let document = builtin::find("look-at").expect("built in").load().expect("a scene");
         let (camera, scene) = (document.camera, document.scene().expect("a scene"));
-        let visible = visible(&camera, &camera.posed().expect("a camera"), &scene);
+        let visible = visible(&camera, &camera.resolve().expect("a camera"), &scene);
         assert!(visible.contains(&Mistake::WAsPrinted) && visible.contains(&Mistake::VIsUCrossW));
         // Half a pixel of 400, and a distance of 1.
         assert!(!visible.contains(&Mistake::PixelCorner), "{visible:?}");

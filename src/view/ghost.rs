@@ -1,7 +1,7 @@
 //! Comparison of the edited camera with the ghost: in numbers and as a map.
 
 use egui::Color32;
-use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, PosedCamera, Scene};
+use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, ResolvedCamera, Scene};
 
 use crate::model::inspection::Inspection;
 use crate::model::session::Selection;
@@ -11,7 +11,7 @@ use pinhole_lecture::mistakes::ComparedPixels;
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
     /// The ghost, with the edited camera's image, so that they are compared pixel by pixel.
-    pub ghost: PosedCamera,
+    pub ghost: ResolvedCamera,
     /// The difference from the ghost to the edited camera.
     pub difference: CameraDifference,
     /// Number of shown pixels, and of those among them that see another object.
@@ -28,7 +28,7 @@ impl AgainstGhost {
     /// One of the cameras has no basis.
     pub fn new(
         (now, now_frame): (&Camera, &Frame<f32>),
-        (then, ghost, ghost_frame): (&Camera, &PosedCamera, &Frame<f32>),
+        (then, ghost, ghost_frame): (&Camera, &ResolvedCamera, &Frame<f32>),
         scene: &Scene,
         selection: Selection,
     ) -> Result<AgainstGhost, BasisError> {

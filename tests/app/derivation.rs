@@ -124,7 +124,11 @@ fn a_mark_that_is_pointed_at_lights_its_line_and_is_named() {
         ("Camera view", Concept::Pixel, "(u, v) = ", "the selected place in the viewport"),
     ] {
         hover_mark(&mut window, view, thing);
-        assert_eq!(pointed(&window), Some(Hovered { concept: thing, by: HoverSource::View }), "{view}");
+        assert_eq!(
+            pointed(&window),
+            Some(Hovered { concept: thing, by: HoverSource::View }),
+            "{view}"
+        );
         assert!(says(&window, words), "{:?}", texts_with(&window, words));
         let lit: Vec<String> = window
             .root()

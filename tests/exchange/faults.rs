@@ -174,7 +174,7 @@ fn broken_texts_are_errors() {
                         [Importer::named(format.name), recognised(&broken)].into_iter().flatten()
                     {
                         if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
-                            assert!(taken.camera.posed().is_ok());
+                            assert!(taken.camera.resolve().is_ok());
                         }
                     }
                 }

@@ -70,7 +70,7 @@ fn k_r_and_t_are_taken_as_lists_arrays_and_as_numpy_prints_them() {
     for text in [K_R_T, printed, &format!("import numpy as np\n{arrays}")] {
         let camera = taken("opencv", text);
         assert_eq!(camera.eye, DVec3::new(-1.0, 2.0, 3.0), "{text}");
-        assert_eq!(camera.posed().unwrap().basis().w, DVec3::Z);
+        assert_eq!(camera.resolve().unwrap().basis().w, DVec3::Z);
         assert_eq!(camera.image, ImageSize::new(640, 480).unwrap());
     }
     let whole = "K = [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]]\nwidth = 640\nheight = 480\n\
@@ -88,7 +88,10 @@ fn numbers_alone_are_eye_at_up_or_a_matrix() {
     let ten = taken("numbers", "1, 2, 3,  0, 0, 0,\n 0, 1, 0,  60");
     assert!((ten.viewport.vertical_fov().to_degrees() - 60.0).abs() < 1e-12);
     let rows = taken("numbers", "0 0 1 7\n0 1 0 8\n-1 0 0 9");
-    assert_eq!((rows.eye, rows.posed().unwrap().basis().w), (DVec3::new(7.0, 8.0, 9.0), DVec3::X));
+    assert_eq!(
+        (rows.eye, rows.resolve().unwrap().basis().w),
+        (DVec3::new(7.0, 8.0, 9.0), DVec3::X)
+    );
     for text in [
         "0 0 1 7\n0 1 0 8\n-1 0 0 9\n0 0 0 1",
         "[[0, 0, 1, 7], [0, 1, 0, 8], [-1, 0, 0, 9], [0, 0, 0, 1]]",

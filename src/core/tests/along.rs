@@ -22,7 +22,7 @@ fn vector(powers: std::ops::Range<f64>) -> impl Strategy<Value = DVec3> {
 }
 
 fn of_ray<'a>(object: &Object, ray: &Ray) -> AlongRay<'a> {
-    AlongRay::new(object, ExactRay::of(ray).unwrap()).unwrap()
+    AlongRay::new(object, ExactRay::from_ray(ray).unwrap()).unwrap()
 }
 
 /// f(t) in 1200 digits.
@@ -80,7 +80,8 @@ fn values_of_the_lecture_s_scene() {
         (0.0, 12.0, 12.0)
     );
     assert!(
-        AlongRay::new(&Object::Sphere(sphere([0.0; 3], 0.0)), ExactRay::of(&ray).unwrap()).is_err()
+        AlongRay::new(&Object::Sphere(sphere([0.0; 3], 0.0)), ExactRay::from_ray(&ray).unwrap())
+            .is_err()
     );
 }
 
@@ -98,7 +99,7 @@ fn a_tangent_touches_zero() {
 /// Roots that no `f64` is: of view rays, whose direction has roots in it.
 #[test]
 fn the_sign_changes_at_certified_roots_of_view_rays() {
-    let posed = AT_45_DEGREES.posed().unwrap();
+    let resolved = AT_45_DEGREES.resolve().unwrap();
     let objects = [
         Object::Plane(plane([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])),
         Object::Sphere(sphere([-4.0, 0.0, -5.0], 2.0)),
@@ -107,7 +108,7 @@ fn the_sign_changes_at_certified_roots_of_view_rays() {
     let mut roots = 0;
     for row in (0..400).step_by(23) {
         for column in (0..400).step_by(23) {
-            let ray = posed.exact_ray(Pixel { row, column });
+            let ray = resolved.exact_ray(Pixel { row, column });
             for object in &objects {
                 let along = AlongRay::new(object, ray).unwrap();
                 let found = match object {

@@ -270,25 +270,25 @@ pub(crate) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
 /// Returns a note where the numbers that were written make a camera with other rays, and by how much.
 pub(super) fn difference(format: &Format, written: &Written, subject: &Subject) -> Option<String> {
     const ENOUGH: f64 = 1e-9;
-    let posed = subject.posed();
+    let resolved = subject.resolve();
     let camera = match format.check {
         Check::Numbers(camera) => camera(subject).ok(),
         Check::Import => {
             let text = written.joined().text;
-            let (viewport, image) = (*posed.viewport(), posed.image());
+            let (viewport, image) = (*resolved.viewport(), resolved.image());
             let at_hand = Camera { viewport, image, ..Camera::CANONICAL };
             let importer = Importer::named(format.name)?;
             let read = (importer.read)(&Text { path: Path::new(""), text: &text }, &at_hand);
             read.ok().map(|taken| taken.camera)
         }
     };
-    let Some(back) = camera.and_then(|camera| camera.posed().ok()) else {
+    let Some(back) = camera.and_then(|camera| camera.resolve().ok()) else {
         return Some("its numbers make no camera any more when they are read again".to_owned());
     };
-    let [height, width] = [posed.image().height(), posed.image().width()].map(|n| n - 1);
+    let [height, width] = [resolved.image().height(), resolved.image().width()].map(|n| n - 1);
     let corners = [(0, 0), (0, width), (height, 0), (height, width)];
     let off = corners.map(|(row, column)| {
-        let [a, b] = [posed, &back].map(|camera| {
+        let [a, b] = [resolved, &back].map(|camera| {
             let ray = camera.ray_of_pixel(Pixel { row, column });
             ray.direction / ray.direction.abs().max_element()
         });

@@ -31,8 +31,8 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let [width, height] = subject.size();
     let (near, far) = subject.clip();
     let viewport = subject.viewport();
-    let Basis { u, v, w } = *subject.posed().basis();
-    let eye = subject.posed().eye();
+    let Basis { u, v, w } = *subject.resolve().basis();
+    let eye = subject.resolve().eye();
     let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
     let (aspect_x, aspect_y) = pixel_aspects(subject);
     let mut notes = Vec::new();
@@ -78,10 +78,10 @@ fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
     let width = extent_of_fov(subject.viewport().horizontal_fov(), distance);
     let height = width * (rows * aspect_y) / (columns * aspect_x);
     Ok(Camera {
-        eye: subject.posed().eye(),
-        orientation: Orientation::Basis(*subject.posed().basis()),
+        eye: subject.resolve().eye(),
+        orientation: Orientation::Basis(*subject.resolve().basis()),
         viewport: Viewport { width, height, distance },
-        image: subject.posed().image(),
+        image: subject.resolve().image(),
     })
 }
 

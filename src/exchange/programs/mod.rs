@@ -189,7 +189,7 @@ impl Importer {
         let mut taken = (self.read)(text, at_hand)?;
         // No negative zeros.
         taken.camera.eye += DVec3::ZERO;
-        match taken.camera.posed() {
+        match taken.camera.resolve() {
             Ok(_) => Ok(taken),
             Err(error) => Err(FileError::of_file(text.path, format!("{}: {error}", self.label))),
         }

@@ -70,7 +70,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
 /// The camera that the book's program makes of the numbers.
 fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
     let [eye, at, up] = subject.look_at()?;
-    let image = subject.posed().image();
+    let image = subject.resolve().image();
     let distance = subject.viewport().distance;
     let height = extent_of_fov(subject.vertical_degrees().to_radians(), distance);
     Ok(Camera {

@@ -1,7 +1,7 @@
 //! The derivation of a view ray: from a pixel to (u, v), from there to the direction.
 
 use pinhole_core::arithmetic::length;
-use pinhole_core::{DVec2, DVec3, Pixel, PosedCamera, Ray, RayError};
+use pinhole_core::{DVec2, DVec3, Pixel, Ray, RayError, ResolvedCamera};
 /// A view ray with every value on the way to it:
 ///
 /// ```text
@@ -19,7 +19,7 @@ pub struct RayDerivation {
     /// given by (u, v).
     pub shares: Option<PixelShares>,
     /// The place where the ray passes through the viewport, in world units, as
-    /// [`PosedCamera::uv_of_pixel`] says.
+    /// [`ResolvedCamera::uv_of_pixel`] says.
     pub uv: DVec2,
     /// `u U`, in world units.
     pub along_u: DVec3,
@@ -54,7 +54,7 @@ pub struct PixelShares {
 
 impl RayDerivation {
     /// The view ray through a pixel's centre.
-    pub fn of_pixel(camera: &PosedCamera, pixel: Pixel) -> RayDerivation {
+    pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
         let parts = camera.direction_parts_of_pixel(pixel);
         let shares = Some(PixelShares::new(camera, pixel));
@@ -65,7 +65,7 @@ impl RayDerivation {
     ///
     /// # Errors
     /// Where u or v is not finite.
-    pub fn of_uv(camera: &PosedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
+    pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
         let direction = camera.exact_ray_at(uv)?.rounded();
         Ok(RayDerivation::new(camera.direction_parts_at(uv), None, uv, direction))
     }
@@ -96,7 +96,7 @@ impl RayDerivation {
 
 impl PixelShares {
     /// Each rounded once: numerators and denominators are whole.
-    fn new(camera: &PosedCamera, pixel: Pixel) -> PixelShares {
+    fn new(camera: &ResolvedCamera, pixel: Pixel) -> PixelShares {
         let image = camera.image();
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));

@@ -77,7 +77,7 @@ impl Sight<'_> {
     /// Every sphere that the ray's line may be said to meet.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
-        match ExactRay::of(&ray) {
+        match ExactRay::from_ray(&ray) {
             Ok(ray) if !meets_far_off(&self.camera.pipeline) => {
                 let share = self.tolerance + self.camera.off + 64.0 * self.camera.epsilon;
                 for index in scene.spheres_near(&ray, share) {

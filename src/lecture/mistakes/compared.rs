@@ -1,7 +1,7 @@
 //! A wrong camera beside the right one, and the mistakes that one sees.
 
 use pinhole_core::{
-    Camera, CameraError, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, trace_as,
+    Camera, CameraError, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, trace_as,
 };
 
 use super::checks::Checked;
@@ -16,9 +16,9 @@ const SAMPLES: u32 = 72;
 const SHOWS_FROM: usize = 100;
 
 /// The mistakes that one sees in the picture of this camera.
-pub fn visible(camera: &Camera, posed: &PosedCamera, scene: &Scene) -> Vec<Mistake> {
+pub fn visible(camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) -> Vec<Mistake> {
     let raster = Raster::shown_on(camera.image, SAMPLES, SAMPLES);
-    let right = right_objects(posed, scene, &raster);
+    let right = right_objects(resolved, scene, &raster);
     let shows = |mistake: &Mistake| {
         let wrong = WrongCamera::new(camera, *mistake).ok();
         let picture = wrong.and_then(|wrong| WrongPicture::trace(scene, &wrong, &raster).ok());
@@ -27,9 +27,9 @@ pub fn visible(camera: &Camera, posed: &PosedCamera, scene: &Scene) -> Vec<Mista
     Mistake::GALLERY.iter().copied().filter(shows).collect()
 }
 
-fn right_objects(posed: &PosedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
+fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
     let outputs = Outputs { object: true, ..Outputs::NONE };
-    trace_as::<f32>(scene, posed, raster, outputs).object
+    trace_as::<f32>(scene, resolved, raster, outputs).object
 }
 
 /// A wrong camera, next to the right one.
@@ -62,7 +62,7 @@ impl ComparedCamera {
     /// The wrong camera with its numbers, and its picture, if it has one.
     pub fn new<P: Clone + Send + Sync>(
         camera: &Camera,
-        posed: &PosedCamera,
+        resolved: &ResolvedCamera,
         scene: &Scene,
         mistake: Mistake,
         raster: &Raster,
@@ -80,7 +80,7 @@ impl ComparedCamera {
         wrong.checks = camera.checks();
         match WrongPicture::trace(scene, camera, raster) {
             Ok(picture) => {
-                let right = right_objects(posed, scene, raster);
+                let right = right_objects(resolved, scene, raster);
                 let differing = picture.differing(&right);
                 wrong.seen = Some(ComparedPixels { pixels: right.len(), differing });
                 let Paint { shade, color_of, to_pixel } = paint;

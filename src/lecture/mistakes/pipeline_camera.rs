@@ -1,14 +1,14 @@
 //! The rays that a student's pipeline sends out.
 
 use pinhole_core::arithmetic::{length, unit};
-use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, Orientation, Pixel, PosedCamera};
+use pinhole_core::{Basis, Camera, CameraError, DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
 use super::pipeline::{Extent, Pipeline, Rows, Swap, UpAsV};
 
 /// A right camera, with what wrong pipelines make of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GivenCamera {
-    pub(crate) posed: PosedCamera,
+    pub(crate) resolved: ResolvedCamera,
     pub(crate) view: DVec3,
     pub(crate) up: DVec3,
     /// `|up/|up| x w|` of the right w, in which no up is too long or too short.
@@ -25,7 +25,7 @@ const ROUNDINGS: f64 = 16.0;
 
 impl GivenCamera {
     pub(crate) fn new(camera: &Camera) -> Result<GivenCamera, CameraError> {
-        let posed = camera.posed()?;
+        let resolved = camera.resolve()?;
         let (view, up) = (camera.view(), camera.up());
         let conditioning = camera.up_angle().map_or(1.0, |angle| angle.conditioning);
         // at - eye cancels where both are far out.
@@ -34,10 +34,10 @@ impl GivenCamera {
             _ => 0.0,
         };
         Ok(GivenCamera {
-            posed,
+            resolved,
             view,
             up,
-            sine: unit(up).cross(posed.basis().w).length(),
+            sine: unit(up).cross(resolved.basis().w).length(),
             by_hand: matches!(camera.orientation, Orientation::Basis(_)),
             roundings: ROUNDINGS * (1.0 + lost) * conditioning,
         })
@@ -45,7 +45,7 @@ impl GivenCamera {
 
     /// The camera that a pipeline makes.
     pub(crate) fn camera_of(&self, pipeline: Pipeline) -> PipelineCamera {
-        let Basis { u, v, w } = *self.posed.basis();
+        let Basis { u, v, w } = *self.resolved.basis();
         let factors = self.factors(&pipeline);
         let up_as_v = match pipeline.basis.up_as_v {
             UpAsV::No => None,
@@ -55,15 +55,15 @@ impl GivenCamera {
         let epsilon = if pipeline.single { f64::from(f32::EPSILON) } else { f64::EPSILON };
         PipelineCamera {
             pipeline,
-            eye: self.posed.eye(),
+            eye: self.resolved.eye(),
             u: factors.x * u,
             v: up_as_v.unwrap_or(factors.y * v),
             w: factors.z * w,
             factors,
             up_as_v,
-            distance: self.posed.viewport().distance,
+            distance: self.resolved.viewport().distance,
             extent: self.extent(pipeline.extent),
-            count: [self.posed.image().width(), self.posed.image().height()].map(f64::from),
+            count: [self.resolved.image().width(), self.resolved.image().height()].map(f64::from),
             epsilon,
             off: self.roundings * epsilon,
             nearest: None,
@@ -87,15 +87,15 @@ impl GivenCamera {
     }
 
     fn extent(&self, extent: Extent) -> [f64; 2] {
-        let viewport = self.posed.viewport();
+        let viewport = self.resolved.viewport();
         let (width, height) = (viewport.width, viewport.height);
         match extent {
             Extent::Ones if width != height => [1.0, 1.0],
             Extent::Right | Extent::Ones => [width, height],
             Extent::WidthForHeight => [width, width],
             Extent::HeightForWidth => [height, height],
-            Extent::WidthByImage => [height * self.posed.image().aspect(), height],
-            Extent::HeightByImage => [width, width / self.posed.image().aspect()],
+            Extent::WidthByImage => [height * self.resolved.image().aspect(), height],
+            Extent::HeightByImage => [width, width / self.resolved.image().aspect()],
         }
     }
 }

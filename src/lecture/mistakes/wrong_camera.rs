@@ -4,7 +4,7 @@ use std::fmt;
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{
-    Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Pixel, PosedCamera, Ray, RayError,
+    Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Pixel, Ray, RayError, ResolvedCamera,
 };
 
 use super::pipeline::{BasisChoices, Pipeline};
@@ -98,8 +98,8 @@ impl WrongCamera {
     }
 
     /// The camera without the mistake.
-    pub fn right_camera(&self) -> &PosedCamera {
-        &self.given.posed
+    pub fn right_camera(&self) -> &ResolvedCamera {
+        &self.given.resolved
     }
 
     /// The wrong u; not always of length 1.
@@ -120,7 +120,7 @@ impl WrongCamera {
     /// Tells of u, v and w each whether it is another vector than the right one, and not by
     /// rounding alone.
     pub fn wrong_vectors(&self) -> [bool; 3] {
-        let right = self.given.posed.basis();
+        let right = self.given.resolved.basis();
         let is_wrong = |a: DVec3, b: DVec3| !is_near(a, b);
         [is_wrong(self.u(), right.u), is_wrong(self.v(), right.v), is_wrong(self.w(), right.w)]
     }
@@ -132,7 +132,7 @@ impl WrongCamera {
 
     /// W x H.
     pub fn image(&self) -> ImageSize {
-        self.given.posed.image()
+        self.given.resolved.image()
     }
 
     /// (u, v) that the wrong camera takes for a pixel's.
@@ -158,7 +158,7 @@ impl WrongCamera {
     /// # Errors
     /// Where its numbers are beyond the range of `f64`.
     pub fn ray_at(&self, uv: DVec2) -> Result<Ray, RayError> {
-        Ray::new(self.given.posed.eye(), self.direction_at(uv))
+        Ray::new(self.given.resolved.eye(), self.direction_at(uv))
     }
 
     /// Returns whether every pixel sees the same as in the other camera, whatever the numbers
@@ -168,7 +168,7 @@ impl WrongCamera {
             let [a, b] = [self, other].map(|c| unit(c.direction_at(c.uv_of_pixel(pixel))));
             (a - b).length() <= DIFFERENT.sqrt()
         };
-        self.given.posed.eye() == other.given.posed.eye()
+        self.given.resolved.eye() == other.given.resolved.eye()
             && self.image() == other.image()
             && corners(self.image()).into_iter().all(is_same)
     }
@@ -182,7 +182,7 @@ impl WrongCamera {
         self.wrong_vectors() == [false; 3]
             && corners(self.image()).into_iter().all(|pixel| {
                 let wrong = self.direction_at(self.uv_of_pixel(pixel));
-                is_near(wrong, self.given.posed.ray_of_pixel(pixel).direction)
+                is_near(wrong, self.given.resolved.ray_of_pixel(pixel).direction)
             })
     }
 }

@@ -6,7 +6,7 @@
 
 use pinhole_core::{
     BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageError, ImageSize,
-    NO_OBJECT, Orientation, Outputs, Pixel, PosedCamera, Raster, Rgb, Scene, Shade, Viewport,
+    NO_OBJECT, Orientation, Outputs, Pixel, Raster, ResolvedCamera, Rgb, Scene, Shade, Viewport,
     trace_as,
 };
 use rayon::prelude::*;
@@ -180,7 +180,7 @@ impl WrongCamera {
         &self,
         columns: &StandInAxis,
         rows: &StandInAxis,
-    ) -> Result<PosedCamera, CameraError> {
+    ) -> Result<ResolvedCamera, CameraError> {
         let Basis { u, v, w } = *self.right_camera().basis();
         let facing = self.made.factors.z.signum();
         let basis = Basis { u: facing * u, v, w: facing * w };
@@ -189,7 +189,7 @@ impl WrongCamera {
             height: rows.extent,
             distance: self.distance() * self.made.factors.z.abs(),
         };
-        posed(
+        resolve(
             self.right_camera().eye(),
             basis,
             viewport,
@@ -198,7 +198,11 @@ impl WrongCamera {
     }
 
     /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
-    fn row_camera(&self, upward: DVec3, columns: &StandInAxis) -> Result<PosedCamera, CameraError> {
+    fn row_camera(
+        &self,
+        upward: DVec3,
+        columns: &StandInAxis,
+    ) -> Result<ResolvedCamera, CameraError> {
         let facing = self.made.factors.z.signum();
         let forward = upward - self.distance() * self.w();
         // At right angles to u, as up and w are, but for rounding.
@@ -206,7 +210,7 @@ impl WrongCamera {
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
         let basis = Basis { u, v: w.cross(u), w };
-        posed(
+        resolve(
             self.right_camera().eye(),
             basis,
             viewport,
@@ -215,16 +219,16 @@ impl WrongCamera {
     }
 }
 
-fn posed(
+fn resolve(
     eye: DVec3,
     basis: Basis,
     viewport: Viewport,
     image: Result<ImageSize, ImageError>,
-) -> Result<PosedCamera, CameraError> {
+) -> Result<ResolvedCamera, CameraError> {
     let image = image.map_err(CameraError::Image)?;
-    Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.posed()
+    Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.resolve()
 }
 
-fn traced(scene: &Scene, camera: &PosedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
+fn traced(scene: &Scene, camera: &ResolvedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
     trace_as(scene, camera, &Raster::of(rows, columns), Outputs::default())
 }

@@ -1,6 +1,6 @@
 //! Derivation of the view ray of a pixel or of a position (u, v).
 
-use pinhole_core::{PixelOfUv, PosedCamera};
+use pinhole_core::{PixelOfUv, ResolvedCamera};
 use pinhole_lecture::{PixelShares, RayDerivation};
 
 use super::Line;
@@ -13,16 +13,16 @@ use crate::view::formula::{
 };
 
 pub(super) fn lines(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     ray: &RayDerivation,
     inspection: &Inspection,
     numbers: Numbers,
 ) -> Vec<Line> {
     let mut lines = match &ray.shares {
-        Some(shares) => of_pixel(posed, shares, ray, numbers),
-        None => vec![of_uv(posed, ray, inspection, numbers)],
+        Some(shares) => of_pixel(resolved, shares, ray, numbers),
+        None => vec![of_uv(resolved, ray, inspection, numbers)],
     };
-    let (viewport, basis) = (posed.viewport(), posed.basis());
+    let (viewport, basis) = (resolved.viewport(), resolved.basis());
     let distance = negative(DISTANCE);
     let minus_distance = -viewport.distance;
     let parts = [
@@ -61,7 +61,7 @@ pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
 
 /// Derives u and v from the shares of the image's width and height.
 fn of_pixel(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     shares: &PixelShares,
     ray: &RayDerivation,
     numbers: Numbers,
@@ -76,7 +76,7 @@ fn of_pixel(
     // edge.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
-    let (viewport, image) = (posed.viewport(), posed.image());
+    let (viewport, image) = (resolved.viewport(), resolved.image());
     let across = |k, count| parentheses(minus(share(k, count), half()));
     let down = |k, count| parentheses(minus(half(), share(k, count)));
     let whole = |n: u32| number(&n.to_string());
@@ -111,7 +111,7 @@ fn of_pixel(
 
 /// Returns the line of a given (u, v), with its position in the image.
 fn of_uv(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     ray: &RayDerivation,
     inspection: &Inspection,
     numbers: Numbers,
@@ -120,7 +120,7 @@ fn of_uv(
     let values = tuple([numbers.scalar(ray.uv.x), numbers.scalar(ray.uv.y)]);
     let note = match inspection.place {
         None => "outside the image".to_owned(),
-        Some(place) if place.touching(posed.image()).len() == 4 => {
+        Some(place) if place.touching(resolved.image()).len() == 4 => {
             "the corner of four pixels, no pixel's centre".to_owned()
         }
         Some(PixelOfUv { column_edge: None, row_edge: None, pixel }) => {

@@ -98,7 +98,7 @@ fn map(
     sizes: &ViewSizes,
 ) -> Option<Shown> {
     let picture = picture(graded, size)?;
-    Some(shown_beside(&picture, (right.posed, right.inspection), items, size, sizes))
+    Some(shown_beside(&picture, (right.resolved, right.inspection), items, size, sizes))
 }
 
 /// Returns the map as a picture with as many pixels as are shown. A pixel that stands for several

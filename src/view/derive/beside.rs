@@ -1,6 +1,6 @@
 //! A picture beside the camera's own, of the same image and with the image's overlay items.
 
-use pinhole_core::PosedCamera;
+use pinhole_core::ResolvedCamera;
 
 use super::Shown;
 use super::ViewSizes;
@@ -13,14 +13,14 @@ use crate::view::overlay::{CameraView, Picture};
 /// Shows a picture in `size` dots, with the overlay items of the camera it belongs to.
 pub(super) fn shown_beside(
     picture: &Picture,
-    (posed, inspection): (&PosedCamera, &Inspection),
+    (resolved, inspection): (&ResolvedCamera, &Inspection),
     items: OverlayItems,
     size: [u32; 2],
     sizes: &ViewSizes,
 ) -> Shown {
     let view = CameraView {
         picture,
-        posed,
+        resolved,
         inspection: Some(inspection),
         items,
         size: size.map(|n| n as usize),

@@ -49,7 +49,7 @@ impl Derivations {
             _ => {
                 let made = Arc::new(derivation(&Sources {
                     document,
-                    posed: derived.posed.as_ref(),
+                    resolved: derived.resolved.as_ref(),
                     scene: derived.scene.as_deref(),
                     inspection: derived.inspection.as_deref(),
                     fault: looked.fault,

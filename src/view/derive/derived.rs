@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::ColorImage;
-use pinhole_core::{Counts, Frame, PosedCamera, Scene, Steps, UpAngle};
+use pinhole_core::{Counts, Frame, ResolvedCamera, Scene, Steps, UpAngle};
 use pinhole_lecture::mistakes::ComparedCamera;
 
 use super::answers::Grading;
@@ -69,7 +69,7 @@ impl Purpose {
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
     /// The camera with its basis.
-    pub posed: Option<PosedCamera>,
+    pub resolved: Option<ResolvedCamera>,
     /// The angle between up and the view direction.
     pub up_angle: Option<UpAngle>,
     /// The selected ray.
@@ -107,7 +107,7 @@ pub struct Derived {
     /// The wrong camera's picture.
     pub wrong_view: Option<Shown>,
     /// The ghost, with the camera's image.
-    pub ghost: Option<PosedCamera>,
+    pub ghost: Option<ResolvedCamera>,
     /// The camera compared with the ghost, if the layout shows it.
     pub against_ghost: Option<Arc<AgainstGhost>>,
     /// The ghost's picture, or the map of differences.

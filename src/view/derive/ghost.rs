@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Outputs, PosedCamera, Raster, Shade};
+use pinhole_core::{Camera, Outputs, Raster, ResolvedCamera, Shade};
 
 use super::Derived;
 use super::Shown;
@@ -11,7 +11,7 @@ use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
-use crate::model::ghost::{Beside, Ghost, posed};
+use crate::model::ghost::{Beside, Ghost, resolved};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};
 use crate::view::ghost::{AgainstGhost, difference_map};
@@ -53,9 +53,9 @@ impl GhostPictures {
         watch: Watch<'_>,
     ) {
         let ghost = session.ghost.as_ref();
-        derived.ghost = ghost.and_then(|ghost| posed(&ghost.camera, &document.camera).ok());
+        derived.ghost = ghost.and_then(|ghost| resolve(&ghost.camera, &document.camera).ok());
         let (Some(ghost), Some(size), Some(now), Some(seen), Some(world)) =
-            (ghost, sizes.ghost, &derived.posed, derived.ghost, world)
+            (ghost, sizes.ghost, &derived.resolved, derived.ghost, world)
         else {
             return;
         };
@@ -68,8 +68,8 @@ impl GhostPictures {
 
     fn of(
         &mut self,
-        (camera, now): (&Camera, &PosedCamera),
-        (ghost, seen): (&Ghost, &PosedCamera),
+        (camera, now): (&Camera, &ResolvedCamera),
+        (ghost, seen): (&Ghost, &ResolvedCamera),
         world: &GoodWorld,
         session: &Session,
         raster: Raster,

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::PosedCamera;
+use pinhole_core::ResolvedCamera;
 
 use super::Derived;
 use super::memo::Memo;
@@ -14,7 +14,7 @@ use pinhole_exchange::document::Document;
 
 /// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a
 /// curve.
-type Key = (PosedCamera, u64, Selection, Vec<Named>);
+type Key = (ResolvedCamera, u64, Selection, Vec<Named>);
 
 /// A cache of the curves, their samples, and their values at the moving point.
 #[derive(Debug, Default)]
@@ -39,10 +39,10 @@ impl Plots {
         if session.settings.layout != ViewLayout::Plot {
             return None;
         }
-        let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
+        let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
         let inspection = derived.inspection.as_deref()?;
-        let selection = session.selection.inside(posed.image());
-        let ray = selection.exact_ray(posed).ok()?;
+        let selection = session.selection.inside(resolved.image());
+        let ray = selection.exact_ray(resolved).ok()?;
         let named = |object: u32| {
             let title = document.title_of(object as usize);
             let name = document.name_of(object).map_or_else(|| title.clone(), str::to_owned);
@@ -51,7 +51,7 @@ impl Plots {
         };
         let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
         let made = &mut self.made;
-        let curves = self.curves.get((*posed, generation, selection, named), |(.., named)| {
+        let curves = self.curves.get((*resolved, generation, selection, named), |(.., named)| {
             *made += 1;
             Arc::new(curves(scene, &ray, named))
         });

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pinhole_core::{
-    Depth, Frame, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, Shade, shade, trace,
+    Depth, Frame, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Shade, shade, trace,
     trace_painted,
 };
 
@@ -26,7 +26,7 @@ pub type Watch<'a> = &'a (dyn Fn(Work) + Sync);
 /// Traces a frame with the `outputs`, and returns it with the opaque pixels of the picture.
 pub(super) fn picture(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     (shade, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
@@ -54,7 +54,7 @@ pub(super) fn repainted<T: Depth>(
 /// Traces `t` with all its digits, and the objects.
 pub(super) fn truth(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     watch: Watch<'_>,
 ) -> Arc<Frame> {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::{Camera, Paint, PosedCamera, Raster, Rgb, Shade};
+use pinhole_core::{Camera, Paint, Raster, ResolvedCamera, Rgb, Shade};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::Derived;
@@ -37,7 +37,7 @@ pub(super) struct WrongPictures {
 /// The right camera, with its selected ray.
 pub(super) struct Right<'a> {
     pub(super) camera: &'a Camera,
-    pub(super) posed: &'a PosedCamera,
+    pub(super) resolved: &'a ResolvedCamera,
     pub(super) inspection: &'a Inspection,
     pub(super) selection: Selection,
     /// The coarseness of its picture.
@@ -80,7 +80,7 @@ impl WrongPictures {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> (Arc<ComparedCamera>, Option<Shown>) {
-        let image = right.posed.image();
+        let image = right.resolved.image();
         let raster = right.subsampling.raster(image, size);
         let mode = Shade::from(session.settings.shade);
         let mistake = session.mistakes_view.shown();
@@ -94,8 +94,14 @@ impl WrongPictures {
                     color_of: |i: u32| world.colors[i as usize],
                     to_pixel: |[r, g, b]: Rgb| Color32::from_rgb(r, g, b),
                 };
-                let (wrong, pixels) =
-                    ComparedCamera::new(camera, right.posed, &world.scene, *mistake, raster, paint);
+                let (wrong, pixels) = ComparedCamera::new(
+                    camera,
+                    right.resolved,
+                    &world.scene,
+                    *mistake,
+                    raster,
+                    paint,
+                );
                 let picture = |pixels| Picture { raster: raster.clone(), image, pixels };
                 (Arc::new(wrong), pixels.map(|pixels| Arc::new(picture(pixels))))
             })
@@ -108,7 +114,7 @@ impl WrongPictures {
         let key = (self.count, right.selection, size, items, sizes.scale, sizes.style);
         let view = self.view.get(key, |_| {
             watched(watch, Work::Overlay, || {
-                let camera = (right.posed, right.inspection);
+                let camera = (right.resolved, right.inspection);
                 shown_beside(&picture, camera, items, size, sizes)
             })
         });

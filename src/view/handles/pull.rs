@@ -8,7 +8,7 @@ use pinhole_core::steering::{
     CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, ViewportCorner, nice_step,
     pixel_in_world, rounded_to, snapped,
 };
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera, Viewport};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
 
 use super::Part;
 use super::Solid;
@@ -23,7 +23,7 @@ pub struct Start {
     /// The values that the handle changes.
     pub before: Part,
     /// The camera at the start, if it had a basis.
-    pub posed: Option<PosedCamera>,
+    pub resolved: Option<ResolvedCamera>,
     /// The grasp of the handle.
     pub grasp: Grasp,
     /// Position of the handle in the world.
@@ -68,7 +68,7 @@ pub struct Pull<'a> {
     /// The start of the drag.
     pub start: &'a Start,
     /// The observer.
-    pub observer: &'a PosedCamera,
+    pub observer: &'a ResolvedCamera,
     /// Dots per point.
     pub scale: f32,
     /// The options.
@@ -82,14 +82,14 @@ const STEP_POINTS: f64 = 10.0;
 const STEP_DEGREES: f64 = 15.0;
 
 /// Returns the step for values at a point of the world: 1, 2 or 5 times a power of ten.
-pub fn step_of(observer: &PosedCamera, at: DVec3, scale: f32) -> Option<f64> {
+pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Option<f64> {
     nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at).ok()?).ok()
 }
 
 /// Returns the position of the tip of v after a roll of the camera by `degrees`.
 pub fn turned_by(start: &Start, degrees: f64) -> Option<DVec3> {
     let (sin, cos) = degrees.to_radians().sin_cos();
-    let (eye, basis) = (start.before.camera.eye, start.posed?);
+    let (eye, basis) = (start.before.camera.eye, start.resolved?);
     Some(eye + start.grasp.length * (cos * basis.basis().v - sin * basis.basis().u))
 }
 
@@ -163,8 +163,8 @@ impl Pull<'_> {
     /// Returns the direction or plane of the drag.
     fn along(&self) -> Result<DragAlong, String> {
         let no_basis = || "the camera has no basis".to_owned();
-        let Start { posed, grasp, at, before, .. } = self.start;
-        let axis = |axis: Axis| axis.direction(posed.as_ref()).ok_or_else(no_basis);
+        let Start { resolved, grasp, at, before, .. } = self.start;
+        let axis = |axis: Axis| axis.direction(resolved.as_ref()).ok_or_else(no_basis);
         if grasp.handle.is_free() {
             return Ok(match self.how.along {
                 Along::View => DragAlong::ViewPlane,
@@ -220,7 +220,7 @@ impl Pull<'_> {
         if self.how.snaps && !camera_axes.is_empty() {
             let mut point = from;
             for axis in camera_axes {
-                let direction = axis.direction(self.start.posed.as_ref()).unwrap_or_default();
+                let direction = axis.direction(self.start.resolved.as_ref()).unwrap_or_default();
                 point += self.number((to - from).dot(direction), per)? * direction;
             }
             return Ok(point);
@@ -283,8 +283,8 @@ impl Pull<'_> {
 
     /// Returns the camera rolled until v points to the tip, and the angle in degrees.
     fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
-        let Start { before, posed, grasp, .. } = self.start;
-        let basis = *posed.as_ref().ok_or("the camera has no basis")?.basis();
+        let Start { before, resolved, grasp, .. } = self.start;
+        let basis = *resolved.as_ref().ok_or("the camera has no basis")?.basis();
         let along = tip - before.camera.eye;
         let degrees = (-along.dot(basis.u)).atan2(along.dot(basis.v)).to_degrees();
         let per = 180.0 / (PI * grasp.length);
@@ -294,8 +294,8 @@ impl Pull<'_> {
 
     /// Returns the camera moved along w by as much as the tip of w.
     fn dolly(&self, tip: DVec3) -> Result<Camera, String> {
-        let Start { before: Part { camera, .. }, posed, at, .. } = self.start;
-        let w = posed.as_ref().ok_or("the camera has no basis")?.basis().w;
+        let Start { before: Part { camera, .. }, resolved, at, .. } = self.start;
+        let w = resolved.as_ref().ok_or("the camera has no basis")?.basis().w;
         let back = self.number((tip - *at).dot(w), 1.0)?;
         let reach = camera.pivot().map_err(|e| e.to_string())?.distance(camera.eye);
         let forward = match camera.orientation {
@@ -316,8 +316,8 @@ impl Pull<'_> {
         let (ratio, viewport) = match camera.with_viewport_corner(corner, point, self.how.corner) {
             Ok(moved) => (moved.viewport.width / moved.viewport.height, moved.viewport),
             Err(SteerError::Camera(_)) => {
-                let posed = self.start.posed.ok_or("the camera has no basis")?;
-                let size = 2.0 * corner.signs() * posed.project(point).uv;
+                let resolved = self.start.resolved.ok_or("the camera has no basis")?;
+                let size = 2.0 * corner.signs() * resolved.project(point).uv;
                 let fallen = Viewport { width: size.x, height: size.y, ..camera.viewport };
                 (f64::NAN, fallen)
             }
@@ -339,7 +339,7 @@ impl Pull<'_> {
         let distance = match camera.with_viewport_through(point, DistanceKeeps::Size) {
             Ok(moved) => moved.viewport.distance,
             Err(_) => {
-                let w = self.start.posed.ok_or("the camera has no basis")?.basis().w;
+                let w = self.start.resolved.ok_or("the camera has no basis")?.basis().w;
                 (camera.eye - point).dot(w)
             }
         };
@@ -354,10 +354,10 @@ impl Pull<'_> {
 
     /// Selects the pixel nearest to a point of the viewport.
     fn pixel(&self, point: DVec3) -> Part {
-        let Start { before, posed, .. } = self.start;
-        let place = posed.as_ref().and_then(|posed| {
-            let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
-            posed.pixel_of_uv(posed.project(point).uv.clamp(-half, half))
+        let Start { before, resolved, .. } = self.start;
+        let place = resolved.as_ref().and_then(|resolved| {
+            let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
+            resolved.pixel_of_uv(resolved.project(point).uv.clamp(-half, half))
         });
         match place {
             Some(place) => {

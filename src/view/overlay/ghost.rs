@@ -1,7 +1,7 @@
 //! The ghost in the world view: its eye, basis, frustum and viewport, all dashed, with a prime
 //! after each name.
 
-use pinhole_core::{DVec2, PosedCamera};
+use pinhole_core::{DVec2, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_in_space::{ARROW_POINTS, POINT_TEXT, VECTOR_TEXT, corners};
@@ -12,7 +12,7 @@ const FRUSTUM: f64 = 2.2;
 
 impl Sketch<'_> {
     /// Draws the ghost, below everything that belongs to the edited camera.
-    pub(crate) fn ghost(&mut self, ghost: &PosedCamera) {
+    pub(crate) fn ghost(&mut self, ghost: &ResolvedCamera) {
         let (eye, basis) = (ghost.eye(), ghost.basis());
         let ink = self.colors.ink;
         let edge = Pen::new(Item::Frustum, ink, 1.8).dashed();

@@ -1,7 +1,7 @@
 //! Handles, drawn over everything else and always of one size on the screen. A hovered or held
 //! handle is larger, has a different middle, and shows the line or ring along which it moves.
 
-use pinhole_core::{DVec2, DVec3, PosedCamera};
+use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
 use crate::view::overlay::camera_in_space::{ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, VECTOR_TEXT};
@@ -93,21 +93,21 @@ const RIM: f64 = 2.4;
 
 /// Returns the world length that covers `points` points on the screen at a point; 0 where it is not
 /// seen.
-pub fn length_of_points(observer: &PosedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
+pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     of_points(observer, at, (points, points), scale)
 }
 
 /// Returns the world length of the arrows at a camera's eye, as the world view draws them.
-pub fn arrow_length(observer: &PosedCamera, eye: DVec3, scale: f32) -> f64 {
+pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     of_points(observer, eye, ARROW_POINTS, scale)
 }
 
 /// Returns the world length of a plane's normal at its point.
-pub fn normal_length(observer: &PosedCamera, point: DVec3, scale: f32) -> f64 {
+pub fn normal_length(observer: &ResolvedCamera, point: DVec3, scale: f32) -> f64 {
     length_of_points(observer, point, NORMAL_POINTS, scale)
 }
 
-fn of_points(observer: &PosedCamera, at: DVec3, (least, most): (f64, f64), scale: f32) -> f64 {
+fn of_points(observer: &ResolvedCamera, at: DVec3, (least, most): (f64, f64), scale: f32) -> f64 {
     let screen = Screen::new(observer, at.distance(observer.eye()));
     let Some(dots) = screen.dots_per_unit(at) else { return 0.0 };
     let points = dots / f64::from(scale);

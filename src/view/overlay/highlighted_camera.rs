@@ -2,7 +2,7 @@
 
 use egui::Color32;
 use pinhole_core::{
-    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, Pixel, PosedCamera, Raster,
+    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, Pixel, Raster, ResolvedCamera,
     Scene, trace,
 };
 use pinhole_lecture::{BasisDerivation, Cross};
@@ -65,7 +65,7 @@ impl Sheet<'_> {
     /// Projects a direction of the world into the image; the result has length 1 for a unit vector
     /// orthogonal to w.
     fn in_image(&self, direction: DVec3) -> DVec2 {
-        let basis = self.view.posed.basis();
+        let basis = self.view.resolved.basis();
         DVec2::new(basis.u.dot(direction), -basis.v.dot(direction))
     }
 
@@ -135,7 +135,7 @@ impl Sheet<'_> {
         let middle = self.middle();
         let [u, v, w] = self.colors.basis;
         let given = self.colors.given;
-        let basis = *self.view.posed.basis();
+        let basis = *self.view.resolved.basis();
         let below = DVec2::new(0.6, 1.0);
         match highlighted.concept {
             Concept::W => self.along_view(middle, false, Self::pen(highlighted, w), "𝐰", below),
@@ -169,7 +169,7 @@ impl Sheet<'_> {
             Concept::Distance => {
                 let text = format!(
                     "distance = {}",
-                    highlighted.number(self.view.posed.viewport().distance)
+                    highlighted.number(self.view.resolved.viewport().distance)
                 );
                 self.along_view(
                     middle,
@@ -205,8 +205,8 @@ impl Sheet<'_> {
 
     fn light_selected(&mut self, highlighted: Highlighted) {
         let Some(inspection) = self.view.inspection else { return };
-        let (posed, size) = (self.view.posed, self.view.size);
-        let at = place_of(posed, size, inspection.uv);
+        let (resolved, size) = (self.view.resolved, self.view.size);
+        let at = place_of(resolved, size, inspection.uv);
         let pen = Self::pen(highlighted, self.colors.ray);
         let radius = 6.0 * self.view.scale;
         let point = |s: &mut Self, text: String| {
@@ -224,7 +224,7 @@ impl Sheet<'_> {
             }
             Concept::Pixel => {
                 let per_pixel = self.view.dots_per_pixel();
-                let touched = inspection.place.map(|place| place.touching(posed.image()));
+                let touched = inspection.place.map(|place| place.touching(resolved.image()));
                 for pixel in touched.into_iter().flatten() {
                     let corner = |k: u32| {
                         DVec2::new((pixel.column + k).into(), (pixel.row + k).into()) * per_pixel
@@ -258,8 +258,8 @@ impl Sheet<'_> {
     /// Draws the parts of the selected ray's direction: the part along w at the picture's middle,
     /// those along u and v in the picture.
     fn light_parts(&mut self, highlighted: Highlighted, uv: DVec2) {
-        let (posed, size, middle) = (self.view.posed, self.view.size, self.middle());
-        let place = |uv: DVec2| place_of(posed, size, uv);
+        let (resolved, size, middle) = (self.view.resolved, self.view.size, self.middle());
+        let place = |uv: DVec2| place_of(resolved, size, uv);
         let (at, corner) = (place(uv), place(DVec2::new(uv.x, 0.0)));
         let [w, u, v] = ALONG;
         let [color_u, color_v, color_w] = self.colors.basis;
@@ -277,11 +277,11 @@ impl Sheet<'_> {
     /// Draws a sphere's outline.
     fn light_object(&mut self, highlighted: Highlighted, index: u32) {
         let Some(Object::Sphere(sphere)) = highlighted.scene.object(index) else { return };
-        let posed = self.view.posed;
-        let unit = (sphere.center - posed.eye()).length();
-        let screen = Screen::of_size(posed, self.view.extent(), unit);
+        let resolved = self.view.resolved;
+        let unit = (sphere.center - resolved.eye()).length();
+        let screen = Screen::of_size(resolved, self.view.extent(), unit);
         let pen = Pen { width: 4.0, ..Self::pen(highlighted, self.colors.hit) };
-        let outline = silhouette(&sphere, posed.eye()).unwrap_or_default();
+        let outline = silhouette(&sphere, resolved.eye()).unwrap_or_default();
         for pen in cased(pen, self.colors.halo) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
                 self.line(&[cut.from.at, cut.to.at], pen);
@@ -294,7 +294,7 @@ impl Sheet<'_> {
     fn light_plane(&mut self, highlighted: Highlighted, index: u32) {
         let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
-        let cells = Cells::of(self.view.posed, highlighted.scene, extent, CELL * scale);
+        let cells = Cells::of(self.view.resolved, highlighted.scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);
         let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         let mut others = std::mem::take(&mut self.drawing.marks);
@@ -314,13 +314,13 @@ struct Cells {
 }
 
 impl Cells {
-    fn of(posed: &PosedCamera, scene: &Scene, extent: DVec2, cell: f64) -> Cells {
-        let image = posed.image();
+    fn of(resolved: &ResolvedCamera, scene: &Scene, extent: DVec2, cell: f64) -> Cells {
+        let image = resolved.image();
         let [columns, rows] = (extent / cell).to_array().map(|cells| cells.ceil() as u32);
         let raster = Raster::shown_on(image, columns, rows);
         let outputs = Outputs { t: false, object: true, normal: false };
         Cells {
-            frame: trace(scene, posed, &raster, outputs),
+            frame: trace(scene, resolved, &raster, outputs),
             per_pixel: extent / DVec2::new(image.width().into(), image.height().into()),
         }
     }

@@ -1,7 +1,7 @@
 //! Highlighting in the world view.
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Object, Orientation, PosedCamera};
+use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera};
 use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
 use crate::model::concept::Concept;
@@ -24,9 +24,9 @@ impl Sketch<'_> {
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
         self.light_given(view, highlighted);
-        if let Some(posed) = view.posed {
-            self.light_camera(posed, highlighted);
-            self.light_selected(posed, view, highlighted);
+        if let Some(resolved) = view.resolved {
+            self.light_camera(resolved, highlighted);
+            self.light_selected(resolved, view, highlighted);
         }
         if let Concept::Object(index) = highlighted.concept {
             self.light_object(view, index);
@@ -162,10 +162,10 @@ impl Sketch<'_> {
     }
 
     /// Highlights what needs the basis: its vectors, the viewport and its distance.
-    fn light_camera(&mut self, posed: &PosedCamera, highlighted: Highlighted) {
-        let eye = posed.eye();
+    fn light_camera(&mut self, resolved: &ResolvedCamera, highlighted: Highlighted) {
+        let eye = resolved.eye();
         let arrow = self.length_of_points(eye, ARROW_POINTS);
-        let basis = posed.basis();
+        let basis = resolved.basis();
         let vectors = [
             (Concept::U, "u", basis.u, Head::Filled),
             (Concept::V, "v", basis.v, Head::Open),
@@ -181,33 +181,39 @@ impl Sketch<'_> {
         let pen = self.highlighted_pen(highlighted, self.colors.ink);
         match highlighted.concept {
             Concept::Viewport => {
-                let corners = corners(posed).map(|uv| posed.viewport_point(uv));
+                let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
                 for k in 0..4 {
                     self.line(corners[k], corners[(k + 1) % 4], pen);
                 }
             }
             Concept::Distance => {
-                let text = format!("distance = {}", highlighted.number(posed.viewport().distance));
-                self.lit_line(eye, posed.viewport_point(DVec2::ZERO), pen, Some(text));
+                let text =
+                    format!("distance = {}", highlighted.number(resolved.viewport().distance));
+                self.lit_line(eye, resolved.viewport_point(DVec2::ZERO), pen, Some(text));
             }
             _ => {}
         }
     }
 
     /// Highlights what belongs to the selected ray.
-    fn light_selected(&mut self, posed: &PosedCamera, view: &WorldView, highlighted: Highlighted) {
+    fn light_selected(
+        &mut self,
+        resolved: &ResolvedCamera,
+        view: &WorldView,
+        highlighted: Highlighted,
+    ) {
         let Some(inspection) = view.inspection else { return };
         let ray = &inspection.ray;
         let pen = self.highlighted_pen(highlighted, self.colors.ray);
         match highlighted.concept {
             Concept::Pixel => {
-                let touched = inspection.place.map(|place| place.touching(posed.image()));
-                touched.into_iter().flatten().for_each(|pixel| self.pixel(posed, pixel));
+                let touched = inspection.place.map(|place| place.touching(resolved.image()));
+                touched.into_iter().flatten().for_each(|pixel| self.pixel(resolved, pixel));
                 self.lit_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
             }
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
-                if let Ok(parts) = RayDerivation::of_uv(posed, inspection.uv) {
-                    self.light_chain(posed.eye(), &parts, pen);
+                if let Ok(parts) = RayDerivation::of_uv(resolved, inspection.uv) {
+                    self.light_chain(resolved.eye(), &parts, pen);
                 }
             }
             Concept::Direction => {

@@ -9,7 +9,7 @@ use crate::common::{plane, sphere};
 fn units_are_of_the_objects_own_size() {
     let ray = Ray::new([0.0; 3], [0.0, 0.0, -2.0]).unwrap();
     let unit = |object: Object| {
-        let along = AlongRay::new(&object, ExactRay::of(&ray).unwrap()).unwrap();
+        let along = AlongRay::new(&object, ExactRay::from_ray(&ray).unwrap()).unwrap();
         let unit = ImplicitUnit::new(&object, &along);
         (unit.value, unit.origin)
     };

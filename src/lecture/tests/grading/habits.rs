@@ -91,7 +91,7 @@ fn one_mistake_that_looks_like_two_is_told_too() {
             assert!(found.advice().ends_with(&format!("Or: {advice}")), "{}", found.advice());
             // Where u, v and w are given, w cannot be the other way round.
             let camera = camera_of(&exercise);
-            let basis = *camera.posed().unwrap().basis();
+            let basis = *camera.resolve().unwrap().basis();
             let camera = Camera { orientation: Orientation::Basis(basis), ..camera };
             let scene = scene_of(&exercise);
             let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [0; 3] };

@@ -2,7 +2,7 @@
 //! have told.
 
 use egui::{RichText, Ui};
-use pinhole_core::{Camera, PosedCamera, Scene};
+use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::checks;
@@ -15,16 +15,16 @@ pub(super) fn buttons(
     ui: &mut Ui,
     mistakes_view: &mut MistakesView,
     camera: &Camera,
-    seen: Option<(&PosedCamera, &Scene)>,
+    seen: Option<(&ResolvedCamera, &Scene)>,
 ) {
     ui.horizontal(|ui| {
         let text = if mistakes_view.guess.is_some() { "Next one" } else { "Guess which" };
         let hint = "Shows a wrong camera without its name";
         let button = ui.add_enabled(seen.is_some(), egui::Button::new(text));
         if button.on_hover_text(hint).clicked()
-            && let Some((posed, scene)) = seen
+            && let Some((resolved, scene)) = seen
         {
-            mistakes_view.ask(&visible(camera, posed, scene));
+            mistakes_view.ask(&visible(camera, resolved, scene));
         }
         if mistakes_view.guess.is_some() && ui.button("Gallery").clicked() {
             mistakes_view.chosen = mistakes_view.shown();

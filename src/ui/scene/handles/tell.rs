@@ -54,7 +54,7 @@ impl HandInput {
             let held = hand.held.is_some();
             ui.ctx().set_cursor_icon(if held { CursorIcon::Grabbing } else { CursorIcon::Grab });
         }
-        let all = grips(&view.stage(document, shown.posed.as_ref(), session), hand);
+        let all = grips(&view.stage(document, shown.resolved.as_ref(), session), hand);
         let point = |spot: DVec2| rect.min + vec2(spot.x as f32, spot.y as f32) / scale;
         let own = all.iter().find(|grip| grip.handle == handle).map(|grip| point(grip.spot));
         // A held handle may have no position for a while, when the viewport has no area.
@@ -208,7 +208,7 @@ pub(crate) fn say(
 /// Makes every handle focusable, with a label and a value for screen readers.
 fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &Session) {
     let settings = &session.settings;
-    for grip in grips(&view.stage(document, shown.posed.as_ref(), session), &session.hand) {
+    for grip in grips(&view.stage(document, shown.resolved.as_ref(), session), &session.hand) {
         let spot = view.rect.min + vec2(grip.spot.x as f32, grip.spot.y as f32) / view.scale;
         let rect = Rect::from_center_size(spot, Vec2::splat(2.0 * super::REACH as f32));
         let id = id_of(view.id, grip.handle);
