@@ -1,4 +1,4 @@
-//! What a pinhole camera sees: camera bases, view rays, ray-object intersection, and whole pictures,
+//! Pictures of a pinhole camera: camera bases, view rays, ray-object intersection, and whole pictures,
 //! every decision exact. It knows no window, no file and no command line.
 //!
 //! # A picture in ten lines
@@ -202,7 +202,7 @@ pub mod steering;
 #[doc = include_str!("README.md")]
 struct Readme;
 
-/// What may grow cannot be built or matched as if it were complete, or implemented elsewhere.
+/// Types that may grow cannot be built or matched as if it were complete, or implemented elsewhere.
 ///
 /// ```compile_fail,E0639
 /// let _ = pinhole_core::ImageError { field: "width", value: 0 };

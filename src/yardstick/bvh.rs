@@ -24,7 +24,7 @@ struct Node {
     bounds: Bounds,
     /// The left child, or the first sphere.
     first: u32,
-    /// How many spheres; 0 of an inner node.
+    /// Number of spheres; 0 of an inner node.
     count: u32,
 }
 
@@ -38,7 +38,7 @@ struct Bounds {
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
-/// From this depth on a node is halved whatever its boxes cost, so that [`STACK`] is enough for 2^24
+/// Depth from which on a node is halved whatever its boxes cost, so that [`STACK`] is enough for 2^24
 /// spheres.
 const DEEP: usize = 40;
 const STACK: usize = 64;
@@ -61,7 +61,7 @@ impl Bounds {
         size.x * size.y + size.y * size.z + size.z * size.x
     }
 
-    /// Where a ray enters, if it does so before `t`.
+    /// Returns where a ray enters, if it does so before `t`.
     #[inline]
     fn entry(&self, origin: Vec3, inverse: Vec3, t: f32) -> Option<f32> {
         let (a, b) = ((self.low - origin) * inverse, (self.high - origin) * inverse);
@@ -192,7 +192,7 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
     left
 }
 
-/// What it costs to cut before each bin: surface times number, of both sides together. Cuts that
+/// Costs of a cut before each bin: surface times number, of both sides together. Cuts that
 /// leave a side empty are none.
 fn cuts(bins: [(usize, Bounds); BINS]) -> impl Iterator<Item = (f32, usize)> {
     let join = |a: (usize, Bounds), b: &(usize, Bounds)| (a.0 + b.0, a.1.with(b.1));

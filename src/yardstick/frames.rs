@@ -1,4 +1,4 @@
-//! What every contestant but the ladder writes, and a frame's rays as the textbook has them.
+//! Buffers that every contestant but the ladder writes, and a frame's rays as the textbook has them.
 
 use glam::{DVec3, Vec3};
 use pinhole_core::{ImageSize, NO_OBJECT, PosedCamera};

@@ -29,7 +29,7 @@ pub struct ExactRay<'a> {
     /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
     /// within 1e-30 and 1e30.
     pub(crate) fine: DirectionParts<DoubleDouble>,
-    /// The same, rounded.
+    /// The direction, rounded to `f64`.
     pub(crate) rough: DirectionParts<f64>,
     pub(crate) scale: i32,
     /// A whole number: a pixel's (u, v) times it has no denominator.
@@ -38,7 +38,7 @@ pub struct ExactRay<'a> {
     pub(crate) last: Step,
 }
 
-/// What the exact numbers are made of.
+/// The inputs that the exact numbers are made of.
 #[derive(Clone, Copy, Debug)]
 enum Source<'a> {
     Given(DVec3),
@@ -101,7 +101,7 @@ impl<'a> ExactRay<'a> {
         ExactRay { origin, source, fine, rough, scale, stretch, last: Step::Exact }
     }
 
-    /// The same ray with the ladder cut off after a step, to show what the later steps are for: in
+    /// Returns the ray with the ladder cut off after a step, to show what the later steps are for: in
     /// teaching, and in tests.
     ///
     /// What lies within that step's doubt is decided by its rounded sign, a rounded 0 counting as 0;

@@ -22,7 +22,7 @@ pub(crate) trait Intersect: Send + Sync + 'static {
     /// The precision of every operation and of the answer.
     type Real: Real;
 
-    /// What the rays from `origin` share of the sphere.
+    /// Computes what the rays from `origin` share of the sphere.
     fn new(sphere: &RoundedSphere<Self::Real>, origin: Vector<Self::Real>) -> Self;
 
     /// The smallest t > 0 at which the method finds the sphere. No hit is anything else: infinite,
@@ -30,8 +30,8 @@ pub(crate) trait Intersect: Send + Sync + 'static {
     fn first_hit(&self, direction: Vector<Self::Real>) -> Self::Real;
 }
 
-/// Whether an answer of [`Intersect::first_hit`] or [`PlaneByTextbook::first_hit`] is a hit: positive
-/// and finite.
+/// Returns whether an answer of [`Intersect::first_hit`] or [`PlaneByTextbook::first_hit`] is a
+/// hit: positive and finite.
 #[inline(always)]
 pub(crate) fn is_hit<R: Real>(t: R) -> bool {
     t > R::ZERO && t < R::INFINITY
@@ -54,7 +54,7 @@ impl<R: Real> Shared<R> {
     }
 }
 
-/// Of two roots, the smallest that is a hit; either may be the smaller one, or NaN.
+/// Returns the smallest of two roots that is a hit; either may be the smaller one, or NaN.
 #[inline(always)]
 fn first_of<R: Real>(s: R, t: R) -> R {
     let s = if s > R::ZERO { s } else { R::INFINITY };
@@ -91,7 +91,7 @@ pub(crate) trait Discriminant<R: Real>: Send + Sync + 'static {
     fn discriminant(quadratic: &Quadratic<R>) -> R;
 }
 
-/// What a [`Discriminant`] may use.
+/// The numbers that a [`Discriminant`] may use.
 pub(crate) struct Quadratic<R> {
     /// `d.d`
     pub(crate) a: R,
@@ -243,13 +243,13 @@ pub(crate) struct PlaneByTextbook<R> {
 }
 
 impl<R: Real> PlaneByTextbook<R> {
-    /// What the rays from `origin` share of the plane.
+    /// Computes what the rays from `origin` share of the plane.
     #[inline(always)]
     pub(crate) fn new(plane: &RoundedPlane<R>, origin: Vector<R>) -> Self {
         PlaneByTextbook { normal: plane.normal, offset: plane.normal.dot(plane.point - origin) }
     }
 
-    /// As [`Intersect::first_hit`].
+    /// Returns `t` as [`Intersect::first_hit`] does.
     #[inline(always)]
     pub(crate) fn first_hit(&self, direction: Vector<R>) -> R {
         self.offset / self.normal.dot(direction)

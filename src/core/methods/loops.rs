@@ -62,7 +62,7 @@ impl<R: Real> ViewRays<R> {
     }
 }
 
-/// What every row of a frame shares.
+/// The parts that all rows of a frame share.
 pub(crate) struct FrameBy<M: Intersect> {
     pub(crate) rays: ViewRays<M::Real>,
     spheres: Vec<M>,

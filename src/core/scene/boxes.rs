@@ -1,6 +1,6 @@
 //! Axis-aligned boxes around spheres, side by side, so that several are looked at together.
 
-/// How many boxes are loaded at once at most; see [`Boxes`].
+/// Maximum number of boxes that are loaded at once; see [`Boxes`].
 pub(crate) const BOX_LANES: usize = 8;
 
 /// Boxes, array by array. There is always a whole number of [`BOX_LANES`]; a box that is only there
@@ -21,7 +21,7 @@ pub(crate) struct Boxes {
     pub(crate) area: Vec<f64>,
     /// The largest r of the spheres inside.
     pub(crate) radius: Vec<f64>,
-    /// How many spheres are inside.
+    /// Number of spheres inside.
     pub(crate) count: Vec<u32>,
 }
 
@@ -102,7 +102,7 @@ impl Boxes {
         }
     }
 
-    /// How many boxes there are, with those that only fill up.
+    /// Number of boxes, with those that only fill up.
     pub(crate) fn len(&self) -> usize {
         self.count.len()
     }

@@ -63,7 +63,7 @@ impl Scene {
         Ok(Scene { spheres: Arc::new(Spheres::new(spheres)), planes })
     }
 
-    /// The same spheres without any plane. They are shared, not copied.
+    /// Returns the spheres without any plane. They are shared, not copied.
     #[must_use]
     pub fn without_planes(&self) -> Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
@@ -118,8 +118,9 @@ impl Scene {
     }
 
     /// The index over the spheres; `None` where there are fewer than
-    /// [`INDEX_FROM`](crate::scene::spheres::INDEX_FROM). The first call makes it, in parallel, and must not
-    /// come from within parallel work: a thread that helps out while it waits would come back here.
+    /// [`INDEX_FROM`](crate::scene::spheres::INDEX_FROM). The first call makes it, in parallel, and
+    /// must not come from within parallel work: a thread that helps out while it waits would come
+    /// back here.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
         self.spheres.index()
     }
@@ -141,12 +142,12 @@ impl Scene {
         &self.planes
     }
 
-    /// How many objects there are.
+    /// Number of objects.
     pub fn len(&self) -> usize {
         self.spheres().len() + self.planes.len()
     }
 
-    /// Whether there is no object.
+    /// Returns whether there is no object.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

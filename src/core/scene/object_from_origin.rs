@@ -31,7 +31,7 @@ impl ObjectSeen {
         ObjectSeen::up_to(object, origin, Step::Exact)
     }
 
-    /// From the origin of a ray, whose ladder may be cut off.
+    /// Computes it for the origin of a ray, whose ladder may be cut off.
     pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectSeen {
         ObjectSeen::up_to(object, ray.origin(), ray.last)
     }
@@ -67,7 +67,7 @@ impl ObjectSeen {
         }
     }
 
-    /// Where the ray's line meets the object, by ascending `t`.
+    /// Finds where the ray's line meets the object, by ascending `t`.
     pub(crate) fn ends(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [End] {
         match self {
             ObjectSeen::Sphere(seen) => match seen.meets(ray, steps) {
@@ -124,7 +124,7 @@ impl ObjectSeen {
         }
     }
 
-    /// Whether both are the same object given twice, which every ray meets at the same `t`.
+    /// Returns whether both are the same object given twice, which every ray meets at the same `t`.
     fn is_same(&self, other: &ObjectSeen) -> bool {
         match (self, other) {
             (ObjectSeen::Sphere(one), ObjectSeen::Sphere(other)) => one.sphere() == other.sphere(),
@@ -199,13 +199,13 @@ pub(crate) struct Hit<'a> {
 }
 
 impl Hit<'_> {
-    /// Whether this hit comes before the other one, which is of an object listed earlier: exactly,
-    /// so that of a tie the earlier one is first.
+    /// Returns whether this hit comes before the other one, which is of an object listed earlier:
+    /// exactly, so that of a tie the earlier one is first.
     pub(crate) fn is_before(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.compare(other, ray, steps) == Ordering::Less
     }
 
-    /// Which of two `t` is smaller.
+    /// Compares two `t`.
     pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let rough = (self.seen.rough_t(ray, self.end), other.seen.rough_t(ray, other.end));
         if let (Some((t, share)), Some((other_t, other_share))) = rough {
@@ -241,9 +241,9 @@ impl Hit<'_> {
 }
 
 impl Sphere {
-    /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
-    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
-    /// `t` is within half an ulp, and 2^-40 of one.
+    /// Finds where the ray's line meets the sphere, decided exactly for the numbers as given;
+    /// nowhere for a ray that does not pass [`Ray::check`], or a sphere that does not pass
+    /// [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
@@ -258,10 +258,10 @@ impl Sphere {
 }
 
 impl Plane {
-    /// Where the ray's line meets the plane, decided exactly for the numbers as given: once, or not
-    /// at all if it is parallel (even inside the plane); nowhere for a ray that does not pass
-    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and
-    /// 2^-40 of one.
+    /// Finds where the ray's line meets the plane, decided exactly for the numbers as given: once,
+    /// or not at all if it is parallel (even inside the plane); nowhere for a ray that does not
+    /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an
+    /// ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
@@ -276,7 +276,7 @@ impl Plane {
 }
 
 impl Object {
-    /// Where the ray's line meets the object.
+    /// Finds where the ray's line meets the object.
     pub fn roots(&self, ray: &Ray) -> Roots {
         match self {
             Object::Sphere(sphere) => sphere.roots(ray),

@@ -18,7 +18,7 @@ use crate::exact::steps::{Step, Steps, rounded_sign};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
-/// What the rays of one origin share of a plane: `t = offset / (normal . direction)`.
+/// The numbers that the rays of one origin share of a plane: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
 pub(crate) struct PlaneSeen {
     plane: Plane,
@@ -32,7 +32,7 @@ pub(crate) struct PlaneSeen {
     offset_doubt: f64,
     /// 0 but for extreme distances.
     pub(crate) scale: i32,
-    /// On which side the plane is: the exact sign of the offset.
+    /// The side on which the plane is: the exact sign of the offset.
     pub(crate) side: Ordering,
     pub(crate) side_step: Step,
 }
@@ -65,7 +65,7 @@ impl PlaneSeen {
         PlaneSeen::up_to(plane, origin, Step::Exact)
     }
 
-    /// With the ladder cut off after a step.
+    /// Computes it with the ladder cut off after a step.
     pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneSeen {
         let (normal, normal_scale) = split(plane.normal);
         let (to, rest, quartered) = difference_with_rest(plane.point, origin);
@@ -148,12 +148,12 @@ impl PlaneSeen {
         Rate::new(&self.normal, self.normal_length, &ray.fine)
     }
 
-    /// Whether the line meets the plane: it is not parallel to it.
+    /// Returns whether the line meets the plane: it is not parallel to it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.rate(ray, steps) != Ordering::Equal
     }
 
-    /// Whether the ray hits the plane at a `t > 0`.
+    /// Returns whether the ray hits the plane at a `t > 0`.
     pub(crate) fn is_hit(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
@@ -268,8 +268,8 @@ impl Plane {
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 
-    /// Whether both are the same set of points, exactly: the normals are parallel, and each plane's
-    /// point lies in the other. What does not pass [`Plane::check`] is no set of points.
+    /// Returns whether both are the same set of points, exactly: the normals are parallel, and each
+    /// plane's point lies in the other. What does not pass [`Plane::check`] is no set of points.
     pub fn is_same(&self, other: &Plane) -> bool {
         if self.check().is_err() || other.check().is_err() {
             return false;

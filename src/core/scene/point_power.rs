@@ -16,12 +16,12 @@ pub(crate) struct Power {
     /// Relative error.
     pub(crate) doubt: f64,
     pub(crate) sign: Ordering,
-    /// Which step knew the sign.
+    /// The step that knew the sign.
     pub(crate) step: Step,
 }
 
 impl Power {
-    /// In `f64` alone, whatever the doubt.
+    /// Computes it in `f64` alone, whatever the doubt.
     pub(crate) fn rounded(q: [f64; 3], radius: f64) -> Power {
         let (qq, rr) = (dot(q, q), radius * radius);
         let value = qq - rr;
@@ -30,8 +30,8 @@ impl Power {
         Power { value, doubt, sign: sign_of(value.hi), step: Step::F64 }
     }
 
-    /// Of q and r in units of `2^scale`. In double-double where that keeps its digits, else from the
-    /// exact number: close to the sphere c is all that is left of large squares.
+    /// Computes it of q and r in units of `2^scale`: in double-double where that keeps its digits,
+    /// else from the exact number: close to the sphere c is all that is left of large squares.
     pub(crate) fn new(
         sphere: &Sphere,
         origin: DVec3,

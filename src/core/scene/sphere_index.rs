@@ -38,13 +38,13 @@ pub(crate) struct SphereIndex {
     pub(crate) z: Vec<f64>,
     /// The radii, slot by slot.
     pub(crate) radius: Vec<f64>,
-    /// Which sphere of the scene is in the slot; [`NO_SPHERE`] where the slot only fills up.
+    /// The sphere of the scene in the slot; [`NO_SPHERE`] where the slot only fills up.
     pub(crate) ids: Vec<u32>,
-    /// By sphere of the scene, its slot.
+    /// The slot of each sphere of the scene.
     slot_of: Vec<u32>,
     pub(crate) blocks: Boxes,
     pub(crate) groups: Boxes,
-    /// By group, its first block; at the end, how many blocks there are.
+    /// The first block of each group; at the end, the number of blocks.
     first_block: Vec<u32>,
 }
 

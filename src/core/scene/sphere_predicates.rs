@@ -17,19 +17,19 @@ use crate::exact::steps::{Step, Steps, rounded_sign};
 use crate::scene::point_power::Power;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
 
-/// How a ray's line meets a sphere.
+/// The way a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Meets {
     /// Not at all.
     Misses,
-    /// In one point.
+    /// It meets it in one point.
     Touches,
-    /// In two.
+    /// It meets it in two.
     Crosses,
 }
 
 impl From<Ordering> for Meets {
-    /// By the sign of D.
+    /// Converts the sign of D.
     fn from(sign: Ordering) -> Meets {
         match sign {
             Ordering::Less => Meets::Misses,
@@ -39,7 +39,7 @@ impl From<Ordering> for Meets {
     }
 }
 
-/// Which of the two points of a line and a sphere.
+/// One of the two roots of a line and a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum End {
     /// That of the smaller t.
@@ -58,14 +58,14 @@ impl End {
     }
 }
 
-/// What the rays of one origin share of a sphere; lengths in units of `2^scale`.
+/// The numbers that the rays of one origin share of a sphere; lengths in units of `2^scale`.
 #[derive(Clone, Debug)]
 pub(crate) struct SphereSeen {
     sphere: Sphere,
     pub(crate) fine: SphereParts<DoubleDouble>,
     pub(crate) rough: SphereParts<f64>,
     pub(crate) scale: i32,
-    /// Where the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
+    /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
     /// The step that decided so.
     pub(crate) side_step: Step,
@@ -76,7 +76,7 @@ impl SphereSeen {
         SphereSeen::up_to(sphere, origin, Step::Exact)
     }
 
-    /// With the ladder cut off after a step.
+    /// Computes it with the ladder cut off after a step.
     pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereSeen {
         let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
         let parts: [DoubleDouble; 3] =
@@ -130,8 +130,9 @@ impl SphereSeen {
         })
     }
 
-    /// Whether `f64` alone knows that the ray misses the sphere, or hits it after `nearest`: what most
-    /// spheres of a scene are to most rays, for a tenth of what the rest costs.
+    /// Returns whether `f64` alone knows that the ray misses the sphere, or hits it after
+    /// `nearest`: what most spheres of a scene are to most rays, for a tenth of what the rest
+    /// costs.
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
         /// `t` that is off by less is compared as it is.
         const SHARE: f64 = 1e-6;
@@ -148,7 +149,7 @@ impl SphereSeen {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// Whether the ray's line meets the sphere.
+    /// Finds whether the ray's line meets the sphere.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Meets {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -177,7 +178,7 @@ impl SphereSeen {
         big.meets(&big.quadratic(&self.sphere)).into()
     }
 
-    /// Whether the centre lies ahead: the sign of b, of a line that meets the sphere.
+    /// Finds whether the centre lies ahead: the sign of b, of a line that meets the sphere.
     fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
         let rough = Quadratic::new(&self.rough, &ray.rough);
@@ -200,7 +201,7 @@ impl SphereSeen {
         big.is_ahead(&big.quadratic(&self.sphere))
     }
 
-    /// Which end of the line's chord the ray hits first: the smallest `t > 0`.
+    /// Finds the root that the ray hits first: the smallest `t > 0`.
     pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
@@ -251,7 +252,7 @@ impl SphereSeen {
         }
     }
 
-    /// Whether this end of the chord is the origin itself, which lies on the sphere: its roots are 0
+    /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
     /// and `2 b / a`.
     fn is_origin(&self, ray: &ExactRay, end: End) -> bool {
         match self.ahead(ray, &mut Steps::default()) {

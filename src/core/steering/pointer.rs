@@ -1,4 +1,4 @@
-//! From where the pointer is in the observer's picture to a point of the world.
+//! Drags: from the pointer in the observer's picture to a point of the world.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::exact::scale::unit;
 /// along: a pixel would be more than ten times as long there as across. In radians, 5 degrees.
 pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// Nothing is dragged farther away than so many times the depth that the drag began at: there, at the
+/// Maximum depth of a drag, as a multiple of the depth that it began at: beyond it, at the
 /// horizon of its axis or plane, a pixel goes to infinity.
 pub const FARTHEST: f64 = 1000.0;
 
@@ -31,7 +31,7 @@ pub enum DragAlong {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DragError {
-    /// What is dragged is not in front of the observer.
+    /// The thing dragged is not in front of the observer.
     NotInFront {
         /// Its depth, 0 or negative.
         depth: f64,
@@ -85,7 +85,7 @@ impl std::error::Error for DragError {}
 pub struct Drag {
     /// The handle's point in the world.
     pub anchor: DVec3,
-    /// Where in the observer's viewport the pointer took it.
+    /// The place in the observer's viewport where the pointer took it.
     pub begun_at: DVec2,
 }
 
@@ -104,8 +104,8 @@ impl Drag {
     /// ```
     ///
     /// The image of `anchor + s a`, with `a = (a_x, a_y, -a_z)` of length 1, is
-    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`: a line along g, on
-    /// which the nearest point is `l = m . g / |g|` away from p, and so
+    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`: a line
+    /// along g, on which the nearest point is `l = m . g / |g|` away from p, and so
     ///
     /// ```text
     /// s = l z / (|g| z - l a_z)
@@ -143,8 +143,8 @@ impl Drag {
     }
 }
 
-/// What a pixel of the observer's picture measures in the world at a point, in the plane parallel to
-/// the picture: `depth / distance * height / H`.
+/// Returns what a pixel of the observer's picture measures in the world at a point, in the plane
+/// parallel to the picture: `depth / distance * height / H`.
 ///
 /// # Errors
 /// Where the point is not in front of the observer.

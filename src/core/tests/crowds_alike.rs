@@ -23,7 +23,7 @@ fn difference(a: &Frame<f32>, b: &Frame<f32>) -> Option<String> {
     Some(format!("{:?} and {:?}", of(a), of(b)))
 }
 
-/// Where frames of a crowd differ by thread count or level from one thread on the lowest level.
+/// Finds where frames of a crowd differ by thread count or level from one thread on the lowest level.
 fn differences(
     crowd: &Crowd,
     levels: &[(&str, Level)],
@@ -90,7 +90,7 @@ fn hard_crowds_are_the_same_bits_for_any_threads_and_level() {
     assert_none(&found);
 }
 
-/// Where the pixels of a part differ from those of the whole picture.
+/// Finds where the pixels of a part differ from those of the whole picture.
 fn differing(crowd: &Crowd, whole: &Frame<f32>, raster: &Raster) -> Option<String> {
     let camera = crowd.camera.posed().unwrap();
     let part = trace_as::<f32>(&crowd.scene, &camera, raster, Outputs::default());

@@ -239,7 +239,7 @@ fn the_same_bits_on_any_number_of_threads() {
     assert_eq!(alone, with_threads(7));
 }
 
-/// Of objects at exactly the same t, the one listed first is seen.
+/// The object listed first is seen of those at exactly the same t.
 #[test]
 fn ties_go_to_the_object_listed_first() {
     let ball = sphere([0.0, 0.0, -5.0], 1.0);
@@ -351,7 +351,7 @@ fn spheres_that_fill_the_picture() {
     }
 }
 
-/// The same objects in `f32` and `f64`, and those of each pixel's own ray: t beyond the range of
+/// Objects are the same in `f32` and `f64`, and for each pixel's own ray: t beyond the range of
 /// `f32`, subnormal scenes, viewports of extreme measures.
 #[test]
 fn measures_at_the_ends_of_the_range() {

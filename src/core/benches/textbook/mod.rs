@@ -4,7 +4,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use pinhole_core::{NO_OBJECT, PosedCamera, Sphere};
 
-/// What is computed of the quadratic.
+/// The roots that are computed of the quadratic.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Form {
     /// `(-b -+ sqrt(b^2 - 4ac)) / 2a`, the smaller positive one.

@@ -15,7 +15,7 @@ use crate::render::rows::span::{Span, SpanTarget};
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 use crate::scene::sphere_order::BLOCK;
 
-/// What a band did with a crowd.
+/// Results of drawing a band's part of many spheres.
 #[derive(Default)]
 pub(crate) struct CrowdDrawn {
     pub(crate) counts: Counts,
@@ -83,7 +83,8 @@ struct Drawing<'a> {
     drawn: &'a mut CrowdDrawn,
 }
 
-/// What is found of a block's spheres is counted once: by the first band that the block reaches.
+/// Returns whether this band counts a block's spheres, which are counted once: by the first band
+/// that the block reaches.
 #[inline(always)]
 fn is_first_band(target: &SpanTarget, block: &BoxSeen) -> bool {
     block.rows().start >= target.rows.start
@@ -97,7 +98,7 @@ fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
 }
 
 impl Drawing<'_> {
-    /// Whether all pixels that a group or block has in the target are covered by what is nearer.
+    /// Returns whether all pixels that a group or block has in the target are covered by what is nearer.
     #[inline(always)]
     fn is_hidden(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
         let rows = own_rows(target, &bounds.rows());
@@ -220,7 +221,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Which spheres of a vector reach rows of the raster.
+/// Finds the spheres of a vector that reach rows of the raster.
 #[inline(always)]
 fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget, rows: Range<usize>) -> u64 {
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);

@@ -10,8 +10,8 @@ use fearless_simd::prelude::*;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::scene::sphere_index::Spheres;
 
-/// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
-/// by, and so little that hardly a pixel lies within it.
+/// Distance from an outline's end at which a pixel is beyond doubt, in columns: far more than the
+/// end is off by, and so little that hardly a pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
 /// A tiny sphere has at most so many rows.
@@ -28,7 +28,7 @@ const KEEP: f64 = 1.126e15;
 
 type Lane8 = [f64; MOST_LANES];
 
-/// What a vector of spheres looks like. Rows r and columns c are numbers of the image's; with
+/// Outlines of a vector of spheres. Rows r and columns c are numbers of the image's; with
 /// `j = r - row`, a sphere seen from outside, wholly in front of the eye, covers on row r the
 /// columns
 ///
@@ -63,28 +63,28 @@ pub(crate) struct Outlines {
     pub(crate) b_column: Lane8,
     pub(crate) b_row: Lane8,
     pub(crate) numerator: Lane8,
-    /// How far `w^2` may be off.
+    /// Error bound of `w^2`.
     pub(crate) square_doubt: Lane8,
     /// First and last row with `w^2 >= -square_doubt`, not clipped: whole numbers.
     pub(crate) first_row: Lane8,
     pub(crate) last_row: Lane8,
-    /// No hit has a smaller t.
+    /// Lower bound of the t of all hits.
     pub(crate) nearest: Lane8,
-    /// At least the largest `w^2`.
+    /// Upper bound of `w^2`.
     pub(crate) size: Lane8,
     /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
     /// go up the ladder.
     pub(crate) thin: Lane8,
-    /// Which spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
+    /// Lanes whose spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
     pub(crate) is_wide: u64,
-    /// Which spheres have so few rows and columns that each row is drawn as one vector, see
+    /// Lanes whose spheres have so few rows and columns that each row is drawn as one vector, see
     /// [`small_spheres`](crate::render::rows::small_spheres).
     pub(crate) is_tiny: u64,
-    /// In which lanes all of the above holds.
+    /// Lanes in which all of the above holds.
     pub(crate) is_plain: u64,
-    /// Which spheres lie wholly behind the eye.
+    /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
-    /// Which spheres no ray inside the image's borders can meet.
+    /// Lanes whose spheres no ray inside the image's borders can meet.
     pub(crate) is_outside: u64,
 }
 
@@ -270,7 +270,7 @@ impl<S: Simd> Centers<S> {
         Centers { x, y, z, r: load(of.radius), qq: x * x + y * y + z * z }
     }
 
-    /// In front of the eye, of ordinary size, nothing lost in h.
+    /// Lanes whose centres lie in front of the eye, of ordinary size, nothing lost in h.
     #[inline(always)]
     fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -300,13 +300,14 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// By which rows spheres are drawn. With the least b only as its square, no root is needed but one in
-/// `f32`, rounded up.
+/// The kinds of rows by which spheres are drawn. With the least b only as its square, no root is
+/// needed but one in `f32`, rounded up.
 struct Kinds<S: Simd> {
     is_wide: <S::f64s as SimdBase<S>>::Mask,
-    /// Of few columns, and so small beside b as [`small_spheres`](crate::render::rows::small_spheres) rows need.
+    /// Lanes of few columns, and so small beside b as
+    /// [`small_spheres`](crate::render::rows::small_spheres) rows need.
     is_tiny: <S::f64s as SimdBase<S>>::Mask,
-    /// Whether wide rows would do.
+    /// Lanes in which wide rows would do.
     can_be_wide: <S::f64s as SimdBase<S>>::Mask,
     /// The root of `w^2` below which a row is thin.
     thin: S::f64s,
@@ -315,7 +316,7 @@ struct Kinds<S: Simd> {
 }
 
 impl<S: Simd> Kinds<S> {
-    /// From `c / h` and its inverse.
+    /// Finds the kinds from `c / h` and its inverse.
     #[inline(always)]
     fn new(
         simd: S,
@@ -345,7 +346,7 @@ impl<S: Simd> Kinds<S> {
         Kinds { is_wide, is_tiny, can_be_wide, thin, least }
     }
 
-    /// Whether rows of the kind will do, and `f32` holds the numbers.
+    /// Finds the lanes in which rows of the kind will do, and `f32` holds the numbers.
     #[inline(always)]
     fn is_plain(
         &self,

@@ -1,4 +1,4 @@
-//! Which way each sphere of a frame is drawn, if it can be seen at all.
+//! The way that each sphere of a frame is drawn, if it can be seen at all.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -15,16 +15,16 @@ use crate::scene::sphere_index::Spheres;
 /// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
-/// What a run of spheres is to a frame.
+/// A run of spheres by the way they are drawn.
 #[derive(Default)]
 pub(crate) struct Sorted {
     pub(crate) spans: Vec<Span>,
-    /// For each slice of rows.
+    /// The others, for each slice of rows.
     pub(crate) others: Vec<Vec<(u32, Extent)>>,
     pub(crate) counts: Counts,
 }
 
-/// What sorting spheres takes of a frame.
+/// The parts of a frame that it takes to classify spheres.
 pub(crate) struct Sorter<'a> {
     pub(crate) level: Level,
     /// `None` where all spheres are asked pixel by pixel.
@@ -100,7 +100,7 @@ impl Sorter<'_> {
     }
 }
 
-/// How many `f64` a vector of the level has.
+/// Returns the number of `f64` in a vector of the level.
 fn lanes_of(level: Level) -> usize {
     dispatch!(level, simd => lanes(simd))
 }

@@ -1,4 +1,4 @@
-//! What a frame does, decided before it is done: which objects the rows can see, and what their
+//! The plan of a frame, made before anything is drawn: which objects the rows can see, and what their
 //! pixels share.
 
 pub(crate) mod classify;
@@ -23,7 +23,7 @@ use crate::scene::object::Object;
 use crate::scene::object_from_origin::ObjectSeen;
 use crate::scene::plane::Plane;
 
-/// What all bands of a frame share.
+/// The parts that all bands of a frame share.
 pub(crate) struct Plan<'a> {
     pub(crate) level: Level,
     pub(crate) scene: &'a Scene,
@@ -33,12 +33,12 @@ pub(crate) struct Plan<'a> {
     pub(crate) spans: Vec<Span>,
     /// The others: for each run of spheres, for each slice of rows, those that it can see.
     others: Vec<Vec<Vec<(u32, Extent)>>>,
-    /// What is seen of an index over the spheres; of few there is none.
+    /// The part of an index over the spheres that is seen; of few there is none.
     pub(crate) crowd: Option<Crowd<'a>>,
     pub(crate) counts: Counts,
-    /// How many rows a thread traces at a time.
+    /// Number of rows that a thread traces at a time.
     pub(crate) band_rows: usize,
-    /// Whether the frame is done before another thread would have begun.
+    /// True if the frame is done before another thread would have begun.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
     /// `None` for one that an earlier one hides altogether.
@@ -112,8 +112,8 @@ impl<'a> Plan<'a> {
         plan
     }
 
-    /// Whether a thread draws the frame, a few operations a pixel, in the time that others take to
-    /// wake up.
+    /// Returns whether a thread draws the frame, a few operations a pixel, in the time that others
+    /// take to wake up.
     fn is_quick(&self) -> bool {
         const PIXELS: usize = 1 << 18;
         const SPANS: usize = 8;

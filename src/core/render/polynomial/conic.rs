@@ -7,18 +7,18 @@ use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot,
 use crate::exact::quadratic::{Form, SphereParts};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
-/// With the direction `s + m e + k g`, m columns and k rows from the middle of a [`Patch`], the
-/// parts a, b and D of a sphere's quadratic, whose coefficients stand in the order 1, m, k, m^2, mk,
-/// k^2. The middle is near the outline's, where `r^2 a` and `|q x d|^2` are small, so that nothing
-/// cancels.
+/// A sphere's quadratic as polynomials: with the direction `s + m e + k g`, m columns and k rows
+/// from the middle of a [`Patch`], the parts a, b and D of a sphere's quadratic, whose coefficients
+/// stand in the order 1, m, k, m^2, mk, k^2. The middle is near the outline's, where `r^2 a` and
+/// `|q x d|^2` are small, so that nothing cancels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Conic {
     a: [f64; 6],
     b: [f64; 3],
     discriminant: [f64; 6],
-    /// How far D may be off, in the patch.
+    /// Error bound of D in the patch.
     discriminant_doubt: f64,
-    /// How far b may be off.
+    /// Error bound of b.
     b_doubt: f64,
     /// Relative error of a.
     a_doubt: f64,
@@ -32,7 +32,7 @@ pub(crate) struct ConicRow {
     pub(crate) discriminant: [f64; 3],
 }
 
-/// Where a pixel is beyond doubt.
+/// Thresholds beyond which a pixel is beyond doubt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Thresholds {
     /// D at least this is a hit, and `t` exact enough.
@@ -135,7 +135,7 @@ impl Conic {
         }
     }
 
-    /// Where decisions are beyond doubt and the relative error of `t` is at most `t_doubt`.
+    /// Finds where decisions are beyond doubt and the relative error of `t` is at most `t_doubt`.
     ///
     /// With `z = |b| + sqrt D`, t is `c / z` or `z / a`. z is at least `sqrt(|c| a)`, since
     /// `b^2 - D = a c`, and off by `b_doubt + D_doubt / sqrt D`. On the sphere itself

@@ -41,7 +41,7 @@ impl Band<'_> {
         self.settle_with(index, seen, row, column, None);
     }
 
-    /// The same, where `t` may be known.
+    /// Decides a pixel whose `t` may be known.
     #[cold]
     fn settle_with(
         &mut self,

@@ -37,12 +37,12 @@ pub(crate) struct Band<'a> {
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
-    /// From which sphere, or group and block of many, rows are drawn next; `None` where all are.
+    /// The sphere, or group and block of many, from which rows are drawn next; `None` where all are.
     next: Option<(usize, usize)>,
     /// Pixels in doubt, left to be decided.
     doubts: Vec<Doubt>,
     drawn: CrowdDrawn,
-    /// By row, whether an object's outline reaches it.
+    /// True, by row, if an object's outline reaches it.
     is_reached: Vec<bool>,
     /// Columns from the middle of the patch at hand.
     m: Vec<f64>,
@@ -50,13 +50,13 @@ pub(crate) struct Band<'a> {
     found: Vec<f64>,
 }
 
-/// Up to this many pixels, a sphere's polynomials cost more than asking each pixel.
+/// Number of pixels up to which a sphere's polynomials cost more than asking each pixel.
 const SMALL: usize = 64;
 
-/// What a kernel does with one row: columns from the middle, row's l, answers.
+/// A kernel's answers for one row: columns from the middle, row's l, answers.
 type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
 
-/// From which to which m, columns from the middle, a row can have a hit.
+/// The range of m, columns from the middle, in which a row can have a hit.
 type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
 
 impl<'a> Band<'a> {
@@ -327,7 +327,7 @@ impl<'a> Band<'a> {
     }
 }
 
-/// No hit anywhere.
+/// Sets all to no hit.
 #[inline(always)]
 fn clear<S: Simd>(simd: S, t: &mut [f32]) {
     let none = S::f32s::splat(simd, f32::INFINITY);

@@ -11,15 +11,15 @@ use crate::render::rows::span::{Doubt, RowEnds, SpanTarget, TIE};
 /// Pixels drawn at once.
 const PIXELS: usize = 8;
 
-/// How many rows the spheres of a vector have at most.
+/// Maximum number of rows of the spheres of a vector.
 const RUNS: usize = TINY_ROWS * MOST_LANES;
 
-/// What the rows of a tiny sphere share, lane by lane: with an anchor B near all of its b,
+/// The numbers that the rows of a tiny sphere share, lane by lane: with an anchor B near all of its b,
 /// `Q = numerator / B` in two parts.
 struct TinySpheres {
     /// 1 / B.
     inverse: [f32; 2 * MOST_LANES],
-    /// What e changes by from column to column, see [`TinySpheres::t`].
+    /// Change of e from column to column, see [`TinySpheres::t`].
     slope: [f32; 2 * MOST_LANES],
     quotient: [[f32; 2 * MOST_LANES]; 2],
 }
@@ -38,7 +38,7 @@ pub(crate) struct Runs {
     /// The row in the target and the first column in the raster; see [`whole`].
     row: [f64; RUNS],
     from: [f64; RUNS],
-    /// Which of them are drawn.
+    /// The rows that are drawn.
     listed: [u8; RUNS + 1],
 }
 
@@ -95,7 +95,7 @@ pub(crate) fn draw_tiny<S: Simd>(
 }
 
 impl TinySpheres {
-    /// With the anchors: each sphere's b at its centre.
+    /// Computes the spheres' numbers, and the anchors: each sphere's b at its centre.
     #[inline(always)]
     fn new<S: Simd>(simd: S, of: &Outlines) -> (TinySpheres, S::f64s) {
         let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);

@@ -105,7 +105,7 @@ fn assert_is_index_of(index: &SphereIndex, spheres: &[Sphere]) {
     assert!(seen.iter().all(|times| *times == 1), "a sphere has no slot, or two");
 }
 
-/// What a box says of the spheres inside it.
+/// Asserts what a box says of the spheres inside it.
 fn assert_box(boxes: &Boxes, place: usize, inside: &[(usize, Sphere)]) {
     assert_eq!(boxes.count[place] as usize, inside.len());
     if inside.is_empty() {

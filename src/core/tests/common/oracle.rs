@@ -1,4 +1,4 @@
-//! The same formulas in 1200 binary digits, of the `f64` inputs as given.
+//! The formulas in 1200 binary digits, of the `f64` inputs as given.
 
 use std::ops::{Add, Mul, Sub};
 

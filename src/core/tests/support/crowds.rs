@@ -23,7 +23,7 @@ impl Crowd {
         Crowd { scene, ..self }
     }
 
-    /// The same with at least so many objects to be seen.
+    /// Returns the crowd with at least so many objects to be seen.
     pub(crate) fn showing(self, objects: usize) -> Crowd {
         Crowd { objects, ..self }
     }
@@ -34,7 +34,7 @@ impl Crowd {
     }
 }
 
-/// At the origin, along -z, with a viewport of this size at distance 1.
+/// A camera at the origin, along -z, with a viewport of this size at distance 1.
 pub(crate) fn ahead(viewport: [f64; 2], image: [u32; 2]) -> Camera {
     Camera {
         viewport: Viewport { width: viewport[0], height: viewport[1], distance: 1.0 },
@@ -146,7 +146,7 @@ fn on_the_sides() -> Vec<Sphere> {
     (0..600).map(one).collect()
 }
 
-/// The same spheres again, in another order, with others of the same centres between them.
+/// Spheres given twice, in another order, with others of the same centres between them.
 fn twice() -> Vec<Sphere> {
     let own = of_pixels(200, [2.0, 12.0], 10);
     let smaller = own.iter().map(|own| Sphere { radius: 0.999 * own.radius, ..*own });
@@ -239,7 +239,7 @@ fn wide_angle(name: &'static str, width: f64, count: usize) -> Crowd {
     Crowd::new(name, (0..count).map(one).collect(), camera)
 }
 
-/// The same crowd as it looks from elsewhere: moved, and with a basis given by hand.
+/// A crowd as it looks from elsewhere: moved, and with a basis given by hand.
 fn by_hand(name: &'static str, basis: Basis, offset: DVec3) -> Crowd {
     let mut spheres = of_pixels(700, [0.3, 9.0], 13);
     for sphere in &mut spheres {
