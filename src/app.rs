@@ -253,7 +253,7 @@ impl App {
                 // A drag of the camera or of the observer alone changes nothing above its field.
                 let camera = &document.camera;
                 let same_kind = camera.orientation.kind() == as_drawn.camera.orientation.kind();
-                if same_kind && camera.posed().is_ok() && as_drawn.camera.posed().is_ok() {
+                if same_kind && camera.resolve().is_ok() && as_drawn.camera.resolve().is_ok() {
                     as_drawn.camera.eye = camera.eye;
                     as_drawn.camera.orientation = camera.orientation;
                 }
@@ -323,9 +323,9 @@ impl App {
             *selection = selection.in_another_viewport(viewport, document.camera.viewport);
         }
         ui.separator();
-        let posed = document.camera.posed().ok();
+        let resolved = document.camera.resolve().ok();
         let from_one = settings.count_from_one;
-        selection::ui(ui, &mut self.session.selection, posed.as_ref(), from_one);
+        selection::ui(ui, &mut self.session.selection, resolved.as_ref(), from_one);
         ui.separator();
         objects::ui(ui, document, &mut self.chosen_object);
         ui.add_space(8.0);

@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::methods::Method;
-use pinhole_core::{Camera, PosedCamera, Rgb, Scene};
+use pinhole_core::{Camera, ResolvedCamera, Rgb, Scene};
 
 use self::answers::GradedAnswers;
 pub use self::answers::Grading;
@@ -67,7 +67,7 @@ pub struct Deriver {
 struct CameraViewKey {
     picture: u64,
     scanned: Option<u64>,
-    posed: PosedCamera,
+    resolved: ResolvedCamera,
     size: [u32; 2],
     selection: Selection,
     items: OverlayItems,
@@ -91,7 +91,7 @@ struct WorldViewKey {
     lit: Option<(Thing, usize)>,
     walked: Option<f64>,
     handles: Handles,
-    ghost: Option<PosedCamera>,
+    ghost: Option<ResolvedCamera>,
     scale: f32,
     style: Style,
     purpose: Purpose,
@@ -107,7 +107,7 @@ impl CameraViewKey {
     ) -> CameraView<'a> {
         CameraView {
             picture,
-            posed: &good.posed,
+            resolved: &good.resolved,
             inspection: Some(&good.inspection),
             items: self.items,
             size: self.size.map(|n| n as usize),
@@ -160,21 +160,21 @@ impl Deriver {
             .objects
             .update(document, sizes.style.scheme())
             .map(|()| self.objects.good().cloned());
-        let posed = document.camera.posed();
-        let fault = match (&posed, &world) {
+        let resolved = document.camera.resolve();
+        let fault = match (&resolved, &world) {
             (Err(e), _) => Some(Fault::Camera(*e)),
             (_, Err(e)) => Some(Fault::Scene(*e)),
             _ => None,
         };
         let mut derived = Derived {
-            posed: posed.ok(),
+            resolved: resolved.ok(),
             up_angle: document.camera.up_angle().ok(),
             scene: world.as_ref().ok().and_then(|world| Some(Arc::clone(&world.as_ref()?.scene))),
             fault,
             ..Derived::default()
         };
-        if let (Some(posed), Ok(Some(world))) = (derived.posed, &world) {
-            let good = self.pictures.of(posed, world, session, sizes, watch);
+        if let (Some(resolved), Ok(Some(world))) = (derived.resolved, &world) {
+            let good = self.pictures.of(resolved, world, session, sizes, watch);
             derived.inspection = Some(Arc::clone(&good.inspection));
             self.last_good = Some(good);
         }
@@ -205,7 +205,7 @@ impl Deriver {
         let key = |size: [u32; 2]| CameraViewKey {
             picture: self.pictures.made(),
             scanned: session.scanned,
-            posed: good.posed,
+            resolved: good.resolved,
             size,
             selection: good.selection,
             items: session.settings.items,
@@ -265,7 +265,7 @@ impl Deriver {
         let right = good.zip(self.objects.good()).map(|(good, world)| {
             let right = Right {
                 camera: &document.camera,
-                posed: &good.posed,
+                resolved: &good.resolved,
                 inspection: &good.inspection,
                 selection: good.selection,
                 coarseness: good.coarseness,
@@ -291,7 +291,7 @@ impl Deriver {
         else {
             return;
         };
-        let Ok(observer_camera) = observer.camera(size[0], size[1]).posed() else { return };
+        let Ok(observer_camera) = observer.camera(size[0], size[1]).resolve() else { return };
         let color_of = |i: u32| good.colors.get(i as usize).copied().unwrap_or_default();
         let eye = document.camera.eye;
         let pictures = &mut self.world_pictures;
@@ -305,7 +305,7 @@ impl Deriver {
         let lit = lit_key(session);
         let stage = Stage {
             document,
-            posed: derived.posed.as_ref(),
+            resolved: derived.resolved.as_ref(),
             selection: session.selection,
             items: session.settings.items,
             observer: world.frame.camera(),
@@ -328,11 +328,11 @@ impl Deriver {
             style: sizes.style,
             purpose: sizes.purpose,
         };
-        let (posed, inspection) = (derived.posed, derived.inspection.as_deref());
+        let (resolved, inspection) = (derived.resolved, derived.inspection.as_deref());
         let shown = self.world_view.get(key, |key| {
             let view = WorldView {
                 camera: &document.camera,
-                posed: posed.as_ref(),
+                resolved: resolved.as_ref(),
                 picture: seen.map(|seen| &*seen.picture),
                 inspection,
                 scene: &good.scene,

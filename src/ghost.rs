@@ -2,7 +2,7 @@
 
 use egui::Color32;
 use pinhole_core::{
-    BasisError, Camera, CameraDifference, CameraError, Frame, NO_OBJECT, PosedCamera, Scene,
+    BasisError, Camera, CameraDifference, CameraError, Frame, NO_OBJECT, ResolvedCamera, Scene,
 };
 
 use crate::inspection::Inspection;
@@ -32,7 +32,7 @@ pub enum Beside {
 #[derive(Clone, Debug, PartialEq)]
 pub struct AgainstGhost {
     /// The ghost, with the image that the camera at hand has: pixel by pixel they are compared.
-    pub ghost: PosedCamera,
+    pub ghost: ResolvedCamera,
     /// From the ghost to the camera at hand.
     pub difference: CameraDifference,
     /// How many pixels are shown, and how many of them see another object.
@@ -45,8 +45,8 @@ pub struct AgainstGhost {
 ///
 /// # Errors
 /// Where it sees nothing.
-pub fn posed(ghost: &Camera, now: &Camera) -> Result<PosedCamera, CameraError> {
-    Camera { image: now.image, ..*ghost }.posed()
+pub fn resolve(ghost: &Camera, now: &Camera) -> Result<ResolvedCamera, CameraError> {
+    Camera { image: now.image, ..*ghost }.resolve()
 }
 
 impl AgainstGhost {
@@ -56,7 +56,7 @@ impl AgainstGhost {
     /// Where one of the cameras has no basis.
     pub fn new(
         (now, now_frame): (&Camera, &Frame<f32>),
-        (then, ghost, ghost_frame): (&Camera, &PosedCamera, &Frame<f32>),
+        (then, ghost, ghost_frame): (&Camera, &ResolvedCamera, &Frame<f32>),
         scene: &Scene,
         selection: Selection,
     ) -> Result<AgainstGhost, BasisError> {

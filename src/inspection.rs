@@ -1,7 +1,7 @@
 //! One ray, looked at closely: what the readouts, the overlay and `pinhole inspect` show.
 
 use pinhole_core::{
-    DVec2, ExactRay, Object, Pixel, PixelOfUv, PlaneTerms, PosedCamera, Ray, Root, Scene,
+    DVec2, ExactRay, Object, Pixel, PixelOfUv, PlaneTerms, Ray, ResolvedCamera, Root, Scene,
     SphereQuadratic,
 };
 
@@ -38,7 +38,7 @@ pub struct Inspection {
 
 impl Inspection {
     /// The view ray through a (u, v).
-    pub fn of_uv(camera: &PosedCamera, scene: &Scene, uv: DVec2) -> Inspection {
+    pub fn of_uv(camera: &ResolvedCamera, scene: &Scene, uv: DVec2) -> Inspection {
         match camera.exact_ray_at(uv) {
             Ok(exact) => Inspection::of_exact(camera, scene, uv, &exact),
             Err(_) => Inspection {
@@ -53,11 +53,11 @@ impl Inspection {
     }
 
     /// The view ray through a pixel's centre.
-    pub fn of_pixel(camera: &PosedCamera, scene: &Scene, pixel: Pixel) -> Inspection {
+    pub fn of_pixel(camera: &ResolvedCamera, scene: &Scene, pixel: Pixel) -> Inspection {
         Inspection::of_exact(camera, scene, camera.uv_of_pixel(pixel), &camera.exact_ray(pixel))
     }
 
-    fn of_exact(camera: &PosedCamera, scene: &Scene, uv: DVec2, exact: &ExactRay) -> Inspection {
+    fn of_exact(camera: &ResolvedCamera, scene: &Scene, uv: DVec2, exact: &ExactRay) -> Inspection {
         let mut roots = scene.roots_of(exact);
         // A line that is all but parallel to a plane meets it beyond the range of numbers: nowhere.
         roots.retain(|root| root.t.is_finite());

@@ -3,7 +3,7 @@
 mod names;
 
 use pinhole_core::methods::{Formula, Method, Precision};
-use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, PosedCamera, RayError, Viewport};
+use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Viewport};
 use serde::{Deserialize, Serialize};
 
 pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
@@ -241,7 +241,7 @@ impl Session {
 
 impl Selection {
     /// Where the selected ray passes through the viewport.
-    pub fn uv(self, camera: &PosedCamera) -> DVec2 {
+    pub fn uv(self, camera: &ResolvedCamera) -> DVec2 {
         match self {
             Selection::Pixel(pixel) => camera.uv_of_pixel(pixel),
             Selection::Uv(uv) => uv,
@@ -252,8 +252,8 @@ impl Selection {
     /// [inside](Selection::inside) the image.
     ///
     /// # Errors
-    /// As [`PosedCamera::exact_ray_at`].
-    pub fn exact_ray(self, camera: &PosedCamera) -> Result<ExactRay<'_>, RayError> {
+    /// As [`ResolvedCamera::exact_ray_at`].
+    pub fn exact_ray(self, camera: &ResolvedCamera) -> Result<ExactRay<'_>, RayError> {
         match self {
             Selection::Pixel(pixel) => Ok(camera.exact_ray(pixel)),
             Selection::Uv(uv) => camera.exact_ray_at(uv),
@@ -300,7 +300,7 @@ impl Selection {
 
     /// The neighbouring pixel that many rows down and columns right, as the arrow keys go; from a
     /// (u, v), the pixel it falls into first.
-    pub fn stepped(self, camera: &PosedCamera, rows: i64, columns: i64) -> Selection {
+    pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
         let Pixel { row, column } = match self {
             Selection::Pixel(pixel) => pixel,
             Selection::Uv(uv) => match camera.pixel_of_uv(uv) {

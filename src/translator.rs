@@ -76,8 +76,9 @@ impl Target {
         match self {
             Target::Format(format) => format.write(subject),
             Target::Code(language) => {
-                let text =
-                    language.code(subject.posed()).map_err(|error| Unsayable(error.to_string()))?;
+                let text = language
+                    .code(subject.resolve())
+                    .map_err(|error| Unsayable(error.to_string()))?;
                 let sheet = Sheet { text, flipped: Vec::new() };
                 Ok(Written { files: vec![(language.file, sheet)], notes: Vec::new() })
             }

@@ -101,9 +101,9 @@ impl App {
                 ctx.request_repaint();
             }
             Action::Step { rows, columns } => {
-                if let Ok(posed) = self.open.document.camera.posed() {
-                    let selection = self.session.selection.inside(posed.image());
-                    self.session.selection = selection.stepped(&posed, rows, columns);
+                if let Ok(resolved) = self.open.document.camera.resolve() {
+                    let selection = self.session.selection.inside(resolved.image());
+                    self.session.selection = selection.stepped(&resolved, rows, columns);
                 }
             }
             look => self.change_look(ctx, look),

@@ -23,7 +23,7 @@ mod rust;
 
 use std::fmt;
 
-use pinhole_core::PosedCamera;
+use pinhole_core::ResolvedCamera;
 
 use numbers::Numbers;
 
@@ -95,7 +95,7 @@ impl Language {
     ///
     /// # Errors
     /// A number beyond the language's precision.
-    pub fn code(&self, camera: &PosedCamera) -> Result<String, OutOfRange> {
+    pub fn code(&self, camera: &ResolvedCamera) -> Result<String, OutOfRange> {
         let numbers = Numbers::of(camera, self.precision);
         let numbers =
             numbers.map_err(|(field, value)| OutOfRange { language: self.label, field, value })?;

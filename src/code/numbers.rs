@@ -1,6 +1,6 @@
 //! A camera's numbers as they stand in code.
 
-use pinhole_core::{DVec3, PosedCamera, shortest};
+use pinhole_core::{DVec3, ResolvedCamera, shortest};
 
 use super::Precision;
 
@@ -28,7 +28,7 @@ pub(super) struct Numbers {
 impl Numbers {
     /// Or the field and the number that has no place in this precision.
     pub(super) fn of(
-        camera: &PosedCamera,
+        camera: &ResolvedCamera,
         precision: Precision,
     ) -> Result<Numbers, (&'static str, f64)> {
         let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());

@@ -40,9 +40,9 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         atomic::check(map)?;
     }
     let document = load(&arguments.scene)?;
-    let posed = pose(&arguments.scene, &document)?;
+    let resolved = pose(&arguments.scene, &document)?;
     let scene = document.scene().map_err(|error| of_scene(&arguments.scene, error))?;
-    let image = posed.image();
+    let image = resolved.image();
     let (path, bytes) = read(&arguments.answers)?;
     if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
         && asked != kind.name()

@@ -3,7 +3,7 @@
 mod json;
 mod text;
 
-use pinhole_core::{PosedCamera, UpAngle};
+use pinhole_core::{ResolvedCamera, UpAngle};
 
 use super::{CommandError, load, of_scene, pose, selection_of, to_stdout};
 use crate::arguments::{InspectArguments, RayArguments};
@@ -13,7 +13,7 @@ use crate::inspection::Inspection;
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {
     document: &'a Document,
-    camera: PosedCamera,
+    camera: ResolvedCamera,
     up_angle: UpAngle,
     inspection: Inspection,
 }

@@ -20,7 +20,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, PosedCamera};
+use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera};
 
 use crate::arguments::Command;
 use crate::document::Document;
@@ -116,12 +116,12 @@ fn load(scene: &Path) -> Result<Document, CommandError> {
 /// The camera of a scene, ready for its rays.
 ///
 /// What is wrong with it is told at its place in the scene file, as what cannot be read is.
-fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> {
+fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, CommandError> {
     let place_of = |error: &CameraError| match SceneSource::of(scene) {
         Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
         Err(_) => None,
     };
-    document.camera.posed().map_err(|error| match place_of(&error) {
+    document.camera.resolve().map_err(|error| match place_of(&error) {
         Some(fault) => fault.into(),
         None => of_scene(scene, error),
     })
@@ -129,7 +129,7 @@ fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> 
 
 /// The ray that is asked for; that through the viewport's centre where none is.
 fn selection_of(
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     pixel: Option<Pixel>,
     uv: Option<DVec2>,
 ) -> Result<Selection, String> {

@@ -52,7 +52,7 @@ pub fn render_view(
     if options.view == View::Camera {
         document.camera.image = options.size;
     }
-    let camera = document.camera.posed().map_err(|error| input(&error))?;
+    let camera = document.camera.resolve().map_err(|error| input(&error))?;
     let scene = document.scene().map_err(|error| input(&error))?;
     if options.view == View::Camera && !options.overlay {
         let outputs = Outputs { normal: options.normals, ..Outputs::default() };

@@ -9,7 +9,7 @@
 //! let ball = Sphere::new([0.0, 0.0, -5.0], 1.5)?;
 //! let floor = Plane::new([0.0, -1.0, 0.0], [0.0, 1.0, 0.0])?;
 //! let scene = Scene::new(vec![ball], vec![floor])?;
-//! let camera = Camera { image: ImageSize::new(20, 10)?, ..Camera::CANONICAL }.posed()?;
+//! let camera = Camera { image: ImageSize::new(20, 10)?, ..Camera::CANONICAL }.resolve()?;
 //! let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
 //! assert_eq!(frame.at(4, 10).object, Some(0));
 //! assert_eq!(frame.at(9, 0).object, Some(1));
@@ -21,7 +21,7 @@
 //!
 //! | for | there are |
 //! | --- | --- |
-//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::posed`] checks all of it and gives a [`PosedCamera`], which has pixels, (u, v), rays and [projection](PosedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
+//! | cameras | [`Camera`], [`Orientation`] (by at, by view, or u, v, w themselves), [`Viewport`], [`ImageSize`]; [`Camera::resolve`] checks all of it and gives a [`ResolvedCamera`], which has pixels, (u, v), rays and [projection](ResolvedCamera::project); [`Intrinsics`] are the viewport and image as computer vision has them |
 //! | bases | [`Basis`], [`UpAngle`] (how well up keeps it level), [`CameraDifference`]; the reasons why there is none: [`BasisError`] |
 //! | rays and objects | [`Ray`], [`Sphere`], [`Plane`], their [`Roots`]; [`SphereQuadratic`] and [`PlaneTerms`] are the numbers in between |
 //! | scenes | [`Scene`], [`Object`], [`Root`]: what any ray meets, and what first |
@@ -76,7 +76,7 @@
 //! - [`Basis`]: `w = -view / |view|`, `u = up x w / |up x w|`, `v = w x u`; right-handed.
 //! - `uv` is a scalar position `(u, v)` in the viewport, in world units, with `(0, 0)` at its centre.
 //!   It never shares a name with the vectors `u` and `v`.
-//! - A [view ray](PosedCamera::ray) starts at the eye and has direction
+//! - A [view ray](ResolvedCamera::ray) starts at the eye and has direction
 //!   `u*U + v*V - distance*W`, *not* normalized: `t = 1` is the viewport itself. The distance along
 //!   the ray is `t * |direction|` and is always named apart.
 //! - A [`Pixel`] is `(row, column)`, both from 0, row 0 on top.
@@ -93,12 +93,12 @@
 //!
 //! - *Any ray*: a [`Ray`]'s origin and direction are meant to the bit: [`Scene::first_hit`].
 //! - *A pixel's ray*: eye, at (or view), up, viewport and image are meant to the bit, and nothing in
-//!   between is rounded, neither the basis nor (u, v) nor the direction: [`PosedCamera::exact_ray`]
+//!   between is rounded, neither the basis nor (u, v) nor the direction: [`ResolvedCamera::exact_ray`]
 //!   and [`Scene::first_hit_of`], [`trace`] for all pixels.
 //!
 //! `t` is within half an ulp and 2^-40 of one (in frames of `f32`, within an ulp of those), a normal
 //! within 3e-16 rad. NaN, infinities, zero directions and radii are refused at the door, by
-//! [`Ray::check`], [`Scene::new`] and [`Camera::posed`], with typed errors.
+//! [`Ray::check`], [`Scene::new`] and [`Camera::resolve`], with typed errors.
 //!
 //! # By raw numbers
 //!
@@ -112,9 +112,9 @@
 //! | any ray: what does it hit first | [`Scene::first_hit`] |
 //! | the same, and by which step of the ladder | [`Scene::first_hit_counting`] |
 //! | a camera's basis | [`Basis::from_eye_at_up`], [`Basis::from_view_up`] |
-//! | a pixel's ray, rounded | [`PosedCamera::ray_of_pixel`] |
-//! | what a pixel's ray hits first, nothing rounded | [`PosedCamera::exact_ray`], [`Scene::first_hit_of`] |
-//! | what the ray through (u, v) hits first | [`PosedCamera::exact_ray_at`], [`Scene::first_hit_of`] |
+//! | a pixel's ray, rounded | [`ResolvedCamera::ray_of_pixel`] |
+//! | what a pixel's ray hits first, nothing rounded | [`ResolvedCamera::exact_ray`], [`Scene::first_hit_of`] |
+//! | what the ray through (u, v) hits first | [`ResolvedCamera::exact_ray_at`], [`Scene::first_hit_of`] |
 //! | a whole frame, t in `f64` or `f32` | [`trace`], [`trace_as`] |
 //! | a whole picture in colour | [`trace_painted`] |
 //!
@@ -133,7 +133,7 @@
 //! let hit = scene.first_hit(&ray).unwrap();
 //! assert_eq!((hit.object, hit.t, hit.normal), (0, 4.0, DVec3::Z));
 //! let mut steps = Steps::default();
-//! scene.first_hit_counting(&ExactRay::of(&ray)?, &mut steps);
+//! scene.first_hit_counting(&ExactRay::from_ray(&ray)?, &mut steps);
 //! assert_eq!(steps.beyond_f64(), 0);
 //!
 //! // A basis. Errors say what is wrong: here eye and at would be the same point.
@@ -149,16 +149,16 @@
 //!     viewport: Viewport { width: 1.0, height: 1.0, distance: 1.0 },
 //!     image: ImageSize::new(5, 5)?,
 //! };
-//! let posed = camera.posed()?;
+//! let resolved = camera.resolve()?;
 //! let pixel = Pixel { row: 2, column: 2 };
-//! assert_eq!(posed.ray_of_pixel(pixel), ray);
-//! assert_eq!(scene.first_hit_of(&posed.exact_ray(pixel)), Some(hit));
-//! let through_uv = posed.exact_ray_at(DVec2::new(0.2, -0.1))?;
+//! assert_eq!(resolved.ray_of_pixel(pixel), ray);
+//! assert_eq!(scene.first_hit_of(&resolved.exact_ray(pixel)), Some(hit));
+//! let through_uv = resolved.exact_ray_at(DVec2::new(0.2, -0.1))?;
 //! assert_eq!(scene.first_hit_of(&through_uv).map(|hit| hit.t), Some(6.0));
 //!
 //! // A whole frame: t and object of every pixel, row by row.
-//! let raster = Raster::full(posed.image());
-//! let frame = trace_as::<f32>(&scene, &posed, &raster, Outputs::default());
+//! let raster = Raster::full(resolved.image());
+//! let frame = trace_as::<f32>(&scene, &resolved, &raster, Outputs::default());
 //! assert_eq!((frame.t[12], frame.object[12]), (4.0, 0));
 //!
 //! // f32 values are widened, and then meant exactly.
@@ -258,7 +258,7 @@ pub use camera::exact_ray::ExactRay;
 pub use camera::image::{ImageError, ImageSize, Pixel};
 pub use camera::intrinsics::Intrinsics;
 pub use camera::ray::{Ray, RayError};
-pub use camera::resolved::{PixelOfUv, PosedCamera, Projection};
+pub use camera::resolved::{PixelOfUv, Projection, ResolvedCamera};
 pub use camera::viewport::{Viewport, ViewportError, extent_of_fov, fov_of_extent};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
 pub use exact::decimal::shortest;

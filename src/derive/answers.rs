@@ -95,7 +95,7 @@ fn map(
     sizes: &ViewSizes,
 ) -> Option<Shown> {
     let picture = picture(graded, size)?;
-    Some(shown_beside(&picture, (right.posed, right.inspection), items, size, sizes))
+    Some(shown_beside(&picture, (right.resolved, right.inspection), items, size, sizes))
 }
 
 /// The map as a picture of as many pixels as are shown; one that stands for several is wrong where

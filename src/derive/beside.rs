@@ -1,6 +1,6 @@
 //! A picture beside the camera's own: of the same image, with what belongs to the image drawn over it.
 
-use pinhole_core::PosedCamera;
+use pinhole_core::ResolvedCamera;
 
 use super::{Shown, ViewSizes, blank};
 use crate::inspection::Inspection;
@@ -9,14 +9,14 @@ use crate::overlay::{self, CameraView, OverlayItems, Picture};
 /// Shows a picture in so many dots, with the items of the camera that it belongs to.
 pub(super) fn shown_beside(
     picture: &Picture,
-    (posed, inspection): (&PosedCamera, &Inspection),
+    (resolved, inspection): (&ResolvedCamera, &Inspection),
     items: OverlayItems,
     size: [u32; 2],
     sizes: &ViewSizes,
 ) -> Shown {
     let view = CameraView {
         picture,
-        posed,
+        resolved,
         inspection: Some(inspection),
         items,
         size: size.map(|n| n as usize),

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use egui::ColorImage;
-use pinhole_core::{CameraError, Counts, Frame, PosedCamera, Scene, SceneError, Steps, UpAngle};
+use pinhole_core::{CameraError, Counts, Frame, ResolvedCamera, Scene, SceneError, Steps, UpAngle};
 
 use super::answers::Grading;
 use super::picture::{Compared, TooMany};
@@ -86,7 +86,7 @@ impl fmt::Display for Fault {
 #[derive(Clone, Debug, Default)]
 pub struct Derived {
     /// The camera with its basis.
-    pub posed: Option<PosedCamera>,
+    pub resolved: Option<ResolvedCamera>,
     /// How close up is to the view direction.
     pub up_angle: Option<UpAngle>,
     /// The selected ray.
@@ -124,7 +124,7 @@ pub struct Derived {
     /// What it sees.
     pub wrong_view: Option<Shown>,
     /// The ghost, with the image that the camera has.
-    pub ghost: Option<PosedCamera>,
+    pub ghost: Option<ResolvedCamera>,
     /// The camera against the ghost, where the layout shows it.
     pub against_ghost: Option<Arc<AgainstGhost>>,
     /// What the ghost sees, or where that differs.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, Outputs, PosedCamera, Raster, Shade};
+use pinhole_core::{Camera, Outputs, Raster, ResolvedCamera, Shade};
 
 use super::beside::shown_beside;
 use super::memo::Memo;
@@ -10,7 +10,7 @@ use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
 use super::{Derived, Shown, ViewSizes};
 use crate::document::Document;
-use crate::ghost::{AgainstGhost, Beside, Ghost, difference_map, posed};
+use crate::ghost::{AgainstGhost, Beside, Ghost, difference_map, resolve};
 use crate::overlay::{Item, OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
 
@@ -48,9 +48,9 @@ impl GhostPictures {
         watch: Watch<'_>,
     ) {
         let ghost = session.ghost.as_ref();
-        derived.ghost = ghost.and_then(|ghost| posed(&ghost.camera, &document.camera).ok());
+        derived.ghost = ghost.and_then(|ghost| resolve(&ghost.camera, &document.camera).ok());
         let (Some(ghost), Some(size), Some(now), Some(seen), Some(world)) =
-            (ghost, sizes.ghost, &derived.posed, derived.ghost, world)
+            (ghost, sizes.ghost, &derived.resolved, derived.ghost, world)
         else {
             return;
         };
@@ -63,8 +63,8 @@ impl GhostPictures {
 
     fn of(
         &mut self,
-        (camera, now): (&Camera, &PosedCamera),
-        (ghost, seen): (&Ghost, &PosedCamera),
+        (camera, now): (&Camera, &ResolvedCamera),
+        (ghost, seen): (&Ghost, &ResolvedCamera),
         world: &GoodWorld,
         session: &Session,
         raster: Raster,

@@ -47,7 +47,7 @@ impl Ledgers {
             _ => {
                 let made = Arc::new(ledger(&Sources {
                     document,
-                    posed: derived.posed.as_ref(),
+                    resolved: derived.resolved.as_ref(),
                     scene: derived.scene.as_deref(),
                     inspection: derived.inspection.as_deref(),
                     fault: looked.fault,

@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{Counts, Depth, Frame, NO_OBJECT, Outputs, PosedCamera, Raster, Shade, Steps};
+use pinhole_core::{
+    Counts, Depth, Frame, NO_OBJECT, Outputs, Raster, ResolvedCamera, Shade, Steps,
+};
 
 use super::ViewSizes;
 use super::memo::{Fineness, Memo};
@@ -67,7 +69,7 @@ pub struct Compared {
 /// What a camera saw, and the ray that was selected.
 #[derive(Clone, Debug)]
 pub(super) struct GoodPicture {
-    pub(super) posed: PosedCamera,
+    pub(super) resolved: ResolvedCamera,
     pub(super) picture: Arc<Picture>,
     pub(super) selection: Selection,
     pub(super) inspection: Arc<Inspection>,
@@ -90,7 +92,7 @@ pub(super) struct GoodPicture {
 }
 
 /// What is seen from where: a camera, the generation of the objects, and the pixels.
-type Seen = (PosedCamera, u64, Raster);
+type Seen = (ResolvedCamera, u64, Raster);
 
 /// What colours a picture has: by which method, of what, in which mode, the palette's number, and
 /// whether it is transparent where nothing is hit.
@@ -109,10 +111,10 @@ pub(super) struct Pictures {
     by: [Memo<(Method, Seen), Arc<Compared>>; 2],
     picture: Memo<PictureKey, Made>,
     map: Memo<(Method, Seen), Arc<Picture>>,
-    inspection: Memo<(PosedCamera, u64, Selection), Arc<Inspection>>,
+    inspection: Memo<(ResolvedCamera, u64, Selection), Arc<Inspection>>,
     loupe: Memo<(PictureKey, bool), Arc<Loupe>>,
     scanned: ScannedPicture,
-    fineness: Fineness<(PosedCamera, u64, [u32; 2])>,
+    fineness: Fineness<(ResolvedCamera, u64, [u32; 2])>,
     /// How many pictures were made, which tells one from the next.
     made: u64,
     /// How many were traced for that.
@@ -133,21 +135,22 @@ impl Pictures {
     /// What the camera sees, of which no more is traced than the screen shows.
     pub(super) fn of(
         &mut self,
-        posed: PosedCamera,
+        resolved: ResolvedCamera,
         world: &GoodWorld,
         session: &Session,
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> GoodPicture {
-        let selection = session.selection.inside(posed.image());
-        let inspection = self.inspected(posed, world, selection);
+        let selection = session.selection.inside(resolved.image());
+        let inspection = self.inspected(resolved, world, selection);
         // With only the world view open, its viewport still shows the picture.
         let size = sizes.camera.or(sizes.world).unwrap_or([1, 1]);
-        let coarseness = self.fineness.at_most((posed, world.generation, size), sizes.coarseness);
-        let seen = (posed, world.generation, coarseness.raster(posed.image(), size));
+        let coarseness =
+            self.fineness.at_most((resolved, world.generation, size), sizes.coarseness);
+        let seen = (resolved, world.generation, coarseness.raster(resolved.image(), size));
         let settings = &session.settings;
         // What is too much for a picture at rest is so while it moves.
-        let all = Coarseness::NONE.raster(posed.image(), size).len();
+        let all = Coarseness::NONE.raster(resolved.image(), size).len();
         let too_many = TooMany::of(world.scene.len(), all);
         let with_map = sizes.map.is_some();
         let beside = self.beside(&seen, world, settings, with_map, too_many, watch);
@@ -158,15 +161,15 @@ impl Pictures {
         let compared = beside.compared.map(|compared| {
             let map = self.map.get((compared.method, key.1.clone()), |(_, (.., raster))| {
                 let pixels = accuracy::colors(&compared.comparison);
-                Arc::new(Picture { raster: raster.clone(), image: posed.image(), pixels })
+                Arc::new(Picture { raster: raster.clone(), image: resolved.image(), pixels })
             });
             (compared, map)
         });
         let place = inspection.place.filter(|_| settings.items.shows(Item::Loupe));
         let loupe = place.map(|place| {
-            let [rows, columns] = loupe_window(&place, posed.image());
-            let (method, (posed, generation, _), mode, palette, _) = key;
-            let seen = (posed, generation, Raster::part(rows, columns));
+            let [rows, columns] = loupe_window(&place, resolved.image());
+            let (method, (resolved, generation, _), mode, palette, _) = key;
+            let seen = (resolved, generation, Raster::part(rows, columns));
             let key = (method, seen, mode, palette, false);
             let key = (key, settings.count_from_one);
             let loupe = self.loupe.get(key, |key| Arc::new(loupe(key, world, watch)));
@@ -184,7 +187,7 @@ impl Pictures {
         };
         GoodPicture {
             loupe,
-            posed,
+            resolved,
             picture,
             selection,
             inspection,
@@ -201,14 +204,14 @@ impl Pictures {
     /// The selected ray and everything that it meets.
     fn inspected(
         &mut self,
-        posed: PosedCamera,
+        resolved: ResolvedCamera,
         world: &GoodWorld,
         selection: Selection,
     ) -> Arc<Inspection> {
-        self.inspection.get((posed, world.generation, selection), |_| {
+        self.inspection.get((resolved, world.generation, selection), |_| {
             Arc::new(match selection {
-                Selection::Pixel(pixel) => Inspection::of_pixel(&posed, &world.scene, pixel),
-                Selection::Uv(uv) => Inspection::of_uv(&posed, &world.scene, uv),
+                Selection::Pixel(pixel) => Inspection::of_pixel(&resolved, &world.scene, pixel),
+                Selection::Uv(uv) => Inspection::of_uv(&resolved, &world.scene, uv),
             })
         })
     }
@@ -230,9 +233,9 @@ impl Pictures {
         // Only a comparison needs all digits of t.
         let truth = (is_compared && too_many.is_none()).then(|| {
             let traced = &mut self.traced;
-            self.truth.get(seen.clone(), |(posed, _, raster)| {
+            self.truth.get(seen.clone(), |(resolved, _, raster)| {
                 *traced += 1;
-                watch::truth(&world.scene, posed, raster, watch)
+                watch::truth(&world.scene, resolved, raster, watch)
             })
         });
         let mut compare = |slot: usize, method| {
@@ -264,9 +267,9 @@ impl Pictures {
             }
             let outputs = Outputs { t: mode.needs_t(), object: true, normal: false };
             let mut fresh = None;
-            let frame = rough.get((seen.clone(), outputs.t), |((posed, _, raster), _)| {
+            let frame = rough.get((seen.clone(), outputs.t), |((resolved, _, raster), _)| {
                 *traced += 1;
-                let traced = watch::picture(scene, posed, raster, outputs, colors, watch);
+                let traced = watch::picture(scene, resolved, raster, outputs, colors, watch);
                 fresh = Some(traced.1);
                 Arc::new(traced.0)
             });
@@ -296,16 +299,16 @@ fn picture_of<T: Depth>(frame: &Frame<T>, mut pixels: Vec<Color32>, clear: bool)
 
 /// The pixels under the loupe, by the method that draws the picture.
 fn loupe(key: &(PictureKey, bool), world: &GoodWorld, watch: Watch<'_>) -> Loupe {
-    let ((method, (posed, _, raster), mode, ..), count_from_one) = key;
-    let mut frame = watch::truth(&world.scene, posed, raster, watch);
+    let ((method, (resolved, _, raster), mode, ..), count_from_one) = key;
+    let mut frame = watch::truth(&world.scene, resolved, raster, watch);
     if *method != Method::Ladder {
-        let traced = trace_by(*method, &world.scene, posed, raster);
+        let traced = trace_by(*method, &world.scene, resolved, raster);
         let frame = Arc::make_mut(&mut frame);
         (frame.t, frame.object) = (traced.t, traced.object);
     }
     let colors = (*mode, |i: u32| world.colors[i as usize]);
     let pixels = watch::repainted(&frame, &world.scene, colors, watch);
-    let picture = Picture { raster: raster.clone(), image: posed.image(), pixels };
+    let picture = Picture { raster: raster.clone(), image: resolved.image(), pixels };
     Loupe { picture, count_from_one: *count_from_one }
 }
 
@@ -316,8 +319,8 @@ fn compare(
     world: &GoodWorld,
     truth: &Frame,
 ) -> Arc<Compared> {
-    memo.get((method, seen.clone()), |(method, (posed, _, raster))| {
-        let traced = trace_by(*method, &world.scene, posed, raster);
+    memo.get((method, seen.clone()), |(method, (resolved, _, raster))| {
+        let traced = trace_by(*method, &world.scene, resolved, raster);
         let comparison = Comparison::new(truth, &traced);
         let mut frame = truth.clone();
         (frame.t, frame.object) = (traced.t, traced.object);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pinhole_core::PosedCamera;
+use pinhole_core::ResolvedCamera;
 
 use super::Derived;
 use super::memo::Memo;
@@ -12,7 +12,7 @@ use crate::plot::{Curve, Heights, Named, Plot, Samples, curves, range, samples, 
 use crate::session::{Selection, Session, ViewLayout};
 
 /// What curves are made of: the camera, the objects by number, the ray, and what has a curve.
-type Key = (PosedCamera, u64, Selection, Vec<Named>);
+type Key = (ResolvedCamera, u64, Selection, Vec<Named>);
 
 /// Remembers the curves, their samples, and their values where one walks.
 #[derive(Debug, Default)]
@@ -37,10 +37,10 @@ impl Plots {
         if session.settings.layout != ViewLayout::Plot {
             return None;
         }
-        let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
+        let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
         let inspection = derived.inspection.as_deref()?;
-        let selection = session.selection.inside(posed.image());
-        let ray = selection.exact_ray(posed).ok()?;
+        let selection = session.selection.inside(resolved.image());
+        let ray = selection.exact_ray(resolved).ok()?;
         let named = |object: u32| {
             let title = document.title_of(object as usize);
             let name = document.name_of(object).map_or_else(|| title.clone(), str::to_owned);
@@ -49,7 +49,7 @@ impl Plots {
         };
         let named: Vec<Named> = shown(scene, inspection).into_iter().map(named).collect();
         let made = &mut self.made;
-        let curves = self.curves.get((*posed, generation, selection, named), |(.., named)| {
+        let curves = self.curves.get((*resolved, generation, selection, named), |(.., named)| {
             *made += 1;
             Arc::new(curves(scene, &ray, named))
         });

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pinhole_core::{
-    Depth, Frame, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, Shade, Stage, shade, trace,
+    Depth, Frame, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Shade, Stage, shade, trace,
     trace_painted,
 };
 
@@ -28,7 +28,7 @@ pub type Watch<'a> = &'a (dyn Fn(Work) + Sync);
 /// Opaque pixels of what the camera sees, and of the frame behind them the `outputs`.
 pub(super) fn picture(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     (shade, color_of): (Shade, impl Fn(u32) -> Rgb + Sync),
@@ -61,7 +61,7 @@ pub(super) fn repainted<T: Depth>(
 /// `t` with all its digits, and objects.
 pub(super) fn truth(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     watch: Watch<'_>,
 ) -> Arc<Frame> {

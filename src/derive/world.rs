@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::{DVec3, Frame, Outputs, PosedCamera, Shade};
+use pinhole_core::{DVec3, Frame, Outputs, ResolvedCamera, Shade};
 
 use super::memo::{Fineness, Memo, Same};
 use super::objects::{Enclosing, Objects};
@@ -24,7 +24,7 @@ pub(super) struct WorldPicture {
 }
 
 /// What is seen from where: the observer, the generation of the objects, and those left out.
-type Seen = (PosedCamera, u64, Enclosing);
+type Seen = (ResolvedCamera, u64, Enclosing);
 
 /// Remembers what the observer saw.
 #[derive(Debug, Default)]
@@ -51,7 +51,7 @@ impl WorldPictures {
         &mut self,
         objects: &mut Objects,
         eye: DVec3,
-        observer: PosedCamera,
+        observer: ResolvedCamera,
         wanted: Coarseness,
         watch: Watch<'_>,
     ) -> Option<Arc<WorldPicture>> {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pinhole_core::lecture::mistakes::Mistake;
-use pinhole_core::{Camera, PosedCamera, Raster, Shade};
+use pinhole_core::{Camera, Raster, ResolvedCamera, Shade};
 
 use super::beside::shown_beside;
 use super::memo::Memo;
@@ -34,7 +34,7 @@ pub(super) struct WrongPictures {
 /// What the right camera saw.
 pub(super) struct Right<'a> {
     pub(super) camera: &'a Camera,
-    pub(super) posed: &'a PosedCamera,
+    pub(super) resolved: &'a ResolvedCamera,
     pub(super) inspection: &'a Inspection,
     pub(super) selection: Selection,
     /// How much coarser its picture is than it could be.
@@ -77,7 +77,7 @@ impl WrongPictures {
         sizes: &ViewSizes,
         watch: Watch<'_>,
     ) -> (Arc<Wrong>, Option<Shown>) {
-        let image = right.posed.image();
+        let image = right.resolved.image();
         let raster = right.coarseness.raster(image, size);
         let mode = Shade::from(session.settings.shade);
         let mistake = session.gallery.shown();
@@ -88,7 +88,7 @@ impl WrongPictures {
             watched(watch, Work::Trace, || {
                 let colors = (*mode, |i: u32| world.colors[i as usize]);
                 let (wrong, pixels) =
-                    Wrong::new(camera, right.posed, &world.scene, *mistake, raster, colors);
+                    Wrong::new(camera, right.resolved, &world.scene, *mistake, raster, colors);
                 let picture = |pixels| Picture { raster: raster.clone(), image, pixels };
                 (Arc::new(wrong), pixels.map(|pixels| Arc::new(picture(pixels))))
             })
@@ -101,7 +101,7 @@ impl WrongPictures {
         let key = (self.count, right.selection, size, items, sizes.scale, sizes.style);
         let view = self.view.get(key, |_| {
             watched(watch, Work::Overlay, || {
-                let camera = (right.posed, right.inspection);
+                let camera = (right.resolved, right.inspection);
                 shown_beside(&picture, camera, items, size, sizes)
             })
         });

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use pinhole_core::{
-    Basis, Camera, DVec3, ImageSize, ORTHONORMAL_TOLERANCE, Orientation, Pixel, Plane, PosedCamera,
-    Sphere, Viewport, extent_of_fov, fov_of_extent,
+    Basis, Camera, DVec3, ImageSize, ORTHONORMAL_TOLERANCE, Orientation, Pixel, Plane,
+    ResolvedCamera, Sphere, Viewport, extent_of_fov, fov_of_extent,
 };
 
 use super::affine::Affine;
@@ -271,19 +271,20 @@ pub(crate) fn image_of(width: f64, height: f64) -> Result<ImageSize, String> {
 pub(super) fn difference(
     format: &Format,
     written: &Written,
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
 ) -> Option<String> {
     const ENOUGH: f64 = 1e-9;
     let text = written.joined().text;
-    let at_hand = Camera { viewport: *posed.viewport(), image: posed.image(), ..Camera::CANONICAL };
+    let at_hand =
+        Camera { viewport: *resolved.viewport(), image: resolved.image(), ..Camera::CANONICAL };
     let read = (format.read)(&Text { path: Path::new(""), text: &text }, &at_hand);
-    let Some(back) = read.ok().and_then(|taken| taken.camera.posed().ok()) else {
+    let Some(back) = read.ok().and_then(|taken| taken.camera.resolve().ok()) else {
         return Some("its numbers make no camera any more when they are read again".to_owned());
     };
-    let [height, width] = [posed.image().height(), posed.image().width()].map(|n| n - 1);
+    let [height, width] = [resolved.image().height(), resolved.image().width()].map(|n| n - 1);
     let corners = [(0, 0), (0, width), (height, 0), (height, width)];
     let off = corners.map(|(row, column)| {
-        let [a, b] = [posed, &back].map(|camera| {
+        let [a, b] = [resolved, &back].map(|camera| {
             let ray = camera.ray_of_pixel(Pixel { row, column });
             ray.direction / ray.direction.abs().max_element()
         });

@@ -49,7 +49,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         n(cx),
         n(cy)
     );
-    let Basis { u, v, w } = *subject.posed().basis();
+    let Basis { u, v, w } = *subject.resolve().basis();
     // Columns of R are its rows' coordinates: R = (u, -v, -w) as rows turns world to camera.
     let columns = [0, 1, 2].map(|k| DVec3::new(u[k], -v[k], -w[k]));
     let q = Basis { u: columns[0], v: columns[1], w: columns[2] }.quaternion();

@@ -141,7 +141,7 @@ impl Format {
             With::CameraAlone => written.clone(),
             _ => (self.write)(&subject.camera_alone())?,
         };
-        written.notes.extend(back::difference(self, &alone, subject.posed()));
+        written.notes.extend(back::difference(self, &alone, subject.resolve()));
         Ok(written)
     }
 
@@ -154,7 +154,7 @@ impl Format {
         let mut taken = (self.read)(text, at_hand)?;
         // No negative zeros.
         taken.camera.eye += DVec3::ZERO;
-        match taken.camera.posed() {
+        match taken.camera.resolve() {
             Ok(_) => Ok(taken),
             Err(error) => Err(FileError::of_file(text.path, format!("{}: {error}", self.label))),
         }

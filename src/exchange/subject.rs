@@ -1,6 +1,6 @@
 //! What is exported: the camera, and the scene's objects where they are asked for.
 
-use pinhole_core::{Camera, OrientationKind, Plane, PosedCamera, Rgb, Sphere, Viewport};
+use pinhole_core::{Camera, OrientationKind, Plane, ResolvedCamera, Rgb, Sphere, Viewport};
 use pinhole_core::{DVec3, Intrinsics, Orientation};
 
 use super::Unsayable;
@@ -26,7 +26,7 @@ pub struct Subject<'a> {
     pub document: &'a Document,
     /// What goes with the camera.
     pub with: With,
-    posed: PosedCamera,
+    resolved: ResolvedCamera,
 }
 
 /// A sphere or plane with its looks.
@@ -45,11 +45,11 @@ impl<'a> Subject<'a> {
     /// # Errors
     /// What is wrong with the camera, or with an object that is asked for.
     pub fn new(document: &'a Document, with: With) -> Result<Subject<'a>, Unsayable> {
-        let posed = document.camera.posed().map_err(|error| Unsayable(error.to_string()))?;
+        let resolved = document.camera.resolve().map_err(|error| Unsayable(error.to_string()))?;
         if with != With::CameraAlone {
             document.scene().map_err(|error| Unsayable(error.to_string()))?;
         }
-        Ok(Subject { document, with, posed })
+        Ok(Subject { document, with, resolved })
     }
 
     pub(crate) fn camera_alone(&self) -> Subject<'a> {
@@ -57,8 +57,8 @@ impl<'a> Subject<'a> {
     }
 
     /// The camera with its basis.
-    pub fn posed(&self) -> &PosedCamera {
-        &self.posed
+    pub fn resolve(&self) -> &ResolvedCamera {
+        &self.resolved
     }
 
     pub(crate) fn camera(&self) -> &Camera {
@@ -66,16 +66,16 @@ impl<'a> Subject<'a> {
     }
 
     pub(crate) fn viewport(&self) -> &Viewport {
-        self.posed.viewport()
+        self.resolved.viewport()
     }
 
     /// W and H.
     pub(crate) fn size(&self) -> [u32; 2] {
-        [self.posed.image().width(), self.posed.image().height()]
+        [self.resolved.image().width(), self.resolved.image().height()]
     }
 
     pub(crate) fn intrinsics(&self) -> Intrinsics {
-        Intrinsics::of(self.viewport(), self.posed.image())
+        Intrinsics::from_viewport(self.viewport(), self.resolved.image())
     }
 
     /// The vertical field of view in degrees.
@@ -150,7 +150,7 @@ impl<'a> Subject<'a> {
 
     /// How near and how far a program has to look that cannot look everywhere.
     pub(crate) fn clip(&self) -> (f64, f64) {
-        let eye = self.posed.eye();
+        let eye = self.resolved.eye();
         let spheres = self.spheres();
         let reach = |s: &Thing<Sphere>| (s.shape.center - eye).length() + s.shape.radius;
         let far = spheres.iter().map(reach).fold(1e4, f64::max);
@@ -164,10 +164,10 @@ impl<'a> Subject<'a> {
     /// and two unit vectors along its sides.
     pub(crate) fn square_of(&self, plane: &Plane) -> (DVec3, f64, [DVec3; 2]) {
         let normal = plane.normal.normalize();
-        let height = (self.posed.eye() - plane.point).dot(normal);
-        let middle = self.posed.eye() - height * normal;
+        let height = (self.resolved.eye() - plane.point).dot(normal);
+        let middle = self.resolved.eye() - height * normal;
         let basis = normal.any_orthonormal_pair();
-        let reach = (self.posed.eye() - plane.point).length().max(1.0);
+        let reach = (self.resolved.eye() - plane.point).length().max(1.0);
         // A thousand times as far as anything that matters, and round.
         (middle, 10_f64.powf((1e3 * reach).log10().ceil()), [basis.0, basis.1])
     }

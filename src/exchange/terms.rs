@@ -236,7 +236,7 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
 
 /// The lines on the camera's axes, with their vectors.
 fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
-    let basis = subject.posed().basis();
+    let basis = subject.resolve().basis();
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.of_basis());
         // 0 has no sign to read.

@@ -64,7 +64,7 @@ fn guides(stage: &Stage, grip: &Grip, hand: &Hand) -> Vec<Guide> {
     let stub = overlay::length_of_points(stage.observer, grip.at, STUB_POINTS, stage.scale);
     let long = LONG * stage.observer.eye().distance(grip.at);
     let line = |axis: Axis, length: f64| {
-        let direction = length * axis.direction(stage.posed)?;
+        let direction = length * axis.direction(stage.resolved)?;
         let (from, to) = (grip.at - direction, grip.at + direction);
         Some(Guide::Line { from, to, axis: axis as usize, is_long: length > stub })
     };
@@ -72,9 +72,9 @@ fn guides(stage: &Stage, grip: &Grip, hand: &Hand) -> Vec<Guide> {
     let ring = |center: DVec3, a: DVec3, b: DVec3| vec![Guide::Ring { center, a, b }];
     let eye = stage.document.camera.eye;
     match (grip.handle, hand.held.is_some(), hand.along) {
-        (Handle::Roll, ..) => stage.posed.map_or(Vec::new(), |posed| {
+        (Handle::Roll, ..) => stage.resolved.map_or(Vec::new(), |resolved| {
             let length = grip.at.distance(eye);
-            ring(eye, length * posed.basis().u, length * posed.basis().v)
+            ring(eye, length * resolved.basis().u, length * resolved.basis().v)
         }),
         (Handle::Dolly, ..) | (Handle::Distance, ..) => lines(&[Axis::W], stub),
         (Handle::Radius(k), ..) => stage.document.spheres.get(k).map_or(Vec::new(), |item| {

@@ -14,7 +14,7 @@ mod pull;
 mod words;
 
 use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
-use pinhole_core::{DVec3, PosedCamera};
+use pinhole_core::{DVec3, ResolvedCamera};
 
 pub use hit::{Hit, hit};
 pub use marks::drawn;
@@ -111,8 +111,8 @@ impl Axis {
     }
 
     /// Its direction; the camera's are there where it has a basis.
-    pub fn direction(self, camera: Option<&PosedCamera>) -> Option<DVec3> {
-        let basis = camera.map(PosedCamera::basis);
+    pub fn direction(self, camera: Option<&ResolvedCamera>) -> Option<DVec3> {
+        let basis = camera.map(ResolvedCamera::basis);
         match self {
             Axis::X => Some(DVec3::X),
             Axis::Y => Some(DVec3::Y),

@@ -1,7 +1,7 @@
 //! Which handles there are, and where the observer sees them.
 
 use pinhole_core::steering::ViewportCorner;
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
 
 use super::{Grasp, Hand, Handle};
 use crate::document::Document;
@@ -20,13 +20,13 @@ pub struct Stage<'a> {
     /// The document.
     pub document: &'a Document,
     /// Its camera, where it has a basis.
-    pub posed: Option<&'a PosedCamera>,
+    pub resolved: Option<&'a ResolvedCamera>,
     /// The selected ray.
     pub selection: Selection,
     /// What is drawn.
     pub items: OverlayItems,
     /// Who looks.
-    pub observer: &'a PosedCamera,
+    pub observer: &'a ResolvedCamera,
     /// Dots per point.
     pub scale: f32,
 }
@@ -79,10 +79,10 @@ impl Stage<'_> {
 
     /// Whether there is no room for handles on the viewport.
     pub fn is_viewport_small(&self) -> bool {
-        let Some(posed) = self.posed else { return false };
+        let Some(resolved) = self.resolved else { return false };
         let corner = |corner: ViewportCorner| {
-            let uv = corner.uv(posed.viewport());
-            self.spot(posed.viewport_point(uv))
+            let uv = corner.uv(resolved.viewport());
+            self.spot(resolved.viewport_point(uv))
         };
         let [Some(a), Some(b), Some(c), Some(d)] = ViewportCorner::ALL.map(corner) else {
             return false;
@@ -127,7 +127,7 @@ impl Stage<'_> {
     /// Where a handle is in the world.
     pub fn place(&self, handle: Handle, Grasp { length, toward, .. }: Grasp) -> Option<DVec3> {
         let camera = self.camera();
-        let on_viewport = |uv: DVec2| Some(self.posed?.viewport_point(uv));
+        let on_viewport = |uv: DVec2| Some(self.resolved?.viewport_point(uv));
         match handle {
             Handle::Eye => Some(camera.eye),
             Handle::At => match camera.orientation {
@@ -141,11 +141,11 @@ impl Stage<'_> {
                 }
                 Orientation::Basis(_) => None,
             },
-            Handle::Roll => Some(camera.eye + length * self.posed?.basis().v),
-            Handle::Dolly => Some(camera.eye + length * self.posed?.basis().w),
+            Handle::Roll => Some(camera.eye + length * self.resolved?.basis().v),
+            Handle::Dolly => Some(camera.eye + length * self.resolved?.basis().w),
             Handle::Corner(corner) => on_viewport(corner.uv(&camera.viewport)),
             Handle::Distance => on_viewport(DVec2::new(0.0, -0.5 * camera.viewport.height)),
-            Handle::Pixel => on_viewport(self.selection.inside(camera.image).uv(self.posed?)),
+            Handle::Pixel => on_viewport(self.selection.inside(camera.image).uv(self.resolved?)),
             Handle::Center(k) => Some(self.document.spheres.get(k)?.shape.center),
             Handle::Radius(k) => {
                 let sphere = self.document.spheres.get(k)?.shape;

@@ -7,7 +7,7 @@ use pinhole_core::steering::{
     CornerKeeps, DistanceKeeps, Drag, DragAlong, Keep, SteerError, ViewportCorner, nice_step,
     pixel_in_world, rounded_to, snapped,
 };
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera, Viewport};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
 
 use super::{Along, Axis, Grasp, Handle, Part, Solid};
 
@@ -17,7 +17,7 @@ pub struct Start {
     /// What it changes.
     pub before: Part,
     /// The camera then, where it had a basis.
-    pub posed: Option<PosedCamera>,
+    pub resolved: Option<ResolvedCamera>,
     /// How it was taken.
     pub grasp: Grasp,
     /// Where it was in the world.
@@ -62,7 +62,7 @@ pub struct Pull<'a> {
     /// How it began.
     pub start: &'a Start,
     /// The observer.
-    pub observer: &'a PosedCamera,
+    pub observer: &'a ResolvedCamera,
     /// Dots per point.
     pub scale: f32,
     /// How it is held.
@@ -76,14 +76,14 @@ const STEP_POINTS: f64 = 10.0;
 const STEP_DEGREES: f64 = 15.0;
 
 /// The step for values at a place: 1, 2 or 5 times a power of ten.
-pub fn step_of(observer: &PosedCamera, at: DVec3, scale: f32) -> Option<f64> {
+pub fn step_of(observer: &ResolvedCamera, at: DVec3, scale: f32) -> Option<f64> {
     nice_step(STEP_POINTS * f64::from(scale) * pixel_in_world(observer, at).ok()?).ok()
 }
 
 /// Where the tip of v goes when the camera is rolled by so many degrees.
 pub fn turned_by(start: &Start, degrees: f64) -> Option<DVec3> {
     let (sin, cos) = degrees.to_radians().sin_cos();
-    let (eye, basis) = (start.before.camera.eye, start.posed?);
+    let (eye, basis) = (start.before.camera.eye, start.resolved?);
     Some(eye + start.grasp.length * (cos * basis.basis().v - sin * basis.basis().u))
 }
 
@@ -156,8 +156,8 @@ impl Pull<'_> {
     /// What the handle is dragged along.
     fn along(&self) -> Result<DragAlong, String> {
         let no_basis = || "the camera has no basis".to_owned();
-        let Start { posed, grasp, at, before, .. } = self.start;
-        let axis = |axis: Axis| axis.direction(posed.as_ref()).ok_or_else(no_basis);
+        let Start { resolved, grasp, at, before, .. } = self.start;
+        let axis = |axis: Axis| axis.direction(resolved.as_ref()).ok_or_else(no_basis);
         if grasp.handle.is_free() {
             return Ok(match self.how.along {
                 Along::View => DragAlong::ViewPlane,
@@ -212,7 +212,7 @@ impl Pull<'_> {
         if self.how.snaps && !camera_axes.is_empty() {
             let mut point = from;
             for axis in camera_axes {
-                let direction = axis.direction(self.start.posed.as_ref()).unwrap_or_default();
+                let direction = axis.direction(self.start.resolved.as_ref()).unwrap_or_default();
                 point += self.number((to - from).dot(direction), per)? * direction;
             }
             return Ok(point);
@@ -274,8 +274,8 @@ impl Pull<'_> {
 
     /// The camera rolled until v points to where the tip is, and by how many degrees.
     fn roll(&self, tip: DVec3) -> Result<(Camera, f64), String> {
-        let Start { before, posed, grasp, .. } = self.start;
-        let basis = *posed.as_ref().ok_or("the camera has no basis")?.basis();
+        let Start { before, resolved, grasp, .. } = self.start;
+        let basis = *resolved.as_ref().ok_or("the camera has no basis")?.basis();
         let along = tip - before.camera.eye;
         let degrees = (-along.dot(basis.u)).atan2(along.dot(basis.v)).to_degrees();
         let per = 180.0 / (PI * grasp.length);
@@ -285,8 +285,8 @@ impl Pull<'_> {
 
     /// The camera moved along w by as much as the tip of w is.
     fn dolly(&self, tip: DVec3) -> Result<Camera, String> {
-        let Start { before: Part { camera, .. }, posed, at, .. } = self.start;
-        let w = posed.as_ref().ok_or("the camera has no basis")?.basis().w;
+        let Start { before: Part { camera, .. }, resolved, at, .. } = self.start;
+        let w = resolved.as_ref().ok_or("the camera has no basis")?.basis().w;
         let back = self.number((tip - *at).dot(w), 1.0)?;
         let reach = camera.pivot().map_err(|e| e.to_string())?.distance(camera.eye);
         let forward = match camera.orientation {
@@ -307,8 +307,8 @@ impl Pull<'_> {
         let (ratio, viewport) = match camera.with_viewport_corner(corner, point, self.how.corner) {
             Ok(moved) => (moved.viewport.width / moved.viewport.height, moved.viewport),
             Err(SteerError::Camera(_)) => {
-                let posed = self.start.posed.ok_or("the camera has no basis")?;
-                let size = 2.0 * corner.signs() * posed.project(point).uv;
+                let resolved = self.start.resolved.ok_or("the camera has no basis")?;
+                let size = 2.0 * corner.signs() * resolved.project(point).uv;
                 let fallen = Viewport { width: size.x, height: size.y, ..camera.viewport };
                 (f64::NAN, fallen)
             }
@@ -330,7 +330,7 @@ impl Pull<'_> {
         let distance = match camera.with_viewport_through(point, DistanceKeeps::Size) {
             Ok(moved) => moved.viewport.distance,
             Err(_) => {
-                let w = self.start.posed.ok_or("the camera has no basis")?.basis().w;
+                let w = self.start.resolved.ok_or("the camera has no basis")?.basis().w;
                 (camera.eye - point).dot(w)
             }
         };
@@ -345,10 +345,10 @@ impl Pull<'_> {
 
     /// The pixel that is nearest to a point of the viewport.
     fn pixel(&self, point: DVec3) -> Part {
-        let Start { before, posed, .. } = self.start;
-        let place = posed.as_ref().and_then(|posed| {
-            let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
-            posed.pixel_of_uv(posed.project(point).uv.clamp(-half, half))
+        let Start { before, resolved, .. } = self.start;
+        let place = resolved.as_ref().and_then(|resolved| {
+            let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
+            resolved.pixel_of_uv(resolved.project(point).uv.clamp(-half, half))
         });
         match place {
             Some(place) => {

@@ -18,7 +18,7 @@ mod tests;
 use std::fmt;
 
 use pinhole_core::lecture::{ObjectDerivation, RayDerivation};
-use pinhole_core::{ExactRay, PosedCamera, Scene};
+use pinhole_core::{ExactRay, ResolvedCamera, Scene};
 
 use self::numbers::Numbers;
 use crate::derive::Fault;
@@ -131,7 +131,7 @@ pub struct Sources<'a> {
     /// The document.
     pub document: &'a Document,
     /// The camera with its basis.
-    pub posed: Option<&'a PosedCamera>,
+    pub resolved: Option<&'a ResolvedCamera>,
     /// The scene, if every object is one.
     pub scene: Option<&'a Scene>,
     /// The selected ray.
@@ -159,13 +159,13 @@ pub fn ledger(of: &Sources) -> Ledger {
     if of.sections.shows(LedgerSection::Basis) {
         add(LedgerSection::Basis, basis::lines(&of.document.camera, numbers));
     }
-    let exact = of.posed.and_then(|posed| exact_ray(posed, of.selection));
+    let exact = of.resolved.and_then(|resolved| exact_ray(resolved, of.selection));
     let derived =
-        exact.as_ref().and_then(|(_, derived)| Some((of.posed?, derived, of.inspection?)));
+        exact.as_ref().and_then(|(_, derived)| Some((of.resolved?, derived, of.inspection?)));
     if of.sections.shows(LedgerSection::PixelToRay) {
         let lines = match (derived, of.fault) {
-            (Some((posed, derived, inspection)), _) => {
-                ray::lines(posed, derived, inspection, numbers)
+            (Some((resolved, derived, inspection)), _) => {
+                ray::lines(resolved, derived, inspection, numbers)
             }
             (None, Some(fault)) => vec![fault_line(&fault)],
             (None, None) => Vec::new(),
@@ -187,13 +187,16 @@ pub fn ledger(of: &Sources) -> Ledger {
 }
 
 /// The selected ray, and how it comes about.
-fn exact_ray(posed: &PosedCamera, selection: Selection) -> Option<(ExactRay<'_>, RayDerivation)> {
-    let selection = selection.inside(posed.image());
+fn exact_ray(
+    resolved: &ResolvedCamera,
+    selection: Selection,
+) -> Option<(ExactRay<'_>, RayDerivation)> {
+    let selection = selection.inside(resolved.image());
     let derived = match selection {
-        Selection::Pixel(pixel) => RayDerivation::of_pixel(posed, pixel),
-        Selection::Uv(uv) => RayDerivation::of_uv(posed, uv).ok()?,
+        Selection::Pixel(pixel) => RayDerivation::of_pixel(resolved, pixel),
+        Selection::Uv(uv) => RayDerivation::of_uv(resolved, uv).ok()?,
     };
-    Some((selection.exact_ray(posed).ok()?, derived))
+    Some((selection.exact_ray(resolved).ok()?, derived))
 }
 
 fn fault_line(fault: &Fault) -> Line {

@@ -1,7 +1,7 @@
 //! From a pixel, or a place (u, v), to its view ray.
 
 use pinhole_core::lecture::{PixelShares, RayDerivation};
-use pinhole_core::{PixelOfUv, PosedCamera};
+use pinhole_core::{PixelOfUv, ResolvedCamera};
 
 use super::Line;
 use super::names::{D, DISTANCE, P, T, U, V, W, equation, joined, minus};
@@ -13,16 +13,16 @@ use crate::inspection::Inspection;
 use crate::thing::Thing;
 
 pub(super) fn lines(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     ray: &RayDerivation,
     inspection: &Inspection,
     numbers: Numbers,
 ) -> Vec<Line> {
     let mut lines = match &ray.shares {
-        Some(shares) => of_pixel(posed, shares, ray, numbers),
-        None => vec![of_uv(posed, ray, inspection, numbers)],
+        Some(shares) => of_pixel(resolved, shares, ray, numbers),
+        None => vec![of_uv(resolved, ray, inspection, numbers)],
     };
-    let (viewport, basis) = (posed.viewport(), posed.basis());
+    let (viewport, basis) = (resolved.viewport(), resolved.basis());
     let distance = negative(DISTANCE);
     let minus_distance = -viewport.distance;
     let parts = [
@@ -61,7 +61,7 @@ pub(super) fn along(p: Formula, t: Formula, d: Formula) -> Formula {
 
 /// Where u and v come from: the shares of the image's width and height.
 fn of_pixel(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     shares: &PixelShares,
     ray: &RayDerivation,
     numbers: Numbers,
@@ -75,7 +75,7 @@ fn of_pixel(
     // To the pixel's centre: forward from its edge, or back from the next one's.
     let sign = if numbers.from_one { Operator::Minus } else { Operator::Plus };
     let share = |k: Formula, count: Formula| fraction(joined(k, sign, half()), count);
-    let (viewport, image) = (posed.viewport(), posed.image());
+    let (viewport, image) = (resolved.viewport(), resolved.image());
     let across = |k, count| parentheses(minus(share(k, count), half()));
     let down = |k, count| parentheses(minus(half(), share(k, count)));
     let whole = |n: u32| number(&n.to_string());
@@ -110,7 +110,7 @@ fn of_pixel(
 
 /// A place that is given, and what it is in the image.
 fn of_uv(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     ray: &RayDerivation,
     inspection: &Inspection,
     numbers: Numbers,
@@ -119,7 +119,7 @@ fn of_uv(
     let values = tuple([numbers.scalar(ray.uv.x), numbers.scalar(ray.uv.y)]);
     let note = match inspection.place {
         None => "outside the image".to_owned(),
-        Some(place) if place.touching(posed.image()).len() == 4 => {
+        Some(place) if place.touching(resolved.image()).len() == 4 => {
             "the corner of four pixels, no pixel's centre".to_owned()
         }
         Some(PixelOfUv { column_edge: None, row_edge: None, pixel }) => {

@@ -10,21 +10,21 @@ fn document(scene: &str) -> Document {
 }
 
 fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Ledger {
-    let posed = document.camera.posed();
+    let resolved = document.camera.resolve();
     let scene = document.scene();
     let inspection =
-        posed.as_ref().ok().zip(scene.as_ref().ok()).map(|(posed, scene)| match selection {
-            Selection::Pixel(pixel) => Inspection::of_pixel(posed, scene, pixel),
-            Selection::Uv(uv) => Inspection::of_uv(posed, scene, uv),
+        resolved.as_ref().ok().zip(scene.as_ref().ok()).map(|(resolved, scene)| match selection {
+            Selection::Pixel(pixel) => Inspection::of_pixel(resolved, scene, pixel),
+            Selection::Uv(uv) => Inspection::of_uv(resolved, scene, uv),
         });
-    let fault = match (&posed, &scene) {
+    let fault = match (&resolved, &scene) {
         (Err(e), _) => Some(Fault::Camera(*e)),
         (_, Err(e)) => Some(Fault::Scene(*e)),
         _ => None,
     };
     ledger(&Sources {
         document,
-        posed: posed.as_ref().ok(),
+        resolved: resolved.as_ref().ok(),
         scene: scene.as_ref().ok(),
         inspection: inspection.as_ref(),
         fault,

@@ -3,7 +3,7 @@
 use egui::Color32;
 use pinhole_core::lecture::mistakes::{Checked, Mistake, NoWrongCamera, WrongCamera, WrongPicture};
 use pinhole_core::{
-    Camera, CameraError, Outputs, PosedCamera, Raster, Rgb, Scene, Shade, trace_as,
+    Camera, CameraError, Outputs, Raster, ResolvedCamera, Rgb, Scene, Shade, trace_as,
 };
 
 /// What the mistakes view shows. A lesson's step sets it.
@@ -76,9 +76,9 @@ const SAMPLES: u32 = 72;
 const SHOWS_FROM: usize = 100;
 
 /// The mistakes that one sees in the picture of this camera.
-pub fn visible(camera: &Camera, posed: &PosedCamera, scene: &Scene) -> Vec<Mistake> {
+pub fn visible(camera: &Camera, resolved: &ResolvedCamera, scene: &Scene) -> Vec<Mistake> {
     let raster = Raster::shown_on(camera.image, SAMPLES, SAMPLES);
-    let right = right_objects(posed, scene, &raster);
+    let right = right_objects(resolved, scene, &raster);
     let shows = |mistake: &Mistake| {
         let wrong = WrongCamera::new(camera, *mistake).ok();
         let picture = wrong.and_then(|wrong| WrongPicture::trace(scene, &wrong, &raster).ok());
@@ -87,9 +87,9 @@ pub fn visible(camera: &Camera, posed: &PosedCamera, scene: &Scene) -> Vec<Mista
     Mistake::ALL.iter().copied().filter(shows).collect()
 }
 
-fn right_objects(posed: &PosedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
+fn right_objects(resolved: &ResolvedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {
     let outputs = Outputs { object: true, ..Outputs::NONE };
-    trace_as::<f32>(scene, posed, raster, outputs).object
+    trace_as::<f32>(scene, resolved, raster, outputs).object
 }
 
 /// A wrong camera, next to the right one.
@@ -122,7 +122,7 @@ impl Wrong {
     /// The wrong camera with its numbers, and its picture, if it has one.
     pub fn new(
         camera: &Camera,
-        posed: &PosedCamera,
+        resolved: &ResolvedCamera,
         scene: &Scene,
         mistake: Mistake,
         raster: &Raster,
@@ -140,7 +140,7 @@ impl Wrong {
         wrong.checks = camera.checks();
         match WrongPicture::trace(scene, camera, raster) {
             Ok(picture) => {
-                let right = right_objects(posed, scene, raster);
+                let right = right_objects(resolved, scene, raster);
                 let differing = picture.differing(&right);
                 wrong.seen = Some(Seen { pixels: right.len(), differing });
                 let to_pixel = |[r, g, b]: Rgb| Color32::from_rgb(r, g, b);
@@ -171,7 +171,7 @@ mod tests {
     fn riddles_are_of_what_shows_and_never_twice_the_same() {
         let document = builtin::find("look-at").expect("built in").load().expect("a scene");
         let (camera, scene) = (document.camera, document.scene().expect("a scene"));
-        let visible = visible(&camera, &camera.posed().expect("a camera"), &scene);
+        let visible = visible(&camera, &camera.resolve().expect("a camera"), &scene);
         assert!(visible.contains(&Mistake::WAsPrinted) && visible.contains(&Mistake::VIsUCrossW));
         // Half a pixel of 400, and a distance of 1.
         assert!(!visible.contains(&Mistake::PixelCorner), "{visible:?}");

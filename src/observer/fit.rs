@@ -1,7 +1,7 @@
 //! Where an observer must stand to have all that matters in sight.
 
 use pinhole_core::{
-    Camera, DVec2, DVec3, ExactRay, Object, Orientation, PosedCamera, Ray, Root, Scene,
+    Camera, DVec2, DVec3, ExactRay, Object, Orientation, Ray, ResolvedCamera, Root, Scene,
     extent_of_fov,
 };
 
@@ -127,7 +127,8 @@ impl Observer {
         let back = self.back();
         let (right, up) = self.right_and_up();
         let slope = 0.5 * extent_of_fov(FOV, 1.0) * (1.0 - 0.5 * MARGIN);
-        let corners = camera.posed().map_or(Vec::new(), |posed| frustum_part(&posed, 1.0).into());
+        let corners =
+            camera.resolve().map_or(Vec::new(), |resolved| frustum_part(&resolved, 1.0).into());
         let points = corners.iter().map(|ball: &Ball| ball.center).chain([camera.eye]);
         let distances = points.map(|point| {
             let q = point - self.target();
@@ -148,12 +149,12 @@ impl Subject {
         let mut balls = Vec::new();
         let mut walls = Vec::new();
         let (mut near_size, mut back, mut right) = (1.0, DVec3::Z, DVec3::X);
-        if let Ok(posed) = camera.posed() {
-            (back, right) = (posed.basis().w, posed.basis().u);
-            let viewport = posed.viewport();
+        if let Ok(resolved) = camera.resolve() {
+            (back, right) = (resolved.basis().w, resolved.basis().u);
+            let viewport = resolved.viewport();
             let size = viewport.width.max(viewport.height).max(viewport.distance);
             near_size = size.clamp(1e-9, 1e12);
-            balls.extend(frustum_part(&posed, 1.0));
+            balls.extend(frustum_part(&resolved, 1.0));
         }
         let given = match camera.orientation {
             Orientation::At { at, .. } => Some(at),
@@ -162,10 +163,10 @@ impl Subject {
         balls.extend(given.map(|at| Ball { center: at, radius: 0.0 }));
         let spheres = spheres_in_scale(scene, eye, near_size);
         let farthest = spheres.iter().map(|ball| ball.center.distance(eye)).fold(0.0, f64::max);
-        if let Ok(posed) = camera.posed() {
-            let t = (FRUSTUM_PART * farthest / posed.viewport().distance).min(LONGEST_FRUSTUM);
-            balls.extend(frustum_part(&posed, t));
-            walls = walls_seen(&posed, scene, 2.0 * farthest.max(10.0 * near_size));
+        if let Ok(resolved) = camera.resolve() {
+            let t = (FRUSTUM_PART * farthest / resolved.viewport().distance).min(LONGEST_FRUSTUM);
+            balls.extend(frustum_part(&resolved, t));
+            walls = walls_seen(&resolved, scene, 2.0 * farthest.max(10.0 * near_size));
             balls.extend(walls.iter().map(|hit| Ball { center: hit.point, radius: 0.0 }));
         }
         let arrows = ARROWS.max((ARROWS_FROM_AFAR * farthest / near_size).min(LONGEST_ARROWS));
@@ -232,27 +233,27 @@ impl Subject {
 }
 
 /// The points of the frustum's edges at this t.
-fn frustum_part(posed: &PosedCamera, t: f64) -> [Ball; 4] {
-    rays_around(posed, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
+fn frustum_part(resolved: &ResolvedCamera, t: f64) -> [Ball; 4] {
+    rays_around(resolved, 1.0).map(|ray| Ball { center: ray.at(t), radius: 0.0 })
 }
 
 /// Where the rays half way to the corners meet planes, if not too far away.
-fn walls_seen(posed: &PosedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
+fn walls_seen(resolved: &ResolvedCamera, scene: &Scene, farthest: f64) -> Vec<Root> {
     let first_wall = |ray: &Ray| {
         let planes = (0..).zip(scene.planes()).take(ASKED_PLANES);
         let hits = planes.filter_map(|(index, plane)| {
-            Object::Plane(*plane).first_hit(index, &ExactRay::of(ray).ok()?)
+            Object::Plane(*plane).first_hit(index, &ExactRay::from_ray(ray).ok()?)
         });
         hits.min_by(|a, b| a.t.total_cmp(&b.t)).filter(|hit| ray.distance_along(hit.t) < farthest)
     };
-    rays_around(posed, 0.5).iter().filter_map(first_wall).collect()
+    rays_around(resolved, 0.5).iter().filter_map(first_wall).collect()
 }
 
 /// The rays through the viewport, a share of the way from its middle to its corners.
-fn rays_around(posed: &PosedCamera, share: f64) -> [Ray; 4] {
-    let half = 0.5 * share * DVec2::new(posed.viewport().width, posed.viewport().height);
+fn rays_around(resolved: &ResolvedCamera, share: f64) -> [Ray; 4] {
+    let half = 0.5 * share * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)]
-        .map(|(x, y)| posed.ray(half * DVec2::new(x, y)))
+        .map(|(x, y)| resolved.ray(half * DVec2::new(x, y)))
 }
 
 /// The spheres from the smallest on, until one is out of scale with those before it.

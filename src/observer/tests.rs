@@ -2,18 +2,18 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, PosedCamera, Scene, Sphere};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, Plane, ResolvedCamera, Scene, Sphere};
 use proptest::prelude::*;
 
 use super::*;
 
-fn posed(observer: &Observer) -> PosedCamera {
-    observer.camera(400, 300).posed().expect("observers have a basis")
+fn resolve(observer: &Observer) -> ResolvedCamera {
+    observer.camera(400, 300).resolve().expect("observers have a basis")
 }
 
 /// Where a point is seen: from -1 to 1 across the picture, and likewise upwards.
 fn seen_at(observer: &Observer, point: DVec3) -> DVec2 {
-    let camera = posed(observer);
+    let camera = resolve(observer);
     let projection = camera.project(point);
     assert!(projection.is_in_front(), "{point} is behind {observer:?}");
     projection.uv / (0.5 * DVec2::new(camera.viewport().width, camera.viewport().height))
@@ -33,7 +33,7 @@ fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
 
 /// The points that belong in sight.
 fn must_be_seen(camera: &Camera, spheres: &[Sphere]) -> Vec<DVec3> {
-    let own = camera.posed().expect("a camera");
+    let own = camera.resolve().expect("a camera");
     let half = 0.5 * DVec2::new(own.viewport().width, own.viewport().height);
     let corners = [DVec2::ONE, DVec2::NEG_ONE, DVec2::new(1.0, -1.0), DVec2::new(-1.0, 1.0)];
     let mut points: Vec<DVec3> = corners.map(|c| own.viewport_point(half * c)).to_vec();
@@ -92,7 +92,7 @@ fn the_camera_is_never_lost_from_afar() {
         let camera = looking(DVec3::ZERO, DVec3::new(0.0, 0.0, -far));
         let scene = Scene::new(vec![ball(0.0, 0.0, -far, 1.0)], vec![]).expect("a scene");
         let observer = Observer::frame_all(&camera, &scene, 1.25);
-        let own = camera.posed().expect("a camera");
+        let own = camera.resolve().expect("a camera");
         let top = seen_at(&observer, own.viewport_point(DVec2::new(0.0, 0.5)));
         let bottom = seen_at(&observer, own.viewport_point(DVec2::new(0.0, -0.5)));
         // In a picture 2 high.
@@ -123,7 +123,7 @@ fn every_scale_is_framed_alike() {
 #[test]
 fn azimuth_and_elevation() {
     let eye = |azimuth, elevation| {
-        posed(&Observer::new(DVec3::new(1.0, 2.0, 3.0), azimuth, elevation, 4.0)).eye()
+        resolve(&Observer::new(DVec3::new(1.0, 2.0, 3.0), azimuth, elevation, 4.0)).eye()
     };
     assert!(eye(0.0, 0.0).distance(DVec3::new(1.0, 2.0, 7.0)) < 1e-12);
     assert!(eye(FRAC_PI_2, 0.0).distance(DVec3::new(5.0, 2.0, 3.0)) < 1e-12);
@@ -158,12 +158,12 @@ fn zooming_in_brings_the_target_nearer() {
 fn stored_nonsense_is_brought_into_range() {
     let stored = r#"{"target": [1e300, 0, 0], "azimuth": 1e300, "elevation": 9, "distance": -1}"#;
     let mut observer: Observer = serde_json::from_str(stored).expect("an observer");
-    posed(&observer);
+    resolve(&observer);
     observer.target[1] = f64::NAN;
     observer.distance = f64::NAN;
-    posed(&observer);
+    resolve(&observer);
     observer.orbit(f64::INFINITY, f64::NAN);
-    posed(&observer);
+    resolve(&observer);
 }
 
 #[test]
@@ -194,11 +194,11 @@ proptest! {
         moves in prop::array::uniform5(-1e3..1e3f64),
     ) {
         let mut observer = Observer::new(target.into(), angles[0], angles[1], distance);
-        posed(&observer);
+        resolve(&observer);
         observer.orbit(moves[0], moves[1]);
         observer.pan(moves[2], moves[3]);
         observer.zoom(moves[4]);
-        posed(&observer);
+        resolve(&observer);
     }
 }
 
@@ -213,7 +213,7 @@ fn a_camera_is_framed_from_the_side_that_it_was_seen_from() {
     for (azimuth, elevation) in [(0.3, 0.2), (-2.0, 0.9), (3.0, -0.4)] {
         let before = Observer::new(DVec3::new(5.0, 0.0, 0.0), azimuth, elevation, 400.0);
         let framed = before.framing_camera(&camera, 4.0 / 3.0);
-        let [old, new] = [before, framed].map(|observer| posed(&observer).basis().w);
+        let [old, new] = [before, framed].map(|observer| resolve(&observer).basis().w);
         assert!(old.distance(new) < 1e-12);
         for point in own_points(&camera) {
             assert!(is_in_sight(&framed, point), "{point} by {framed:?}");
@@ -235,7 +235,7 @@ fn the_observer_steps_back_as_far_as_a_way_needs() {
     let before = Observer::frame_all(&camera, &Scene::default(), 4.0 / 3.0);
     let is_lost = |observer: &Observer| {
         let points = way.iter().flat_map(own_points);
-        let behind = |point: &DVec3| !posed(observer).project(*point).is_in_front();
+        let behind = |point: &DVec3| !resolve(observer).project(*point).is_in_front();
         points.into_iter().any(|point| behind(&point) || !is_in_sight(observer, point))
     };
     let after = before.following(&camera, &way, 4.0 / 3.0);

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use egui::Color32;
-use pinhole_core::{DVec2, DVec3, Orientation, Pixel, PosedCamera};
+use pinhole_core::{DVec2, DVec3, Orientation, Pixel, ResolvedCamera};
 
 use crate::inspection::Inspection;
 use crate::number::written;
@@ -42,17 +42,17 @@ impl Sketch<'_> {
         let usual = self.length_of_points(eye, ARROW_POINTS);
         let arrow = view.handles.arrow.unwrap_or(usual);
         self.axes();
-        if let Some(posed) = view.posed {
-            self.frustum(posed, view);
-            self.outline(posed);
-            self.marks(posed);
+        if let Some(resolved) = view.resolved {
+            self.frustum(resolved, view);
+            self.outline(resolved);
+            self.marks(resolved);
             if let Some(inspection) = view.inspection {
-                self.selected(posed, inspection, view);
+                self.selected(resolved, inspection, view);
             }
         }
         self.given(view, arrow);
-        if let Some(posed) = view.posed {
-            self.basis(posed, arrow);
+        if let Some(resolved) = view.resolved {
+            self.basis(resolved, arrow);
         }
         self.eye_and_at(view);
     }
@@ -88,12 +88,12 @@ impl Sketch<'_> {
     }
 
     /// Edges from the eye through the viewport's corners to the nearest plane, or past the spheres.
-    fn frustum(&mut self, posed: &PosedCamera, view: &WorldView) {
+    fn frustum(&mut self, resolved: &ResolvedCamera, view: &WorldView) {
         let ink = self.colors.ink;
         let near = Pen::new(Item::Frustum, ink, 1.8);
         let far = Pen::new(Item::Frustum, ink.gamma_multiply(0.55), 1.3).without_halo();
-        let reach = reach(posed, view);
-        let rays = corners(posed).map(|uv| posed.ray(uv));
+        let reach = reach(resolved, view);
+        let rays = corners(resolved).map(|uv| resolved.ray(uv));
         let ends = rays.map(|ray| {
             let planes = view.scene.planes().iter().take(64);
             let hits = planes.filter_map(|plane| plane.roots(&ray).first_positive());
@@ -111,20 +111,20 @@ impl Sketch<'_> {
         }
     }
 
-    fn outline(&mut self, posed: &PosedCamera) {
+    fn outline(&mut self, resolved: &ResolvedCamera) {
         let pen = Pen::new(Item::Viewport, self.colors.ink, 2.2).of(Thing::Viewport).on_viewport();
-        let corners = corners(posed).map(|uv| posed.viewport_point(uv));
+        let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
         for k in 0..4 {
             self.line(corners[k], corners[(k + 1) % 4], pen);
         }
     }
 
     /// A thick top edge with a triangle on it, and a triangle in the corner of pixel (0, 0).
-    fn marks(&mut self, posed: &PosedCamera) {
-        let viewport = posed.viewport();
+    fn marks(&mut self, resolved: &ResolvedCamera) {
+        let viewport = resolved.viewport();
         let (w, h) = (viewport.width, viewport.height);
         let side = w.min(h);
-        let Some(dots) = self.screen.dots_per_unit(posed.viewport_point(DVec2::ZERO)) else {
+        let Some(dots) = self.screen.dots_per_unit(resolved.viewport_point(DVec2::ZERO)) else {
             return;
         };
         let points = dots * side / self.scale();
@@ -134,7 +134,7 @@ impl Sketch<'_> {
         }
         let color = self.colors.mark;
         let pen = Pen::new(Item::Marks, color, 3.4).on_viewport();
-        let at = |u: f64, v: f64| posed.viewport_point(DVec2::new(u, v));
+        let at = |u: f64, v: f64| resolved.viewport_point(DVec2::new(u, v));
         self.line(at(-0.5 * w, 0.5 * h), at(0.5 * w, 0.5 * h), pen.without_halo());
         let tip = 0.5 * h + 1.1 * size;
         self.polygon(&[at(-0.7 * size, 0.5 * h), at(0.7 * size, 0.5 * h), at(0.0, tip)], pen);
@@ -143,7 +143,7 @@ impl Sketch<'_> {
         self.polygon(&corner, pen.without_halo());
         let font = (color, MARK_TEXT, false);
         let place =
-            |s: &Self, uv: DVec2| s.screen.spot(posed.viewport_point(uv)).map(|spot| spot.at);
+            |s: &Self, uv: DVec2| s.screen.spot(resolved.viewport_point(uv)).map(|spot| spot.at);
         let center = place(self, DVec2::ZERO);
         let named = [("top", DVec2::new(0.0, tip)), ("(0, 0)", DVec2::new(-0.5 * w, 0.5 * h))];
         for (text, uv) in named {
@@ -156,13 +156,13 @@ impl Sketch<'_> {
     }
 
     /// The selected pixel on the viewport, its ray, the hit and the normal there.
-    fn selected(&mut self, posed: &PosedCamera, inspection: &Inspection, view: &WorldView) {
+    fn selected(&mut self, resolved: &ResolvedCamera, inspection: &Inspection, view: &WorldView) {
         let far = view.observer.distance();
         let ray = &inspection.ray;
         let color = self.colors.ray;
-        let touched = inspection.place.map(|place| place.touching(posed.image()));
+        let touched = inspection.place.map(|place| place.touching(resolved.image()));
         for pixel in touched.into_iter().flatten() {
-            self.pixel(posed, pixel);
+            self.pixel(resolved, pixel);
         }
         let pen = Pen::new(Item::Ray, color, 2.8).of(Thing::Ray);
         let hit = inspection.first_hit();
@@ -210,11 +210,11 @@ impl Sketch<'_> {
     }
 
     /// A pixel's cell, framed, on the viewport.
-    pub(crate) fn pixel(&mut self, posed: &PosedCamera, Pixel { row, column }: Pixel) {
-        let u = [posed.u_of_column_edge(column), posed.u_of_column_edge(column + 1)];
-        let v = [posed.v_of_row_edge(row), posed.v_of_row_edge(row + 1)];
+    pub(crate) fn pixel(&mut self, resolved: &ResolvedCamera, Pixel { row, column }: Pixel) {
+        let u = [resolved.u_of_column_edge(column), resolved.u_of_column_edge(column + 1)];
+        let v = [resolved.v_of_row_edge(row), resolved.v_of_row_edge(row + 1)];
         let corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
-            .map(|(i, j)| posed.viewport_point(DVec2::new(u[i], v[j])));
+            .map(|(i, j)| resolved.viewport_point(DVec2::new(u[i], v[j])));
         let pen = Pen::new(Item::Ray, self.colors.ray, 2.2).of(Thing::Pixel).on_viewport();
         for k in 0..4 {
             self.line(corners[k], corners[(k + 1) % 4], pen.without_halo());
@@ -242,8 +242,8 @@ impl Sketch<'_> {
         }
     }
 
-    fn basis(&mut self, posed: &PosedCamera, arrow: f64) {
-        let (eye, basis) = (posed.eye(), posed.basis());
+    fn basis(&mut self, resolved: &ResolvedCamera, arrow: f64) {
+        let (eye, basis) = (resolved.eye(), resolved.basis());
         let arrows = [
             ("u", basis.u, Head::Filled, Thing::U),
             ("v", basis.v, Head::Open, Thing::V),
@@ -275,19 +275,19 @@ impl Sketch<'_> {
 }
 
 /// (u, v) of the viewport's corners, from pixel (0, 0) clockwise in the image.
-pub(crate) fn corners(posed: &PosedCamera) -> [DVec2; 4] {
-    let half = 0.5 * DVec2::new(posed.viewport().width, posed.viewport().height);
+pub(crate) fn corners(resolved: &ResolvedCamera) -> [DVec2; 4] {
+    let half = 0.5 * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, y)| half * DVec2::new(x, y))
 }
 
 /// To which t of the corner rays the frustum is drawn: past every sphere of ordinary size.
-fn reach(posed: &PosedCamera, view: &WorldView) -> f64 {
+fn reach(resolved: &ResolvedCamera, view: &WorldView) -> f64 {
     const ASKED_SPHERES: usize = 1024;
     const LEAST: f64 = 2.2;
-    let distance = posed.viewport().distance;
+    let distance = resolved.viewport().distance;
     let limit = 8.0 * view.observer.distance() / distance;
     let far_sides = view.scene.spheres().iter().take(ASKED_SPHERES).filter_map(|sphere| {
-        let depth = posed.project(sphere.center).depth;
+        let depth = resolved.project(sphere.center).depth;
         (sphere.radius < depth).then_some((depth + sphere.radius) / distance)
     });
     let planes = if view.scene.planes().is_empty() { 1.0 } else { 1.2 };

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use egui::Color32;
-use pinhole_core::{DVec2, ImageSize, Pixel, PosedCamera};
+use pinhole_core::{DVec2, ImageSize, Pixel, ResolvedCamera};
 
 use crate::inspection::Inspection;
 use crate::overlay::camera_in_space::MARK_TEXT;
@@ -22,7 +22,7 @@ use crate::thing::Thing;
 #[derive(Clone, Copy, Debug)]
 pub struct CameraView<'a> {
     /// The edited camera.
-    pub posed: &'a PosedCamera,
+    pub resolved: &'a ResolvedCamera,
     /// What it sees.
     pub picture: &'a Picture,
     /// The selected ray.
@@ -66,19 +66,19 @@ pub fn camera_apart(view: &CameraView, dots: &mut [Color32]) -> Drawing {
 }
 
 /// The (u, v) at a place of the camera view, in dots; also beside the picture.
-pub fn camera_uv_at(posed: &PosedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
+pub fn camera_uv_at(resolved: &ResolvedCamera, size: [usize; 2], position: [f32; 2]) -> DVec2 {
     let share = |k: usize| f64::from(position[k]) / size[k].max(1) as f64;
-    let viewport = posed.viewport();
+    let viewport = resolved.viewport();
     DVec2::new(viewport.width * (share(0) - 0.5), viewport.height * (0.5 - share(1)))
 }
 
 /// Where in the camera view, in dots, a (u, v) is: the inverse of [`camera_uv_at`].
-pub fn camera_position_of_uv(posed: &PosedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
-    dot(place_of(posed, size, uv))
+pub fn camera_position_of_uv(resolved: &ResolvedCamera, size: [usize; 2], uv: DVec2) -> [f32; 2] {
+    dot(place_of(resolved, size, uv))
 }
 
-pub(super) fn place_of(posed: &PosedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
-    let viewport = posed.viewport();
+pub(super) fn place_of(resolved: &ResolvedCamera, [width, height]: [usize; 2], uv: DVec2) -> DVec2 {
+    let viewport = resolved.viewport();
     DVec2::new(
         width as f64 * (0.5 + uv.x / viewport.width),
         height as f64 * (0.5 - uv.y / viewport.height),
@@ -92,7 +92,7 @@ impl CameraView<'_> {
 
     /// Dots per pixel, across and down.
     pub(super) fn dots_per_pixel(&self) -> DVec2 {
-        let image = self.posed.image();
+        let image = self.resolved.image();
         self.extent() / DVec2::new(image.width().into(), image.height().into())
     }
 
@@ -104,7 +104,7 @@ impl CameraView<'_> {
     fn paint_grid(&self, dots: &mut [Color32]) {
         let [width, height] = self.size;
         let line = (self.scale.round() as usize).max(1);
-        let image: ImageSize = self.posed.image();
+        let image: ImageSize = self.resolved.image();
         let (columns, rows) =
             (edges(image.width(), width, line), edges(image.height(), height, line));
         let behind = self.style.colors().background;
@@ -244,13 +244,14 @@ impl Sheet<'_> {
         let pen = Pen::new(Item::Ray, self.colors.ray, 1.8).of(Thing::Pixel);
         let frame = Pen { width: 2.2, ..pen };
         let scale = f64::from(self.view.scale);
-        let posed = self.view.posed;
-        let at = place_of(posed, self.view.size, inspection.uv);
+        let resolved = self.view.resolved;
+        let at = place_of(resolved, self.view.size, inspection.uv);
         let pixel_size = self.view.dots_per_pixel().min_element() / scale;
-        let touched = inspection.place.map(|place| place.touching(posed.image()));
+        let touched = inspection.place.map(|place| place.touching(resolved.image()));
         let touched = touched.unwrap_or_default();
         let centered = touched.len() == 1
-            && place_of(posed, self.view.size, posed.uv_of_pixel(touched[0])).distance(at) < 0.01;
+            && place_of(resolved, self.view.size, resolved.uv_of_pixel(touched[0])).distance(at)
+                < 0.01;
         if pixel_size >= 5.0 {
             touched.iter().for_each(|pixel| self.pixel(*pixel, frame));
         } else if !touched.is_empty() {

@@ -1,7 +1,7 @@
 //! The ghost in the world view: its eye, basis, frustum and viewport, all dashed, with a prime at
 //! each name.
 
-use pinhole_core::{DVec2, PosedCamera};
+use pinhole_core::{DVec2, ResolvedCamera};
 
 use crate::overlay::camera_in_space::{ARROW_POINTS, POINT_TEXT, VECTOR_TEXT, corners};
 use crate::overlay::items::Item;
@@ -12,7 +12,7 @@ const FRUSTUM: f64 = 2.2;
 
 impl Sketch<'_> {
     /// Below all that belongs to the camera at hand.
-    pub(crate) fn ghost(&mut self, ghost: &PosedCamera) {
+    pub(crate) fn ghost(&mut self, ghost: &ResolvedCamera) {
         let (eye, basis) = (ghost.eye(), ghost.basis());
         let ink = self.colors.ink;
         let edge = Pen::new(Item::Frustum, ink, 1.8).dashed();

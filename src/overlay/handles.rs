@@ -1,7 +1,7 @@
 //! Handles over all else, always of one size on the screen: what is pointed at and what is held are
 //! larger and have another middle, and show along what they go.
 
-use pinhole_core::{DVec2, DVec3, PosedCamera};
+use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use crate::overlay::camera_in_space::{ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, VECTOR_TEXT};
 use crate::overlay::drawing::{Mark, Shape, dot};
@@ -92,21 +92,21 @@ const LARGE: f64 = 10.0;
 const RIM: f64 = 2.4;
 
 /// The length in the world of what is so many points long at a place; 0 where it is not seen.
-pub fn length_of_points(observer: &PosedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
+pub fn length_of_points(observer: &ResolvedCamera, at: DVec3, points: f64, scale: f32) -> f64 {
     of_points(observer, at, (points, points), scale)
 }
 
 /// The length in the world of the arrows at a camera's eye, as the world view draws them.
-pub fn arrow_length(observer: &PosedCamera, eye: DVec3, scale: f32) -> f64 {
+pub fn arrow_length(observer: &ResolvedCamera, eye: DVec3, scale: f32) -> f64 {
     of_points(observer, eye, ARROW_POINTS, scale)
 }
 
 /// The length in the world of a plane's normal at its point.
-pub fn normal_length(observer: &PosedCamera, point: DVec3, scale: f32) -> f64 {
+pub fn normal_length(observer: &ResolvedCamera, point: DVec3, scale: f32) -> f64 {
     length_of_points(observer, point, NORMAL_POINTS, scale)
 }
 
-fn of_points(observer: &PosedCamera, at: DVec3, (least, most): (f64, f64), scale: f32) -> f64 {
+fn of_points(observer: &ResolvedCamera, at: DVec3, (least, most): (f64, f64), scale: f32) -> f64 {
     let screen = Screen::new(observer, at.distance(observer.eye()));
     let Some(dots) = screen.dots_per_unit(at) else { return 0.0 };
     let points = dots / f64::from(scale);

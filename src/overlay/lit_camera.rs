@@ -3,7 +3,7 @@
 use egui::Color32;
 use pinhole_core::lecture::{BasisDerivation, Cross};
 use pinhole_core::{
-    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, Pixel, PosedCamera, Raster,
+    DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, Pixel, Raster, ResolvedCamera,
     Scene, trace,
 };
 
@@ -62,7 +62,7 @@ impl Sheet<'_> {
 
     /// A direction of the world as it lies in the image; of length 1 if it is at right angles to w.
     fn in_image(&self, direction: DVec3) -> DVec2 {
-        let basis = self.view.posed.basis();
+        let basis = self.view.resolved.basis();
         DVec2::new(basis.u.dot(direction), -basis.v.dot(direction))
     }
 
@@ -131,7 +131,7 @@ impl Sheet<'_> {
         let middle = self.middle();
         let [u, v, w] = self.colors.basis;
         let given = self.colors.given;
-        let basis = *self.view.posed.basis();
+        let basis = *self.view.resolved.basis();
         let below = DVec2::new(0.6, 1.0);
         match lit.thing {
             Thing::W => self.along_view(middle, false, Self::pen(lit, w), "𝐰", below),
@@ -153,7 +153,7 @@ impl Sheet<'_> {
             }
             Thing::Distance => {
                 let text =
-                    format!("distance = {}", lit.number(self.view.posed.viewport().distance));
+                    format!("distance = {}", lit.number(self.view.resolved.viewport().distance));
                 self.along_view(middle, true, Self::pen(lit, self.colors.ink), &text, below);
             }
             _ => {}
@@ -182,8 +182,8 @@ impl Sheet<'_> {
 
     fn light_selected(&mut self, lit: Lit) {
         let Some(inspection) = self.view.inspection else { return };
-        let (posed, size) = (self.view.posed, self.view.size);
-        let at = place_of(posed, size, inspection.uv);
+        let (resolved, size) = (self.view.resolved, self.view.size);
+        let at = place_of(resolved, size, inspection.uv);
         let pen = Self::pen(lit, self.colors.ray);
         let radius = 6.0 * self.view.scale;
         let point = |s: &mut Self, text: String| {
@@ -201,7 +201,7 @@ impl Sheet<'_> {
             }
             Thing::Pixel => {
                 let per_pixel = self.view.dots_per_pixel();
-                let touched = inspection.place.map(|place| place.touching(posed.image()));
+                let touched = inspection.place.map(|place| place.touching(resolved.image()));
                 for pixel in touched.into_iter().flatten() {
                     let corner = |k: u32| {
                         DVec2::new((pixel.column + k).into(), (pixel.row + k).into()) * per_pixel
@@ -232,8 +232,8 @@ impl Sheet<'_> {
 
     /// The parts of the selected ray's direction: along w from the picture's middle, u and v in it.
     fn light_parts(&mut self, lit: Lit, uv: DVec2) {
-        let (posed, size, middle) = (self.view.posed, self.view.size, self.middle());
-        let place = |uv: DVec2| place_of(posed, size, uv);
+        let (resolved, size, middle) = (self.view.resolved, self.view.size, self.middle());
+        let place = |uv: DVec2| place_of(resolved, size, uv);
         let (at, corner) = (place(uv), place(DVec2::new(uv.x, 0.0)));
         let [w, u, v] = ALONG;
         let [color_u, color_v, color_w] = self.colors.basis;
@@ -251,11 +251,11 @@ impl Sheet<'_> {
     /// A sphere's outline.
     fn light_object(&mut self, lit: Lit, index: u32) {
         let Some(Object::Sphere(sphere)) = lit.scene.object(index) else { return };
-        let posed = self.view.posed;
-        let unit = (sphere.center - posed.eye()).length();
-        let screen = Screen::of_size(posed, self.view.extent(), unit);
+        let resolved = self.view.resolved;
+        let unit = (sphere.center - resolved.eye()).length();
+        let screen = Screen::of_size(resolved, self.view.extent(), unit);
         let pen = Pen { width: 4.0, ..Self::pen(lit, self.colors.hit) };
-        let outline = silhouette(&sphere, posed.eye()).unwrap_or_default();
+        let outline = silhouette(&sphere, resolved.eye()).unwrap_or_default();
         for pen in cased(pen, self.colors.halo) {
             for cut in outline.windows(2).filter_map(|pair| screen.line(pair[0], pair[1])) {
                 self.line(&[cut.from.at, cut.to.at], pen);
@@ -268,7 +268,7 @@ impl Sheet<'_> {
     fn light_plane(&mut self, lit: Lit, index: u32) {
         let pen = Pen::new(Item::Ray, self.colors.hit, 1.5);
         let (extent, scale) = (self.view.extent(), f64::from(self.view.scale));
-        let cells = Cells::of(self.view.posed, lit.scene, extent, CELL * scale);
+        let cells = Cells::of(self.view.resolved, lit.scene, extent, CELL * scale);
         let strokes = hatch(extent, HATCH * scale, CELL * scale, |at| cells.object_at(at) == index);
         let shown = std::mem::replace(&mut self.items, OverlayItems::ALL);
         let mut others = std::mem::take(&mut self.drawing.marks);
@@ -288,13 +288,13 @@ struct Cells {
 }
 
 impl Cells {
-    fn of(posed: &PosedCamera, scene: &Scene, extent: DVec2, cell: f64) -> Cells {
-        let image = posed.image();
+    fn of(resolved: &ResolvedCamera, scene: &Scene, extent: DVec2, cell: f64) -> Cells {
+        let image = resolved.image();
         let [columns, rows] = (extent / cell).to_array().map(|cells| cells.ceil() as u32);
         let raster = Raster::shown_on(image, columns, rows);
         let outputs = Outputs { t: false, object: true, normal: false };
         Cells {
-            frame: trace(scene, posed, &raster, outputs),
+            frame: trace(scene, resolved, &raster, outputs),
             per_pixel: extent / DVec2::new(image.width().into(), image.height().into()),
         }
     }

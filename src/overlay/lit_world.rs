@@ -2,7 +2,7 @@
 
 use egui::Color32;
 use pinhole_core::lecture::{BasisDerivation, Cross, RayDerivation};
-use pinhole_core::{DVec2, DVec3, Object, Orientation, PosedCamera};
+use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera};
 
 use crate::overlay::camera_in_space::{
     ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, UP_LENGTH, VECTOR_TEXT, VIEW_LENGTH, corners,
@@ -22,9 +22,9 @@ impl Sketch<'_> {
         let (shown, before) = (self.items, self.requests.len());
         self.items = OverlayItems::ALL;
         self.light_given(view, lit);
-        if let Some(posed) = view.posed {
-            self.light_camera(posed, lit);
-            self.light_selected(posed, view, lit);
+        if let Some(resolved) = view.resolved {
+            self.light_camera(resolved, lit);
+            self.light_selected(resolved, view, lit);
         }
         if let Thing::Object(index) = lit.thing {
             self.light_object(view, index);
@@ -154,10 +154,10 @@ impl Sketch<'_> {
     }
 
     /// What comes with the basis.
-    fn light_camera(&mut self, posed: &PosedCamera, lit: Lit) {
-        let eye = posed.eye();
+    fn light_camera(&mut self, resolved: &ResolvedCamera, lit: Lit) {
+        let eye = resolved.eye();
         let arrow = self.length_of_points(eye, ARROW_POINTS);
-        let basis = posed.basis();
+        let basis = resolved.basis();
         let vectors = [
             (Thing::U, "u", basis.u, Head::Filled),
             (Thing::V, "v", basis.v, Head::Open),
@@ -173,33 +173,33 @@ impl Sketch<'_> {
         let pen = self.lit_pen(lit, self.colors.ink);
         match lit.thing {
             Thing::Viewport => {
-                let corners = corners(posed).map(|uv| posed.viewport_point(uv));
+                let corners = corners(resolved).map(|uv| resolved.viewport_point(uv));
                 for k in 0..4 {
                     self.line(corners[k], corners[(k + 1) % 4], pen);
                 }
             }
             Thing::Distance => {
-                let text = format!("distance = {}", lit.number(posed.viewport().distance));
-                self.lit_line(eye, posed.viewport_point(DVec2::ZERO), pen, Some(text));
+                let text = format!("distance = {}", lit.number(resolved.viewport().distance));
+                self.lit_line(eye, resolved.viewport_point(DVec2::ZERO), pen, Some(text));
             }
             _ => {}
         }
     }
 
     /// What belongs to the selected ray.
-    fn light_selected(&mut self, posed: &PosedCamera, view: &WorldView, lit: Lit) {
+    fn light_selected(&mut self, resolved: &ResolvedCamera, view: &WorldView, lit: Lit) {
         let Some(inspection) = view.inspection else { return };
         let ray = &inspection.ray;
         let pen = self.lit_pen(lit, self.colors.ray);
         match lit.thing {
             Thing::Pixel => {
-                let touched = inspection.place.map(|place| place.touching(posed.image()));
-                touched.into_iter().flatten().for_each(|pixel| self.pixel(posed, pixel));
+                let touched = inspection.place.map(|place| place.touching(resolved.image()));
+                touched.into_iter().flatten().for_each(|pixel| self.pixel(resolved, pixel));
                 self.lit_point(ray.at(1.0), pen, "(𝑢, 𝑣)".to_owned());
             }
             Thing::AlongU | Thing::AlongV | Thing::AlongW => {
-                if let Ok(parts) = RayDerivation::of_uv(posed, inspection.uv) {
-                    self.light_chain(posed.eye(), &parts, pen);
+                if let Ok(parts) = RayDerivation::of_uv(resolved, inspection.uv) {
+                    self.light_chain(resolved.eye(), &parts, pen);
                 }
             }
             Thing::Direction => {

@@ -112,7 +112,7 @@ impl Sheet<'_> {
             return;
         }
         let (view, colors) = (self.view, self.colors);
-        let at = place_of(view.posed, view.size, inspection.uv);
+        let at = place_of(view.resolved, view.size, inspection.uv);
         let inset = Inset::of(view, &place, at);
         let end = inset.from + inset.size;
         let pen = |color: Color32, width: f32| Pen::new(Item::Loupe, color, width);
@@ -120,7 +120,7 @@ impl Sheet<'_> {
         self.filled(inset.from, end, pen(colors.background, 1.0));
         self.frame(inset.from, end, pen(colors.ink, 2.0));
         self.cells(&inset, loupe);
-        for pixel in place.touching(view.posed.image()) {
+        for pixel in place.touching(view.resolved.image()) {
             let corner =
                 |k: u32| inset.place(f64::from(pixel.column + k), f64::from(pixel.row + k));
             self.frame(corner(0), corner(1), pen(colors.ray, 2.5).of(Thing::Pixel));
@@ -162,7 +162,7 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
     if !view.items.shows(Item::Loupe) || !loupe.picture.is_whole() {
         return;
     }
-    let at = place_of(view.posed, view.size, inspection.uv);
+    let at = place_of(view.resolved, view.size, inspection.uv);
     let inset = Inset::of(view, &place, at);
     let (low, high) = (inset.from, inset.from + inset.size);
     drawing.labels.retain(|label| {
@@ -171,13 +171,13 @@ pub(super) fn label(view: &CameraView, drawing: &mut Drawing) {
         let apart = DVec2::new(f64::from(x), f64::from(y)) - 0.5 * (low + high);
         apart.abs().cmpgt(0.5 * (high - low) + DVec2::new(w.into(), h.into())).any()
     });
-    let touched = place.touching(view.posed.image());
+    let touched = place.touching(view.resolved.image());
     let mut texts = rows(&touched, loupe, &inset, view.scale);
     texts.extend(columns(&touched, loupe, &inset, view.scale));
     let kind = match touched.len() {
         4 => "corner of 4 pixels",
         2 => "between 2 pixels",
-        1 if view.posed.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
+        1 if view.resolved.uv_of_pixel(place.pixel) == inspection.uv => "centre of a pixel",
         _ => "inside of a pixel",
     };
     let below = high.y - 0.5 * f64::from(view.scale) * RIM.y;

@@ -1,6 +1,6 @@
 //! From the world to the dots of the observer's picture: projection, and clipping before it.
 
-use pinhole_core::{DVec2, DVec3, PosedCamera};
+use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 /// The observer's picture plane, measured in dots from its top left corner.
 ///
@@ -8,7 +8,7 @@ use pinhole_core::{DVec2, DVec3, PosedCamera};
 /// observer, all in units of [`Screen::unit`], so that no product of them overflows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Screen {
-    observer: PosedCamera,
+    observer: ResolvedCamera,
     /// Dots per unit slope, across and down.
     focal: DVec2,
     /// Width and height in dots.
@@ -48,14 +48,14 @@ const BEYOND_BORDER: f64 = 0.1;
 
 impl Screen {
     /// `unit` is a length of about the size of what is seen.
-    pub(crate) fn new(observer: &PosedCamera, unit: f64) -> Screen {
+    pub(crate) fn new(observer: &ResolvedCamera, unit: f64) -> Screen {
         let image = observer.image();
         let size = DVec2::new(f64::from(image.width()), f64::from(image.height()));
         Screen::of_size(observer, size, unit)
     }
 
     /// The same with the image stretched over so many dots.
-    pub(crate) fn of_size(observer: &PosedCamera, size: DVec2, unit: f64) -> Screen {
+    pub(crate) fn of_size(observer: &ResolvedCamera, size: DVec2, unit: f64) -> Screen {
         let viewport = observer.viewport();
         let focal = size * viewport.distance / DVec2::new(viewport.width, viewport.height);
         let unit = if unit.is_finite() && unit > 0.0 { unit } else { 1.0 };

@@ -1,7 +1,7 @@
 //! The world view: the scene with the camera in it, as the observer sees it.
 
 use egui::Color32;
-use pinhole_core::{Camera, DVec2, DVec3, Frame, PosedCamera, Ray, Rgb, Scene};
+use pinhole_core::{Camera, DVec2, DVec3, Frame, Ray, ResolvedCamera, Rgb, Scene};
 
 use crate::inspection::Inspection;
 use crate::observer::Observer;
@@ -25,7 +25,7 @@ pub struct WorldView<'a> {
     /// The edited camera as given, maybe without a basis.
     pub camera: &'a Camera,
     /// The edited camera, where it has a basis.
-    pub posed: Option<&'a PosedCamera>,
+    pub resolved: Option<&'a ResolvedCamera>,
     /// What it sees.
     pub picture: Option<&'a Picture>,
     /// The selected ray.
@@ -50,7 +50,7 @@ pub struct WorldView<'a> {
     /// The t of the point that walks along the selected ray.
     pub walked: Option<f64>,
     /// The frozen camera to compare with.
-    pub ghost: Option<&'a PosedCamera>,
+    pub ghost: Option<&'a ResolvedCamera>,
     /// What is lit, if anything.
     pub lit: Option<Lit<'a>>,
     /// What can be taken in the hand.
@@ -112,13 +112,13 @@ pub fn world_apart(
 
 /// The (u, v) of the viewport that is seen at a place of the world view, in dots; `None` beside the
 /// viewport and where an object hides it.
-pub fn pick(posed: &PosedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
+pub fn pick(resolved: &ResolvedCamera, frame: &Frame<f32>, position: [f32; 2]) -> Option<DVec2> {
     let observer = frame.camera();
     let at = DVec2::new(position[0].into(), position[1].into());
     let layers = Layers::new(frame, Color32::TRANSPARENT);
-    let layer = viewport_layer(posed, observer, Color32::TRANSPARENT)?;
+    let layer = viewport_layer(resolved, observer, Color32::TRANSPARENT)?;
     let spot = layer.spot(at)?;
-    let uv = spot.place * DVec2::new(posed.viewport().width, posed.viewport().height);
+    let uv = spot.place * DVec2::new(resolved.viewport().width, resolved.viewport().height);
     (spot.t <= layers.traced_t(at)).then_some(uv)
 }
 
@@ -146,15 +146,15 @@ pub fn t_towards(frame: &Frame<f32>, ray: &Ray, position: [f32; 2]) -> Option<f6
 }
 
 fn viewport_layer<'a>(
-    posed: &PosedCamera,
-    observer: &PosedCamera,
+    resolved: &ResolvedCamera,
+    observer: &ResolvedCamera,
     behind: Color32,
 ) -> Option<ViewportLayer<'a>> {
-    let (basis, viewport) = (posed.basis(), posed.viewport());
+    let (basis, viewport) = (resolved.basis(), resolved.viewport());
     let rays = Screen::new(observer, 1.0).ray_parts();
     let (u, v) = (viewport.width * basis.u, viewport.height * basis.v);
-    let flat = Flat::new(&rays, posed.viewport_point(DVec2::ZERO), u, v)?;
-    Some(ViewportLayer { flat, image: posed.image(), picture: None, grid: None, behind })
+    let flat = Flat::new(&rays, resolved.viewport_point(DVec2::ZERO), u, v)?;
+    Some(ViewportLayer { flat, image: resolved.image(), picture: None, grid: None, behind })
 }
 
 /// Pixel edges nearer to each other than this, in points, are left out by twos, fives, tens...
@@ -192,14 +192,14 @@ impl<'a> WorldView<'a> {
 
     fn layers(&self, backdrop: &Backdrop) -> Layers<'a> {
         let mut layers = backdrop.layers(self.frame);
-        if let Some(posed) = self.posed {
+        if let Some(resolved) = self.resolved {
             let behind = self.style.colors().background;
-            layers.viewport = viewport_layer(posed, self.frame.camera(), behind);
+            layers.viewport = viewport_layer(resolved, self.frame.camera(), behind);
             if let Some(layer) = &mut layers.viewport {
                 let picture = self.picture.filter(|_| self.items.shows(Item::Picture));
-                layer.picture = picture.and_then(|p| PictureLookup::new(p, posed.image()));
+                layer.picture = picture.and_then(|p| PictureLookup::new(p, resolved.image()));
                 if self.items.shows(Item::PixelGrid) {
-                    layer.grid = pixel_grid(&self.screen(), posed, f64::from(self.scale));
+                    layer.grid = pixel_grid(&self.screen(), resolved, f64::from(self.scale));
                 }
             }
         }
@@ -240,9 +240,9 @@ impl<'a> WorldView<'a> {
 }
 
 /// The densest grid of pixel edges that can be told apart on the screen, and how opaque it is.
-fn pixel_grid(screen: &Screen, posed: &PosedCamera, scale: f64) -> Option<(Grid, f32)> {
-    let center = posed.viewport_point(DVec2::ZERO);
-    let (basis, viewport, image) = (posed.basis(), posed.viewport(), posed.image());
+fn pixel_grid(screen: &Screen, resolved: &ResolvedCamera, scale: f64) -> Option<(Grid, f32)> {
+    let center = resolved.viewport_point(DVec2::ZERO);
+    let (basis, viewport, image) = (resolved.basis(), resolved.viewport(), resolved.image());
     let middle = screen.spot(center)?;
     let dots_per = |axis: DVec3, extent: f64, count: u32| {
         let half = 0.25 * extent * axis;

@@ -6,7 +6,7 @@ mod table;
 
 use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::methods::{Method, trace_by};
-use pinhole_core::{NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, shortest, trace};
+use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, shortest, trace};
 
 use super::look;
 use super::places::STRIP;
@@ -178,12 +178,12 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     if derived.too_many.is_some() {
         return None;
     }
-    let (posed, scene) = (derived.posed.as_ref()?, derived.scene.as_deref()?);
-    let pixel = pixel_of(session.selection, posed)?;
+    let (resolved, scene) = (derived.resolved.as_ref()?, derived.scene.as_deref()?);
+    let pixel = pixel_of(session.selection, resolved)?;
     let method = session.settings.compared.0;
     let raster = Raster::of_pixel(pixel);
-    let truth = trace(scene, posed, &raster, Outputs::default());
-    let traced = trace_by(method, scene, posed, &raster);
+    let truth = trace(scene, resolved, &raster, Outputs::default());
+    let traced = trace_by(method, scene, resolved, &raster);
     let from = u32::from(session.settings.count_from_one);
     let place = format!("row {}, column {}", pixel.row + from, pixel.column + from);
     let says = |object: u32, t: f64| match object {
@@ -201,9 +201,9 @@ fn selected(derived: &Derived, document: &Document, session: &Session) -> Option
     Some(RichText::new(text).strong())
 }
 
-fn pixel_of(selection: Selection, posed: &PosedCamera) -> Option<Pixel> {
-    match selection.inside(posed.image()) {
+fn pixel_of(selection: Selection, resolved: &ResolvedCamera) -> Option<Pixel> {
+    match selection.inside(resolved.image()) {
         Selection::Pixel(pixel) => Some(pixel),
-        Selection::Uv(uv) => posed.pixel_of_uv(uv).map(|place| place.pixel),
+        Selection::Uv(uv) => resolved.pixel_of_uv(uv).map(|place| place.pixel),
     }
 }

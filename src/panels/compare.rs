@@ -2,7 +2,7 @@
 //! cameras in numbers below.
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
-use pinhole_core::{DVec3, Orientation, PosedCamera, Root};
+use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
 
 use super::number::vector_color;
 use super::places::STRIP;
@@ -63,7 +63,7 @@ pub(crate) fn spoken(against: Option<&AgainstGhost>) -> String {
 /// Why there is no picture, in its place.
 pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, ghost: Option<&Ghost>) {
     ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
-    let text = match ghost.map(|ghost| ghost.camera.posed()) {
+    let text = match ghost.map(|ghost| ghost.camera.resolve()) {
         None => NO_GHOST.to_owned(),
         Some(Err(error)) => format!("The ghost sees nothing: {error}"),
         Some(Ok(_)) => "There are no two cameras to compare.".to_owned(),
@@ -103,7 +103,9 @@ pub(crate) fn ui(
             turns(ui, against, style);
         }
     });
-    let (Some(against), Some(ghost), Some(now)) = (against, ghost, &derived.posed) else { return };
+    let (Some(against), Some(ghost), Some(now)) = (against, ghost, &derived.resolved) else {
+        return;
+    };
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
@@ -219,7 +221,7 @@ fn signed(x: f64, style: NumberStyle) -> String {
 }
 
 /// u, v, w.
-fn turned(now: &PosedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<Line> {
+fn turned(now: &ResolvedCamera, against: &AgainstGhost, style: NumberStyle) -> Vec<Line> {
     let (here, there, by) = (now.basis(), against.ghost.basis(), &against.difference);
     let vectors = [("u", here.u, there.u), ("v", here.v, there.v), ("w", here.w, there.w)];
     let line = |((name, here, there), angle)| {

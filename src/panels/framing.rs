@@ -36,7 +36,7 @@ pub(crate) fn hint(
     let scale = ui.ctx().pixels_per_point();
     let stage = Stage {
         document,
-        posed: shown.posed.as_ref(),
+        resolved: shown.resolved.as_ref(),
         selection: session.selection,
         items,
         observer: frame.camera(),

@@ -5,7 +5,7 @@ mod keys;
 mod tell;
 
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
-use pinhole_core::{DVec2, PosedCamera};
+use pinhole_core::{DVec2, ResolvedCamera};
 
 use crate::derive::Derived;
 use crate::document::Document;
@@ -60,7 +60,7 @@ pub(crate) struct Edited<'a> {
 struct View<'a> {
     rect: Rect,
     id: Id,
-    observer: &'a PosedCamera,
+    observer: &'a ResolvedCamera,
     scale: f32,
 }
 
@@ -81,12 +81,12 @@ impl View<'_> {
     fn stage<'a>(
         &'a self,
         document: &'a Document,
-        posed: Option<&'a PosedCamera>,
+        resolved: Option<&'a ResolvedCamera>,
         session: &Session,
     ) -> Stage<'a> {
         Stage {
             document,
-            posed,
+            resolved,
             selection: session.selection,
             items: session.settings.items,
             observer: self.observer,
@@ -148,8 +148,8 @@ impl HandInput {
         let Edited { document, session, chosen_object } = edited;
         let chosen = (**chosen_object < document.object_count()).then_some(**chosen_object);
         session.hand.objects[0] = chosen;
-        let posed = document.camera.posed().ok();
-        let all = grips(&view.stage(document, posed.as_ref(), session), &session.hand);
+        let resolved = document.camera.resolve().ok();
+        let all = grips(&view.stage(document, resolved.as_ref(), session), &session.hand);
         let pointer = response.hover_pos().filter(|_| response.hovered());
         let pointer = pointer.filter(|_| ctx.input(|i| !i.pointer.any_down()));
         let found = pointer.and_then(|at| self.hit(&all, view, at, session, shown));
@@ -209,14 +209,14 @@ impl HandInput {
         let origin = ctx.input(|i| i.pointer.press_origin());
         let Some(at) = origin.filter(|_| response.is_pointer_button_down_on()) else { return };
         let Edited { document, session, chosen_object } = edited;
-        let posed = document.camera.posed().ok();
-        let stage = view.stage(document, posed.as_ref(), session);
+        let resolved = document.camera.resolve().ok();
+        let stage = view.stage(document, resolved.as_ref(), session);
         let all = grips(&stage, &session.hand);
         let Some(found) = self.hit(&all, view, at, session, shown) else { return };
         let taken = all.iter().find(|grip| grip.handle == found.handle);
         let (Some(grip), Some(grasp)) = (taken, stage.grasp(found.handle)) else { return };
         let before = Part::of(found.handle, document, session.selection);
-        let start = Start { before, posed, grasp, at: grip.at, begun_at: view.uv(at) };
+        let start = Start { before, resolved, grasp, at: grip.at, begun_at: view.uv(at) };
         self.start = Some(Taken { start, pressed_at: at, moved: false });
         if let Some(object) = found.handle.object() {
             **chosen_object = object;
@@ -229,8 +229,8 @@ impl HandInput {
     fn click(&mut self, view: &View, response: &Response, edited: &mut Edited, shown: &Derived) {
         let Edited { document, session, chosen_object } = edited;
         let Some(at) = response.interact_pointer_pos() else { return };
-        let posed = document.camera.posed().ok();
-        let all = grips(&view.stage(document, posed.as_ref(), session), &session.hand);
+        let resolved = document.camera.resolve().ok();
+        let all = grips(&view.stage(document, resolved.as_ref(), session), &session.hand);
         let Some(found) = self.hit(&all, view, at, session, shown) else { return };
         if let Some(object) = found.handle.object() {
             **chosen_object = object;

@@ -106,9 +106,9 @@ pub(crate) fn ui(
     let checks = CHECKS.min(0.46 * whole.width());
     let (left, right) = (whole.left() + GALLERY, whole.right() - checks);
     column(ui, part(whole.left(), left - 8.0), "gallery", |ui| {
-        let (camera, posed) = (&document.camera, derived.posed.as_ref());
+        let (camera, resolved) = (&document.camera, derived.resolved.as_ref());
         let scene = derived.scene.as_deref();
-        guess::buttons(ui, &mut session.gallery, camera, posed.zip(scene));
+        guess::buttons(ui, &mut session.gallery, camera, resolved.zip(scene));
         list(ui, &mut session.gallery);
     });
     let gallery = &mut session.gallery;

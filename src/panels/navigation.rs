@@ -3,7 +3,7 @@
 
 use egui::{Context, Id, Key, PointerButton, Pos2, Rect, Response, Ui};
 use pinhole_core::steering::{SteerError, rounded_to};
-use pinhole_core::{Camera, DVec2, DVec3, Orientation, PosedCamera};
+use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
 
 use super::handles::{Edited, say, taken_keys};
 use crate::action::Steer;
@@ -47,7 +47,7 @@ enum Way {
 struct Turn {
     way: Way,
     before: Camera,
-    posed: PosedCamera,
+    resolved: ResolvedCamera,
     from: Pos2,
 }
 
@@ -124,12 +124,12 @@ impl Navigation {
         });
         let origin = ctx.input(|i| i.pointer.press_origin());
         let before = edited.document.camera;
-        let (Some(way), Some(from), Ok(posed), true) =
-            (way, origin, before.posed(), response.is_pointer_button_down_on())
+        let (Some(way), Some(from), Ok(resolved), true) =
+            (way, origin, before.resolve(), response.is_pointer_button_down_on())
         else {
             return;
         };
-        self.turn = Some(Turn { way, before, posed, from });
+        self.turn = Some(Turn { way, before, resolved, from });
         self.steered = None;
         edited.session.hand.is_busy = true;
     }
@@ -143,7 +143,7 @@ impl Navigation {
             return;
         }
         if let Some(at) = ctx.input(|i| i.pointer.latest_pos()) {
-            let [from, to] = [turn.from, at].map(|at| uv_at(&turn.posed, rect, at));
+            let [from, to] = [turn.from, at].map(|at| uv_at(&turn.resolved, rect, at));
             let viewport = turn.before.viewport;
             let turned = match turn.way {
                 Way::Orbit => {
@@ -255,9 +255,9 @@ fn zoomed(camera: &Camera, factor: f64) -> Result<Camera, SteerError> {
     camera.zoomed(readable)
 }
 
-fn uv_at(posed: &PosedCamera, rect: Rect, at: Pos2) -> DVec2 {
+fn uv_at(resolved: &ResolvedCamera, rect: Rect, at: Pos2) -> DVec2 {
     let size = [rect.width().round().max(1.0) as usize, rect.height().round().max(1.0) as usize];
-    overlay::camera_uv_at(posed, size, (at - rect.min).into())
+    overlay::camera_uv_at(resolved, size, (at - rect.min).into())
 }
 
 /// What the hand does, and what that does to eye, at and up.

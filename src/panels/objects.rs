@@ -74,11 +74,11 @@ fn row_of_file(document: &Document, index: usize) -> String {
 
 /// A sphere that the camera sees, in the upper right quarter of the picture.
 fn new_sphere(camera: &Camera) -> Sphere {
-    let Ok(posed) = camera.posed() else {
+    let Ok(resolved) = camera.resolve() else {
         return Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
     };
-    let viewport = posed.viewport();
-    let ray = posed.ray(DVec2::new(0.25 * viewport.width, 0.25 * viewport.height));
+    let viewport = resolved.viewport();
+    let ray = resolved.ray(DVec2::new(0.25 * viewport.width, 0.25 * viewport.height));
     // Four viewport distances away, a tenth of the picture high.
     Sphere { center: ray.at(4.0), radius: 4.0 * 0.1 * viewport.height }
 }

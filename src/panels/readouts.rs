@@ -3,7 +3,7 @@
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
-use pinhole_core::{DVec3, Pixel, PosedCamera, Root, Steps, UpAngle, shortest};
+use pinhole_core::{DVec3, Pixel, ResolvedCamera, Root, Steps, UpAngle, shortest};
 
 use super::notation::{self, formula};
 use super::number::{error_color, vector_color};
@@ -69,22 +69,22 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, document: &Document, style: Num
             };
             // Without room for three columns, the ray stands below the basis.
             let is_narrow = ui.available_width() < 160.0 + 2.0 * vector + HITS;
-            let seen = derived.inspection.as_ref().zip(derived.posed.as_ref());
-            if let Some(posed) = &derived.posed {
+            let seen = derived.inspection.as_ref().zip(derived.resolved.as_ref());
+            if let Some(resolved) = &derived.resolved {
                 block(ui, 110.0, &mut |ui| {
-                    basis(ui, posed, derived.up_angle, style);
+                    basis(ui, resolved, derived.up_angle, style);
                     if let Some(steps) = derived.steps {
                         ui.weak(self::steps(steps));
                     }
-                    if let (true, Some((inspection, posed))) = (is_narrow, seen) {
+                    if let (true, Some((inspection, resolved))) = (is_narrow, seen) {
                         ui.add_space(6.0);
-                        ray(ui, inspection, posed, style);
+                        ray(ui, inspection, resolved, style);
                     }
                 });
             }
-            if let Some((inspection, posed)) = seen {
+            if let Some((inspection, resolved)) = seen {
                 if !is_narrow {
-                    block(ui, 50.0, &mut |ui| ray(ui, inspection, posed, style));
+                    block(ui, 50.0, &mut |ui| ray(ui, inspection, resolved, style));
                 }
                 ui.vertical(|ui| hits(ui, inspection, derived, document, style));
             }
@@ -143,11 +143,11 @@ fn line(ui: &mut Ui, name: &str, value: String) {
 }
 
 fn basis_lines(
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     angle: Option<UpAngle>,
     style: NumberStyle,
 ) -> Vec<(&'static str, String)> {
-    let basis = posed.basis();
+    let basis = resolved.basis();
     let mut lines = vec![
         ("u", style.vector(basis.u)),
         ("v", style.vector(basis.v)),
@@ -170,9 +170,9 @@ fn joined(lines: &[(&str, String)]) -> String {
     lines.iter().map(|(name, value)| format!("{name} = {value}\n")).collect()
 }
 
-fn basis(ui: &mut Ui, posed: &PosedCamera, angle: Option<UpAngle>, style: NumberStyle) {
-    let lines = basis_lines(posed, angle, style);
-    title(ui, "Basis", || joined(&basis_lines(posed, angle, style.for_programs())));
+fn basis(ui: &mut Ui, resolved: &ResolvedCamera, angle: Option<UpAngle>, style: NumberStyle) {
+    let lines = basis_lines(resolved, angle, style);
+    title(ui, "Basis", || joined(&basis_lines(resolved, angle, style.for_programs())));
     Grid::new("basis").num_columns(2).show(ui, |ui| {
         for (name, value) in lines {
             line(ui, name, value);
@@ -191,14 +191,14 @@ fn basis(ui: &mut Ui, posed: &PosedCamera, angle: Option<UpAngle>, style: Number
 
 fn ray_lines(
     inspection: &Inspection,
-    posed: &PosedCamera,
+    resolved: &ResolvedCamera,
     style: NumberStyle,
 ) -> Vec<(&'static str, String)> {
     let place = match inspection.place {
         None => "outside the image".to_owned(),
         Some(place) => match inspection.pixel() {
             Some(pixel) => style.pixel(pixel),
-            None => match place.touching(posed.image()).len() {
+            None => match place.touching(resolved.image()).len() {
                 4 => "the corner of four pixels".to_owned(),
                 _ => "on the edge between pixels".to_owned(),
             },
@@ -215,9 +215,9 @@ fn ray_lines(
     ]
 }
 
-fn ray(ui: &mut Ui, inspection: &Inspection, posed: &PosedCamera, style: NumberStyle) {
-    let lines = ray_lines(inspection, posed, style);
-    title(ui, "Ray", || joined(&ray_lines(inspection, posed, style.for_programs())));
+fn ray(ui: &mut Ui, inspection: &Inspection, resolved: &ResolvedCamera, style: NumberStyle) {
+    let lines = ray_lines(inspection, resolved, style);
+    title(ui, "Ray", || joined(&ray_lines(inspection, resolved, style.for_programs())));
     Grid::new("ray").num_columns(2).show(ui, |ui| {
         for (name, value) in lines {
             line(ui, name, value);

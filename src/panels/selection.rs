@@ -1,7 +1,7 @@
 //! Which ray is looked at, typed: by row and column, or by (u, v).
 
 use egui::{Grid, Ui};
-use pinhole_core::{Pixel, PosedCamera};
+use pinhole_core::{Pixel, ResolvedCamera};
 
 use super::number::NumberField;
 use crate::session::Selection;
@@ -10,28 +10,28 @@ use crate::session::Selection;
 pub(crate) fn ui(
     ui: &mut Ui,
     selection: &mut Selection,
-    posed: Option<&PosedCamera>,
+    resolved: Option<&ResolvedCamera>,
     count_from_one: bool,
 ) {
     ui.heading("Selected ray");
-    let Some(posed) = posed else {
+    let Some(resolved) = resolved else {
         ui.weak("The camera sees nothing, so there is no ray.");
         return;
     };
-    *selection = selection.inside(posed.image());
-    let uv = selection.uv(posed);
+    *selection = selection.inside(resolved.image());
+    let uv = selection.uv(resolved);
     let inside = match *selection {
         Selection::Pixel(pixel) => Some(pixel),
-        Selection::Uv(_) => posed.pixel_of_uv(uv).map(|place| place.pixel),
+        Selection::Uv(_) => resolved.pixel_of_uv(uv).map(|place| place.pixel),
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
         let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
-        let image = posed.image();
+        let image = resolved.image();
         // A place on an edge or corner is that of no one pixel.
         let known = match *selection {
             Selection::Pixel(_) => true,
-            Selection::Uv(_) => posed
+            Selection::Uv(_) => resolved
                 .pixel_of_uv(uv)
                 .is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
         };

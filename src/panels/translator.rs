@@ -114,7 +114,7 @@ impl TranslatorPanel {
 }
 
 fn pixel_of(document: &Document, selection: Selection) -> Pixel {
-    let place = |uv| document.camera.posed().ok()?.pixel_of_uv(uv);
+    let place = |uv| document.camera.resolve().ok()?.pixel_of_uv(uv);
     match selection.inside(document.camera.image) {
         Selection::Pixel(pixel) => pixel,
         Selection::Uv(uv) => place(uv).map_or(Pixel { row: 0, column: 0 }, |place| place.pixel),

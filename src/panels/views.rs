@@ -148,16 +148,16 @@ fn camera_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Der
         return;
     }
     let pressed = response.clicked() || response.dragged_by(egui::PointerButton::Primary);
-    let (Some(pointer), Some(posed), true) =
-        (response.interact_pointer_pos(), &shown.posed, pressed)
+    let (Some(pointer), Some(resolved), true) =
+        (response.interact_pointer_pos(), &shown.resolved, pressed)
     else {
         return;
     };
     let per_point = ui.ctx().pixels_per_point();
     let size = (response.rect.size() * per_point).round();
     let at = (pointer - response.rect.min) * per_point;
-    let uv = overlay::camera_uv_at(posed, [size.x as usize, size.y as usize], [at.x, at.y]);
-    if let Some(place) = posed.pixel_of_uv(uv) {
+    let uv = overlay::camera_uv_at(resolved, [size.x as usize, size.y as usize], [at.x, at.y]);
+    if let Some(place) = resolved.pixel_of_uv(uv) {
         session.selection = Selection::Pixel(place.pixel);
     }
 }
@@ -167,12 +167,12 @@ fn world_input(ui: &Ui, response: &Response, session: &mut Session, shown: &Deri
         return;
     }
     let per_point = ui.ctx().pixels_per_point();
-    if let (true, Some(pointer), Some(frame), Some(posed)) =
-        (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.posed)
+    if let (true, Some(pointer), Some(frame), Some(resolved)) =
+        (response.clicked(), response.interact_pointer_pos(), &shown.world_frame, &shown.resolved)
     {
         let at = (pointer - response.rect.min) * per_point;
-        let uv = overlay::pick(posed, frame, [at.x, at.y]);
-        if let Some(place) = uv.and_then(|uv| posed.pixel_of_uv(uv)) {
+        let uv = overlay::pick(resolved, frame, [at.x, at.y]);
+        if let Some(place) = uv.and_then(|uv| resolved.pixel_of_uv(uv)) {
             session.selection = Selection::Pixel(place.pixel);
         }
     }
@@ -253,13 +253,13 @@ fn object_seen(shown: &Derived, at: Vec2) -> Option<Thing> {
 
 /// The object at a place of the camera view.
 fn object_in_picture(shown: &Derived, size: Vec2, at: Vec2) -> Option<Thing> {
-    let (posed, scene) = (shown.posed.as_ref()?, shown.scene.as_ref()?);
+    let (resolved, scene) = (shown.resolved.as_ref()?, shown.scene.as_ref()?);
     if scene.len() > ASKED_OBJECTS {
         return None;
     }
     let size = [size.x.round() as usize, size.y.round() as usize];
-    let uv = overlay::camera_uv_at(posed, size, [at.x, at.y]);
-    let ray = posed.exact_ray_at(uv).ok()?;
+    let uv = overlay::camera_uv_at(resolved, size, [at.x, at.y]);
+    let ray = resolved.exact_ray_at(uv).ok()?;
     Some(Thing::Object(scene.first_hit_of(&ray)?.object))
 }
 

@@ -87,7 +87,7 @@ pub struct Camera {
 /// A camera's view of some objects, prepared for many rays. It can be shared between threads.
 #[derive(Debug)]
 pub struct View {
-    posed: Posed,
+    resolved: Posed,
     camera: Camera,
     scene: SceneSeen,
 }
@@ -193,8 +193,8 @@ impl Camera {
     /// # Panics
     /// Where a number is NaN or infinite.
     pub fn prepare(&self, objects: &[Object]) -> Result<View, Status> {
-        let posed = Posed::new(self.eye, &self.orientation)?;
-        Ok(View { posed, camera: *self, scene: SceneSeen::new(objects, vector(self.eye)) })
+        let resolved = Posed::new(self.eye, &self.orientation)?;
+        Ok(View { resolved, camera: *self, scene: SceneSeen::new(objects, vector(self.eye)) })
     }
 
     /// [`View::first_hit_of_pixel`] of one pixel; none for a camera without a basis.
@@ -233,16 +233,16 @@ impl Camera {
 impl View {
     /// The basis u, v, w.
     pub fn basis(&self) -> [[Real; 3]; 3] {
-        self.posed.basis()
+        self.resolved.basis()
     }
 
     fn of_pixel(&self, row: u32, column: u32) -> Direction<'_> {
         let (position, share) = self.camera.pixel(row, column);
-        self.posed.direction(&position, &share)
+        self.resolved.direction(&position, &share)
     }
 
     fn of_uv(&self, u: f64, v: f64) -> Direction<'_> {
-        self.posed.direction(&vector([u, v, self.camera.distance]), &Dyadic::power_of_two(0))
+        self.resolved.direction(&vector([u, v, self.camera.distance]), &Dyadic::power_of_two(0))
     }
 
     /// Finds what the ray through the pixel's centre hits first, as [`crate::first_hit`] says; rows and

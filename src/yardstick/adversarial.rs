@@ -86,14 +86,14 @@ fn in_sphere() -> Setting {
 /// 10^5 spheres of about a pixel's size, which all cover the centre of the same one.
 fn one_pixel() -> Setting {
     let camera = camera();
-    let posed = Setting::of("one-pixel", Default::default(), camera).camera(0);
-    let direction = posed.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;
+    let resolved = Setting::of("one-pixel", Default::default(), camera).camera(0);
+    let direction = resolved.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;
     let mut random = Random::new(5);
     let sphere = |_| {
         let depth = random.within(4.0, 12.0);
         let pixel = pixel_at(depth);
         let off = DVec3::new(random.within(-0.3, 0.3), random.within(-0.3, 0.3), 0.0);
-        let center = posed.eye() + depth * direction + pixel * off;
+        let center = resolved.eye() + depth * direction + pixel * off;
         Sphere { center, radius: random.within(0.6, 1.2) * pixel }
     };
     of((0..100_000).map(sphere).collect())

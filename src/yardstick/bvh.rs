@@ -3,7 +3,7 @@
 //! a leaf, a stack, the near child first.
 
 use glam::Vec3;
-use pinhole_core::{PosedCamera, Scene};
+use pinhole_core::{ResolvedCamera, Scene};
 
 use crate::frames::{Buffers, Rays};
 use crate::textbook::{Ball, Nearest, TextbookScene, each_pixel, nearest_flat};
@@ -99,7 +99,7 @@ impl Bvh {
     }
 
     /// Traces a frame.
-    pub fn trace(&self, camera: &PosedCamera, buffers: &mut Buffers) {
+    pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
         let rays = Rays::of(camera);
         each_pixel(buffers, |row, column| {
             let direction = rays.direction(row, column);

@@ -1,7 +1,7 @@
 //! Buffers that every contestant but the ladder writes, and a frame's rays as the textbook has them.
 
 use glam::{DVec3, Vec3};
-use pinhole_core::{ImageSize, NO_OBJECT, PosedCamera};
+use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
 
 /// t and object of every pixel, row by row from the top.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
-    pub(crate) fn of(camera: &PosedCamera) -> Rays {
+    pub(crate) fn of(camera: &ResolvedCamera) -> Rays {
         let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
         Rays {
             eye: camera.eye().as_vec3(),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 use pinhole_core::{
-    Camera, CameraError, ImageSize, NO_OBJECT, Orientation, PosedCamera, Raster, Scene, Sphere,
+    Camera, CameraError, ImageSize, NO_OBJECT, Orientation, Raster, ResolvedCamera, Scene, Sphere,
     Viewport, trace_as,
 };
 
@@ -19,7 +19,7 @@ pub struct Setting {
     /// The objects.
     pub scene: Scene,
     camera: Camera,
-    posed: PosedCamera,
+    resolved: ResolvedCamera,
 }
 
 /// Distance that the eye moves from frame to frame, in widths of the viewport.
@@ -31,7 +31,7 @@ impl Setting {
     /// # Errors
     /// Where the camera sees nothing.
     pub fn new(name: &str, scene: Scene, camera: Camera) -> Result<Setting, CameraError> {
-        Ok(Setting { name: name.to_owned(), scene, camera, posed: camera.posed()? })
+        Ok(Setting { name: name.to_owned(), scene, camera, resolved: camera.resolve()? })
     }
 
     /// The image's size.
@@ -45,12 +45,12 @@ impl Setting {
     }
 
     /// The camera of a frame: on a small circle around its place, at another point in every frame.
-    pub fn camera(&self, frame: usize) -> PosedCamera {
-        let basis = self.posed.basis();
+    pub fn camera(&self, frame: usize) -> ResolvedCamera {
+        let basis = self.resolved.basis();
         let (sin, cos) = (0.7 * frame as f64).sin_cos();
         let stride = STRIDE * self.camera.viewport.width;
         let eye = self.camera.eye + stride * (cos * basis.u + sin * basis.v);
-        Camera { eye, ..self.camera }.posed().unwrap_or(self.posed)
+        Camera { eye, ..self.camera }.resolve().unwrap_or(self.resolved)
     }
 
     /// Returns the scene in an image of another size, through the same viewport.
@@ -142,7 +142,7 @@ const MOST_ASKED: usize = 100_000;
 /// Returns the factor of radii with which [`camera`] sees this share of its pixels covered.
 pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usize) -> f64) -> f64 {
     let asked = &centers[..centers.len().min(MOST_ASKED)];
-    let camera = Setting::of("asked", Scene::default(), camera()).posed;
+    let camera = Setting::of("asked", Scene::default(), camera()).resolved;
     let covered = |scale: f64| {
         let sphere = |(index, center): (usize, &DVec3)| Sphere {
             center: *center,
@@ -174,7 +174,7 @@ pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usi
 }
 
 /// The share of a camera's pixels that hit something, from every eighth row and column.
-pub fn covered(scene: &Scene, camera: &PosedCamera) -> f64 {
+pub fn covered(scene: &Scene, camera: &ResolvedCamera) -> f64 {
     let image = camera.image();
     let raster = Raster::shown_on(image, image.width().div_ceil(8), image.height().div_ceil(8));
     let frame = trace_as::<f32>(scene, camera, &raster, Default::default());

@@ -2,7 +2,7 @@
 //! sphere the quadratic and its two roots; in `f32`, rows in parallel.
 
 use glam::Vec3;
-use pinhole_core::{NO_OBJECT, PosedCamera, Scene};
+use pinhole_core::{NO_OBJECT, ResolvedCamera, Scene};
 use rayon::prelude::*;
 
 use crate::frames::{Buffers, Rays, single};
@@ -57,7 +57,7 @@ impl TextbookScene {
     }
 
     /// Traces a frame.
-    pub fn trace(&self, camera: &PosedCamera, buffers: &mut Buffers) {
+    pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
         let rays = Rays::of(camera);
         each_pixel(buffers, |row, column| {
             let direction = rays.direction(row, column);

@@ -104,7 +104,7 @@ fn pixels_that_differ_are_counted() {
     let ghost = Camera { image: harness.state().document().camera.image, ..Camera::CANONICAL };
     let scene = harness.state().document().scene().unwrap();
     let objects = |camera: &Camera| {
-        let camera = camera.posed().unwrap();
+        let camera = camera.resolve().unwrap();
         let raster = Raster::full(camera.image());
         trace(&scene, &camera, &raster, Outputs { object: true, ..Outputs::NONE }).object
     };

@@ -92,7 +92,12 @@ fn fields_take_arithmetic_and_refuse_what_is_no_number() {
 fn switching_how_the_camera_is_given_changes_no_ray() {
     let mut window = window("look-at");
     let direction = |app: &pinhole::app::App| {
-        app.document().camera.posed().unwrap().ray_of_pixel(Pixel { row: 10, column: 20 }).direction
+        app.document()
+            .camera
+            .resolve()
+            .unwrap()
+            .ray_of_pixel(Pixel { row: 10, column: 20 })
+            .direction
     };
     let before = direction(window.state());
     for (button, kind) in [

@@ -68,7 +68,7 @@ fn up_swings_by_steps_and_stop_gives_back() {
     }
     assert_says(&harness, "90°");
     assert_eq!(up(&harness), DVec3::NEG_X);
-    assert_eq!(harness.state().derived().posed.unwrap().basis().v, DVec3::NEG_X);
+    assert_eq!(harness.state().derived().resolved.unwrap().basis().v, DVec3::NEG_X);
     press(&mut harness, Key::Comma);
     assert_says(&harness, "75°");
     click(&mut harness, "Step on");

@@ -77,9 +77,9 @@ fn a_click_on_the_viewport_in_the_world_view_selects_its_pixel() {
     let mut window = window("canonical");
     let rect = window.get_by_role_and_label(Role::Image, "World view").rect();
     let derived = window.state().derived();
-    let (posed, frame) = (derived.posed.unwrap(), derived.world_frame.clone().unwrap());
+    let (resolved, frame) = (derived.resolved.unwrap(), derived.world_frame.clone().unwrap());
     let wanted = Pixel { row: 300, column: 120 };
-    let point = posed.viewport_point(posed.uv_of_pixel(wanted));
+    let point = resolved.viewport_point(resolved.uv_of_pixel(wanted));
     let [x, y] = pinhole::overlay::world_position_of(&frame, point).unwrap();
     let at = rect.min + egui::vec2(x, y);
     window.drag_at(at);

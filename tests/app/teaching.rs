@@ -96,7 +96,7 @@ fn up_is_swung_about_the_view() {
 #[test]
 fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
     let mut window = teaching("canonical");
-    let basis = *window.state().derived().posed.unwrap().basis();
+    let basis = *window.state().derived().resolved.unwrap().basis();
     for (degrees, number, word) in [
         ("90", "1° of roll per 1° of up", "Calm"),
         ("10", "5.76° of roll per 1° of up", "Sensitive"),
@@ -107,7 +107,7 @@ fn up_is_tilted_towards_the_view_and_the_dial_says_what_that_does() {
         assert_says(&window, number);
         let meaning = super::harness::texts_with(&window, &format!("{word}: "));
         assert!(!meaning.is_empty(), "{degrees}");
-        let now = *window.state().derived().posed.unwrap().basis();
+        let now = *window.state().derived().resolved.unwrap().basis();
         assert!(near(now.u, basis.u) && near(now.v, basis.v) && near(now.w, basis.w), "{degrees}");
     }
     type_into(&mut window, "up z", "1");

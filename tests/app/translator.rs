@@ -119,7 +119,7 @@ fn a_paste_of_every_form_sets_the_camera_in_one_step() {
         let before = harness.state().document().clone();
         paste(&mut harness, &text_of(format.name, &other));
         assert_says(&harness, &format!("Camera pasted: {}", format.label));
-        let (here, there) = (camera(&harness).posed().unwrap(), other.camera.posed().unwrap());
+        let (here, there) = (camera(&harness).resolve().unwrap(), other.camera.resolve().unwrap());
         assert!((here.eye() - there.eye()).length() < 1e-12, "{}", format.label);
         assert!((here.basis().u - there.basis().u).length() < 1e-12, "{}", format.label);
         assert_eq!(harness.state().document().spheres, before.spheres);
@@ -206,7 +206,7 @@ fn code_in_each_language_has_the_cameras_numbers_live() {
     let mut harness = translating("look-at", "Julia");
     for language in &LANGUAGES {
         click(&mut harness, language.label);
-        let text = language.code(&camera(&harness).posed().unwrap()).unwrap();
+        let text = language.code(&camera(&harness).resolve().unwrap()).unwrap();
         assert_eq!(shown(&harness), text.trim_end());
     }
     type_into(&mut harness, "eye x", "7.5");

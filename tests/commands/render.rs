@@ -34,7 +34,7 @@ fn document(name: &str, width: u32, height: u32) -> Document {
 }
 
 fn traced(document: &Document) -> Frame<f32> {
-    let camera = document.camera.posed().unwrap();
+    let camera = document.camera.resolve().unwrap();
     let outputs = Outputs { normal: true, ..Outputs::default() };
     trace_as(&document.scene().unwrap(), &camera, &Raster::full(camera.image()), outputs)
 }
@@ -166,7 +166,7 @@ fn the_exr_file_holds_what_the_rays_meet() {
     assert_eq!(entries(folder.path()), ["out.exr", "out.png"]);
     let document = document("planet", 50, 30);
     let frame = traced(&document);
-    let camera = document.camera.posed().unwrap();
+    let camera = document.camera.resolve().unwrap();
 
     let image = read_first_flat_layer_from_file(folder.path().join("out.exr")).unwrap();
     assert_eq!((image.layer_data.size.width(), image.layer_data.size.height()), (50, 30));

@@ -7,7 +7,7 @@ use super::read;
 #[track_caller]
 fn blender(text: &str) -> (Camera, Basis, Vec<String>) {
     let taken = read("blender", text).unwrap_or_else(|error| panic!("{error}: {text}"));
-    (taken.camera, *taken.camera.posed().unwrap().basis(), taken.notes)
+    (taken.camera, *taken.camera.resolve().unwrap().basis(), taken.notes)
 }
 
 #[track_caller]

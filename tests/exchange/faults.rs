@@ -189,7 +189,7 @@ fn broken_texts_are_errors() {
                     let text = Text { path: Path::new("in"), text: &broken };
                     for reader in [Some(format), recognised(&broken)].into_iter().flatten() {
                         if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
-                            assert!(taken.camera.posed().is_ok());
+                            assert!(taken.camera.resolve().is_ok());
                         }
                     }
                 }

@@ -11,7 +11,7 @@ use super::read;
 #[track_caller]
 fn basis_of(format: &str, text: &str) -> (Camera, Basis, Vec<String>) {
     let taken = read(format, text).unwrap_or_else(|error| panic!("{error}"));
-    let basis = *taken.camera.posed().unwrap().basis();
+    let basis = *taken.camera.resolve().unwrap().basis();
     (taken.camera, basis, taken.notes)
 }
 

@@ -30,7 +30,7 @@ fn assert_same(text: &str, plain: &str) {
             panic!("{error} in\n{text}");
         })
     });
-    let [a, b] = [&one, &other].map(|taken| taken.camera.posed().unwrap());
+    let [a, b] = [&one, &other].map(|taken| taken.camera.resolve().unwrap());
     assert_eq!(one.camera.image, other.camera.image, "{text}");
     let size = b.eye().length().max(1.0);
     assert!((a.eye() - b.eye()).length() < 1e-9 * size, "{} {} for {text}", a.eye(), b.eye());

@@ -14,7 +14,7 @@ use std::process::Command;
 
 use pinhole::document::Document;
 use pinhole::exchange::With;
-use pinhole_core::{DVec2, DVec3, Pixel, PosedCamera, Scene};
+use pinhole_core::{DVec2, DVec3, Pixel, ResolvedCamera, Scene};
 
 use super::{proofs, written};
 
@@ -50,7 +50,7 @@ pub(super) fn output(command: &mut Command) -> String {
 
 /// The object at every pixel's centre, or `None` where it is within half a pixel of an outline.
 fn clear_objects(document: &Document) -> Vec<Vec<Option<i64>>> {
-    let camera = document.camera.posed().unwrap();
+    let camera = document.camera.resolve().unwrap();
     let scene = document.scene().unwrap();
     let image = camera.image();
     let object = |row, column| clear_object(&camera, &scene, Pixel { row, column });
@@ -58,7 +58,7 @@ fn clear_objects(document: &Document) -> Vec<Vec<Option<i64>>> {
     (0..image.height()).map(row).collect()
 }
 
-fn clear_object(camera: &PosedCamera, scene: &Scene, pixel: Pixel) -> Option<i64> {
+fn clear_object(camera: &ResolvedCamera, scene: &Scene, pixel: Pixel) -> Option<i64> {
     let viewport = camera.viewport();
     let side = DVec2::new(
         viewport.width / f64::from(camera.image().width()),
@@ -215,7 +215,7 @@ fn blender_has_the_same_rays() {
 /// Points in front of the camera, and where they are in the image: x right and y down from its
 /// corner.
 fn points(document: &Document) -> (String, Vec<DVec2>) {
-    let camera = document.camera.posed().unwrap();
+    let camera = document.camera.resolve().unwrap();
     let (viewport, image) = (*camera.viewport(), camera.image());
     let points: Vec<DVec3> = (0..40)
         .map(|k| {

@@ -12,7 +12,7 @@ use super::{marker, read, scene_of, text_of};
 /// Directions as unit vectors, eye in units of its size: within 1e-12.
 #[track_caller]
 fn assert_same_rays(what: &str, before: &Camera, after: &Camera) {
-    let (a, b) = (before.posed().unwrap(), after.posed().unwrap());
+    let (a, b) = (before.resolve().unwrap(), after.resolve().unwrap());
     assert_eq!(a.image(), b.image(), "{what}");
     let size = a.eye().length().max(1.0);
     assert!((a.eye() - b.eye()).length() <= 1e-12 * size, "{what}: {} {}", a.eye(), b.eye());

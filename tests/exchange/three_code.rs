@@ -83,7 +83,7 @@ fn statements_count_in_their_order() {
     let orbit =
         format!("{TYPED}const c = new OrbitControls(camera, canvas);\nc.target.set(1, 0, 0);");
     let (camera, notes) = read_code(&orbit);
-    let ahead = -camera.posed().unwrap().basis().w;
+    let ahead = -camera.resolve().unwrap().basis().w;
     assert!((ahead - DVec3::new(0.0, -2.0, -3.0).normalize()).length() < 1e-15);
     assert_eq!(notes[0], "OrbitControls turn the camera to their target, (1, 0, 0)");
 }
@@ -134,7 +134,7 @@ fn three_js_makes_the_same_camera_of_it() {
             output(run.arg(script("three_camera.mjs")).arg(&modules).arg(file).arg(variable));
         let theirs: Vec<f64> = said.split_whitespace().map(|word| word.parse().unwrap()).collect();
         let (camera, _) = read_code(text);
-        let (basis, viewport) = (*camera.posed().unwrap().basis(), camera.viewport);
+        let (basis, viewport) = (*camera.resolve().unwrap().basis(), camera.viewport);
         let half = viewport.height / 2.0 / viewport.distance;
         let ours = [basis.u, basis.v, basis.w, camera.eye].map(|v| v.to_array()).concat();
         let ours = [&ours[..], &[half, viewport.width / viewport.height]].concat();

@@ -256,7 +256,7 @@ fn three_js_moves_the_camera_there_too() {
             output(run.arg(script("three_camera.mjs")).arg(&modules).arg(file).arg("camera"));
         let theirs: Vec<f64> = said.split_whitespace().map(|word| word.parse().unwrap()).collect();
         let (camera, _) = three(&text);
-        let basis = *camera.posed().unwrap().basis();
+        let basis = *camera.resolve().unwrap().basis();
         let ours = [basis.u, basis.v, basis.w, camera.eye].map(|v| v.to_array()).concat();
         for (ours, theirs) in ours.iter().zip(&theirs) {
             assert!((ours - theirs).abs() < 1e-9, "{more}: {ours} for {theirs}: {said}");

@@ -13,7 +13,7 @@ use std::process::Command;
 use expect_test::expect_file;
 use pinhole::code::{LANGUAGES, Language};
 use pinhole::formats::scene_argument::SceneSource;
-use pinhole_core::{Camera, DVec3, Orientation, Pixel, PosedCamera, Viewport};
+use pinhole_core::{Camera, DVec3, Orientation, Pixel, ResolvedCamera, Viewport};
 
 /// The Rust of two cameras, as a part of this program.
 mod glam_look_at {
@@ -31,20 +31,20 @@ mod glam_extreme {
     }
 }
 
-fn camera(scene: &str) -> PosedCamera {
+fn camera(scene: &str) -> ResolvedCamera {
     let source = SceneSource::of(Path::new(scene)).unwrap();
-    source.load().unwrap().camera.posed().unwrap()
+    source.load().unwrap().camera.resolve().unwrap()
 }
 
 /// Numbers of all sizes.
-fn extreme() -> PosedCamera {
+fn extreme() -> ResolvedCamera {
     let camera = Camera {
         eye: DVec3::new(1e16, -0.1, 1.0 / 3.0),
         orientation: Orientation::View { view: DVec3::new(1.0, 2e-7, -3.0), up: DVec3::Y },
         viewport: Viewport { width: 1e-12, height: 2.5e-13, distance: 7e20 },
         ..Camera::CANONICAL
     };
-    camera.posed().unwrap()
+    camera.resolve().unwrap()
 }
 
 fn named(name: &str) -> &'static Language {
@@ -52,7 +52,7 @@ fn named(name: &str) -> &'static Language {
 }
 
 /// The corners and the middle, and some others.
-fn pixels(camera: &PosedCamera) -> Vec<Pixel> {
+fn pixels(camera: &ResolvedCamera) -> Vec<Pixel> {
     let (last_row, last_column) = (camera.image().height() - 1, camera.image().width() - 1);
     let places = [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)];
     let inside = [(1, 2), (2, 1), (4, 5)].map(|(a, b)| (last_row / (a + 1), last_column / (b + 1)));
@@ -60,14 +60,14 @@ fn pixels(camera: &PosedCamera) -> Vec<Pixel> {
 }
 
 /// How far an origin and a direction are from the camera's, as a share of their length.
-fn error(camera: &PosedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) -> f64 {
+fn error(camera: &ResolvedCamera, pixel: Pixel, origin: DVec3, direction: DVec3) -> f64 {
     let ray = camera.ray_of_pixel(pixel);
     let apart = |a: DVec3, b: DVec3| a.distance(b) / a.length().max(f64::MIN_POSITIVE);
     apart(ray.origin, origin).max(apart(ray.direction, direction))
 }
 
 /// The largest error of six numbers a pixel.
-fn worst_error(camera: &PosedCamera, pixels: &[Pixel], numbers: &[f64]) -> f64 {
+fn worst_error(camera: &ResolvedCamera, pixels: &[Pixel], numbers: &[f64]) -> f64 {
     assert_eq!(numbers.len(), 6 * pixels.len(), "{numbers:?}");
     let errors = numbers
         .chunks(6)
@@ -292,7 +292,7 @@ fn the_shader_is_glsl() {
 
 #[test]
 fn rust_gives_this_programs_rays() {
-    let assert_rays = |camera: PosedCamera, ray: fn(u32, u32) -> (DVec3, DVec3)| {
+    let assert_rays = |camera: ResolvedCamera, ray: fn(u32, u32) -> (DVec3, DVec3)| {
         for pixel in pixels(&camera) {
             let (origin, direction) = ray(pixel.row, pixel.column);
             assert!(error(&camera, pixel, origin, direction) <= 1e-12, "{pixel:?}");
@@ -316,7 +316,7 @@ fn the_code_reads_as_it_did() {
 #[test]
 fn numbers_beyond_f32_are_refused_where_there_is_no_more() {
     let refused =
-        |camera: Camera| named("glsl").code(&camera.posed().unwrap()).unwrap_err().to_string();
+        |camera: Camera| named("glsl").code(&camera.resolve().unwrap()).unwrap_err().to_string();
     let right = "and GLSL calculates in f32: it must be between 1e-37 and 1e38 in size";
     let viewport = Viewport { distance: 1e-40, ..Viewport::CANONICAL };
     assert_eq!(

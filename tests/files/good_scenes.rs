@@ -118,7 +118,7 @@ fn a_camera_without_a_basis_loads_and_says_why() {
     ];
     for (orientation, reason) in cases {
         let document = read(&format!("pinhole = 1\n[camera]\neye = [1, 2, 3]\n{orientation}\n"));
-        let error = document.camera.posed().unwrap_err();
+        let error = document.camera.resolve().unwrap_err();
         assert!(matches!(error, CameraError::Basis(_)), "{error:?}");
         assert_eq!(error.to_string(), reason);
     }
@@ -155,7 +155,7 @@ fn built_in_scenes_load_and_can_be_seen() {
     for builtin in builtin::all() {
         let document = builtin.load().unwrap();
         assert!(!document.note.is_empty() && !document.spheres.is_empty(), "{}", builtin.name);
-        document.camera.posed().unwrap();
+        document.camera.resolve().unwrap();
         document.scene().unwrap();
         let summary = builtin.summary();
         assert!(summary.ends_with('.') && summary.len() <= 80, "{summary}");
@@ -166,7 +166,7 @@ fn built_in_scenes_load_and_can_be_seen() {
 
 fn inspect(name: &str, uv: [f64; 2]) -> (Document, Inspection) {
     let document = builtin::find(name).unwrap().load().unwrap();
-    let camera = document.camera.posed().unwrap();
+    let camera = document.camera.resolve().unwrap();
     let inspection = Inspection::of_uv(&camera, &document.scene().unwrap(), DVec2::from_array(uv));
     (document, inspection)
 }

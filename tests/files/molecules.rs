@@ -191,7 +191,7 @@ fn no_text_makes_it_panic() {
 
 /// The camera sees every atom, and some of them near the picture's border.
 fn assert_framed(document: &Document) {
-    let camera = document.camera.posed().unwrap();
+    let camera = document.camera.resolve().unwrap();
     let [width, height] = [camera.image().width(), camera.image().height()].map(|n| n as usize);
     let frame = trace(
         &document.scene().unwrap(),
@@ -224,7 +224,7 @@ fn the_camera_frames_the_molecule() {
     }
     // In numbers that can be read out.
     let water = parse("water.xyz", WATER).camera;
-    assert_eq!(water.posed().unwrap().basis().w, DVec3::X);
+    assert_eq!(water.resolve().unwrap().basis().w, DVec3::X);
     assert_eq!((water.viewport.width, water.viewport.height), (1.6, 1.2));
 }
 

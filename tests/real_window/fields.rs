@@ -63,7 +63,7 @@ fn inspected(scene: &Path, pixel: Pixel, saved: &pinhole::document::Document) {
         .output()
         .unwrap();
     let said: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    let ray = saved.camera.posed().unwrap().ray_of_pixel(pixel);
+    let ray = saved.camera.resolve().unwrap().ray_of_pixel(pixel);
     assert_eq!(said["ray"]["origin"][0].as_f64(), Some(saved.camera.eye.x));
     for k in 0..3 {
         assert_eq!(said["ray"]["direction"][k].as_f64(), Some(ray.direction[k]), "{said}");

@@ -16,11 +16,11 @@ use textbook::{Form, Loop};
 const SIDE: u32 = 1024;
 const ROUNDS: usize = 41;
 
-fn camera() -> PosedCamera {
+fn camera() -> ResolvedCamera {
     let image = ImageSize::new(SIDE, SIDE).unwrap();
     let orientation = Orientation::At { at: DVec3::new(0.1, 0.0, -5.0), up: DVec3::Y };
     let viewport = Viewport { width: 2.0, height: 2.0, distance: 1.0 };
-    Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.posed().unwrap()
+    Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.resolve().unwrap()
 }
 
 /// One sphere on the camera's axis that covers about this share of the picture.

@@ -11,11 +11,11 @@ use pinhole_core::*;
 
 const ROUNDS: usize = 15;
 
-fn camera() -> PosedCamera {
+fn camera() -> ResolvedCamera {
     let image = ImageSize::new(1920, 1080).unwrap();
     let orientation = Orientation::At { at: DVec3::new(0.1, 0.0, -5.0), up: DVec3::Y };
     let viewport = Viewport { width: 1.92, height: 1.08, distance: 1.0 };
-    Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.posed().unwrap()
+    Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.resolve().unwrap()
 }
 
 /// A grid of equal spheres before the eye, which cover about 60 % of the picture.

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::image::Pixel;
 use crate::camera::ray::{Ray, RayError};
-use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::camera::resolved::{ResolvedCamera, ViewPlace};
 use crate::exact::big_ray::BigRay;
 use crate::exact::bounded::{Vector, length, near, scaled};
 use crate::exact::double_double::DoubleDouble;
@@ -15,10 +15,10 @@ use crate::exact::steps::Step;
 
 /// A ray on which every decision is what exact real arithmetic gives.
 ///
-/// - Of a [`Ray`], origin and direction are meant as given, to the bit ([`ExactRay::of`]).
+/// - Of a [`Ray`], origin and direction are meant as given, to the bit ([`ExactRay::from_ray`]).
 /// - Of a camera's view ray, eye, at (or view), up, viewport and image are: nothing in between is
 ///   rounded, neither the basis nor (u, v) nor the direction
-///   ([`PosedCamera::exact_ray`](PosedCamera::exact_ray)).
+///   ([`ResolvedCamera::exact_ray`](ResolvedCamera::exact_ray)).
 ///
 /// Both are the same to the intersection code: a direction in double-double with a bound of its
 /// error, and, where that does not suffice, the exact numbers.
@@ -42,10 +42,10 @@ pub struct ExactRay<'a> {
 #[derive(Clone, Copy, Debug)]
 enum Source<'a> {
     Given(DVec3),
-    View(&'a PosedCamera, ViewPlace),
+    View(&'a ResolvedCamera, ViewPlace),
 }
 
-impl PosedCamera {
+impl ResolvedCamera {
     /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
     /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
@@ -76,7 +76,7 @@ impl<'a> ExactRay<'a> {
     }
 
     /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
-    pub(crate) fn of_view(camera: &'a PosedCamera, place: ViewPlace) -> ExactRay<'a> {
+    pub(crate) fn of_view(camera: &'a ResolvedCamera, place: ViewPlace) -> ExactRay<'a> {
         let (direction, scale) = camera.fine_direction(place);
         let (direction, more) = scaled(direction);
         let doubt = camera.fine_basis().direction_doubt();
@@ -113,7 +113,7 @@ impl<'a> ExactRay<'a> {
     /// // By the triple 375040001^2 + 200010000^2 = 425040001^2 the ray touches the sphere.
     /// let ball = Sphere::new([37303990100.0, 20376040001.0, 0.0], 425040001.0)?;
     /// let scene = Scene::new(vec![ball], vec![])?;
-    /// let ray = ExactRay::of(&Ray::new([0.0; 3], [375040001.0, 200010000.0, 0.0])?)?;
+    /// let ray = ExactRay::from_ray(&Ray::new([0.0; 3], [375040001.0, 200010000.0, 0.0])?)?;
     /// assert_eq!(scene.first_hit_of(&ray).map(|hit| hit.t), Some(100.0));
     /// assert!(scene.first_hit_of(&ray.cut_off_after(Step::F64)).is_none());
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -18,7 +18,7 @@ use glam::DVec3;
 use crate::camera::basis::{Basis, BasisError, UpAngle};
 use crate::camera::fine_basis::{Aim, FineBasis};
 use crate::camera::image::{ImageError, ImageSize};
-use crate::camera::resolved::{AimGiven, PosedCamera};
+use crate::camera::resolved::{AimGiven, ResolvedCamera};
 use crate::camera::viewport::{Viewport, ViewportError};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::unit;
@@ -58,7 +58,7 @@ pub enum OrientationKind {
 
 /// A camera as given. The same type serves the edited camera and the observer of the world view.
 ///
-/// Any values may stand here while they are edited; [`Camera::posed`] is the door at which they
+/// Any values may stand here while they are edited; [`Camera::resolve`] is the door at which they
 /// are checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -208,10 +208,10 @@ impl Camera {
     ///
     /// # Errors
     /// Where it has no basis or its viewport is not a rectangle in front of the eye.
-    pub fn posed(&self) -> Result<PosedCamera, CameraError> {
+    pub fn resolve(&self) -> Result<ResolvedCamera, CameraError> {
         let (aim, basis, _) = self.aim(Step::Exact)?;
         self.viewport.check()?;
-        Ok(PosedCamera::new(self.eye, aim, basis, self.viewport, self.image))
+        Ok(ResolvedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }
 
     /// Returns the camera with its orientation given in another way.

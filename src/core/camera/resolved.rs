@@ -18,7 +18,7 @@ use crate::exact::surd::{Radicands, Surd};
 
 /// A [`Camera`](crate::Camera) that passed every check: eye, basis, viewport and image.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PosedCamera {
+pub struct ResolvedCamera {
     eye: DVec3,
     aim: AimGiven,
     basis: Basis,
@@ -100,8 +100,8 @@ impl PixelOfUv {
     }
 }
 
-impl PosedCamera {
-    /// Only [`Camera::posed`](crate::Camera::posed) calls this, after its checks.
+impl ResolvedCamera {
+    /// Only [`Camera::resolve`](crate::Camera::resolve) calls this, after its checks.
     pub(crate) fn new(
         eye: DVec3,
         aim: AimGiven,
@@ -109,7 +109,7 @@ impl PosedCamera {
         viewport: Viewport,
         image: ImageSize,
     ) -> Self {
-        PosedCamera { eye, aim, basis: fine_basis.rounded(), fine_basis, viewport, image }
+        ResolvedCamera { eye, aim, basis: fine_basis.rounded(), fine_basis, viewport, image }
     }
 
     /// The origin of every view ray.
@@ -144,13 +144,13 @@ impl PosedCamera {
         DVec2::new(self.u_of_column(pixel.column), self.v_of_row(pixel.row))
     }
 
-    /// u of the centre of a column, see [`PosedCamera::uv_of_pixel`].
+    /// u of the centre of a column, see [`ResolvedCamera::uv_of_pixel`].
     pub fn u_of_column(&self, column: u32) -> f64 {
         let (j, w) = (f64::from(column), f64::from(self.image.width()));
         self.viewport.width * ((2.0 * j + 1.0 - w) / (2.0 * w))
     }
 
-    /// v of the centre of a row, see [`PosedCamera::uv_of_pixel`].
+    /// v of the centre of a row, see [`ResolvedCamera::uv_of_pixel`].
     pub fn v_of_row(&self, row: u32) -> f64 {
         let (i, h) = (f64::from(row), f64::from(self.image.height()));
         self.viewport.height * ((h - 2.0 * i - 1.0) / (2.0 * h))
@@ -287,7 +287,7 @@ impl PosedCamera {
     /// depth = -q.W     (u, v) = (q.U, q.V) * distance / depth
     /// ```
     ///
-    /// the inverse of [`PosedCamera::ray`]: the ray through that (u, v) passes the point at
+    /// the inverse of [`ResolvedCamera::ray`]: the ray through that (u, v) passes the point at
     /// `t = depth / distance`.
     pub fn project(&self, point: DVec3) -> Projection {
         let (mut to_point, _, mut k) = difference_with_rest(point, self.eye);

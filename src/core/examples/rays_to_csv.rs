@@ -15,15 +15,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         image: ImageSize::new(16, 16)?,
         ..Camera::CANONICAL
     };
-    let posed = camera.posed()?;
-    assert_eq!(*posed.basis(), Basis::from_eye_at_up(eye.into(), at.into(), up.into())?);
+    let resolved = camera.resolve()?;
+    assert_eq!(*resolved.basis(), Basis::from_eye_at_up(eye.into(), at.into(), up.into())?);
     println!("row,column,ox,oy,oz,dx,dy,dz,object,t,px,py,pz");
-    for row in 0..posed.image().height() {
-        for column in 0..posed.image().width() {
+    for row in 0..resolved.image().height() {
+        for column in 0..resolved.image().width() {
             let pixel = Pixel { row, column };
             // The ray in digits, and the hit of the same ray with nothing rounded.
-            let ray = posed.ray_of_pixel(pixel);
-            let hit = scene.first_hit_of(&posed.exact_ray(pixel));
+            let ray = resolved.ray_of_pixel(pixel);
+            let hit = scene.first_hit_of(&resolved.exact_ray(pixel));
             let numbers = [ray.origin, ray.direction].map(|v| v.to_array().map(shortest).join(","));
             let met = hit.map_or(",,,,".to_owned(), |hit| {
                 let point = hit.point.to_array().map(shortest).join(",");

@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn picture<T: Depth>(scene: &Scene, camera: &Camera) -> Result<String, Box<dyn Error>> {
-    let camera = camera.posed()?;
+    let camera = camera.resolve()?;
     let raster = Raster::full(camera.image());
     let paint = Paint {
         shade: Shade::Lambert,

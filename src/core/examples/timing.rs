@@ -12,7 +12,7 @@ const FRAMES: usize = 15;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let image = ImageSize::new(1280, 720)?;
-    let camera = Camera { image, ..Camera::CANONICAL }.posed()?;
+    let camera = Camera { image, ..Camera::CANONICAL }.resolve()?;
     let raster = Raster::full(image);
     println!("  spheres  ms/frame  Mrays/s  beyond f64  in view  hidden");
     for count in [1, 100, 10_000, 1_000_000] {

@@ -5,14 +5,14 @@ use glam::DVec3;
 use super::program::{Bottom, Distance, Extent, Place, Program, Swap};
 use crate::camera::basis::Basis;
 use crate::camera::image::Pixel;
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::camera::{Camera, CameraError, Orientation};
 use crate::exact::scale::{length, unit};
 
 /// The camera that answers are about, with what wrong programs make of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Given {
-    pub(super) posed: PosedCamera,
+    pub(super) resolved: ResolvedCamera,
     view: DVec3,
     up: DVec3,
     /// `|up x w|` of the right w.
@@ -29,7 +29,7 @@ const ROUNDINGS: f64 = 16.0;
 
 impl Given {
     pub(super) fn new(camera: &Camera) -> Result<Given, CameraError> {
-        let posed = camera.posed()?;
+        let resolved = camera.resolve()?;
         let (view, up) = (camera.view(), camera.up());
         let conditioning = camera.up_angle().map_or(1.0, |angle| angle.conditioning);
         // at - eye cancels where both are far out.
@@ -38,10 +38,10 @@ impl Given {
             _ => 0.0,
         };
         Ok(Given {
-            posed,
+            resolved,
             view,
             up,
-            up_cross_w: length(up) * unit(up).cross(posed.basis().w).length(),
+            up_cross_w: length(up) * unit(up).cross(resolved.basis().w).length(),
             by_hand: matches!(camera.orientation, Orientation::Basis(_)),
             roundings: ROUNDINGS * (1.0 + lost) * conditioning,
         })
@@ -49,14 +49,14 @@ impl Given {
 
     /// The camera of a program.
     pub(super) fn camera_of(&self, program: Program) -> ProgramCamera {
-        let Basis { u, v, w } = *self.posed.basis();
+        let Basis { u, v, w } = *self.resolved.basis();
         let [width, height] = self.extent(program.extent);
         let [u_factor, v_factor, w_factor] = self.factors(&program);
         let distance = match program.distance {
-            Distance::Right => self.posed.viewport().distance,
+            Distance::Right => self.resolved.viewport().distance,
             Distance::One => 1.0,
             Distance::LeftOut => 0.0,
-            Distance::Plus => -self.posed.viewport().distance,
+            Distance::Plus => -self.resolved.viewport().distance,
         };
         let up = match program.up_as_v {
             Some(true) => Some(unit(self.up)),
@@ -66,13 +66,13 @@ impl Given {
         let epsilon = if program.single { f64::from(f32::EPSILON) } else { f64::EPSILON };
         ProgramCamera {
             program,
-            eye: self.posed.eye(),
+            eye: self.resolved.eye(),
             u: u_factor * u,
             v: up.unwrap_or(v_factor * v),
             w: w_factor * w,
             distance,
             extent: [width, height],
-            count: [self.posed.image().width(), self.posed.image().height()].map(f64::from),
+            count: [self.resolved.image().width(), self.resolved.image().height()].map(f64::from),
             epsilon,
             off: self.roundings * epsilon,
             nearest: f64::NAN,
@@ -94,15 +94,15 @@ impl Given {
     }
 
     fn extent(&self, extent: Extent) -> [f64; 2] {
-        let viewport = self.posed.viewport();
+        let viewport = self.resolved.viewport();
         let (width, height) = (viewport.width, viewport.height);
         match extent {
             Extent::Ones if width != height => [1.0, 1.0],
             Extent::Right | Extent::Ones => [width, height],
             Extent::WidthForHeight => [width, width],
             Extent::HeightForWidth => [height, height],
-            Extent::WidthByImage => [height * self.posed.image().aspect(), height],
-            Extent::HeightByImage => [width, width / self.posed.image().aspect()],
+            Extent::WidthByImage => [height * self.resolved.image().aspect(), height],
+            Extent::HeightByImage => [width, width / self.resolved.image().aspect()],
         }
     }
 }

@@ -35,7 +35,7 @@ impl<'a> Grader<'a> {
         tolerance: Option<f64>,
     ) -> Result<Grader<'a>, GradeError> {
         let given = Given::new(truth.camera)?;
-        let image = given.posed.image();
+        let image = given.resolved.image();
         match answers {
             Answers::Picture(pixels) if pixels.len() as u64 != image.pixel_count() => {
                 return Err(GradeError::PictureSize { pixels: pixels.len(), image });
@@ -162,38 +162,38 @@ impl<'a> Grader<'a> {
     }
 
     fn of_rays<'b>(&self, answers: &'b [RayAnswer], digits: Digits) -> Rays<'b> {
-        let posed = &self.given.posed;
-        let (size, image) = (posed.viewport().distance, posed.image());
+        let resolved = &self.given.resolved;
+        let (size, image) = (resolved.viewport().distance, resolved.image());
         Rays { answers, tolerance: self.tolerance, digits, size, image }
     }
 
     /// What the rays of these answers hit first.
     fn first_of(&self, hits: &[HitAnswer]) -> Vec<Option<Hit>> {
         let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
-        truth_of(self.truth, &self.given.posed, &pixels)
+        truth_of(self.truth, &self.given.resolved, &pixels)
     }
 
     fn basis(&self, vectors: &[Measured; 3]) -> Grade {
         let Grader { tolerance, digits, .. } = *self;
         let fits = Vectors { answers: vectors, tolerance, digits };
-        let basis = self.given.posed.basis();
+        let basis = self.given.resolved.basis();
         let right = |index: usize| Right::Vector([basis.u, basis.v, basis.w][index]);
         self.graded(&fits.judged(&self.given), &fits, &right)
     }
 
     fn rays(&self, rays: &[RayAnswer]) -> Grade {
-        let posed = &self.given.posed;
-        let image = posed.image();
+        let resolved = &self.given.resolved;
+        let image = resolved.image();
         let fits = self.of_rays(rays, self.digits);
         let right = |index: usize| match rays[index].pixel {
-            pixel if image.contains(pixel) => Right::Ray(posed.ray_of_pixel(pixel)),
+            pixel if image.contains(pixel) => Right::Ray(resolved.ray_of_pixel(pixel)),
             _ => Right::NoPixel,
         };
         self.graded(&fits.judged(&self.given), &fits, &right)
     }
 
     fn hits(&self, hits: &[HitAnswer]) -> Grade {
-        let image = self.given.posed.image();
+        let image = self.given.resolved.image();
         let fits = self.of_hits(hits, self.digits);
         let first = self.first_of(hits);
         let right = |index: usize| match hits[index].pixel {
@@ -216,7 +216,7 @@ impl<'a> Grader<'a> {
         let grade = |place: usize| {
             let fits = Picture {
                 pixels,
-                image: self.given.posed.image(),
+                image: self.given.resolved.image(),
                 scene: self.truth.scene,
                 color_of: self.truth.color_of,
                 shade: Shade::ALL[place],

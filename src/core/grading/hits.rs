@@ -10,7 +10,7 @@ use super::meetings::{FirstMeetings, Meeting, work};
 use super::program::{Measure, Program};
 use super::{Digits, Hit, Judged, Truth};
 use crate::camera::image::Pixel;
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::exact::scale::length;
 use crate::render::frame::{NO_OBJECT, Outputs, Raster};
 use crate::render::trace;
@@ -97,13 +97,13 @@ impl Hits<'_> {
     /// How far each answer is from the truth.
     pub(super) fn judged(&self, given: &Given, truth: &[Option<Hit>]) -> Vec<Judged> {
         let right = given.camera_of(Program::RIGHT);
-        let image = given.posed.image();
+        let image = given.resolved.image();
         let judge = |index: usize| {
             let HitAnswer { pixel, hit } = self.answers[index];
             if !image.contains(pixel) {
                 return Judged { is_right: false, error: f64::INFINITY };
             }
-            let error = error_of(hit.as_ref(), truth[index].as_ref(), given.posed.eye());
+            let error = error_of(hit.as_ref(), truth[index].as_ref(), given.resolved.eye());
             let is_right = error <= self.tolerance || self.fits(&right, index);
             Judged { is_right, error }
         };
@@ -130,10 +130,14 @@ fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
 }
 
 /// The first hits of these pixels' rays; `None` for a miss, or for what is no pixel.
-pub(super) fn truth_of(truth: &Truth, posed: &PosedCamera, pixels: &[Pixel]) -> Vec<Option<Hit>> {
+pub(super) fn truth_of(
+    truth: &Truth,
+    resolved: &ResolvedCamera,
+    pixels: &[Pixel],
+) -> Vec<Option<Hit>> {
     /// Rows that are traced at a time: those of a large image do not fit into memory at once.
     const ROWS: usize = 256;
-    let image = posed.image();
+    let image = resolved.image();
     let own = |pixel: &&Pixel| image.contains(**pixel);
     let mut rows: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.row).collect();
     let mut columns: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.column).collect();
@@ -152,19 +156,19 @@ pub(super) fn truth_of(truth: &Truth, posed: &PosedCamera, pixels: &[Pixel]) -> 
         if here.len() * 16 < rows.len() * columns.len() {
             // Few pixels, far apart.
             for index in here {
-                let hit = truth.scene.first_hit_of(&posed.exact_ray(pixels[*index]));
+                let hit = truth.scene.first_hit_of(&resolved.exact_ray(pixels[*index]));
                 hits[*index] = hit.map(|r| Hit { t: r.t, point: r.point, object: r.object });
             }
             continue;
         }
         let raster = Raster::of(rows.to_vec(), columns.clone());
-        let frame = trace(truth.scene, posed, &raster, Outputs::default());
+        let frame = trace(truth.scene, resolved, &raster, Outputs::default());
         for index in here {
             let pixel = pixels[*index];
             let row = rows.partition_point(|row| *row < pixel.row);
             let place = row * columns.len() + columns.partition_point(|c| *c < pixel.column);
             let (t, object) = (frame.t[place], frame.object[place]);
-            let point = posed.ray_of_pixel(pixel).at(t);
+            let point = resolved.ray_of_pixel(pixel).at(t);
             hits[*index] = (object != NO_OBJECT).then_some(Hit { t, point, object });
         }
     }

@@ -87,7 +87,7 @@ impl Sight<'_> {
     /// Every sphere that the ray's line may be said to meet.
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
-        match (scene.index(), ExactRay::of(&ray)) {
+        match (scene.index(), ExactRay::from_ray(&ray)) {
             (Some(index), Ok(ray)) if !meets_far_off(&self.camera.program) => {
                 let line = Line::of(&ray);
                 let share = self.tolerance + self.camera.off + 64.0 * self.camera.epsilon;

@@ -34,8 +34,8 @@ pub(super) struct Picture<'a> {
 
 /// The right picture in every shading, as [`Shade::ALL`] lists them, and the nearest hit's t.
 pub(super) fn right_pictures(truth: &Truth, given: &Given) -> ([Vec<Rgb>; 4], f64) {
-    let raster = Raster::full(given.posed.image());
-    let frame = trace_as::<f32>(truth.scene, &given.posed, &raster, Outputs::default());
+    let raster = Raster::full(given.resolved.image());
+    let frame = trace_as::<f32>(truth.scene, &given.resolved, &raster, Outputs::default());
     let nearest = frame.t.iter().copied().fold(f32::INFINITY, f32::min);
     let pictures = Shade::ALL.map(|mode| shade(&frame, truth.scene, mode, truth.color_of, |c| c));
     (pictures, f64::from(nearest))

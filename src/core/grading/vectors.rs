@@ -86,7 +86,7 @@ impl Rays<'_> {
                 return Judged { is_right: false, error: f64::INFINITY };
             }
             let size = length(right.eye).max(self.size);
-            let turned = turned(direction.value, given.posed.ray_of_pixel(pixel).direction);
+            let turned = turned(direction.value, given.resolved.ray_of_pixel(pixel).direction);
             let moved = length(origin.value - right.eye) / size;
             let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
             let error = if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY };

@@ -26,7 +26,7 @@ use crate::scene::sphere_predicates::SphereSeen;
 /// use pinhole_core::{lecture::AlongRay, *};
 /// let ball = Object::Sphere(Sphere::new([0.0, 0.0, -5.0], 1.0)?);
 /// let ray = Ray::new([0.0; 3], [0.0, 0.0, -1.0])?;
-/// let along = AlongRay::new(&ball, ExactRay::of(&ray)?)?;
+/// let along = AlongRay::new(&ball, ExactRay::from_ray(&ray)?)?;
 /// assert_eq!([3.0, 4.0, 5.0, 6.0, 7.0].map(|t| along.value(t)), [3.0, 0.0, -1.0, 0.0, 3.0]);
 /// assert_eq!(along.slope(4.0), -2.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::image::Pixel;
 use crate::camera::ray::{Ray, RayError};
-use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::camera::resolved::{ResolvedCamera, ViewPlace};
 use crate::exact::scale::length;
 
 /// A view ray with every value on the way to it:
@@ -24,7 +24,7 @@ pub struct RayDerivation {
     /// by (u, v).
     pub shares: Option<PixelShares>,
     /// Where the ray passes through the viewport, in world units, as
-    /// [`PosedCamera::uv_of_pixel`] says.
+    /// [`ResolvedCamera::uv_of_pixel`] says.
     pub uv: DVec2,
     /// `u U`, in world units.
     pub along_u: DVec3,
@@ -59,7 +59,7 @@ pub struct PixelShares {
 
 impl RayDerivation {
     /// The view ray through a pixel's centre.
-    pub fn of_pixel(camera: &PosedCamera, pixel: Pixel) -> RayDerivation {
+    pub fn of_pixel(camera: &ResolvedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
         let place = ViewPlace::Pixel(pixel);
         let shares = Some(PixelShares::of(camera, pixel));
@@ -70,13 +70,13 @@ impl RayDerivation {
     ///
     /// # Errors
     /// Where u or v is not finite.
-    pub fn of_uv(camera: &PosedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
+    pub fn of_uv(camera: &ResolvedCamera, uv: DVec2) -> Result<RayDerivation, RayError> {
         let direction = camera.exact_ray_at(uv)?.rounded();
         Ok(RayDerivation::new(camera, ViewPlace::Uv(uv), None, uv, direction))
     }
 
     fn new(
-        camera: &PosedCamera,
+        camera: &ResolvedCamera,
         place: ViewPlace,
         shares: Option<PixelShares>,
         uv: DVec2,
@@ -103,7 +103,7 @@ impl RayDerivation {
 
 impl PixelShares {
     /// Each rounded once: numerators and denominators are whole.
-    fn of(camera: &PosedCamera, pixel: Pixel) -> PixelShares {
+    fn of(camera: &ResolvedCamera, pixel: Pixel) -> PixelShares {
         let image = camera.image();
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));

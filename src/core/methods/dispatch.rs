@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::camera::exact_ray::ExactRay;
 use crate::camera::ray::Ray;
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::steps::Steps;
 use crate::methods::formulas::{
@@ -117,8 +117,8 @@ fn hit_of_ray<M: Intersect>(scene: &Scene, ray: &RoundedRay<M::Real>) -> Option<
 /// Traces the first hit of every pixel of the raster by a method, rows in parallel: each direction
 /// `u*U + v*V - distance*W` in the method's own precision, from the camera's basis rounded to it,
 /// against every object.
-pub fn trace_by(method: Method, scene: &Scene, camera: &PosedCamera, raster: &Raster) -> Traced {
-    struct Trace<'a>(&'a Scene, &'a PosedCamera, &'a Raster);
+pub fn trace_by(method: Method, scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Traced {
+    struct Trace<'a>(&'a Scene, &'a ResolvedCamera, &'a Raster);
     impl Visitor for Trace<'_> {
         type Out = Traced;
 
@@ -177,10 +177,10 @@ pub trait FrameKernel: Send + Sync + sealed::Sealed {
 pub fn frame_kernel(
     method: Method,
     scene: &Arc<Scene>,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
 ) -> Box<dyn FrameKernel> {
-    struct Make<'a>(&'a Arc<Scene>, &'a PosedCamera, &'a Raster);
+    struct Make<'a>(&'a Arc<Scene>, &'a ResolvedCamera, &'a Raster);
     impl Visitor for Make<'_> {
         type Out = Box<dyn FrameKernel>;
 
@@ -210,7 +210,7 @@ pub fn frame_kernel(
 
 struct LadderFrame {
     scene: Arc<Scene>,
-    camera: PosedCamera,
+    camera: ResolvedCamera,
     raster: Raster,
     frame: OnceLock<Frame>,
 }
@@ -243,7 +243,7 @@ impl FrameKernel for LadderFrame {
 struct KnownFrame<M: Intersect> {
     rays: ViewRays<M::Real>,
     scene: Arc<Scene>,
-    camera: PosedCamera,
+    camera: ResolvedCamera,
     raster: Raster,
     t: Vec<M::Real>,
     object: Vec<u32>,
@@ -321,7 +321,7 @@ impl RayKernel for LadderRays {
         self.hits.clear();
         self.steps = Steps::default();
         for (scene, ray) in &self.cases {
-            let ray = ExactRay::of(ray).ok();
+            let ray = ExactRay::from_ray(ray).ok();
             let root = ray.and_then(|ray| scene.first_hit_counting(&ray, &mut self.steps));
             self.hits.push(hit_of_root(root));
         }

@@ -3,7 +3,7 @@
 //! These pictures show what a method does wrong. So every pixel asks every object: no bounds are
 //! computed, and nothing is left out.
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::methods::formulas::{Intersect, PlaneByTextbook, is_hit};
 use crate::methods::number::{Real, RoundedPlane, RoundedRay, RoundedScene, RoundedSphere, Vector};
 use crate::render::frame::{NO_OBJECT, Raster};
@@ -20,7 +20,7 @@ pub(crate) struct ViewRays<R> {
 }
 
 impl<R: Real> ViewRays<R> {
-    pub(crate) fn new(camera: &PosedCamera, raster: &Raster) -> Self {
+    pub(crate) fn new(camera: &ResolvedCamera, raster: &Raster) -> Self {
         let (basis, viewport) = (camera.basis(), camera.viewport());
         let [u, v, w] = [basis.u, basis.v, basis.w].map(Vector::<R>::rounded);
         let [width, height, distance] =
@@ -102,7 +102,7 @@ impl<R: Real> Row<R> {
 }
 
 impl<M: Intersect> FrameBy<M> {
-    pub(crate) fn new(scene: &Scene, camera: &PosedCamera, raster: &Raster) -> Self {
+    pub(crate) fn new(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) -> Self {
         let rays = ViewRays::new(camera, raster);
         let origin = rays.origin;
         let sphere = |sphere| M::new(&RoundedSphere::new(sphere), origin);

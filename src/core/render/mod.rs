@@ -39,7 +39,7 @@ use std::sync::{Mutex, PoisonError};
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::exact::steps::Steps;
 use crate::render::frame::buffers::{BandBuffers, OwnBuffers, band_buffers, empty_frame, or_own};
 use crate::render::frame::counts::Counts;
@@ -58,19 +58,19 @@ use crate::scene::Scene;
 /// Traces the first hit of every pixel of the raster, bands of rows in parallel.
 ///
 /// Each pixel's object is what [`Scene::first_hit_of`] says of its
-/// [exact ray](PosedCamera::exact_ray), and its `t` is within the same bounds (the two may differ in
+/// [exact ray](ResolvedCamera::exact_ray), and its `t` is within the same bounds (the two may differ in
 /// the last bit, where the exact `t` lies within 2^-40 of an ulp of the middle between two `f64`).
 /// The same bits come from any number of threads and any processor. What the rays share is computed
 /// once, only what can be seen is looked at, and a pixel in doubt goes up the ladder by itself. A scene
 /// without planes runs no plane code.
-pub fn trace(scene: &Scene, camera: &PosedCamera, raster: &Raster, outputs: Outputs) -> Frame {
+pub fn trace(scene: &Scene, camera: &ResolvedCamera, raster: &Raster, outputs: Outputs) -> Frame {
     trace_reporting(scene, camera, raster, outputs, |_| ())
 }
 
 /// [`trace`] with `t` in `f64`, or within an ulp in `f32`, which takes a fraction of the time.
 pub fn trace_as<T: Depth>(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {
@@ -81,7 +81,7 @@ pub fn trace_as<T: Depth>(
 /// the number of rows that were just finished.
 pub fn trace_reporting<T: Depth>(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     done: impl Fn(usize) + Sync,
@@ -93,7 +93,7 @@ pub fn trace_reporting<T: Depth>(
 pub fn trace_at_level<T: Depth>(
     level: Level,
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     done: impl Fn(usize) + Sync,
@@ -118,7 +118,7 @@ pub fn trace_at_level<T: Depth>(
 /// Where there is not one pixel for each of the raster's.
 pub fn trace_painted<T: Depth, P: Send>(
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
@@ -133,7 +133,7 @@ pub fn trace_painted<T: Depth, P: Send>(
 pub fn trace_painted_at_level<T: Depth, P: Send>(
     level: Level,
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
     paint: &Paint<impl Fn(u32) -> Rgb + Sync, impl Fn(Rgb) -> P + Sync>,
@@ -172,7 +172,12 @@ pub fn trace_painted_at_level<T: Depth, P: Send>(
 
 /// Traces another camera or scene into a frame of the same raster: what [`trace_as`] gives, without
 /// new memory.
-pub fn retrace<T: Depth>(frame: &mut Frame<T>, level: Level, scene: &Scene, camera: &PosedCamera) {
+pub fn retrace<T: Depth>(
+    frame: &mut Frame<T>,
+    level: Level,
+    scene: &Scene,
+    camera: &ResolvedCamera,
+) {
     frame.camera = *camera;
     T::fill(frame, level, scene, None, &|_| ());
 }

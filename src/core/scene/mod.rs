@@ -171,7 +171,7 @@ impl Scene {
     /// `t` in the order of objects. A tangent's double root stands once. Order and ties are exact,
     /// for the numbers as given; a ray that does not pass [`Ray::check`] has no roots.
     pub fn roots(&self, ray: &Ray) -> Vec<Root> {
-        ExactRay::of(ray).map_or_else(|_| Vec::new(), |ray| self.roots_of(&ray))
+        ExactRay::from_ray(ray).map_or_else(|_| Vec::new(), |ray| self.roots_of(&ray))
     }
 
     /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
@@ -198,7 +198,7 @@ impl Scene {
     /// The first hit: the root with the smallest `t > 0`; of equal ones, the object listed first.
     /// Exact for the numbers as given; a ray that does not pass [`Ray::check`] hits nothing.
     pub fn first_hit(&self, ray: &Ray) -> Option<Root> {
-        self.first_hit_of(&ExactRay::of(ray).ok()?)
+        self.first_hit_of(&ExactRay::from_ray(ray).ok()?)
     }
 
     /// [`Scene::first_hit`] of a ray with all its digits: a camera's view ray, or any other.

@@ -245,7 +245,7 @@ impl Sphere {
     /// nowhere for a ray that does not pass [`Ray::check`], or a sphere that does not pass
     /// [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
-        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+        ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
 
     /// [`Sphere::roots`] of a ray with all its digits.
@@ -263,7 +263,7 @@ impl Plane {
     /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an
     /// ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
-        ExactRay::of(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
+        ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
 
     /// [`Plane::roots`] of a ray with all its digits.

@@ -253,7 +253,7 @@ impl Plane {
     /// The intersection's parts for the readouts, each rounded once from more digits. They may
     /// overflow or underflow where `t` does not; of a ray or a plane that is none, they are NaN.
     pub fn terms(&self, ray: &Ray) -> PlaneTerms {
-        match ExactRay::of(ray) {
+        match ExactRay::from_ray(ray) {
             Ok(ray) => self.terms_of(&ray),
             Err(_) => PlaneTerms::NONE,
         }

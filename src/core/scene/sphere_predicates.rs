@@ -371,7 +371,7 @@ impl Sphere {
     /// The quadratic's parts for the readouts, each rounded once from more digits. They may overflow
     /// or underflow where the roots do not; of a ray or a sphere that is none, they are NaN.
     pub fn quadratic(&self, ray: &Ray) -> SphereQuadratic {
-        match ExactRay::of(ray) {
+        match ExactRay::from_ray(ray) {
             Ok(ray) => self.quadratic_of(&ray),
             Err(_) => SphereQuadratic::NONE,
         }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::exact::decimal::{shortest, triple};
 use crate::exact::scale::unit;
 
@@ -118,7 +118,7 @@ impl Drag {
     /// See [`DragError`]: rather than jump to infinity, the drag is refused.
     pub fn to(
         &self,
-        observer: &PosedCamera,
+        observer: &ResolvedCamera,
         uv: DVec2,
         along: DragAlong,
     ) -> Result<DVec3, DragError> {
@@ -148,7 +148,7 @@ impl Drag {
 ///
 /// # Errors
 /// Where the point is not in front of the observer.
-pub fn pixel_in_world(observer: &PosedCamera, point: DVec3) -> Result<f64, DragError> {
+pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, DragError> {
     let Seen { depth, distance, .. } = Seen::of(point, observer)?;
     let height = observer.viewport().height / f64::from(observer.image().height());
     Ok(depth / distance * height)
@@ -156,7 +156,7 @@ pub fn pixel_in_world(observer: &PosedCamera, point: DVec3) -> Result<f64, DragE
 
 /// An anchor in the observer's coordinates.
 struct Seen<'a> {
-    observer: &'a PosedCamera,
+    observer: &'a ResolvedCamera,
     /// `(x, y, -z)`
     place: DVec3,
     /// z
@@ -165,7 +165,7 @@ struct Seen<'a> {
 }
 
 impl Seen<'_> {
-    fn of(anchor: DVec3, observer: &PosedCamera) -> Result<Seen<'_>, DragError> {
+    fn of(anchor: DVec3, observer: &ResolvedCamera) -> Result<Seen<'_>, DragError> {
         finite("anchor", anchor)?;
         let place = finite("anchor", anchor - observer.eye())?;
         let place = observer.basis().to_camera_from_world(place);

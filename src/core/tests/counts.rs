@@ -1,13 +1,13 @@
 //! Counts of what a frame left out.
 
 use pinhole_core::{
-    Camera, Counts, DVec3, Frame, ImageSize, NO_OBJECT, Outputs, PosedCamera, Raster, Scene,
+    Camera, Counts, DVec3, Frame, ImageSize, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene,
     Sphere, trace_as,
 };
 use rayon::prelude::*;
 
-fn camera(side: u32) -> PosedCamera {
-    Camera { image: ImageSize::new(side, side).unwrap(), ..Camera::CANONICAL }.posed().unwrap()
+fn camera(side: u32) -> ResolvedCamera {
+    Camera { image: ImageSize::new(side, side).unwrap(), ..Camera::CANONICAL }.resolve().unwrap()
 }
 
 /// Spheres all round the eye, the same each time.

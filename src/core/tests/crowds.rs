@@ -41,9 +41,9 @@ fn with_pixels(width: u32, height: u32, slope: f64) -> Camera {
 
 fn assert_right(name: &str, spheres: Vec<Sphere>, camera: &Camera) {
     let scene = Scene::new(spheres, vec![]).unwrap();
-    let posed = camera.posed().unwrap();
-    let raster = Raster::full(posed.image());
-    let frame = trace_as::<f32>(&scene, &posed, &raster, Outputs::default());
+    let resolved = camera.resolve().unwrap();
+    let raster = Raster::full(resolved.image());
+    let frame = trace_as::<f32>(&scene, &resolved, &raster, Outputs::default());
     every_pixel_is_right(name, &scene, camera, &frame);
 }
 
@@ -58,8 +58,8 @@ fn a_wide_row_that_ends_at_a_pixels_centre_is_right() {
     assert_right("ends at a centre", vec![large], &camera);
 
     let pixel = Pixel { row: 118, column: 246 };
-    let posed = camera.posed().unwrap();
-    let ray = posed.ray_of_pixel(pixel);
+    let resolved = camera.resolve().unwrap();
+    let ray = resolved.ray_of_pixel(pixel);
     let t = large.roots(&ray).first_positive().unwrap();
     for nearer in [1.5, 2.5, 3.5] {
         let t = t * (1.0 - nearer * f64::from(f32::EPSILON));
@@ -267,11 +267,11 @@ fn every_pixel_of_the_benchmarks_hard_scenes_is_right() {
         let start = std::time::Instant::now();
         let setting = listed.make();
         for number in [0, 3] {
-            let posed = setting.camera(number);
-            let raster = Raster::full(posed.image());
-            let frame = trace_as::<f32>(&setting.scene, &posed, &raster, Outputs::default());
+            let resolved = setting.camera(number);
+            let raster = Raster::full(resolved.image());
+            let frame = trace_as::<f32>(&setting.scene, &resolved, &raster, Outputs::default());
             let checked =
-                every_pixel_is_right(&setting.name, &setting.scene, &as_given(&posed), &frame);
+                every_pixel_is_right(&setting.name, &setting.scene, &as_given(&resolved), &frame);
             let seconds = start.elapsed().as_secs_f64();
             println!("{} frame {number}: {seconds:.1} s, {checked:?}", setting.name);
         }
@@ -279,10 +279,10 @@ fn every_pixel_of_the_benchmarks_hard_scenes_is_right() {
 }
 
 /// The camera of a benchmark's scene as it is given: y is up in all of them.
-fn as_given(posed: &PosedCamera) -> Camera {
+fn as_given(resolved: &ResolvedCamera) -> Camera {
     let (up, ahead) = (DVec3::Y, DVec3::NEG_Z);
-    let (viewport, image, eye) = (*posed.viewport(), posed.image(), posed.eye());
+    let (viewport, image, eye) = (*resolved.viewport(), resolved.image(), resolved.eye());
     let cameras = [Orientation::View { view: ahead, up }, Orientation::At { at: ahead, up }]
         .map(|orientation| Camera { eye, orientation, viewport, image });
-    cameras.into_iter().find(|camera| camera.posed() == Ok(*posed)).unwrap()
+    cameras.into_iter().find(|camera| camera.resolve() == Ok(*resolved)).unwrap()
 }

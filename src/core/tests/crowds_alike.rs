@@ -29,7 +29,7 @@ fn differences(
     levels: &[(&str, Level)],
     pools: &[(usize, rayon::ThreadPool)],
 ) -> Vec<String> {
-    let camera = crowd.camera.posed().unwrap();
+    let camera = crowd.camera.resolve().unwrap();
     let raster = Raster::full(crowd.camera.image);
     // Each has a scene of its own, so that its index is made by its own pool.
     let frame = |level, pool: &rayon::ThreadPool| {
@@ -92,7 +92,7 @@ fn hard_crowds_are_the_same_bits_for_any_threads_and_level() {
 
 /// Finds where the pixels of a part differ from those of the whole picture.
 fn differing(crowd: &Crowd, whole: &Frame<f32>, raster: &Raster) -> Option<String> {
-    let camera = crowd.camera.posed().unwrap();
+    let camera = crowd.camera.resolve().unwrap();
     let part = trace_as::<f32>(&crowd.scene, &camera, raster, Outputs::default());
     for row in 0..raster.rows().len() {
         for column in 0..raster.columns().len() {
@@ -129,7 +129,7 @@ fn parts_of_pictures_are_the_same_bits_as_the_whole() {
 fn traced_again_into_the_same_frame_is_the_same_as_anew() {
     let mut frame: Option<Frame<f32>> = None;
     for crowd in crowds::all().iter().filter(|crowd| crowd.camera.image == ordinary().image) {
-        let camera = crowd.camera.posed().unwrap();
+        let camera = crowd.camera.resolve().unwrap();
         let fresh = crowd.trace();
         let again = frame.get_or_insert_with(|| fresh.clone());
         retrace(again, Level::new(), &crowd.scene, &camera);

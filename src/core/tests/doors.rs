@@ -68,7 +68,7 @@ fn rays_and_objects() {
         let doors = [
             ray.check().err(),
             Ray::new(case.origin, case.direction).err(),
-            ExactRay::of(&ray).err(),
+            ExactRay::from_ray(&ray).err(),
         ];
         let of_sphere = [sphere.check().err(), Sphere::new(sphere.center, sphere.radius).err()];
         let of_plane = [plane.check().err(), Plane::new(plane.point, plane.normal).err()];
@@ -129,15 +129,16 @@ fn assert_meets_nothing(scene: &Scene, ray: &Ray, what: &str) {
 /// An object that is none is met by nothing, from anywhere, by whatever step.
 #[track_caller]
 fn assert_is_none(object: &Object, what: &str) {
-    let posed = Camera::CANONICAL.posed().unwrap();
+    let resolved = Camera::CANONICAL.resolve().unwrap();
     let given = [
         Ray::new([0.0; 3], [0.0, 0.0, -1.0]).unwrap(),
         Ray::new([0.0, 0.0, -5.0], [0.3, 0.2, -1.0]).unwrap(),
         Ray::new([1e300, -1e-300, 5.0], [1e-300, 5e-324, -1e300]).unwrap(),
     ];
     let pixel = Pixel { row: 200, column: 200 };
-    let mut rays: Vec<ExactRay> = given.iter().map(|ray| ExactRay::of(ray).unwrap()).collect();
-    rays.push(posed.exact_ray(pixel));
+    let mut rays: Vec<ExactRay> =
+        given.iter().map(|ray| ExactRay::from_ray(ray).unwrap()).collect();
+    rays.push(resolved.exact_ray(pixel));
     for ray in rays {
         for last in [Step::F64, Step::DoubleDouble, Step::Exact] {
             let ray = ray.cut_off_after(last);
@@ -187,10 +188,10 @@ fn bases() {
             assert_eq!(field, field_of(&what));
             assert!(!value.is_finite(), "{what}");
         }
-        let posed = camera.posed();
+        let resolved = camera.resolve();
         assert!(
-            matches!(posed, Err(CameraError::Basis(BasisError::NotFinite { .. }))),
-            "{posed:?} where {what}"
+            matches!(resolved, Err(CameraError::Basis(BasisError::NotFinite { .. }))),
+            "{resolved:?} where {what}"
         );
         assert!(camera.up_angle().is_err(), "{what}");
         for kind in [OrientationKind::At, OrientationKind::View, OrientationKind::Basis] {
@@ -218,7 +219,7 @@ fn cameras() {
         let viewport =
             Viewport { width: given.width, height: given.height, distance: given.distance };
         let camera = Camera { image, viewport, ..Camera::CANONICAL };
-        let error = camera.posed().unwrap_err();
+        let error = camera.resolve().unwrap_err();
         assert!(matches!(error, CameraError::Viewport(_)), "{error:?} where {what}");
         assert_eq!(
             viewport.check().err().map(CameraError::Viewport).map(|e| e.to_string()),
@@ -234,25 +235,26 @@ fn cameras() {
 /// Places that a camera is asked for may be none either.
 #[test]
 fn places_in_a_camera() {
-    let posed = Camera::CANONICAL.posed().unwrap();
+    let resolved = Camera::CANONICAL.resolve().unwrap();
     let strange = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
     for x in strange {
         for uv in [DVec2::new(x, 0.0), DVec2::new(0.0, x), DVec2::splat(x)] {
-            let error = posed.exact_ray_at(uv).unwrap_err();
+            let error = resolved.exact_ray_at(uv).unwrap_err();
             assert!(matches!(error, RayError::NotFinite { field: "uv", .. }), "{error:?}");
-            assert_eq!(posed.pixel_of_uv(uv), None, "{uv}");
-            assert!(posed.ray(uv).check().is_err(), "{uv}");
+            assert_eq!(resolved.pixel_of_uv(uv), None, "{uv}");
+            assert!(resolved.ray(uv).check().is_err(), "{uv}");
         }
         for point in [vec3(x, 0.0, -1.0), vec3(0.0, 0.0, x)] {
             assert!(
-                !posed.project(point).uv.is_finite() || !posed.project(point).depth.is_finite()
+                !resolved.project(point).uv.is_finite()
+                    || !resolved.project(point).depth.is_finite()
             );
         }
     }
     // Beside the image there are rays all the same, of numbers.
     let scene = Scene::new(vec![Sphere::new([0.0, 0.0, -5.0], 1.0).unwrap()], vec![]).unwrap();
     for pixel in [Pixel { row: u32::MAX, column: 0 }, Pixel { row: 400, column: u32::MAX }] {
-        assert!(posed.ray_of_pixel(pixel).check().is_ok());
-        assert_eq!(scene.first_hit_of(&posed.exact_ray(pixel)), None);
+        assert!(resolved.ray_of_pixel(pixel).check().is_ok());
+        assert_eq!(scene.first_hit_of(&resolved.exact_ray(pixel)), None);
     }
 }

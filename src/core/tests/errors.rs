@@ -119,13 +119,13 @@ fn camera() {
         Orientation::Basis(Basis::CANONICAL),
     ] {
         let message = "eye is (0, NaN, 0): every coordinate must be a finite number";
-        assert_says(Camera { orientation, ..nowhere }.posed(), message);
+        assert_says(Camera { orientation, ..nowhere }.resolve(), message);
         assert_says(Camera { orientation, ..nowhere }.basis(), message);
         assert_says(Camera { orientation, ..nowhere }.up_angle(), message);
     }
     let mirrored = Basis { w: DVec3::NEG_Z, ..Basis::CANONICAL };
     let camera = Camera { orientation: Orientation::Basis(mirrored), ..Camera::CANONICAL };
-    assert_eq!(camera.posed(), Err(CameraError::Basis(BasisError::LeftHanded)));
+    assert_eq!(camera.resolve(), Err(CameraError::Basis(BasisError::LeftHanded)));
     let image_error: CameraError = ImageSize::new(0, 1).unwrap_err().into();
     assert_eq!(image_error.to_string(), "image width is 0: it must be 1 to 16384 pixels");
 }
@@ -144,7 +144,7 @@ fn viewport() {
             let message =
                 format!("viewport {field} is {text}: it must be finite and greater than 0");
             assert_says(viewport.check(), &message);
-            assert_says(Camera { viewport, ..Camera::CANONICAL }.posed(), &message);
+            assert_says(Camera { viewport, ..Camera::CANONICAL }.resolve(), &message);
         }
     }
     assert_eq!(Viewport { width: 1e-12, height: 1e12, distance: 1e-300 }.check(), Ok(()));

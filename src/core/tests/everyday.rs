@@ -148,14 +148,14 @@ impl Case {
         match self.asked {
             Asked::Ray(origin, direction) => {
                 let ray = Ray::new(origin, direction).unwrap();
-                hit(&ExactRay::of(&ray).unwrap(), &ray)
+                hit(&ExactRay::from_ray(&ray).unwrap(), &ray)
             }
             Asked::Uv(camera, u, v) => {
-                let (camera, uv) = (given::camera(&camera).posed().unwrap(), DVec2::new(u, v));
+                let (camera, uv) = (given::camera(&camera).resolve().unwrap(), DVec2::new(u, v));
                 hit(&camera.exact_ray_at(uv).unwrap(), &camera.ray(uv))
             }
             Asked::Pixel(camera, row, column) => {
-                let camera = given::camera(&camera).posed().unwrap();
+                let camera = given::camera(&camera).resolve().unwrap();
                 let pixel = Pixel { row, column };
                 hit(&camera.exact_ray(pixel), &camera.ray_of_pixel(pixel))
             }

@@ -9,9 +9,9 @@ use crate::common::{assert_ulps, assert_ulps3, plane, root_on, roots_on, sphere,
 const BACK_WALL: Plane = Plane { point: DVec3::new(0.0, 0.0, -6.0), normal: DVec3::Z };
 const WARM_UP: DVec2 = DVec2::new(0.2, -0.1);
 
-fn with_distance(distance: f64) -> PosedCamera {
+fn with_distance(distance: f64) -> ResolvedCamera {
     let viewport = Viewport { distance, ..Viewport::CANONICAL };
-    Camera { viewport, ..Camera::CANONICAL }.posed().unwrap()
+    Camera { viewport, ..Camera::CANONICAL }.resolve().unwrap()
 }
 
 fn first_hit(planes: Vec<Plane>, ray: &Ray) -> Root {
@@ -42,7 +42,7 @@ fn at_distance_two_z_becomes_minus_two() {
 }
 
 fn assert_forty_five(orientation: Orientation) {
-    let camera = Camera { orientation, ..Camera::CANONICAL }.posed().unwrap();
+    let camera = Camera { orientation, ..Camera::CANONICAL }.resolve().unwrap();
     let Basis { u, v, w } = *camera.basis();
     assert_ulps3(u, vec3(S, 0.0, -S), 2);
     assert_ulps3(v, DVec3::Y, 2);
@@ -138,8 +138,8 @@ fn the_planet_under_the_eye() {
 fn coordinates_that_cancel_are_zero() {
     let orientation = Orientation::At { at: DVec3::ZERO, up: DVec3::Y };
     let camera = Camera { eye: vec3(0.0, 6.0, 4.0), orientation, ..Camera::CANONICAL };
-    let posed = camera.posed().unwrap();
-    let ray = posed.exact_ray_at(DVec2::ZERO).unwrap();
+    let resolved = camera.resolve().unwrap();
+    let ray = resolved.exact_ray_at(DVec2::ZERO).unwrap();
     let objects = (vec![sphere([0.0, 0.3, 0.0], 0.3)], vec![plane([0.0; 3], [0.0, 1.0, 1.0])]);
     let roots = Scene::new(objects.0, objects.1).unwrap().roots_of(&ray);
     let at_origin: Vec<_> = roots.iter().filter(|root| root.t > 7.0).collect();

@@ -309,17 +309,17 @@ fn the_questions_camera_sends_the_questions_ray() {
             assert_eq!(question.exercise, Exercise::Lines);
             continue;
         };
-        let posed = camera.posed().unwrap();
-        let ray = question.uv().map(|uv| posed.ray(uv));
+        let resolved = camera.resolve().unwrap();
+        let ray = question.uv().map(|uv| resolved.ray(uv));
         for part in &question.parts {
             let Answer::Numbers(truth) = &part.truth else { continue };
-            let basis = posed.basis();
+            let basis = resolved.basis();
             let known = match part.asked {
                 Asked::U => basis.u.to_array().to_vec(),
                 Asked::V => basis.v.to_array().to_vec(),
                 Asked::W => basis.w.to_array().to_vec(),
                 Asked::Direction => ray.unwrap().direction.to_array().to_vec(),
-                Asked::Origin => posed.eye().to_array().to_vec(),
+                Asked::Origin => resolved.eye().to_array().to_vec(),
                 Asked::T => {
                     let scene = pinhole_core::Scene::new(
                         question.sphere().into_iter().collect(),

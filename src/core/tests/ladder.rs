@@ -37,7 +37,7 @@ fn check_ray(case: &RayCase) -> Steps {
     let scene = given::scene(&case.objects);
     let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
     let mut steps = Steps::default();
-    let exact = ExactRay::of(&ray).unwrap();
+    let exact = ExactRay::from_ray(&ray).unwrap();
     let found = scene.first_hit_counting(&exact, &mut steps);
     let expected = pinhole_reference::first_hit(&case.objects, case.origin, case.direction);
     assert_hit(found.as_ref(), expected.as_ref(), case);
@@ -139,7 +139,7 @@ fn bases() {
 
 fn check_frame(case: &FrameCase) -> Steps {
     let scene = given::scene(&case.objects);
-    let camera = given::camera(&case.camera).posed().unwrap();
+    let camera = given::camera(&case.camera).resolve().unwrap();
     let raster = Raster::full(camera.image());
     let frame = trace(&scene, &camera, &raster, Outputs { normal: true, ..Outputs::default() });
     let single = trace_as::<f32>(&scene, &camera, &raster, Outputs::default());

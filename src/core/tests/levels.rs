@@ -10,7 +10,7 @@ use crate::common::{Numbers, camera, given, plane, sphere, vec3};
 struct Shown {
     name: &'static str,
     scene: Scene,
-    camera: PosedCamera,
+    camera: ResolvedCamera,
     objects: usize,
 }
 
@@ -23,7 +23,7 @@ fn shown(
     objects: usize,
 ) -> Shown {
     // Neither side a multiple of a vector's length; more rows than one thread takes at a time.
-    let camera = camera(eye, view, DVec3::Y, 203, 117).posed().unwrap();
+    let camera = camera(eye, view, DVec3::Y, 203, 117).resolve().unwrap();
     Shown { name, scene: Scene::new(spheres, planes).unwrap(), camera, objects }
 }
 
@@ -113,7 +113,7 @@ fn assert_same<T: Depth>(
     name: &str,
     levels: &[(&str, Level)],
     scene: &Scene,
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
 ) -> usize {
     let raster = Raster::full(camera.image());
     let frame =
@@ -156,7 +156,7 @@ fn stress_frames_are_the_same_bits_on_every_level() {
                     continue;
                 }
                 let (scene, camera) =
-                    (given::scene(&case.objects), given::camera(&case.camera).posed().unwrap());
+                    (given::scene(&case.objects), given::camera(&case.camera).resolve().unwrap());
                 assert_same::<f64>(family.name(), &levels, &scene, &camera);
                 assert_same::<f32>(family.name(), &levels, &scene, &camera);
                 frames += 1;

@@ -15,8 +15,8 @@ fn lecture_scene() -> Scene {
     Scene::new(spheres, vec![plane([0.0, -1.0, 0.0], [0.0, 2.0, 0.5])]).unwrap()
 }
 
-fn posed(width: u32, height: u32) -> PosedCamera {
-    camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, width, height).posed().unwrap()
+fn resolve(width: u32, height: u32) -> ResolvedCamera {
+    camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, width, height).resolve().unwrap()
 }
 
 /// A share of the size of t that rounding may cost on an ordinary scene.
@@ -73,7 +73,7 @@ fn on_an_ordinary_scene_all_methods_agree() {
 
 #[test]
 fn a_picture_is_what_each_pixel_says() {
-    let (scene, camera) = (std::sync::Arc::new(lecture_scene()), posed(31, 17));
+    let (scene, camera) = (std::sync::Arc::new(lecture_scene()), resolve(31, 17));
     let raster = Raster::shown_on(camera.image(), 29, 17);
     for &method in Method::ALL {
         let picture = trace_by(method, &scene, &camera, &raster);
@@ -142,7 +142,7 @@ fn a_tangent_is_a_hit_and_behind_is_none() {
 #[test]
 fn the_courses_floor_shows_what_the_textbook_loses_in_f32() {
     let scene = Scene::new(vec![sphere([0.0, -5001.0, 0.0], 5000.0)], vec![]).unwrap();
-    let camera = posed(64, 64);
+    let camera = resolve(64, 64);
     let raster = Raster::full(camera.image());
     let right = trace_by(Method::Ladder, &scene, &camera, &raster);
     let median_error = |name: &str| {
@@ -186,7 +186,8 @@ fn whatever_is_not_a_number_is_no_hit() {
     }
     for &method in Method::ALL {
         let empty = Scene::default();
-        let picture = trace_by(method, &empty, &posed(3, 2), &Raster::full(posed(3, 2).image()));
+        let picture =
+            trace_by(method, &empty, &resolve(3, 2), &Raster::full(resolve(3, 2).image()));
         assert_eq!(picture.object, [NO_OBJECT; 6], "{method}");
     }
 }

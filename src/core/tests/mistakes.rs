@@ -178,7 +178,7 @@ fn pairs_add_up_or_say_that_they_cannot_be_made_together() {
     assert!(conflicts >= Mistake::ALL.len(), "each conflicts with itself");
     let flipped = WrongCamera::with(&camera, &[Mistake::VIsUCrossW, Mistake::RowsFromBottom]);
     let flipped = flipped.unwrap();
-    let right = camera.posed().unwrap();
+    let right = camera.resolve().unwrap();
     for (row, column) in [(0, 0), (7, 21), (19, 29)] {
         let pixel = Pixel { row, column };
         let direction = flipped.ray(pixel).unwrap().direction;
@@ -284,7 +284,7 @@ fn a_wrong_picture_is_coloured_as_a_right_one_is() {
     // Half a turn, so that row and column count from the other end of the right picture.
     let turned = wrong(&camera, Mistake::UIsWCrossUp);
     let picture = WrongPicture::trace(&scene, &turned, &raster).unwrap();
-    let right = trace(&scene, &camera.posed().unwrap(), &raster, Outputs::default());
+    let right = trace(&scene, &camera.resolve().unwrap(), &raster, Outputs::default());
     for mode in Shade::ALL {
         let mut pixels = picture.shaded(&scene, mode, color_of, |rgb| rgb);
         pixels.reverse();
@@ -326,7 +326,7 @@ proptest! {
         }
         prop_assert_eq!(right.check(Check::CornersBalance).value, Value::Uv(DVec2::ZERO));
         let pixel = Pixel { row: rows / 2, column: columns / 3 };
-        let known = camera.posed().unwrap().ray_of_pixel(pixel).direction;
+        let known = camera.resolve().unwrap().ray_of_pixel(pixel).direction;
         prop_assert!((right.ray(pixel).unwrap().direction - known).length() < 1e-14 * known.length());
     }
 

@@ -9,8 +9,8 @@ use crate::common::{Numbers, camera, plane, sphere, vec3};
 
 /// Scenes whose pictures take every way that shading has: spheres from near, from far, from inside
 /// and from so far that they take the exact way, planes, runs of one pixel, background.
-fn scenes() -> Vec<(&'static str, Scene, PosedCamera)> {
-    let looking = |eye, view| camera(eye, view, DVec3::Y, 131, 75).posed().unwrap();
+fn scenes() -> Vec<(&'static str, Scene, ResolvedCamera)> {
+    let looking = |eye, view| camera(eye, view, DVec3::Y, 131, 75).resolve().unwrap();
     let ahead = looking(DVec3::ZERO, vec3(0.1, -0.05, -1.0));
     let mut numbers = Numbers(5);
     let many: Vec<Sphere> = (0..800)
@@ -21,9 +21,9 @@ fn scenes() -> Vec<(&'static str, Scene, PosedCamera)> {
         .collect();
     let zoomed = Viewport { width: 4e-8, height: 2e-8, distance: 1.0 };
     let image = ahead.image();
-    let zoomed = Camera { viewport: zoomed, image, ..Camera::CANONICAL }.posed().unwrap();
+    let zoomed = Camera { viewport: zoomed, image, ..Camera::CANONICAL }.resolve().unwrap();
     let minute = Viewport { width: 1e-70, height: 1e-70, distance: 1e-70 };
-    let minute = Camera { viewport: minute, image, ..Camera::CANONICAL }.posed().unwrap();
+    let minute = Camera { viewport: minute, image, ..Camera::CANONICAL }.resolve().unwrap();
     let of = |spheres, planes| Scene::new(spheres, planes).unwrap();
     let floor = plane([0.0, -1.0, 0.0], [0.0, 2.0, 0.1]);
     let balls = vec![sphere([-0.5, 0.0, -5.0], 1.0), sphere([1.0, 0.0, -30.0], 2.5)];
@@ -46,7 +46,7 @@ fn of_four([r, g, b]: Rgb) -> [u8; 4] {
     [r, g, b, 255]
 }
 
-fn rasters(camera: &PosedCamera) -> [Raster; 2] {
+fn rasters(camera: &ResolvedCamera) -> [Raster; 2] {
     [Raster::full(camera.image()), Raster::shown_on(camera.image(), 50, 41)]
 }
 

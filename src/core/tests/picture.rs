@@ -9,7 +9,7 @@ use crate::common::{Numbers, camera, plane, sphere, vec3};
 
 /// Traces the picture and asks every pixel's ray by itself.
 #[track_caller]
-fn assert_as_pixel_by_pixel(scene: &Scene, camera: &PosedCamera, raster: &Raster) {
+fn assert_as_pixel_by_pixel(scene: &Scene, camera: &ResolvedCamera, raster: &Raster) {
     let frame = trace(scene, camera, raster, Outputs { normal: true, ..Outputs::default() });
     for row in 0..raster.rows().len() {
         for column in 0..raster.columns().len() {
@@ -29,7 +29,7 @@ fn assert_as_pixel_by_pixel(scene: &Scene, camera: &PosedCamera, raster: &Raster
 }
 
 #[track_caller]
-fn assert_full(scene: &Scene, camera: &PosedCamera) {
+fn assert_full(scene: &Scene, camera: &ResolvedCamera) {
     assert_as_pixel_by_pixel(scene, camera, &Raster::full(camera.image()));
 }
 
@@ -79,18 +79,18 @@ fn orientation() -> impl Strategy<Value = Orientation> {
     )
 }
 
-fn posed() -> impl Strategy<Value = PosedCamera> {
+fn resolve() -> impl Strategy<Value = ResolvedCamera> {
     let eye =
         ([-1.0..1.0, -1.0..1.0, -1.0..1.0_f64], prop_oneof![Just(1.0), magnitude(-3.0, 12.0)])
             .prop_map(|(p, reach)| reach * DVec3::from_array(p));
     (eye, orientation(), viewport(), image()).prop_map(|(eye, orientation, viewport, image)| {
-        Camera { eye, orientation, viewport, image }.posed().unwrap()
+        Camera { eye, orientation, viewport, image }.resolve().unwrap()
     })
 }
 
 /// Spheres placed with respect to the camera so that something can go wrong: seen, behind, across
 /// the eye's plane, around, on and just beside the eye, huge and tiny.
-fn sphere_near(camera: PosedCamera) -> impl Strategy<Value = Sphere> {
+fn sphere_near(camera: ResolvedCamera) -> impl Strategy<Value = Sphere> {
     let image = camera.image();
     let ray = (0..image.height(), 0..image.width(), -0.5..0.5, -0.5..0.5).prop_map(
         move |(row, column, du, dv)| {
@@ -119,8 +119,8 @@ fn sphere_near(camera: PosedCamera) -> impl Strategy<Value = Sphere> {
     })
 }
 
-fn scene_and_camera() -> impl Strategy<Value = (Scene, PosedCamera)> {
-    posed().prop_flat_map(|camera| {
+fn scene_and_camera() -> impl Strategy<Value = (Scene, ResolvedCamera)> {
+    resolve().prop_flat_map(|camera| {
         let spheres = prop::collection::vec(sphere_near(camera), 1..6);
         let planes = prop::collection::vec((direction(), direction(), magnitude(-2.0, 3.0)), 0..2);
         (spheres, planes).prop_map(move |(spheres, planes)| {
@@ -156,7 +156,7 @@ fn planets_with_the_eye_just_above() {
             let planet = sphere([0.0, -radius - above, 0.0], radius);
             for view in [DVec3::NEG_Z, vec3(0.0, -1.0, -0.1), vec3(0.0, 0.1, -1.0)] {
                 let camera =
-                    camera(DVec3::ZERO, view, vec3(0.3, 1.0, 0.1), 61, 47).posed().unwrap();
+                    camera(DVec3::ZERO, view, vec3(0.3, 1.0, 0.1), 61, 47).resolve().unwrap();
                 assert_full(&spheres_only(vec![planet, sphere([0.0, 0.5, -5.0], 1.0)]), &camera);
             }
         }
@@ -166,7 +166,7 @@ fn planets_with_the_eye_just_above() {
 #[test]
 fn tiny_and_far_spheres_behind_single_pixels() {
     let camera = camera(vec3(3.0, 1e3, -2.0), vec3(1.0, 2.0, -3.0), DVec3::Y, 25, 25);
-    let camera = camera.posed().unwrap();
+    let camera = camera.resolve().unwrap();
     for far in [1e2, 1e6, 1e12] {
         for share in [1e-2, 1e-6, 1e-12] {
             let spheres = [(0, 0), (3, 4), (12, 12), (24, 1), (24, 24)].map(|(row, column)| {
@@ -194,7 +194,7 @@ fn lengths_near_the_ends_of_the_range() {
         for unit in [1e-300, 1e-100, 1e-60, 1.0, 1e60, 1e100, 1e300] {
             let viewport = Viewport { width: unit, height: unit, distance: unit };
             let camera = Camera { viewport, ..camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 19, 19) };
-            let camera = camera.posed().unwrap();
+            let camera = camera.resolve().unwrap();
             assert_full(&scene, &camera);
             let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
             // Where t is representable, the picture is the same in all units.
@@ -213,7 +213,7 @@ fn more_spheres_than_one_thread_takes_at_a_time() {
         .map(|_| Sphere { center: vec3(0.0, 0.0, -20.0) + numbers.point(10.0), radius: 0.05 })
         .collect();
     let scene = spheres_only(spheres);
-    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 33, 70).posed().unwrap();
+    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 33, 70).resolve().unwrap();
     assert_full(&scene, &camera);
 }
 
@@ -224,7 +224,7 @@ fn the_same_bits_on_any_number_of_threads() {
         .map(|_| Sphere { center: vec3(0.0, 0.0, -20.0) + numbers.point(10.0), radius: 0.1 })
         .collect();
     let scene = Scene::new(spheres, vec![plane([0.0, -3.0, 0.0], [0.0, 1.0, 0.2])]).unwrap();
-    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 200, 150).posed().unwrap();
+    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 200, 150).resolve().unwrap();
     let raster = Raster::full(camera.image());
     let with_threads = |threads| {
         rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(|| {
@@ -246,7 +246,7 @@ fn ties_go_to_the_object_listed_first() {
     let wall = plane([0.0, 0.0, -6.0], [0.0, 0.0, 1.0]);
     let same_wall = plane([7.0, -2.0, -6.0], [0.0, 0.0, -3.0]);
     let scene = Scene::new(vec![ball, ball], vec![wall, same_wall]).unwrap();
-    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 31, 31).posed().unwrap();
+    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 31, 31).resolve().unwrap();
     let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
     let mut seen = frame.object.clone();
     seen.sort_unstable();
@@ -295,7 +295,7 @@ fn two_balls_on_a_floor() {
     .unwrap();
     let viewport = Viewport { width: 2.0, height: 1.0, distance: 1.0 };
     let camera = Camera { viewport, ..camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 40, 20) };
-    let camera = camera.posed().unwrap();
+    let camera = camera.resolve().unwrap();
     let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
     expect![[r#"
         ........................................
@@ -337,16 +337,16 @@ fn spheres_that_fill_the_picture() {
     for (index, ball) in spheres.into_iter().enumerate() {
         let scene = spheres_only(vec![ball, sphere([0.0, 0.0, -20.0], 18.0)]);
         for (view, up) in [(DVec3::NEG_Z, DVec3::Y), (vec3(0.1, -0.2, -1.0), vec3(0.3, 1.0, 0.1))] {
-            let posed = camera(DVec3::ZERO, view, up, 110, 80).posed().unwrap();
-            assert_full(&scene, &posed);
+            let resolved = camera(DVec3::ZERO, view, up, 110, 80).resolve().unwrap();
+            assert_full(&scene, &resolved);
         }
         let orientation = Orientation::Basis(by_hand);
         let image = ImageSize::new(90, 70).unwrap();
         let zoomed = Viewport { width: 1e-7, height: 1e-7, distance: 1.0 };
         for viewport in [Viewport::CANONICAL, zoomed] {
             let eye = vec3(1e-3 * index as f64, 0.0, 0.0);
-            let posed = Camera { eye, orientation, viewport, image }.posed().unwrap();
-            assert_full(&scene, &posed);
+            let resolved = Camera { eye, orientation, viewport, image }.resolve().unwrap();
+            assert_full(&scene, &resolved);
         }
     }
 }
@@ -378,7 +378,7 @@ fn measures_at_the_ends_of_the_range() {
     ];
     for (scene, view, viewport, image) in cases {
         let orientation = Orientation::View { view, up };
-        let camera = Camera { eye: DVec3::ZERO, orientation, viewport, image }.posed().unwrap();
+        let camera = Camera { eye: DVec3::ZERO, orientation, viewport, image }.resolve().unwrap();
         assert_full(&scene, &camera);
         let raster = Raster::full(image);
         let double = trace(&scene, &camera, &raster, Outputs::default());

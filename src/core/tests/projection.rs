@@ -8,10 +8,10 @@ use proptest::prelude::*;
 use crate::common::seed::config;
 use crate::common::{assert_ulps, vec3};
 
-fn with_viewport(width: f64, height: f64, columns: u32, rows: u32) -> PosedCamera {
+fn with_viewport(width: f64, height: f64, columns: u32, rows: u32) -> ResolvedCamera {
     let viewport = Viewport { width, height, distance: 1.0 };
     let image = ImageSize::new(columns, rows).unwrap();
-    Camera { viewport, image, ..Camera::CANONICAL }.posed().unwrap()
+    Camera { viewport, image, ..Camera::CANONICAL }.resolve().unwrap()
 }
 
 fn magnitude(from: f64, to: f64) -> impl Strategy<Value = f64> {
@@ -122,7 +122,7 @@ fn outside_the_viewport_is_no_pixel() {
     }
 }
 
-fn posed() -> impl Strategy<Value = PosedCamera> {
+fn resolve() -> impl Strategy<Value = ResolvedCamera> {
     let coordinate = || -1.0..1.0_f64;
     let vector = || [coordinate(), coordinate(), coordinate()].prop_map(DVec3::from_array);
     let extent = || magnitude(-2.0, 2.0);
@@ -134,7 +134,7 @@ fn posed() -> impl Strategy<Value = PosedCamera> {
                 viewport: Viewport { width, height, distance },
                 image: ImageSize::new(w, h).unwrap(),
             }
-            .posed()
+            .resolve()
             .ok()
         })
 }
@@ -146,7 +146,7 @@ proptest! {
     /// roundings of the coordinates.
     #[test]
     fn projection_undoes_the_ray(
-        camera in posed(), across in -0.5..0.5_f64, up in -0.5..0.5_f64, t in magnitude(-2.0, 3.0),
+        camera in resolve(), across in -0.5..0.5_f64, up in -0.5..0.5_f64, t in magnitude(-2.0, 3.0),
         behind in any::<bool>(),
     ) {
         let Viewport { width, height, distance } = *camera.viewport();
@@ -166,7 +166,7 @@ proptest! {
 
     /// The ray through a point's projection passes the point at `t = depth / distance`.
     #[test]
-    fn the_ray_undoes_projection(camera in posed(), point in [-10.0..10.0_f64, -10.0..10.0, -10.0..10.0]) {
+    fn the_ray_undoes_projection(camera in resolve(), point in [-10.0..10.0_f64, -10.0..10.0, -10.0..10.0]) {
         let point = DVec3::from_array(point);
         let projection = camera.project(point);
         let ray = camera.ray(projection.uv);
@@ -176,7 +176,7 @@ proptest! {
     }
 
     #[test]
-    fn a_pixels_ray_projects_into_the_pixel(camera in posed(), row in 0.0..1.0, column in 0.0..1.0) {
+    fn a_pixels_ray_projects_into_the_pixel(camera in resolve(), row in 0.0..1.0, column in 0.0..1.0) {
         let image = camera.image();
         let pixel = Pixel {
             row: (row * f64::from(image.height())) as u32,
@@ -243,7 +243,7 @@ fn fields_of_view_at_the_ends() {
 
 #[test]
 fn projection_at_the_ends() {
-    let camera = Camera::CANONICAL.posed().unwrap();
+    let camera = Camera::CANONICAL.resolve().unwrap();
     let behind = camera.project(vec3(1.0, 2.0, 4.0));
     assert_eq!((behind.uv, behind.depth), (DVec2::new(-0.25, -0.5), -4.0));
     assert!(!behind.is_in_front());
@@ -257,7 +257,7 @@ fn projection_at_the_ends() {
         orientation: Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y },
         ..Camera::CANONICAL
     };
-    let far = camera.posed().unwrap().project(vec3(0.0, 1.7e308, -1.7e308));
+    let far = camera.resolve().unwrap().project(vec3(0.0, 1.7e308, -1.7e308));
     assert_eq!(far.uv, DVec2::new(0.0, 0.5));
     assert!(far.is_in_front());
 }

@@ -8,7 +8,7 @@ fn the_readme_shows_what_its_example_prints() {
     let floor = Plane::new([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]).unwrap();
     let scene = Scene::new(vec![ball], vec![floor]).unwrap();
     let camera = Camera { image: ImageSize::new(20, 10).unwrap(), ..Camera::CANONICAL };
-    let camera = camera.posed().unwrap();
+    let camera = camera.resolve().unwrap();
     let raster = Raster::full(camera.image());
     let frame = trace(&scene, &camera, &raster, Outputs::default());
     let sign = |object: &u32| match *object {

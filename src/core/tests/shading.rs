@@ -19,7 +19,7 @@ fn scene() -> Scene {
 
 /// The colours of a 41 x 41 picture that looks along -z, by (row, column).
 fn picture(scene: &Scene, how: Shade) -> impl Fn(usize, usize) -> Rgb + use<> {
-    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 41, 41).posed().unwrap();
+    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 41, 41).resolve().unwrap();
     let frame = trace(scene, &camera, &Raster::full(camera.image()), Outputs::default());
     let colors = shade(&frame, scene, how, color_of, |rgb| rgb);
     assert_eq!(colors.len(), 41 * 41);
@@ -83,7 +83,7 @@ fn t_as_gray() {
     let at = picture(&scene, Shade::T);
     // The nearest hit, the middle of the ball, is white.
     let ray = |row, column| {
-        let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 41, 41).posed().unwrap();
+        let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 41, 41).resolve().unwrap();
         scene.first_hit_of(&camera.exact_ray(Pixel { row, column })).unwrap().t
     };
     let nearest = (0..41).map(|column| ray(20, column)).fold(f64::INFINITY, f64::min);
@@ -121,7 +121,7 @@ fn nothing_hit_is_the_background_in_every_mode() {
 fn a_pixel_alone_has_the_pictures_color() {
     let scene = scene();
     let camera = camera(vec3(0.1, 0.2, 0.3), vec3(0.1, -0.1, -1.0), DVec3::Y, 41, 41);
-    let camera = camera.posed().unwrap();
+    let camera = camera.resolve().unwrap();
     let raster = Raster::shown_on(camera.image(), 17, 23);
     let frame = trace(&scene, &camera, &raster, Outputs::default());
     let nearest = frame.t.iter().copied().fold(f64::INFINITY, f64::min);
@@ -139,7 +139,7 @@ fn a_pixel_alone_has_the_pictures_color() {
 #[test]
 fn other_pixel_forms() {
     let scene = scene();
-    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 3, 2).posed().unwrap();
+    let camera = camera(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 3, 2).resolve().unwrap();
     let frame = trace(&scene, &camera, &Raster::full(camera.image()), Outputs::default());
     let packed = shade(&frame, &scene, Shade::Object, color_of, |[r, g, b]| {
         u32::from_be_bytes([0, r, g, b])

@@ -75,11 +75,11 @@ impl Case {
         let mut steps = Steps::default();
         let hit = match self.asked {
             Asked::Ray { origin, direction } => {
-                let ray = ExactRay::of(&Ray::new(origin, direction).unwrap()).unwrap();
+                let ray = ExactRay::from_ray(&Ray::new(origin, direction).unwrap()).unwrap();
                 scene.first_hit_counting(&ray.cut_off_after(last), &mut steps)
             }
             Asked::MiddlePixel { view } => {
-                let camera = given::camera(&middle_camera(view)).posed().unwrap();
+                let camera = given::camera(&middle_camera(view)).resolve().unwrap();
                 let ray = camera.exact_ray(Pixel { row: 1, column: 1 });
                 scene.first_hit_counting(&ray.cut_off_after(last), &mut steps)
             }
@@ -316,7 +316,7 @@ fn frames_reach_every_step() {
                 if case.camera.rows.max(case.camera.columns) > 64 {
                     continue;
                 }
-                let camera = given::camera(&case.camera).posed().unwrap();
+                let camera = given::camera(&case.camera).resolve().unwrap();
                 let raster = Raster::full(camera.image());
                 let scene = given::scene(&case.objects);
                 steps += trace(&scene, &camera, &raster, Outputs::default()).steps;

@@ -40,8 +40,8 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let [width, height] = subject.size();
     let (near, far) = subject.clip();
     let viewport = subject.viewport();
-    let Basis { u, v, w } = *subject.posed().basis();
-    let eye = subject.posed().eye();
+    let Basis { u, v, w } = *subject.resolve().basis();
+    let eye = subject.resolve().eye();
     let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
     // Blender takes neither below 1.
     let shape = subject.pixel_shape();

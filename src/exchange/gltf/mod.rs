@@ -39,7 +39,7 @@ pub(super) const FORMAT: Format = Format {
 
 /// u, v, w and eye, column after column.
 pub(super) fn columns(subject: &Subject) -> String {
-    let basis = subject.posed().basis();
+    let basis = subject.resolve().basis();
     let column = |v: DVec3, last: &str| {
         let [x, y, z] = v.to_array().map(n);
         format!("{x}, {y}, {z}, {last}")
@@ -48,7 +48,7 @@ pub(super) fn columns(subject: &Subject) -> String {
         column(basis.u, "0"),
         column(basis.v, "0"),
         column(basis.w, "0"),
-        column(subject.posed().eye(), "1"),
+        column(subject.resolve().eye(), "1"),
     ]
     .join(",\n        ")
 }

@@ -40,7 +40,7 @@ pub(super) const FORMAT: Format = Format {
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let [width, height] = subject.size();
     let Intrinsics { fx, fy, cx, cy } = subject.intrinsics();
-    let basis = *subject.posed().basis();
+    let basis = *subject.resolve().basis();
     let t = translation(subject);
     let text = format!(
         "{{\n  \"image_width\": {width},\n  \"image_height\": {height},\n  \
@@ -66,7 +66,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
 
 /// t = -R eye.
 pub(super) fn translation(subject: &Subject) -> DVec3 {
-    let eye = subject.posed().basis().to_camera_from_world(subject.posed().eye());
+    let eye = subject.resolve().basis().to_camera_from_world(subject.resolve().eye());
     DVec3::new(-eye.x, eye.y, eye.z)
 }
 
@@ -77,7 +77,7 @@ pub(super) fn viewport_of(
     distance: f64,
 ) -> Viewport {
     let near = k.viewport(image, distance);
-    let of = |viewport: Viewport| Intrinsics::of(&viewport, image);
+    let of = |viewport: Viewport| Intrinsics::from_viewport(&viewport, image);
     let width = shortest_where(near.width, |width| of(Viewport { width, ..near }).fx == k.fx);
     let height = shortest_where(near.height, |height| of(Viewport { height, ..near }).fy == k.fy);
     Viewport { width, height, distance }

@@ -47,13 +47,13 @@ pub(super) const FORMAT: Format = Format {
 fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let [width, height] = subject.size();
     let viewport = *subject.viewport();
-    let basis = *subject.posed().basis();
+    let basis = *subject.resolve().basis();
     let mut text = format!(
         "// povray +W{width} +H{height} -A scene.pov\n\
          #version 3.7;\n\
          global_settings {{ assumed_gamma 1 }}\n\n\
          camera {{\n  perspective\n  location <{}>\n  right <{}>\n  up <{}>\n  direction <{}>\n}}\n",
-        commas(subject.posed().eye()),
+        commas(subject.resolve().eye()),
         commas(viewport.width * basis.u),
         commas(viewport.height * basis.v),
         flipped_all(-viewport.distance * basis.w, ", "),
@@ -65,7 +65,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
              light_source {{ <{}>, color rgb 1 shadowless }}\n\
              #default {{ finish {{ ambient 0 diffuse 1 }} }}\n",
             light(BACKGROUND).join(", "),
-            commas(subject.posed().eye()),
+            commas(subject.resolve().eye()),
         ));
     }
     for sphere in spheres {

@@ -8,13 +8,14 @@ use super::*;
 #[test]
 fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
     let stage = canonical();
-    let posed = Camera { image: image(5, 3), ..Camera::CANONICAL }.posed().expect("a camera");
+    let resolved = Camera { image: image(5, 3), ..Camera::CANONICAL }.resolve().expect("a camera");
     let pixels = (0..15).map(|k| Color32::from_gray(100 + 10 * k)).collect();
-    let picture = Picture { raster: Raster::full(posed.image()), image: posed.image(), pixels };
+    let picture =
+        Picture { raster: Raster::full(resolved.image()), image: resolved.image(), pixels };
     let size = [63, 40];
     let inspection = None;
     let view = CameraView {
-        posed: &posed,
+        resolved: &resolved,
         picture: &picture,
         inspection,
         size,
@@ -38,16 +39,17 @@ fn pixel_edges_in_the_camera_view_lie_where_colours_change() {
 
 #[test]
 fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
-    let posed = Camera { image: image(10, 10), ..Camera::CANONICAL }.posed().expect("a camera");
+    let resolved =
+        Camera { image: image(10, 10), ..Camera::CANONICAL }.resolve().expect("a camera");
     let picture = Picture {
-        raster: Raster::full(posed.image()),
-        image: posed.image(),
+        raster: Raster::full(resolved.image()),
+        image: resolved.image(),
         pixels: vec![Color32::GRAY; 100],
     };
     let frames_and_crosses = |uv: DVec2| {
-        let inspection = Inspection::of_uv(&posed, &Scene::default(), uv);
+        let inspection = Inspection::of_uv(&resolved, &Scene::default(), uv);
         let view = CameraView {
-            posed: &posed,
+            resolved: &resolved,
             picture: &picture,
             inspection: Some(&inspection),
             size: [300, 300],
@@ -68,12 +70,12 @@ fn a_corner_of_four_pixels_has_four_frames_and_a_cross() {
 #[test]
 fn camera_view_places_and_uv_are_inverses() {
     let viewport = Viewport { width: 3.0, height: 2.0, distance: 1.0 };
-    let posed = Camera { viewport, ..Camera::CANONICAL }.posed().expect("a camera");
+    let resolved = Camera { viewport, ..Camera::CANONICAL }.resolve().expect("a camera");
     let size = [600, 300];
-    assert_eq!(camera_uv_at(&posed, size, [0.0, 0.0]), DVec2::new(-1.5, 1.0));
-    assert_eq!(camera_uv_at(&posed, size, [450.0, 300.0]), DVec2::new(0.75, -1.0));
+    assert_eq!(camera_uv_at(&resolved, size, [0.0, 0.0]), DVec2::new(-1.5, 1.0));
+    assert_eq!(camera_uv_at(&resolved, size, [450.0, 300.0]), DVec2::new(0.75, -1.0));
     for uv in [DVec2::ZERO, DVec2::new(-1.2, 0.7), DVec2::new(1.5, -1.0)] {
-        let back = camera_uv_at(&posed, size, camera_position_of_uv(&posed, size, uv));
+        let back = camera_uv_at(&resolved, size, camera_position_of_uv(&resolved, size, uv));
         assert!(back.distance(uv) < 1e-6);
     }
 }

@@ -40,7 +40,7 @@ fn world_drawing(stage: &Stage, thing: Thing) -> Drawing {
 
 fn camera_drawing(stage: &Stage, thing: Option<Thing>) -> Drawing {
     CameraView {
-        posed: stage.posed(),
+        resolved: stage.resolve(),
         picture: stage.picture.as_ref().expect("a picture"),
         inspection: stage.inspection.as_ref(),
         size: [240, 240],
@@ -71,7 +71,7 @@ fn every_thing_is_lit_in_the_views_that_can_show_it() {
 #[test]
 fn a_plane_is_hatched_where_it_is_seen() {
     let stage = canonical();
-    let posed = stage.posed();
+    let resolved = stage.resolve();
     let wall = stage.scene.spheres().len() as u32;
     let drawing = camera_drawing(&stage, Some(Thing::Object(wall)));
     let plain = camera_drawing(&stage, None);
@@ -83,8 +83,8 @@ fn a_plane_is_hatched_where_it_is_seen() {
     for stroke in strokes {
         let [from, to] = [points(stroke)[0], points(stroke)[1]];
         let at = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
-        let uv = camera_uv_at(posed, [240, 240], at);
-        let hit = stage.scene.first_hit_of(&posed.exact_ray_at(uv).expect("a ray"));
+        let uv = camera_uv_at(resolved, [240, 240], at);
+        let hit = stage.scene.first_hit_of(&resolved.exact_ray_at(uv).expect("a ray"));
         // Strokes that only touch the border may end beside it.
         if (to[0] - from[0]).abs() > 8.0 {
             assert_eq!(hit.map(|hit| hit.object), Some(wall), "{at:?}");
@@ -148,7 +148,7 @@ fn the_parts_of_a_direction_lead_from_the_eye_to_the_viewport() {
     let observer = Observer::new(DVec3::ZERO, 0.9, 0.5, 3.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, Scene::default(), observer);
     let uv = DVec2::new(0.45, 0.4);
-    stage.inspection = Some(Inspection::of_uv(stage.posed(), &stage.scene, uv));
+    stage.inspection = Some(Inspection::of_uv(stage.resolve(), &stage.scene, uv));
     let drawing = world_drawing(&stage, Thing::AlongU);
     for thing in [Thing::AlongU, Thing::AlongV, Thing::AlongW] {
         assert!(drawing.targets().iter().any(|target| target.thing == thing), "{thing:?}");

@@ -7,17 +7,17 @@ use super::*;
 
 /// The drawing of the loupe alone over a canonical camera of `pixels` x `pixels`.
 fn drawing(uv: DVec2, pixels: u32, size: usize, count_from_one: bool) -> (Drawing, PixelOfUv) {
-    let posed =
-        Camera { image: image(pixels, pixels), ..Camera::CANONICAL }.posed().expect("a camera");
-    let inspection = Inspection::of_uv(&posed, &Scene::default(), uv);
+    let resolved =
+        Camera { image: image(pixels, pixels), ..Camera::CANONICAL }.resolve().expect("a camera");
+    let inspection = Inspection::of_uv(&resolved, &Scene::default(), uv);
     let place = inspection.place.expect("a place in the image");
-    let [rows, columns] = loupe_window(&place, posed.image());
+    let [rows, columns] = loupe_window(&place, resolved.image());
     let raster = Raster::part(rows, columns);
     let pixels = vec![Color32::GRAY; raster.len()];
-    let picture = Picture { raster, image: posed.image(), pixels };
+    let picture = Picture { raster, image: resolved.image(), pixels };
     let loupe = Loupe { picture: picture.clone(), count_from_one };
     let view = CameraView {
-        posed: &posed,
+        resolved: &resolved,
         picture: &picture,
         inspection: Some(&inspection),
         size: [size, size],

@@ -27,7 +27,7 @@ fn a_ray_behind_a_sphere_is_dashed_there() {
     let observer = from_the_right(DVec3::new(0.0, 0.0, -5.0), 10.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
-    let ray = Inspection::of_uv(stage.posed(), &stage.scene, DVec2::ZERO);
+    let ray = Inspection::of_uv(stage.resolve(), &stage.scene, DVec2::ZERO);
     assert_eq!(ray.first, None);
     stage.inspection = Some(ray);
     let drawing = stage.view().drawing();
@@ -54,7 +54,7 @@ fn a_ray_is_solid_in_front_of_a_sphere_and_ends_at_its_hit() {
     let observer = from_the_right(DVec3::new(0.0, 0.0, -4.0), 14.0);
     let mut stage = Stage::seen_by(Camera::CANONICAL, scene, observer);
     stage.items = OverlayItems::NONE.with(Item::Ray, true);
-    stage.inspection = Some(Inspection::of_uv(stage.posed(), &stage.scene, DVec2::ZERO));
+    stage.inspection = Some(Inspection::of_uv(stage.resolve(), &stage.scene, DVec2::ZERO));
     let place = |z: f64| stage.place(DVec3::new(0.0, 0.0, z)).x.round() as i64;
     let ray: Vec<_> = runs(&stage.view().drawing(), Item::Ray)
         .into_iter()
@@ -174,7 +174,7 @@ fn a_camera_without_a_basis_is_drawn_as_far_as_it_is_known() {
         ..Camera::CANONICAL
     };
     let stage = Stage::new(camera, vec![sphere(0.0, 0.0, -5.0, 1.0)], vec![]);
-    assert_eq!(stage.posed, None);
+    assert_eq!(stage.resolved, None);
     let drawing = stage.view().drawing();
     let has = |item: Item| drawing.marks.iter().any(|mark| mark.item == item);
     assert!(has(Item::Eye) && has(Item::At) && has(Item::ViewAndUp));

@@ -10,8 +10,8 @@ mod wild;
 
 use egui::Color32;
 use pinhole_core::{
-    Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, PosedCamera, Raster, Rgb, Scene, Shade,
-    Sphere, shade, trace_as,
+    Camera, DVec2, DVec3, Frame, ImageSize, Outputs, Plane, Raster, ResolvedCamera, Rgb, Scene,
+    Shade, Sphere, shade, trace_as,
 };
 
 pub(super) use super::*;
@@ -21,7 +21,7 @@ use crate::observer::{Observer, enclosing, seen_scene};
 /// A world view with everything in it.
 struct Stage {
     camera: Camera,
-    posed: Option<PosedCamera>,
+    resolved: Option<ResolvedCamera>,
     scene: Scene,
     enclosing: Vec<u32>,
     observer: Observer,
@@ -56,28 +56,29 @@ impl Stage {
     }
 
     fn seen_by(camera: Camera, scene: Scene, observer: Observer) -> Stage {
-        let posed = camera.posed().ok();
-        let seen_from = observer.camera(SIZE.0, SIZE.1).posed().expect("observers have a basis");
+        let resolved = camera.resolve().ok();
+        let seen_from = observer.camera(SIZE.0, SIZE.1).resolve().expect("observers have a basis");
         let enclosing = enclosing(&scene, camera.eye, seen_from.eye());
         let seen = seen_scene(&scene, &enclosing);
         let image = Raster::full(seen_from.image());
         let frame = trace_as(&seen, &seen_from, &image, Outputs::default());
-        let picture = posed.as_ref().map(|posed| {
-            let raster = Raster::shown_on(posed.image(), 40, 40);
-            let frame = trace_as::<f32>(&scene, posed, &raster, Outputs::default());
+        let picture = resolved.as_ref().map(|resolved| {
+            let raster = Raster::shown_on(resolved.image(), 40, 40);
+            let frame = trace_as::<f32>(&scene, resolved, &raster, Outputs::default());
             let pixels = shade(&frame, &scene, Shade::Lambert, color_of, opaque);
-            Picture { raster, image: posed.image(), pixels }
+            Picture { raster, image: resolved.image(), pixels }
         });
-        let inspection =
-            posed.as_ref().map(|posed| Inspection::of_uv(posed, &scene, DVec2::new(0.02, 0.01)));
+        let inspection = resolved
+            .as_ref()
+            .map(|resolved| Inspection::of_uv(resolved, &scene, DVec2::new(0.02, 0.01)));
         let items = OverlayItems::default();
-        Stage { camera, posed, scene, enclosing, observer, frame, picture, inspection, items }
+        Stage { camera, resolved, scene, enclosing, observer, frame, picture, inspection, items }
     }
 
     fn view(&self) -> WorldView<'_> {
         WorldView {
             camera: &self.camera,
-            posed: self.posed.as_ref(),
+            resolved: self.resolved.as_ref(),
             picture: self.picture.as_ref(),
             inspection: self.inspection.as_ref(),
             scene: &self.scene,
@@ -101,8 +102,8 @@ impl Stage {
         shade(&self.frame, &self.scene, Shade::Object, color_of, opaque)
     }
 
-    fn posed(&self) -> &PosedCamera {
-        self.posed.as_ref().expect("a camera with a basis")
+    fn resolve(&self) -> &ResolvedCamera {
+        self.resolved.as_ref().expect("a camera with a basis")
     }
 
     fn place(&self, point: DVec3) -> DVec2 {

@@ -1,7 +1,7 @@
 //! A handle that has the focus, moved by keys.
 
 use egui::{Context, EventFilter, Key};
-use pinhole_core::{DVec2, DVec3, PosedCamera};
+use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
 use super::{Edited, HandInput, View, axis_held, how, id_of};
 use crate::handles::{
@@ -23,8 +23,8 @@ impl HandInput {
     /// Arrow keys move the handle that has the focus; K swaps what the eye keeps.
     pub(super) fn keys(&mut self, ctx: &Context, view: &View, edited: &mut Edited) {
         let Edited { document, session, .. } = edited;
-        let posed = document.camera.posed().ok();
-        let stage = view.stage(document, posed.as_ref(), session);
+        let resolved = document.camera.resolve().ok();
+        let stage = view.stage(document, resolved.as_ref(), session);
         let all = grips(&stage, &session.hand);
         let has_focus = |g: &&Grip| ctx.memory(|m| m.has_focus(id_of(view.id, g.handle)));
         let focused = all.iter().find(has_focus);
@@ -42,11 +42,12 @@ impl HandInput {
             return;
         }
         let before = Part::of(grip.handle, document, session.selection);
-        let start = Start { before, posed, grasp, at: grip.at, begun_at: DVec2::ZERO };
+        let start = Start { before, resolved, grasp, at: grip.at, begun_at: DVec2::ZERO };
         if let Handle::Pixel = grip.handle {
-            let camera = posed.map(|posed| session.selection.inside(posed.image()));
-            if let (Some(selection), Some(posed)) = (camera, posed) {
-                session.selection = selection.stepped(&posed, -steps.up as i64, steps.right as i64);
+            let camera = resolved.map(|resolved| session.selection.inside(resolved.image()));
+            if let (Some(selection), Some(resolved)) = (camera, resolved) {
+                session.selection =
+                    selection.stepped(&resolved, -steps.up as i64, steps.right as i64);
             }
             return;
         }
@@ -78,7 +79,7 @@ fn steps(ctx: &Context) -> Steps {
 /// Where the keys take a handle.
 fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec3> {
     let step = step_of(view.observer, start.at, view.scale)?;
-    let camera = start.posed.as_ref();
+    let camera = start.resolved.as_ref();
     let forward = steps.right + steps.up + steps.away;
     let way = match start.grasp.handle {
         Handle::Roll => return turned_by(start, -TURN * forward),
@@ -104,7 +105,7 @@ fn target(start: &Start, view: &View, along: Along, steps: Steps) -> Option<DVec
 
 /// The way in the plane of two axes: the one that points more to the right or left goes with the keys
 /// to the right and left, the other one with those up and down.
-fn in_plane(observer: &PosedCamera, [a, b]: [DVec3; 2], steps: Steps) -> DVec3 {
+fn in_plane(observer: &ResolvedCamera, [a, b]: [DVec3; 2], steps: Steps) -> DVec3 {
     let basis = observer.basis();
     let across = |axis: DVec3| axis.dot(basis.u).abs();
     let (right, up) = if across(a) >= across(b) { (a, b) } else { (b, a) };
@@ -114,7 +115,7 @@ fn in_plane(observer: &PosedCamera, [a, b]: [DVec3; 2], steps: Steps) -> DVec3 {
 }
 
 /// The world's axes that point most to the right, upwards and away from the observer.
-fn axes_of(observer: &PosedCamera) -> [DVec3; 3] {
+fn axes_of(observer: &ResolvedCamera) -> [DVec3; 3] {
     let basis = observer.basis();
     let most = |direction: DVec3, taken: DVec3| {
         let free = DVec3::AXES.into_iter().filter(|axis| *axis != taken.abs());

@@ -50,7 +50,7 @@ impl HandInput {
             let held = hand.held.is_some();
             ui.ctx().set_cursor_icon(if held { CursorIcon::Grabbing } else { CursorIcon::Grab });
         }
-        let all = grips(&view.stage(document, shown.posed.as_ref(), session), hand);
+        let all = grips(&view.stage(document, shown.resolved.as_ref(), session), hand);
         let point = |spot: DVec2| rect.min + vec2(spot.x as f32, spot.y as f32) / scale;
         let own = all.iter().find(|grip| grip.handle == handle).map(|grip| point(grip.spot));
         // What is held may be nowhere for a while: the viewport has no area.
@@ -204,7 +204,7 @@ pub(in crate::panels) fn say(
 /// Every handle can be focused and says what it is.
 fn nodes(ui: &Ui, view: &View, shown: &Derived, document: &Document, session: &Session) {
     let settings = &session.settings;
-    for grip in grips(&view.stage(document, shown.posed.as_ref(), session), &session.hand) {
+    for grip in grips(&view.stage(document, shown.resolved.as_ref(), session), &session.hand) {
         let spot = view.rect.min + vec2(grip.spot.x as f32, grip.spot.y as f32) / view.scale;
         let rect = Rect::from_center_size(spot, Vec2::splat(2.0 * super::REACH as f32));
         let id = id_of(view.id, grip.handle);

@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
-use pinhole_core::{Camera, PosedCamera, Scene};
+use pinhole_core::{Camera, ResolvedCamera, Scene};
 
 use super::super::number::error_color;
 use super::super::sign::sign;
@@ -14,16 +14,16 @@ pub(super) fn buttons(
     ui: &mut Ui,
     gallery: &mut Gallery,
     camera: &Camera,
-    seen: Option<(&PosedCamera, &Scene)>,
+    seen: Option<(&ResolvedCamera, &Scene)>,
 ) {
     ui.horizontal(|ui| {
         let text = if gallery.guess.is_some() { "Next one" } else { "Guess which" };
         let hint = "Shows a wrong camera without its name";
         let button = ui.add_enabled(seen.is_some(), egui::Button::new(text));
         if button.on_hover_text(hint).clicked()
-            && let Some((posed, scene)) = seen
+            && let Some((resolved, scene)) = seen
         {
-            gallery.ask(&visible(camera, posed, scene));
+            gallery.ask(&visible(camera, resolved, scene));
         }
         if gallery.guess.is_some() && ui.button("Gallery").clicked() {
             gallery.chosen = gallery.shown();

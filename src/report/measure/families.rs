@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use pinhole_core::methods::{Method, Precision};
 use pinhole_core::{
-    Basis, Camera, DVec3, ImageSize, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere,
-    Viewport,
+    Basis, Camera, DVec3, ImageSize, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene,
+    Sphere, Viewport,
 };
 use pinhole_reference::{self as reference, Family, FrameCase, Kind, Object, RayCase};
 
@@ -128,11 +128,11 @@ fn ray_case(case: &RayCase) -> Option<(Scene, Ray)> {
 
 fn picture(case: &FrameCase) -> Option<Picture> {
     let camera = core_camera(&case.camera)?;
-    let posed: PosedCamera = camera.posed().ok()?;
-    let raster = Raster::shown_on(posed.image(), SIDE, SIDE);
+    let resolved: ResolvedCamera = camera.resolve().ok()?;
+    let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
     let (rows, columns) = (raster.rows().len(), raster.columns().len());
     let scene = Arc::new(scene_of(&case.objects)?);
-    let mut picture = Picture::new(&scene, &camera, &posed, raster.clone(), raster);
+    let mut picture = Picture::new(&scene, &camera, &resolved, raster.clone(), raster);
     picture.pixels =
         (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))).collect();
     Some(picture)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use pinhole_core::methods::{Formula, Method};
-use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, PosedCamera, Raster, Scene, trace};
+use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene, trace};
 
 use super::case::{CaseRun, Made, Plan, Set};
 use super::subject::{Picture, Subject, objects_of};
@@ -34,10 +34,10 @@ pub(super) fn cases(
     scene: &Scene,
     camera: &Camera,
 ) -> Result<(Vec<CaseRun>, Vec<String>), CameraError> {
-    let posed = camera.posed()?;
+    let resolved = camera.resolve()?;
     let mut left_out = Vec::new();
     let parts = parts(name, scene, camera, &mut left_out);
-    let run = |part| CaseRun::new(plan(part, *camera, posed));
+    let run = |part| CaseRun::new(plan(part, *camera, resolved));
     Ok((parts.into_iter().map(run).collect(), left_out))
 }
 
@@ -94,7 +94,7 @@ pub(super) fn methods_for(scene: &Scene) -> Vec<Method> {
     Method::ALL.iter().copied().filter(differ).collect()
 }
 
-fn plan(part: Part, camera: Camera, posed: PosedCamera) -> Plan {
+fn plan(part: Part, camera: Camera, resolved: ResolvedCamera) -> Plan {
     let Part { title, scene, budget, pieces } = part;
     let name = title.clone();
     Plan {
@@ -104,18 +104,18 @@ fn plan(part: Part, camera: Camera, posed: PosedCamera) -> Plan {
         rounds: 41,
         budget,
         pieces,
-        make: Box::new(move || make(&title, scene, &camera, &posed)),
+        make: Box::new(move || make(&title, scene, &camera, &resolved)),
     }
 }
 
-fn make(title: &str, scene: Scene, camera: &Camera, posed: &PosedCamera) -> Made {
-    let raster = Raster::shown_on(posed.image(), SIDE, SIDE);
-    let frame = trace(&scene, posed, &raster, Outputs::default());
+fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -> Made {
+    let raster = Raster::shown_on(resolved.image(), SIDE, SIDE);
+    let frame = trace(&scene, resolved, &raster, Outputs::default());
     let covered = frame.object.iter().filter(|object| **object != NO_OBJECT).count();
     let sample = sample(&frame.object, raster.columns().len());
     let (methods, scene) = (methods_for(&scene), Arc::new(scene));
-    let timed = timed_raster(posed, scene.len());
-    let mut picture = Picture::new(&scene, camera, posed, raster, timed);
+    let timed = timed_raster(resolved, scene.len());
+    let mut picture = Picture::new(&scene, camera, resolved, raster, timed);
     picture.pixels = sample.pixels;
     let (title, all) = (title.to_owned(), frame.object.len());
     let (outline, seen) = (sample.outline, picture.pixels.len());
@@ -138,10 +138,10 @@ fn make(title: &str, scene: Scene, camera: &Camera, posed: &PosedCamera) -> Made
 }
 
 /// What is traced for the time: the image, or fewer of its pixels, in rows as long as can be.
-fn timed_raster(posed: &PosedCamera, objects: usize) -> Raster {
+fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
-    let columns = pixels.min(TIMED_SIDE).min(posed.image().width());
-    Raster::shown_on(posed.image(), columns, (pixels / columns).min(TIMED_SIDE))
+    let columns = pixels.min(TIMED_SIDE).min(resolved.image().width());
+    Raster::shown_on(resolved.image(), columns, (pixels / columns).min(TIMED_SIDE))
 }
 
 /// Which pixels to compare with the truth.

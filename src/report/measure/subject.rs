@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use pinhole_core::methods::{FrameKernel, Method, MethodHit, RayKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
-    Camera, DVec3, Orientation, Plane, PosedCamera, Raster, Ray, Scene, Sphere, Steps, Viewport,
+    Camera, DVec3, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere, Steps, Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
@@ -27,7 +27,7 @@ pub(super) enum Subject {
 /// A scene, a camera, and which of its pixels to compare with the truth.
 pub(super) struct Picture {
     pub(super) scene: Arc<Scene>,
-    pub(super) camera: PosedCamera,
+    pub(super) camera: ResolvedCamera,
     pub(super) of_reference: reference::Camera,
     pub(super) objects: Vec<Object>,
     /// All that the rays share, in exact numbers; none for a scene of many objects, which are
@@ -169,7 +169,7 @@ impl Picture {
     pub(super) fn new(
         scene: &Arc<Scene>,
         given: &Camera,
-        camera: &PosedCamera,
+        camera: &ResolvedCamera,
         raster: Raster,
         timed: Raster,
     ) -> Picture {

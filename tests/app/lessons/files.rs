@@ -61,7 +61,7 @@ fn a_lesson_file_opens_like_a_scene_and_a_bad_one_says_what_is_wrong() {
             .state()
             .document()
             .camera
-            .posed()
+            .resolve()
             .unwrap()
             .basis()
             .u

@@ -2,7 +2,7 @@
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
-use pinhole_core::{NO_OBJECT, PosedCamera, Sphere};
+use pinhole_core::{NO_OBJECT, ResolvedCamera, Sphere};
 
 /// The roots that are computed of the quadratic.
 #[derive(Clone, Copy, PartialEq)]
@@ -29,7 +29,7 @@ pub(crate) struct Loop<R> {
 macro_rules! textbook {
     ($real:ident, $vector:ident) => {
         impl Loop<$real> {
-            pub(crate) fn new(camera: &PosedCamera, sphere: &Sphere) -> Self {
+            pub(crate) fn new(camera: &ResolvedCamera, sphere: &Sphere) -> Self {
                 let image = camera.image();
                 let basis = camera.basis();
                 let distance = camera.viewport().distance;

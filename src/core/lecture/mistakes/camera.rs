@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use super::Mistake;
 use crate::camera::image::{ImageSize, Pixel};
 use crate::camera::ray::{Ray, RayError};
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::camera::{Camera, CameraError, Orientation};
 use crate::exact::scale::{length, unit};
 
@@ -104,7 +104,7 @@ impl std::error::Error for NoWrongCamera {}
 /// A camera with a mistake, or several, on the way to its rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WrongCamera {
-    pub(super) right: PosedCamera,
+    pub(super) right: ResolvedCamera,
     mistakes: Vec<Mistake>,
     pub(super) mapping: Mapping,
     distance_dropped: bool,
@@ -154,9 +154,9 @@ impl WrongCamera {
     /// # Errors
     /// Where the camera sees nothing.
     pub fn right(camera: &Camera) -> Result<WrongCamera, CameraError> {
-        let posed = camera.posed()?;
+        let resolved = camera.resolve()?;
         Ok(WrongCamera {
-            right: posed,
+            right: resolved,
             mistakes: Vec::new(),
             mapping: Mapping::RIGHT,
             distance_dropped: false,
@@ -246,7 +246,7 @@ impl WrongCamera {
     }
 
     /// The camera without them.
-    pub fn right_camera(&self) -> &PosedCamera {
+    pub fn right_camera(&self) -> &ResolvedCamera {
         &self.right
     }
 

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::WrongCamera;
 use crate::camera::basis::Basis;
 use crate::camera::image::{ImageError, ImageSize, Pixel};
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::camera::viewport::Viewport;
 use crate::camera::{Camera, CameraError, Orientation};
 use crate::render::frame::{Frame, NO_OBJECT, Outputs, Raster};
@@ -183,7 +183,7 @@ impl WrongPicture {
 
 impl WrongCamera {
     /// The right camera whose rays, in other pixels, are this one's.
-    fn stand_in(&self, columns: &Line, rows: &Line) -> Result<PosedCamera, CameraError> {
+    fn stand_in(&self, columns: &Line, rows: &Line) -> Result<ResolvedCamera, CameraError> {
         let Basis { u, v, w } = *self.right.basis();
         let facing = self.scale.z.signum();
         let basis = Basis { u: facing * u, v, w: facing * w };
@@ -192,7 +192,7 @@ impl WrongCamera {
             height: rows.extent,
             distance: self.distance() * self.scale.z.abs(),
         };
-        posed(
+        resolve(
             self.right.eye(),
             basis,
             viewport,
@@ -201,7 +201,7 @@ impl WrongCamera {
     }
 
     /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
-    fn row_camera(&self, upward: DVec3, columns: &Line) -> Result<PosedCamera, CameraError> {
+    fn row_camera(&self, upward: DVec3, columns: &Line) -> Result<ResolvedCamera, CameraError> {
         let facing = self.scale.z.signum();
         let forward = upward - self.distance() * self.w();
         // At right angles to u, as up and w are, but for rounding.
@@ -209,20 +209,20 @@ impl WrongCamera {
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
         let basis = Basis { u, v: w.cross(u), w };
-        posed(self.right.eye(), basis, viewport, ImageSize::partly_traced(columns.count, 1))
+        resolve(self.right.eye(), basis, viewport, ImageSize::partly_traced(columns.count, 1))
     }
 }
 
-fn posed(
+fn resolve(
     eye: DVec3,
     basis: Basis,
     viewport: Viewport,
     image: Result<ImageSize, ImageError>,
-) -> Result<PosedCamera, CameraError> {
+) -> Result<ResolvedCamera, CameraError> {
     let image = image.map_err(CameraError::Image)?;
-    Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.posed()
+    Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.resolve()
 }
 
-fn traced(scene: &Scene, camera: &PosedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
+fn traced(scene: &Scene, camera: &ResolvedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
     trace_as(scene, camera, &Raster::of(rows, columns), Outputs::default())
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::exact::steps::Steps;
 use crate::render::frame::counts::Counts;
 use crate::render::frame::depth::Depth;
@@ -10,7 +10,7 @@ use crate::render::frame::{Frame, Outputs, Raster};
 
 /// A frame with room for what is asked for.
 pub(crate) fn empty_frame<T: Depth>(
-    camera: &PosedCamera,
+    camera: &ResolvedCamera,
     raster: &Raster,
     outputs: Outputs,
 ) -> Frame<T> {

@@ -7,7 +7,7 @@ pub(crate) mod depth;
 use glam::DVec3;
 
 use crate::camera::image::{ImageSize, Pixel};
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::exact::steps::Steps;
 use crate::render::frame::counts::Counts;
 
@@ -52,7 +52,7 @@ impl Default for Outputs {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Frame<T = f64> {
-    pub(crate) camera: PosedCamera,
+    pub(crate) camera: ResolvedCamera,
     pub(crate) raster: Raster,
     /// `t` of the first hit, rounded; infinite where there is none (or, at an object, where it is
     /// beyond the range of T); empty unless asked for.
@@ -201,7 +201,7 @@ fn nearest(traced: &[u32], count: u32) -> Vec<usize> {
 
 impl<T: Copy> Frame<T> {
     /// The camera that the frame was traced for.
-    pub fn camera(&self) -> &PosedCamera {
+    pub fn camera(&self) -> &ResolvedCamera {
         &self.camera
     }
 

@@ -1,6 +1,6 @@
 //! A camera as the outlines of all spheres need it.
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 
 /// A camera as spheres are seen by it: lengths along u, v and -w from the eye, and slopes
 /// `x = u / distance`, `y = v / distance` in whole columns and rows.
@@ -44,7 +44,7 @@ impl CameraSpace {
     /// by less than 12 u and the defect. So a ray that meets a sphere is one that, here, meets a
     /// sphere of the computed centre that is larger by `doubt (|q| + r)`, and one that meets a sphere
     /// smaller by as much meets the true one.
-    pub(crate) fn new(camera: &PosedCamera) -> CameraSpace {
+    pub(crate) fn new(camera: &ResolvedCamera) -> CameraSpace {
         const ROUNDING: f64 = 16.0 * f64::EPSILON;
         let basis = camera.basis();
         let (u, v, w) = (basis.u, basis.v, basis.w);

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::render::frame::Raster;
 use crate::scene::sphere::Sphere;
 
@@ -32,7 +32,7 @@ pub(crate) struct Extents<'a> {
 }
 
 impl<'a> Extents<'a> {
-    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster) -> Extents<'a> {
+    pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> Extents<'a> {
         Extents { bounds: Bounds::new(camera), raster }
     }
 
@@ -59,7 +59,7 @@ pub(crate) struct PixelBounds {
 
 /// A camera as the bounds of all spheres need it.
 pub(crate) struct Bounds<'a> {
-    camera: &'a PosedCamera,
+    camera: &'a ResolvedCamera,
     /// See [`Bounds::new`].
     doubt: f64,
     /// Pixels for each unit of `u / distance`.
@@ -75,7 +75,7 @@ impl<'a> Bounds<'a> {
     /// of each coordinate, which on a viewport of extreme aspect is the difference between a margin
     /// and none. So a ray that meets the sphere is, in these coordinates, one that meets a sphere
     /// larger by `doubt * (|oc| + r)`.
-    pub(crate) fn new(camera: &'a PosedCamera) -> Self {
+    pub(crate) fn new(camera: &'a ResolvedCamera) -> Self {
         const ROUNDING: f64 = 64.0 * f64::EPSILON;
         let basis = camera.basis();
         let (viewport, image) = (camera.viewport(), camera.image());

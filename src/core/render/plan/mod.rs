@@ -8,7 +8,7 @@ use std::ops::Range;
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::render::bvh::visible::Crowd;
 use crate::render::frame::Raster;
 use crate::render::frame::counts::Counts;
@@ -52,7 +52,7 @@ impl<'a> Plan<'a> {
     pub(crate) fn new(
         level: Level,
         scene: &'a Scene,
-        camera: &'a PosedCamera,
+        camera: &'a ResolvedCamera,
         raster: &'a Raster,
     ) -> Self {
         let rays = FrameRays::new(camera, raster);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::camera::image::Pixel;
-use crate::camera::resolved::{PosedCamera, ViewPlace};
+use crate::camera::resolved::{ResolvedCamera, ViewPlace};
 use crate::exact::bounded::{Number, UNIT, Vector, length, near};
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::quadratic::DirectionParts;
@@ -18,7 +18,7 @@ use crate::render::frame::Raster;
 /// ```
 #[derive(Clone, Debug)]
 pub(crate) struct FrameRays<'a> {
-    camera: &'a PosedCamera,
+    camera: &'a ResolvedCamera,
     raster: &'a Raster,
     /// n of each column of the raster.
     pub(crate) n: Vec<f64>,
@@ -48,7 +48,7 @@ pub(crate) struct Steppers {
 }
 
 impl<'a> FrameRays<'a> {
-    pub(crate) fn new(camera: &'a PosedCamera, raster: &'a Raster) -> FrameRays<'a> {
+    pub(crate) fn new(camera: &'a ResolvedCamera, raster: &'a Raster) -> FrameRays<'a> {
         let image = camera.image();
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let viewport = camera.viewport();
@@ -83,7 +83,7 @@ impl<'a> FrameRays<'a> {
         }
     }
 
-    pub(crate) fn camera(&self) -> &'a PosedCamera {
+    pub(crate) fn camera(&self) -> &'a ResolvedCamera {
         self.camera
     }
 

@@ -87,7 +87,7 @@ impl Surface<'_> {
 /// direction has moved it past the sphere.
 #[cold]
 fn normal_of_first_hit(sphere: &Sphere, ray: &Ray) -> DVec3 {
-    let Ok(exact) = ExactRay::of(ray) else { return DVec3::ZERO };
+    let Ok(exact) = ExactRay::from_ray(ray) else { return DVec3::ZERO };
     let seen = SphereSeen::new(sphere, ray.origin);
     match ObjectSeen::Sphere(seen.clone()).first_end(&exact, &mut Steps::default()) {
         Some(end) => seen.normal(&exact, end),

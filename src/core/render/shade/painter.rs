@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::Level;
 
-use crate::camera::resolved::PosedCamera;
+use crate::camera::resolved::ResolvedCamera;
 use crate::render::frame::depth::Depth;
 use crate::render::frame::{NO_OBJECT, Raster};
 use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
@@ -16,7 +16,7 @@ pub(crate) struct Painter<'a, C, F> {
     level: Level,
     paint: &'a Paint<C, F>,
     toner: Toner<'a>,
-    camera: &'a PosedCamera,
+    camera: &'a ResolvedCamera,
     raster: &'a Raster,
     /// x, y and z of the columns' parts of the directions, padded.
     columns: [Vec<f64>; 3],
@@ -32,7 +32,7 @@ where
         level: Level,
         paint: &'a Paint<C, F>,
         scene: &'a Scene,
-        camera: &'a PosedCamera,
+        camera: &'a ResolvedCamera,
         raster: &'a Raster,
         nearest: f64,
     ) -> Self {
@@ -125,7 +125,7 @@ where
 
 /// Returns whether the squares of all directions' lengths are far from 0 and infinity: none is
 /// shorter than the distance, and none longer than three sides of the viewport's box.
-fn has_plain_rays(camera: &PosedCamera) -> bool {
+fn has_plain_rays(camera: &ResolvedCamera) -> bool {
     let viewport = camera.viewport();
     let longest = viewport.width + viewport.height + viewport.distance;
     viewport.distance > 1e-59 && longest < 1e59

@@ -92,7 +92,7 @@ fn slips_that_are_none_of_the_list_are_told() {
             assert!(found.advice().ends_with(or), "{}", found.advice());
             // Where u, v and w are given, w cannot be the other way round.
             let camera = camera_of(&exercise);
-            let basis = *camera.posed().unwrap().basis();
+            let basis = *camera.resolve().unwrap().basis();
             let camera = Camera { orientation: Orientation::Basis(basis), ..camera };
             let scene = scene_of(&exercise);
             let truth = Truth { camera: &camera, scene: &scene, color_of: &|_| [0; 3] };

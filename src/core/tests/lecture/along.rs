@@ -10,7 +10,7 @@ use crate::common::{assert_ulps, given, plane, sphere, ulps, vec3};
 use crate::{AT_45_DEGREES, config, vector};
 
 fn of_ray<'a>(object: &Object, ray: &Ray) -> AlongRay<'a> {
-    AlongRay::new(object, ExactRay::of(ray).unwrap()).unwrap()
+    AlongRay::new(object, ExactRay::from_ray(ray).unwrap()).unwrap()
 }
 
 /// f(t) in 1200 digits.
@@ -68,7 +68,8 @@ fn values_of_the_lecture_s_scene() {
         (0.0, 12.0, 12.0)
     );
     assert!(
-        AlongRay::new(&Object::Sphere(sphere([0.0; 3], 0.0)), ExactRay::of(&ray).unwrap()).is_err()
+        AlongRay::new(&Object::Sphere(sphere([0.0; 3], 0.0)), ExactRay::from_ray(&ray).unwrap())
+            .is_err()
     );
 }
 
@@ -86,7 +87,7 @@ fn a_tangent_touches_zero() {
 /// Roots that no `f64` is: of view rays, whose direction has roots in it.
 #[test]
 fn the_sign_changes_at_certified_roots_of_view_rays() {
-    let posed = AT_45_DEGREES.posed().unwrap();
+    let resolved = AT_45_DEGREES.resolve().unwrap();
     let objects = [
         Object::Plane(plane([0.0, 0.0, -6.0], [0.0, 0.0, 1.0])),
         Object::Sphere(sphere([-4.0, 0.0, -5.0], 2.0)),
@@ -95,7 +96,7 @@ fn the_sign_changes_at_certified_roots_of_view_rays() {
     let mut roots = 0;
     for row in (0..400).step_by(23) {
         for column in (0..400).step_by(23) {
-            let ray = posed.exact_ray(Pixel { row, column });
+            let ray = resolved.exact_ray(Pixel { row, column });
             for object in &objects {
                 let along = AlongRay::new(object, ray).unwrap();
                 let found = match object {

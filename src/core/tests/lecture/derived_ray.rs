@@ -11,18 +11,18 @@ use crate::{AT_45_DEGREES, config, vector};
 #[test]
 fn the_warm_up_and_the_turned_camera() {
     let uv = DVec2::new(0.2, -0.1);
-    let posed = Camera::CANONICAL.posed().unwrap();
-    let derived = RayDerivation::of_uv(&posed, uv).unwrap();
+    let resolved = Camera::CANONICAL.resolve().unwrap();
+    let derived = RayDerivation::of_uv(&resolved, uv).unwrap();
     assert_eq!((derived.shares, derived.uv, derived.origin), (None, uv, DVec3::ZERO));
     assert_eq!(derived.along_u, vec3(0.2, 0.0, 0.0));
     assert_eq!(derived.along_v, vec3(0.0, -0.1, 0.0));
     assert_eq!(derived.along_w, DVec3::NEG_Z);
     assert_eq!(derived.direction, vec3(0.2, -0.1, -1.0));
     assert_ulps(derived.length, 1.05_f64.sqrt(), 1);
-    assert_eq!(derived.ray(), posed.ray(uv));
+    assert_eq!(derived.ray(), resolved.ray(uv));
 
     let s = 0.5_f64.sqrt();
-    let derived = RayDerivation::of_uv(&AT_45_DEGREES.posed().unwrap(), uv).unwrap();
+    let derived = RayDerivation::of_uv(&AT_45_DEGREES.resolve().unwrap(), uv).unwrap();
     assert_ulps3(derived.along_u, vec3(0.2 * s, 0.0, -0.2 * s), 1);
     assert_ulps3(derived.along_w, vec3(-s, 0.0, -s), 1);
     assert_ulps3(derived.direction, vec3(-0.8 * s, -0.1, -1.2 * s), 1);
@@ -30,17 +30,17 @@ fn the_warm_up_and_the_turned_camera() {
 
 #[test]
 fn a_pixel_by_its_shares() {
-    let posed = Camera::CANONICAL.posed().unwrap();
+    let resolved = Camera::CANONICAL.resolve().unwrap();
     let pixel = Pixel { row: 99, column: 199 };
-    let derived = RayDerivation::of_pixel(&posed, pixel);
+    let derived = RayDerivation::of_pixel(&resolved, pixel);
     let shares = derived.shares.unwrap();
     assert_eq!(shares.pixel, pixel);
     assert_eq!((shares.across, shares.down), (199.5 / 400.0, 99.5 / 400.0));
     assert_eq!((shares.right, shares.up), (-1.0 / 800.0, 201.0 / 800.0));
     assert_eq!(derived.uv, DVec2::new(-1.0 / 800.0, 201.0 / 800.0));
     assert_eq!(derived.direction, vec3(-1.0 / 800.0, 201.0 / 800.0, -1.0));
-    assert_eq!(derived.ray(), posed.exact_ray(pixel).rounded());
-    assert!(RayDerivation::of_uv(&posed, DVec2::new(f64::NAN, 0.0)).is_err());
+    assert_eq!(derived.ray(), resolved.exact_ray(pixel).rounded());
+    assert!(RayDerivation::of_uv(&resolved, DVec2::new(f64::NAN, 0.0)).is_err());
 }
 
 proptest! {
@@ -59,14 +59,14 @@ proptest! {
             image: ImageSize::new(80, 60).unwrap(),
             ..Camera::CANONICAL
         };
-        let posed = camera.posed().unwrap();
-        let derived = RayDerivation::of_pixel(&posed, Pixel { row, column });
+        let resolved = camera.resolve().unwrap();
+        let derived = RayDerivation::of_pixel(&resolved, Pixel { row, column });
         let RayDerivation { along_u, along_v, along_w, direction, .. } = derived;
         let sum = along_u + along_v + along_w;
         let size = along_u.abs() + along_v.abs() + along_w.abs();
         let off = (sum - direction).abs();
         prop_assert!((0..3).all(|i| off[i] <= 4.0 * f64::EPSILON * size[i]), "{off:?}");
-        let Basis { u, v, w } = *posed.basis();
+        let Basis { u, v, w } = *resolved.basis();
         for (part, factor, axis) in
             [(along_u, derived.uv.x, u), (along_v, derived.uv.y, v), (along_w, -distance, w)]
         {
@@ -91,9 +91,9 @@ fn the_direction_is_that_of_the_reference() {
         for &knob in family.knobs() {
             for case in family.frames(knob, 5, 2, false) {
                 let Ok(view) = case.camera.prepare(&[]) else { continue };
-                let posed = given::camera(&case.camera).posed().unwrap();
+                let resolved = given::camera(&case.camera).resolve().unwrap();
                 let pixel = Pixel { row: 1, column: 2 };
-                let derived = RayDerivation::of_pixel(&posed, pixel);
+                let derived = RayDerivation::of_pixel(&resolved, pixel);
                 let truth = view.direction_of_pixel(1, 2);
                 let off = angle_between(&truth, derived.direction.to_array());
                 assert!(off <= 1.7e-16, "{off:e} {}", family.name());
@@ -109,8 +109,8 @@ fn the_direction_is_that_of_the_reference() {
 fn extreme_measures_do_not_overflow() {
     for size in [1e-300, 1e300] {
         let viewport = Viewport { width: 2.0 * size, height: size, distance: 3.0 * size };
-        let posed = Camera { viewport, ..Camera::CANONICAL }.posed().unwrap();
-        let derived = RayDerivation::of_pixel(&posed, Pixel { row: 0, column: 0 });
+        let resolved = Camera { viewport, ..Camera::CANONICAL }.resolve().unwrap();
+        let derived = RayDerivation::of_pixel(&resolved, Pixel { row: 0, column: 0 });
         assert_ulps3(derived.along_u, vec3(-399.0 / 400.0 * size, 0.0, 0.0), 1);
         assert_ulps3(derived.along_v, vec3(0.0, 399.0 / 800.0 * size, 0.0), 1);
         assert_eq!(derived.along_w, vec3(0.0, 0.0, -3.0 * size));

@@ -213,11 +213,11 @@ fn derived_vectors_have_their_forms() {
     assert_eq!(found, expected);
     assert_eq!(text(derived.view.unwrap().length), "sqrt 682");
 
-    let posed = AT_45_DEGREES.posed().unwrap();
-    let Basis { u, w, .. } = *posed.basis();
+    let resolved = AT_45_DEGREES.resolve().unwrap();
+    let Basis { u, w, .. } = *resolved.basis();
     assert_eq!(vector_text(u), "(1/sqrt 2, 0, -1/sqrt 2)");
     assert_eq!(vector_text(w), "(1/sqrt 2, 0, 1/sqrt 2)");
-    let ray = RayDerivation::of_uv(&posed, DVec2::new(0.2, -0.1)).unwrap();
+    let ray = RayDerivation::of_uv(&resolved, DVec2::new(0.2, -0.1)).unwrap();
     assert_eq!(vector_text(ray.along_u), "(sqrt 2/10, 0, -sqrt 2/10)");
     assert_eq!(vector_text(ray.direction), "(-2 sqrt 2/5, -1/10, -3 sqrt 2/5)");
     assert_eq!(text(ray.length), "sqrt 105/10");

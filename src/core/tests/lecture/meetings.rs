@@ -12,7 +12,7 @@ use crate::common::{assert_ulps, assert_ulps3, given, plane, sphere, ulps, vec3}
 use crate::{AT_45_DEGREES, config, vector};
 
 fn derived(object: Object, ray: &Ray) -> ObjectDerivation {
-    ObjectDerivation::of(&object, 0, &ExactRay::of(ray).unwrap()).unwrap()
+    ObjectDerivation::of(&object, 0, &ExactRay::from_ray(ray).unwrap()).unwrap()
 }
 
 fn on_sphere(
@@ -84,7 +84,7 @@ fn every_way_to_meet_a_sphere() {
 fn planes_of_the_lecture() {
     let wall = ([0.0, 0.0, -6.0], [0.0, 0.0, 1.0]);
     let ray = Ray::new([0.0; 3], [0.2, -0.1, -1.0]).unwrap();
-    let found = on_plane(wall.0, wall.1, &ExactRay::of(&ray).unwrap());
+    let found = on_plane(wall.0, wall.1, &ExactRay::from_ray(&ray).unwrap());
     assert_eq!(found.to_point, vec3(0.0, 0.0, -6.0));
     assert_eq!((found.terms.rate, found.terms.offset), (-1.0, -6.0));
     assert_eq!(found.meeting, PlaneMeeting::Ahead);
@@ -92,8 +92,8 @@ fn planes_of_the_lecture() {
     assert_eq!((hit.object, hit.t, hit.normal), (3, 6.0, DVec3::Z));
     assert_ulps3(hit.point, vec3(1.2, -0.6, -6.0), 1);
 
-    let posed = AT_45_DEGREES.posed().unwrap();
-    let ray = posed.exact_ray_at(DVec2::new(0.2, -0.1)).unwrap();
+    let resolved = AT_45_DEGREES.resolve().unwrap();
+    let ray = resolved.exact_ray_at(DVec2::new(0.2, -0.1)).unwrap();
     let hit = *on_plane(wall.0, wall.1, &ray).hit().unwrap();
     assert_ulps(hit.t, 50_f64.sqrt(), 1);
     assert_ulps3(hit.point, vec3(-4.0, -0.5_f64.sqrt(), -6.0), 1);
@@ -110,7 +110,7 @@ fn every_way_to_meet_a_plane() {
     ];
     for (origin, direction, meeting, t) in cases {
         let ray = Ray::new(origin, direction).unwrap();
-        let found = on_plane([0.0, 0.0, -6.0], [0.0, 0.0, 2.0], &ExactRay::of(&ray).unwrap());
+        let found = on_plane([0.0, 0.0, -6.0], [0.0, 0.0, 2.0], &ExactRay::from_ray(&ray).unwrap());
         assert_eq!((found.meeting, found.root.map(|root| root.t)), (meeting, t));
         assert_eq!(found.hit().is_some(), meeting == PlaneMeeting::Ahead);
         let all = derived(Object::Plane(found.plane), &ray);
@@ -118,7 +118,7 @@ fn every_way_to_meet_a_plane() {
     }
     let ray = Ray::new([0.0; 3], AHEAD).unwrap();
     let none = Object::Plane(plane([0.0; 3], [0.0; 3]));
-    let error = ObjectDerivation::of(&none, 0, &ExactRay::of(&ray).unwrap());
+    let error = ObjectDerivation::of(&none, 0, &ExactRay::from_ray(&ray).unwrap());
     assert_eq!(error, Err(ObjectError::NormalIsZero));
 }
 
@@ -130,7 +130,7 @@ fn roots_and_hits_are_those_of_the_reference() {
         for &knob in family.knobs() {
             for case in family.rays(knob, 11, 3, false) {
                 let ray = Ray { origin: case.origin.into(), direction: case.direction.into() };
-                let exact = ExactRay::of(&ray).unwrap();
+                let exact = ExactRay::from_ray(&ray).unwrap();
                 for given_object in &case.objects {
                     let scene = given::scene(std::slice::from_ref(given_object));
                     let object = scene.object(0).unwrap();

@@ -139,14 +139,14 @@ proptest! {
         let scaled = camera.scaled_picture(distance).unwrap();
         prop_assert_eq!(scaled.viewport.distance, distance);
         prop_assert_eq!(Camera { viewport, ..scaled }, camera);
-        let (before, after) = (camera.posed().unwrap(), scaled.posed().unwrap());
+        let (before, after) = (camera.resolve().unwrap(), scaled.resolve().unwrap());
         let pixel = Pixel { row, column };
         let (one, other) = (before.ray_of_pixel(pixel), after.ray_of_pixel(pixel));
         let factor = distance / 0.7;
         let off = (one.direction * factor - other.direction).length();
         prop_assert!(off <= 2e-15 * other.direction.length());
         let scene = Scene::new(vec![], vec![Plane { point: camera.eye + camera.view(), normal: camera.view() }]).unwrap();
-        let t = |camera: &PosedCamera| scene.roots_of(&camera.exact_ray(pixel))[0].t;
+        let t = |camera: &ResolvedCamera| scene.roots_of(&camera.exact_ray(pixel))[0].t;
         prop_assert!((t(&before) / t(&after) / factor - 1.0).abs() <= 1e-14);
     }
 

@@ -61,11 +61,11 @@ fn a_corner_makes_width_and_height() {
 
 #[test]
 fn corners_are_where_they_are_drawn() {
-    let posed = camera().posed().unwrap();
+    let resolved = camera().resolve().unwrap();
     for corner in ViewportCorner::ALL {
-        let uv = corner.uv(posed.viewport());
+        let uv = corner.uv(resolved.viewport());
         assert_eq!(uv.abs(), DVec2::new(2.0, 1.0));
-        let point = posed.viewport_point(uv);
+        let point = resolved.viewport_point(uv);
         let same = camera().with_viewport_corner(corner, point, CornerKeeps::Nothing).unwrap();
         assert_eq!(same, camera());
     }
@@ -127,9 +127,9 @@ proptest! {
         camera in calm_camera(), u in 0.01..10.0_f64, v in 0.01..10.0_f64, which in 0..4_usize,
     ) {
         let corner = ViewportCorner::ALL[which];
-        let posed = camera.posed().unwrap();
+        let resolved = camera.resolve().unwrap();
         let uv = corner.signs() * DVec2::new(u, v) * camera.viewport.distance;
-        let point = posed.viewport_point(uv);
+        let point = resolved.viewport_point(uv);
         let after = camera.with_viewport_corner(corner, point, CornerKeeps::Nothing).unwrap();
         let found = corner.uv(&after.viewport);
         prop_assert!(found.distance(uv) <= 1e-12 * (uv.length() + camera.eye.length()));

@@ -8,19 +8,19 @@ use super::{direction, vec3};
 use crate::common::seed::config;
 
 /// A camera at (0, 0, 10), along -z: a viewport of 2 x 2 at distance 1.
-fn straight() -> PosedCamera {
+fn straight() -> ResolvedCamera {
     Camera {
         eye: vec3(0.0, 0.0, 10.0),
         orientation: Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y },
         viewport: Viewport { width: 2.0, height: 2.0, distance: 1.0 },
         ..Camera::CANONICAL
     }
-    .posed()
+    .resolve()
     .unwrap()
 }
 
 /// An observer, the place of an anchor in its picture, and the anchor.
-fn observed() -> impl Strategy<Value = (PosedCamera, DVec2, DVec3)> {
+fn observed() -> impl Strategy<Value = (ResolvedCamera, DVec2, DVec3)> {
     let uv = || (-0.5..0.5_f64, -0.5..0.5_f64).prop_map(DVec2::from);
     (direction(), direction(), -6.0..6.0_f64, uv(), -2.0..2.0_f64).prop_filter_map(
         "up across the view",
@@ -32,14 +32,14 @@ fn observed() -> impl Strategy<Value = (PosedCamera, DVec2, DVec3)> {
                 viewport: Viewport { width: 1.0, height: 1.0, distance: 0.8 },
                 ..Camera::CANONICAL
             };
-            let posed = camera.posed().ok()?;
-            let anchor = posed.ray(uv).at(size * 10_f64.powf(depth));
-            Some((posed, uv, anchor))
+            let resolved = camera.resolve().ok()?;
+            let anchor = resolved.ray(uv).at(size * 10_f64.powf(depth));
+            Some((resolved, uv, anchor))
         },
     )
 }
 
-fn image(observer: &PosedCamera, point: DVec3) -> DVec2 {
+fn image(observer: &ResolvedCamera, point: DVec3) -> DVec2 {
     observer.project(point).uv
 }
 

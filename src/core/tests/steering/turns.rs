@@ -103,7 +103,7 @@ fn what_cannot_be_turned_is_refused() {
 #[test]
 fn a_drag_in_the_picture_takes_it_along() {
     let camera = Camera::CANONICAL;
-    let project = |camera: &Camera, point| camera.posed().unwrap().project(point).uv;
+    let project = |camera: &Camera, point| camera.resolve().unwrap().project(point).uv;
     // What is level with the eye, and what is straight above the middle.
     for (from, to) in [((0.3, 0.0), (-0.4, 0.0)), ((0.0, -0.1), (0.0, 0.45))] {
         let (from, to) = (DVec2::from(from), DVec2::from(to));

@@ -29,8 +29,8 @@ impl Crowd {
     }
 
     pub(crate) fn trace(&self) -> Frame<f32> {
-        let posed = self.camera.posed().unwrap();
-        trace_as(&self.scene, &posed, &Raster::full(self.camera.image), Outputs::default())
+        let resolved = self.camera.resolve().unwrap();
+        trace_as(&self.scene, &resolved, &Raster::full(self.camera.image), Outputs::default())
     }
 }
 
@@ -92,7 +92,7 @@ fn around_the_eye(first: bool) -> Vec<Sphere> {
 
 /// Spheres of about a pixel's size that all cover the centre of the same one.
 fn one_pixel() -> Vec<Sphere> {
-    let camera = ordinary().posed().unwrap();
+    let camera = ordinary().resolve().unwrap();
     let direction = camera.ray_of_pixel(Pixel { row: 70, column: 200 }).direction;
     let mut numbers = Numbers(6);
     let one = |_| {

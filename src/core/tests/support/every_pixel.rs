@@ -31,7 +31,7 @@ pub(crate) struct Checked {
 struct Checker<'a> {
     scene: &'a Scene,
     camera: &'a Camera,
-    posed: PosedCamera,
+    resolved: ResolvedCamera,
     frame: &'a Frame<f32>,
     seen: Vec<Seen>,
     /// The parts of the directions that the pixels of a column, and of a row, share.
@@ -99,8 +99,8 @@ pub(crate) fn check(scene: &Scene, camera: &Camera, frame: &Frame<f32>) -> Resul
 
 impl<'a> Checker<'a> {
     fn new(scene: &'a Scene, camera: &'a Camera, frame: &'a Frame<f32>) -> Checker<'a> {
-        let posed = camera.posed().unwrap();
-        let (basis, Viewport { width, height, distance }) = (posed.basis(), camera.viewport);
+        let resolved = camera.resolve().unwrap();
+        let (basis, Viewport { width, height, distance }) = (resolved.basis(), camera.viewport);
         let (columns, rows) = (f64::from(camera.image.width()), f64::from(camera.image.height()));
         let across = |column: &u32| {
             let u = width * (2.0 * f64::from(*column) + 1.0 - columns) / (2.0 * columns);
@@ -113,7 +113,7 @@ impl<'a> Checker<'a> {
         Checker {
             scene,
             camera,
-            posed,
+            resolved,
             frame,
             seen: scene.objects().map(|object| Seen::new(&object, camera.eye)).collect(),
             across: frame.raster().columns().iter().map(across).collect(),
@@ -209,7 +209,7 @@ impl<'a> Checker<'a> {
         let (rows, columns) = self.extent(seen);
         let nearest = match seen {
             Seen::Sphere(sphere) => {
-                sphere.least_depth(self.posed.basis()) / self.camera.viewport.distance
+                sphere.least_depth(self.resolved.basis()) / self.camera.viewport.distance
             }
             Seen::Plane(..) => 0.0,
         };
@@ -242,7 +242,7 @@ impl<'a> Checker<'a> {
     fn extent(&self, seen: &Seen) -> (Range<usize>, Range<usize>) {
         let whole = (0..self.down.len(), 0..self.across.len());
         let Seen::Sphere(sphere) = seen else { return whole };
-        let [x, y] = sphere.slopes(self.posed.basis());
+        let [x, y] = sphere.slopes(self.resolved.basis());
         let Viewport { width, height, distance } = self.camera.viewport;
         let (columns, rows) =
             (f64::from(self.camera.image.width()), f64::from(self.camera.image.height()));
@@ -304,7 +304,7 @@ impl<'a> Checker<'a> {
             }
         }
         let few = Scene::new(spheres, planes).unwrap();
-        let hit = few.first_hit_of(&self.posed.exact_ray(place));
+        let hit = few.first_hit_of(&self.resolved.exact_ray(place));
         let ulps = hit.map_or(0.0, |hit| {
             let rounded = hit.t as f32;
             let is_near = [rounded.next_down(), rounded, rounded.next_up()].contains(&t);
