@@ -211,19 +211,19 @@ struct Readme;
 /// let _ = pinhole_core::ViewportError { field: "width", value: 0.0 };
 /// ```
 /// ```compile_fail,E0004
-/// fn of(step: pinhole_core::Step) -> u8 {
+/// fn kind(step: pinhole_core::Step) -> u8 {
 ///     use pinhole_core::Step::*;
 ///     match step { F64 => 0, DoubleDouble => 1, Exact => 2 }
 /// }
 /// ```
 /// ```compile_fail,E0004
-/// fn of(error: pinhole_core::lecture::lines::LineError) -> u8 {
+/// fn kind(error: pinhole_core::lecture::lines::LineError) -> u8 {
 ///     use pinhole_core::lecture::lines::LineError::*;
 ///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } => 0 }
 /// }
 /// ```
 /// ```compile_fail,E0004
-/// fn of(error: pinhole_core::lecture::mistakes::NoWrongCamera) -> u8 {
+/// fn kind(error: pinhole_core::lecture::mistakes::NoWrongCamera) -> u8 {
 ///     use pinhole_core::lecture::mistakes::NoWrongCamera::*;
 ///     match error {
 ///         Camera(_) | GivenByHand(_) | NotGivenByAt | ChangesNothing(_) | Conflict(..) => 0,

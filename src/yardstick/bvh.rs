@@ -47,7 +47,7 @@ impl Bounds {
     const NONE: Bounds =
         Bounds { low: Vec3::splat(f32::INFINITY), high: Vec3::splat(f32::NEG_INFINITY) };
 
-    fn of(ball: &Ball) -> Bounds {
+    fn around(ball: &Ball) -> Bounds {
         Bounds { low: ball.center - ball.radius, high: ball.center + ball.radius }
     }
 
@@ -80,7 +80,7 @@ impl Bvh {
         let mut open = vec![(0, 0..objects.len(), 0)];
         while let Some((place, range, depth)) = open.pop() {
             let own = &mut objects[range.clone()];
-            let boxes = own.iter().map(|object| Bounds::of(&scene.balls[*object as usize]));
+            let boxes = own.iter().map(|object| Bounds::around(&scene.balls[*object as usize]));
             let bounds = boxes.fold(Bounds::NONE, Bounds::with);
             if own.len() <= LEAF {
                 let (first, count) = (range.start as u32, own.len() as u32);
@@ -100,7 +100,7 @@ impl Bvh {
 
     /// Traces a frame.
     pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
-        let rays = Rays::of(camera);
+        let rays = Rays::new(camera);
         each_pixel(buffers, |row, column| {
             let direction = rays.direction(row, column);
             let nearest = self.nearest_ball(rays.eye, direction);
@@ -171,7 +171,7 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
             let mut bins = [(0usize, Bounds::NONE); BINS];
             for object in objects.iter() {
                 let bin = &mut bins[bin_of(axis, object)];
-                *bin = (bin.0 + 1, bin.1.with(Bounds::of(&balls[*object as usize])));
+                *bin = (bin.0 + 1, bin.1.with(Bounds::around(&balls[*object as usize])));
             }
             cuts(bins).map(move |(cost, cut)| (cost, axis, cut))
         })

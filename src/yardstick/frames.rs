@@ -38,7 +38,7 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
-    pub(crate) fn of(camera: &ResolvedCamera) -> Rays {
+    pub(crate) fn new(camera: &ResolvedCamera) -> Rays {
         let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
         Rays {
             eye: camera.eye().as_vec3(),

@@ -59,7 +59,11 @@ impl Setting {
     /// Where that is no [`ImageSize`].
     #[must_use]
     pub fn with_image(self, width: u32, height: u32) -> Setting {
-        Setting::of(&self.name, self.scene, Camera { image: image(width, height), ..self.camera })
+        Setting::built_in(
+            &self.name,
+            self.scene,
+            Camera { image: image(width, height), ..self.camera },
+        )
     }
 
     /// Returns the setting under another name.
@@ -69,7 +73,7 @@ impl Setting {
     }
 
     /// One of our own, whose camera is sure to see.
-    pub(crate) fn of(name: &str, scene: Scene, camera: Camera) -> Setting {
+    pub(crate) fn built_in(name: &str, scene: Scene, camera: Camera) -> Setting {
         match Setting::new(name, scene, camera) {
             Ok(setting) => setting,
             Err(error) => unreachable!("{name}: {error}"),
@@ -132,7 +136,7 @@ pub fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
     let centers = centers_ahead(count, &mut Random::new(1));
     let radius = radius_factor * scale_for(coverage, &centers, &|_| 1.0);
     let spheres = centers.into_iter().map(|center| Sphere { center, radius }).collect();
-    Setting::of(&name, scene(&name, spheres), camera())
+    Setting::built_in(&name, scene(&name, spheres), camera())
 }
 
 /// More spheres than this are not asked how much they cover: that depends on their number and radius
@@ -142,7 +146,7 @@ const MOST_ASKED: usize = 100_000;
 /// Returns the factor of radii with which [`camera`] sees this share of its pixels covered.
 pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usize) -> f64) -> f64 {
     let asked = &centers[..centers.len().min(MOST_ASKED)];
-    let camera = Setting::of("asked", Scene::default(), camera()).resolved;
+    let camera = Setting::built_in("asked", Scene::default(), camera()).resolved;
     let covered = |scale: f64| {
         let sphere = |(index, center): (usize, &DVec3)| Sphere {
             center: *center,

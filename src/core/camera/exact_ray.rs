@@ -49,7 +49,7 @@ impl ResolvedCamera {
     /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
     /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
-        ExactRay::of_view(self, ViewPlace::Pixel(pixel))
+        ExactRay::from_view(self, ViewPlace::Pixel(pixel))
     }
 
     /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
@@ -60,7 +60,7 @@ impl ResolvedCamera {
         if !uv.is_finite() {
             return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
         }
-        Ok(ExactRay::of_view(self, ViewPlace::Uv(uv)))
+        Ok(ExactRay::from_view(self, ViewPlace::Uv(uv)))
     }
 }
 
@@ -69,14 +69,14 @@ impl<'a> ExactRay<'a> {
     ///
     /// # Errors
     /// Where a coordinate is not finite or the direction is zero.
-    pub fn of(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
+    pub fn from_ray(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
         ray.check()?;
         let (direction, scale) = scaled(ray.direction.to_array().map(DoubleDouble::from));
         Ok(ExactRay::new(ray.origin, Source::Given(ray.direction), direction, 0.0, scale, 1.0))
     }
 
     /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
-    pub(crate) fn of_view(camera: &'a ResolvedCamera, place: ViewPlace) -> ExactRay<'a> {
+    pub(crate) fn from_view(camera: &'a ResolvedCamera, place: ViewPlace) -> ExactRay<'a> {
         let (direction, scale) = camera.fine_direction(place);
         let (direction, more) = scaled(direction);
         let doubt = camera.fine_basis().direction_doubt();

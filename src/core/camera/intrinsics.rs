@@ -29,7 +29,7 @@ pub struct Intrinsics {
 
 impl Intrinsics {
     /// Computes those of a viewport that is cut into so many pixels.
-    pub fn of(viewport: &Viewport, image: ImageSize) -> Intrinsics {
+    pub fn from_viewport(viewport: &Viewport, image: ImageSize) -> Intrinsics {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         Intrinsics {
             fx: viewport.distance * (w / viewport.width),

@@ -102,8 +102,8 @@ pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
 /// `a x b`: error at most `CROSS |a| |b|`.
 #[inline(always)]
 pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
-    let of = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
-    [of(1, 2), of(2, 0), of(0, 1)]
+    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// A vector rounded to `f64`.

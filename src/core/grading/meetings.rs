@@ -89,7 +89,7 @@ impl Sight<'_> {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
         match (scene.index(), ExactRay::from_ray(&ray)) {
             (Some(index), Ok(ray)) if !meets_far_off(&self.camera.program) => {
-                let line = Line::of(&ray);
+                let line = Line::from_ray(&ray);
                 let share = self.tolerance + self.camera.off + 64.0 * self.camera.epsilon;
                 let origin = self.camera.eye.to_array();
                 let near = index.spheres_where(|middle, half| {

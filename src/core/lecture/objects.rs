@@ -10,11 +10,11 @@ use crate::exact::scale::{ldexp, ldexp3};
 use crate::exact::steps::Steps;
 use crate::scene::error::ObjectError;
 use crate::scene::object::{Object, Root};
-use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::plane::{Plane, PlaneTerms};
-use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
-use crate::scene::sphere_predicates::{Meets, SphereSeen};
+use crate::scene::sphere_predicates::{LineHit, SphereFromOrigin};
 
 /// How one ray meets one object, with every value on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,11 +118,11 @@ impl ObjectDerivation {
         ray: &ExactRay,
     ) -> Result<ObjectDerivation, ObjectError> {
         object.check()?;
-        Ok(match ObjectSeen::by(object, ray) {
-            ObjectSeen::Sphere(seen) => {
+        Ok(match ObjectFromOrigin::by(object, ray) {
+            ObjectFromOrigin::Sphere(seen) => {
                 ObjectDerivation::Sphere(SphereDerivation::new(seen, index, ray))
             }
-            ObjectSeen::Plane(seen) => {
+            ObjectFromOrigin::Plane(seen) => {
                 ObjectDerivation::Plane(PlaneDerivation::new(seen, index, ray))
             }
         })
@@ -147,24 +147,24 @@ impl ObjectDerivation {
 }
 
 impl SphereDerivation {
-    fn new(seen: SphereSeen, index: u32, ray: &ExactRay) -> SphereDerivation {
+    fn new(seen: SphereFromOrigin, index: u32, ray: &ExactRay) -> SphereDerivation {
         let steps = &mut Steps::default();
         let (sphere, side, meets) = (*seen.sphere(), seen.side, seen.meets(ray, steps));
         let quadratic = sphere.quadratic_of(ray);
         let (.., discriminant) = seen.quadratic(ray);
         let root_of_discriminant = (discriminant >= 0.0)
             .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale));
-        let hit = seen.first_end(ray, steps);
+        let hit = seen.first_root(ray, steps);
         let meeting = match (meets, hit, side) {
-            (Meets::Misses, ..) => SphereMeeting::Missed,
+            (LineHit::Misses, ..) => SphereMeeting::Missed,
             (_, None, _) => SphereMeeting::Behind,
-            (Meets::Touches, ..) => SphereMeeting::Tangent,
+            (LineHit::Touches, ..) => SphereMeeting::Tangent,
             (_, _, Ordering::Less) => SphereMeeting::FromInside,
             (_, _, Ordering::Equal) => SphereMeeting::FromSurface,
             (_, _, Ordering::Greater) => SphereMeeting::Through,
         };
-        let seen = ObjectSeen::Sphere(seen);
-        let ends = seen.ends(ray, steps);
+        let seen = ObjectFromOrigin::Sphere(seen);
+        let ends = seen.root_sides(ray, steps);
         let root = |n: usize| ends.get(n).map(|end| seen.root(index, ray, *end));
         SphereDerivation {
             sphere,
@@ -184,7 +184,7 @@ impl SphereDerivation {
 }
 
 impl PlaneDerivation {
-    fn new(seen: PlaneSeen, index: u32, ray: &ExactRay) -> PlaneDerivation {
+    fn new(seen: PlaneFromOrigin, index: u32, ray: &ExactRay) -> PlaneDerivation {
         let steps = &mut Steps::default();
         let (plane, side) = (*seen.plane(), seen.side);
         let meeting = match (seen.meets(ray, steps), side) {
@@ -194,13 +194,13 @@ impl PlaneDerivation {
             (true, _) if seen.is_hit(ray, steps) => PlaneMeeting::Ahead,
             (true, _) => PlaneMeeting::Behind,
         };
-        let seen = ObjectSeen::Plane(seen);
+        let seen = ObjectFromOrigin::Plane(seen);
         PlaneDerivation {
             plane,
             to_point: difference(plane.point, ray.origin()),
             terms: plane.terms_of(ray),
             meeting,
-            root: seen.ends(ray, steps).first().map(|end| seen.root(index, ray, *end)),
+            root: seen.root_sides(ray, steps).first().map(|end| seen.root(index, ray, *end)),
         }
     }
 

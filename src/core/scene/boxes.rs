@@ -80,7 +80,7 @@ impl Boxes {
     /// These boxes, filled up to a whole number of [`BOX_LANES`].
     pub(crate) fn new(bounds: &[Bound]) -> Boxes {
         let count = bounds.len().next_multiple_of(BOX_LANES);
-        let of = |part: fn(&Bound) -> f64| -> Vec<f64> {
+        let values = |part: fn(&Bound) -> f64| -> Vec<f64> {
             let mut values = Vec::with_capacity(count);
             values.extend(bounds.iter().map(part));
             values.resize(count, 0.0);
@@ -90,14 +90,14 @@ impl Boxes {
         counts.extend(bounds.iter().map(|bound| bound.count));
         counts.resize(count, 0);
         Boxes {
-            x: of(|bound| bound.middle[0]),
-            y: of(|bound| bound.middle[1]),
-            z: of(|bound| bound.middle[2]),
-            half_x: of(|bound| bound.half[0]),
-            half_y: of(|bound| bound.half[1]),
-            half_z: of(|bound| bound.half[2]),
-            area: of(|bound| bound.area),
-            radius: of(|bound| bound.radius),
+            x: values(|bound| bound.middle[0]),
+            y: values(|bound| bound.middle[1]),
+            z: values(|bound| bound.middle[2]),
+            half_x: values(|bound| bound.half[0]),
+            half_y: values(|bound| bound.half[1]),
+            half_z: values(|bound| bound.half[2]),
+            area: values(|bound| bound.area),
+            radius: values(|bound| bound.radius),
             count: counts,
         }
     }

@@ -14,7 +14,7 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    pub(crate) fn of(ray: &ExactRay) -> Line {
+    pub(crate) fn from_ray(ray: &ExactRay) -> Line {
         let rough = &ray.rough;
         let doubt = rough.length * (Line::DOUBT + 4.0 * rough.doubt);
         Line { origin: ray.origin().to_array(), direction: rough.d, doubt }

@@ -29,11 +29,11 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::error::SceneError;
 use crate::scene::line::Line;
 use crate::scene::object::{Object, Root};
-use crate::scene::object_from_origin::{Hit, ObjectSeen};
+use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereIndex;
-use crate::scene::sphere_predicates::{End, SphereSeen};
+use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 use crate::scene::spheres::Spheres;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
@@ -176,19 +176,19 @@ impl Scene {
 
     /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
     pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
-        let line = Line::of(ray);
+        let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
         let planes = self.spheres().len() as u32..self.len() as u32;
-        let seen: Vec<(u32, ObjectSeen)> = spheres
+        let seen: Vec<(u32, ObjectFromOrigin)> = spheres
             .into_iter()
             .chain(planes)
-            .filter_map(|index| Some((index, ObjectSeen::by(&self.object(index)?, ray))))
+            .filter_map(|index| Some((index, ObjectFromOrigin::by(&self.object(index)?, ray))))
             .collect();
         let steps = &mut Steps::default();
         let mut hits = Vec::new();
         for (index, seen) in &seen {
             let index = *index;
-            hits.extend(seen.ends(ray, steps).iter().map(|&end| Hit { index, seen, end }));
+            hits.extend(seen.root_sides(ray, steps).iter().map(|&root| Hit { index, seen, root }));
         }
         // Stable, so that equal roots stay in the order of objects.
         hits.sort_by(|a, b| a.compare(b, ray, steps));
@@ -208,31 +208,31 @@ impl Scene {
 
     /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
-        let mut first: Option<(u32, ObjectSeen, End)> = None;
+        let mut first: Option<(u32, ObjectFromOrigin, RootSide)> = None;
         // At least the first hit's t, as far as it is known.
         let mut nearest = f64::INFINITY;
         for (index, object) in (0..).zip(self.objects()) {
             if let Object::Sphere(sphere) = &object
-                && SphereSeen::is_passed(sphere, ray, nearest)
+                && SphereFromOrigin::is_passed(sphere, ray, nearest)
             {
                 steps.count(Step::F64);
                 continue;
             }
-            let seen = ObjectSeen::by(&object, ray);
+            let seen = ObjectFromOrigin::by(&object, ray);
             if seen.side_step() > Step::F64 {
                 steps.count(seen.side_step());
             }
-            let Some(end) = seen.first_end(ray, steps) else { continue };
-            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_end)| {
-                let first = Hit { index: *first_index, seen: first_seen, end: *first_end };
-                Hit { index, seen: &seen, end }.is_before(&first, ray, steps)
+            let Some(root) = seen.first_root(ray, steps) else { continue };
+            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_root)| {
+                let first = Hit { index: *first_index, seen: first_seen, root: *first_root };
+                Hit { index, seen: &seen, root }.is_before(&first, ray, steps)
             });
             if is_first {
-                nearest = seen.rough_t(ray, end).map_or(f64::INFINITY, |(t, off)| t + off * t);
-                first = Some((index, seen, end));
+                nearest = seen.rough_t(ray, root).map_or(f64::INFINITY, |(t, off)| t + off * t);
+                first = Some((index, seen, root));
             }
         }
-        first.map(|(index, seen, end)| seen.root(index, ray, end))
+        first.map(|(index, seen, root)| seen.root(index, ray, root))
     }
 
     /// The spheres of which `may` says so, each given by the middle and the half extents of its box;

@@ -14,70 +14,74 @@ use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::object::{Object, Root};
 use crate::scene::plane::Plane;
-use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::{End, Meets, SphereSeen};
+use crate::scene::sphere_predicates::{LineHit, RootSide, SphereFromOrigin};
 
 /// An object as the rays of one origin see it.
 #[derive(Clone, Debug)]
-pub(crate) enum ObjectSeen {
-    Sphere(SphereSeen),
-    Plane(PlaneSeen),
+pub(crate) enum ObjectFromOrigin {
+    Sphere(SphereFromOrigin),
+    Plane(PlaneFromOrigin),
 }
 
-impl ObjectSeen {
-    pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectSeen {
-        ObjectSeen::up_to(object, origin, Step::Exact)
+impl ObjectFromOrigin {
+    pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectFromOrigin {
+        ObjectFromOrigin::up_to(object, origin, Step::Exact)
     }
 
     /// Computes it for the origin of a ray, whose ladder may be cut off.
-    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectSeen {
-        ObjectSeen::up_to(object, ray.origin(), ray.last)
+    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectFromOrigin {
+        ObjectFromOrigin::up_to(object, ray.origin(), ray.last)
     }
 
-    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectSeen {
+    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectFromOrigin {
         match object {
-            Object::Sphere(sphere) => ObjectSeen::Sphere(SphereSeen::up_to(sphere, origin, last)),
-            Object::Plane(plane) => ObjectSeen::Plane(PlaneSeen::up_to(plane, origin, last)),
+            Object::Sphere(sphere) => {
+                ObjectFromOrigin::Sphere(SphereFromOrigin::up_to(sphere, origin, last))
+            }
+            Object::Plane(plane) => {
+                ObjectFromOrigin::Plane(PlaneFromOrigin::up_to(plane, origin, last))
+            }
         }
     }
 
     /// The step that decided on which side of the object the origin is.
     pub(crate) fn side_step(&self) -> Step {
         match self {
-            ObjectSeen::Sphere(seen) => seen.side_step,
-            ObjectSeen::Plane(seen) => seen.side_step,
+            ObjectFromOrigin::Sphere(seen) => seen.side_step,
+            ObjectFromOrigin::Plane(seen) => seen.side_step,
         }
     }
 
     /// The first hit's place, if the ray hits the object at all.
-    pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+    pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         match self {
-            ObjectSeen::Sphere(seen) => seen.first_end(ray, steps),
-            ObjectSeen::Plane(seen) => seen.is_hit(ray, steps).then_some(End::Near),
+            ObjectFromOrigin::Sphere(seen) => seen.first_root(ray, steps),
+            ObjectFromOrigin::Plane(seen) => seen.is_hit(ray, steps).then_some(RootSide::Near),
         }
     }
 
-    /// Returns the end at which every ray that hits the object hits it first.
-    pub(crate) fn end_of_hit(&self) -> End {
+    /// Returns the root at which every ray that hits the object hits it first.
+    pub(crate) fn root_of_hit(&self) -> RootSide {
         match self {
-            ObjectSeen::Sphere(seen) => seen.end_of_hit(),
-            ObjectSeen::Plane(_) => End::Near,
+            ObjectFromOrigin::Sphere(seen) => seen.root_of_hit(),
+            ObjectFromOrigin::Plane(_) => RootSide::Near,
         }
     }
 
     /// Finds where the ray's line meets the object, by ascending `t`.
-    pub(crate) fn ends(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [End] {
+    pub(crate) fn root_sides(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [RootSide] {
         match self {
-            ObjectSeen::Sphere(seen) => match seen.meets(ray, steps) {
-                Meets::Misses => &[],
-                Meets::Touches => &[End::Near],
-                Meets::Crosses => &[End::Near, End::Far],
+            ObjectFromOrigin::Sphere(seen) => match seen.meets(ray, steps) {
+                LineHit::Misses => &[],
+                LineHit::Touches => &[RootSide::Near],
+                LineHit::Crosses => &[RootSide::Near, RootSide::Far],
             },
-            ObjectSeen::Plane(seen) => {
+            ObjectFromOrigin::Plane(seen) => {
                 if seen.meets(ray, steps) {
-                    &[End::Near]
+                    &[RootSide::Near]
                 } else {
                     &[]
                 }
@@ -86,23 +90,23 @@ impl ObjectSeen {
     }
 
     /// `t` there, to half an ulp of `f64`.
-    pub(crate) fn t(&self, ray: &ExactRay, end: End) -> Precise {
-        self.t_within(ray, end, T_DOUBT)
+    pub(crate) fn t(&self, ray: &ExactRay, root: RootSide) -> Precise {
+        self.t_within(ray, root, T_DOUBT)
     }
 
     /// `t` there, with a relative error of at most `doubt`.
-    pub(crate) fn t_within(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
+    pub(crate) fn t_within(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
         match self {
-            ObjectSeen::Sphere(seen) => seen.t(ray, end, doubt),
-            ObjectSeen::Plane(seen) => seen.t(ray, doubt),
+            ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, doubt),
+            ObjectFromOrigin::Plane(seen) => seen.t(ray, doubt),
         }
     }
 
     /// `t` in `f64` and how far it may be off, as a share; `None` where it is out of range.
-    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
+    pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
-            ObjectSeen::Sphere(seen) => (seen.rough_t(ray, end)?, seen.scale),
-            ObjectSeen::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
+            ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
+            ObjectFromOrigin::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
         };
         let t = ldexp(t * ray.stretch, scale - ray.scale);
         (t.is_normal() && share < 0.25).then_some((t, share))
@@ -110,25 +114,27 @@ impl ObjectSeen {
 
     /// Every `t`, ascending.
     pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
-        match self.ends(ray, &mut Steps::default()) {
+        match self.root_sides(ray, &mut Steps::default()) {
             [] => Roots::None,
-            [end] => Roots::One(self.t(ray, *end).to_f64()),
+            [root] => Roots::One(self.t(ray, *root).to_f64()),
             [near, far, ..] => Roots::Two(self.t(ray, *near).to_f64(), self.t(ray, *far).to_f64()),
         }
     }
 
-    fn big_root(&self, ray: &ExactRay, end: End) -> BigRoot {
+    fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
         match self {
-            ObjectSeen::Sphere(seen) => seen.big_root(ray, end),
-            ObjectSeen::Plane(seen) => seen.big_root(ray),
+            ObjectFromOrigin::Sphere(seen) => seen.big_root(ray, root),
+            ObjectFromOrigin::Plane(seen) => seen.big_root(ray),
         }
     }
 
     /// Returns whether both are the same object given twice, which every ray meets at the same `t`.
-    fn is_same(&self, other: &ObjectSeen) -> bool {
+    fn is_same(&self, other: &ObjectFromOrigin) -> bool {
         match (self, other) {
-            (ObjectSeen::Sphere(one), ObjectSeen::Sphere(other)) => one.sphere() == other.sphere(),
-            (ObjectSeen::Plane(one), ObjectSeen::Plane(other)) => {
+            (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
+                one.sphere() == other.sphere()
+            }
+            (ObjectFromOrigin::Plane(one), ObjectFromOrigin::Plane(other)) => {
                 one.plane().is_same(other.plane())
             }
             _ => false,
@@ -139,11 +145,11 @@ impl ObjectSeen {
     ///
     /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where the
     /// terms cancel but for the rounding of t, a coordinate is 0.
-    pub(crate) fn root(&self, index: u32, ray: &ExactRay, end: End) -> Root {
-        let t = self.t(ray, end);
+    pub(crate) fn root(&self, index: u32, ray: &ExactRay, root: RootSide) -> Root {
+        let t = self.t(ray, root);
         let (point, normal) = match self {
-            ObjectSeen::Sphere(seen) => {
-                let (sphere, normal) = (seen.sphere(), seen.normal(ray, end));
+            ObjectFromOrigin::Sphere(seen) => {
+                let (sphere, normal) = (seen.sphere(), seen.normal(ray, root));
                 let coordinate = |i: usize| {
                     let step = DoubleDouble::product(sphere.radius, normal[i]);
                     let sum = (step + DoubleDouble::from(sphere.center[i])).hi;
@@ -151,7 +157,7 @@ impl ObjectSeen {
                 };
                 (DVec3::from_array(std::array::from_fn(coordinate)), normal)
             }
-            ObjectSeen::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
+            ObjectFromOrigin::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
         };
         Root { object: index, t: t.to_f64(), point, normal }
     }
@@ -194,8 +200,8 @@ pub(crate) fn plane_normal(normal: DVec3) -> DVec3 {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit<'a> {
     pub(crate) index: u32,
-    pub(crate) seen: &'a ObjectSeen,
-    pub(crate) end: End,
+    pub(crate) seen: &'a ObjectFromOrigin,
+    pub(crate) root: RootSide,
 }
 
 impl Hit<'_> {
@@ -207,7 +213,7 @@ impl Hit<'_> {
 
     /// Compares two `t`.
     pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let rough = (self.seen.rough_t(ray, self.end), other.seen.rough_t(ray, other.end));
+        let rough = (self.seen.rough_t(ray, self.root), other.seen.rough_t(ray, other.root));
         if let (Some((t, share)), Some((other_t, other_share))) = rough {
             let doubt = 1.01 * (share * t.abs() + other_share * other_t.abs());
             if (t - other_t).abs() > doubt {
@@ -216,11 +222,11 @@ impl Hit<'_> {
             }
         }
         let is_whole = ray.last == Step::Exact;
-        if is_whole && self.end == other.end && self.seen.is_same(other.seen) {
+        if is_whole && self.root == other.root && self.seen.is_same(other.seen) {
             steps.count(Step::F64);
             return Ordering::Equal;
         }
-        let (t, other_t) = (self.seen.t(ray, self.end), other.seen.t(ray, other.end));
+        let (t, other_t) = (self.seen.t(ray, self.root), other.seen.t(ray, other.root));
         if ray.last > Step::F64
             && let Some(order) = t.compare(other_t)
         {
@@ -231,12 +237,13 @@ impl Hit<'_> {
         if !is_whole {
             return t.compare_rounded(other_t);
         }
-        let (one, other) = (self.seen.big_root(ray, self.end), other.seen.big_root(ray, other.end));
+        let (one, other) =
+            (self.seen.big_root(ray, self.root), other.seen.big_root(ray, other.root));
         ray.big().compare(&one, &other)
     }
 
     pub(crate) fn root(&self, ray: &ExactRay) -> Root {
-        self.seen.root(self.index, ray, self.end)
+        self.seen.root(self.index, ray, self.root)
     }
 }
 
@@ -253,7 +260,7 @@ impl Sphere {
         if self.check().is_err() {
             return Roots::None;
         }
-        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+        ObjectFromOrigin::Sphere(SphereFromOrigin::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }
 
@@ -271,7 +278,7 @@ impl Plane {
         if self.check().is_err() {
             return Roots::None;
         }
-        ObjectSeen::Plane(PlaneSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+        ObjectFromOrigin::Plane(PlaneFromOrigin::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }
 
@@ -288,8 +295,8 @@ impl Object {
     /// that does not pass [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
         self.check().ok()?;
-        let seen = ObjectSeen::by(self, ray);
-        let end = seen.first_end(ray, &mut Steps::default())?;
-        Some(seen.root(index, ray, end))
+        let seen = ObjectFromOrigin::by(self, ray);
+        let root = seen.first_root(ray, &mut Steps::default())?;
+        Some(seen.root(index, ray, root))
     }
 }

@@ -20,7 +20,7 @@ use crate::scene::plane::{Plane, PlaneTerms};
 
 /// The numbers that the rays of one origin share of a plane: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
-pub(crate) struct PlaneSeen {
+pub(crate) struct PlaneFromOrigin {
     plane: Plane,
     /// The normal in units of `2^normal_scale`, which loses nothing that counts.
     pub(crate) normal: Vector<f64>,
@@ -60,13 +60,13 @@ impl<T: Number> Rate<T> {
     }
 }
 
-impl PlaneSeen {
-    pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneSeen {
-        PlaneSeen::up_to(plane, origin, Step::Exact)
+impl PlaneFromOrigin {
+    pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneFromOrigin {
+        PlaneFromOrigin::up_to(plane, origin, Step::Exact)
     }
 
     /// Computes it with the ladder cut off after a step.
-    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneSeen {
+    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneFromOrigin {
         let (normal, normal_scale) = split(plane.normal);
         let (to, rest, quartered) = difference_with_rest(plane.point, origin);
         let to: Vector<DoubleDouble> =
@@ -80,7 +80,7 @@ impl PlaneSeen {
             _ => dot(normal.map(DoubleDouble::from), to),
         };
         let reach = normal_length * length(to.map(DoubleDouble::near));
-        let mut seen = PlaneSeen {
+        let mut seen = PlaneFromOrigin {
             plane: *plane,
             normal,
             normal_length,
@@ -222,7 +222,7 @@ impl PlaneSeen {
         ldexp(self.offset.hi, self.scale + self.normal_scale)
     }
 
-    /// The normal's scale, see [`PlaneSeen::normal`].
+    /// The normal's scale, see [`PlaneFromOrigin::normal`].
     pub(crate) fn normal_scale(&self) -> i32 {
         self.normal_scale
     }
@@ -247,7 +247,7 @@ impl Plane {
             return f64::NAN;
         }
         // Subtracted from 0, not negated: on the plane it is 0, not -0.
-        0.0 - PlaneSeen::new(self, q).offset_given()
+        0.0 - PlaneFromOrigin::new(self, q).offset_given()
     }
 
     /// The intersection's parts for the readouts, each rounded once from more digits. They may
@@ -264,7 +264,7 @@ impl Plane {
         if self.check().is_err() {
             return PlaneTerms::NONE;
         }
-        let seen = PlaneSeen::up_to(self, ray.origin(), ray.last);
+        let seen = PlaneFromOrigin::up_to(self, ray.origin(), ray.last);
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 
@@ -279,7 +279,7 @@ impl Plane {
         if n.cross(m).length_squared() > 1e-20 {
             return false;
         }
-        if PlaneSeen::new(self, other.point).side != Ordering::Equal {
+        if PlaneFromOrigin::new(self, other.point).side != Ordering::Equal {
             return false;
         }
         let normals = cross(&exact3(self.normal), &exact3(other.normal));

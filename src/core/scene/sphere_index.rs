@@ -13,7 +13,7 @@ use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
 /// Spheres side by side: as many as a vector has lanes.
-pub(crate) struct Spheres<'a> {
+pub(crate) struct SphereSlots<'a> {
     pub(crate) x: &'a [f64],
     pub(crate) y: &'a [f64],
     pub(crate) z: &'a [f64],
@@ -103,8 +103,8 @@ impl SphereIndex {
     }
 
     /// Some slots' spheres.
-    pub(crate) fn spheres(&self, slots: Range<usize>) -> Spheres<'_> {
-        Spheres {
+    pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
+        SphereSlots {
             x: &self.x[slots.clone()],
             y: &self.y[slots.clone()],
             z: &self.z[slots.clone()],

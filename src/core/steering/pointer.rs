@@ -122,7 +122,7 @@ impl Drag {
         uv: DVec2,
         along: DragAlong,
     ) -> Result<DVec3, DragError> {
-        let seen = Seen::of(self.anchor, observer)?;
+        let seen = SeenAnchor::new(self.anchor, observer)?;
         let way = uv - self.begun_at;
         if !way.is_finite() {
             return Err(DragError::NotFinite { field: "pointer", value: uv.extend(0.0) });
@@ -149,13 +149,13 @@ impl Drag {
 /// # Errors
 /// Where the point is not in front of the observer.
 pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, DragError> {
-    let Seen { depth, distance, .. } = Seen::of(point, observer)?;
+    let SeenAnchor { depth, distance, .. } = SeenAnchor::new(point, observer)?;
     let height = observer.viewport().height / f64::from(observer.image().height());
     Ok(depth / distance * height)
 }
 
 /// An anchor in the observer's coordinates.
-struct Seen<'a> {
+struct SeenAnchor<'a> {
     observer: &'a ResolvedCamera,
     /// `(x, y, -z)`
     place: DVec3,
@@ -164,14 +164,19 @@ struct Seen<'a> {
     distance: f64,
 }
 
-impl Seen<'_> {
-    fn of(anchor: DVec3, observer: &ResolvedCamera) -> Result<Seen<'_>, DragError> {
+impl SeenAnchor<'_> {
+    fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<SeenAnchor<'_>, DragError> {
         finite("anchor", anchor)?;
         let place = finite("anchor", anchor - observer.eye())?;
         let place = observer.basis().to_camera_from_world(place);
         let depth = -place.z;
         if depth > 0.0 {
-            return Ok(Seen { observer, place, depth, distance: observer.viewport().distance });
+            return Ok(SeenAnchor {
+                observer,
+                place,
+                depth,
+                distance: observer.viewport().distance,
+            });
         }
         Err(DragError::NotInFront { depth })
     }

@@ -31,7 +31,7 @@ impl Way {
 
     /// A direction carried along to this place of the way, in parallel.
     fn carried(&self, direction: DVec3, arc: f64) -> DVec3 {
-        Turn::about(self.axis, arc).of(direction)
+        Turn::about(self.axis, arc).turned(direction)
     }
 
     /// The direction in which the view turns at the beginning.
@@ -43,7 +43,7 @@ impl Way {
 /// A frame that looks along `to`, carried there in parallel: by the least turn.
 pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
     let way = Way::new(-frame.w, to, frame.v);
-    Basis { w: -to, ..Turn::about(way.axis, way.turn).of_frame(frame) }
+    Basis { w: -to, ..Turn::about(way.axis, way.turn).turned_frame(frame) }
 }
 
 /// Returns up, of length 1, and v, where the view of a camera with this basis is led to another

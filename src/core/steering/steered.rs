@@ -124,13 +124,13 @@ impl Turn {
         Turn { axis, sin: radians.sin(), one_minus_cos: 2.0 * half * half }
     }
 
-    pub(super) fn of(&self, x: DVec3) -> DVec3 {
+    pub(super) fn turned(&self, x: DVec3) -> DVec3 {
         let across = self.axis.cross(x);
         x + self.sin * across + self.one_minus_cos * self.axis.cross(across)
     }
 
-    pub(super) fn of_frame(&self, Basis { u, v, w }: &Basis) -> Basis {
-        Basis { u: self.of(*u), v: self.of(*v), w: self.of(*w) }
+    pub(super) fn turned_frame(&self, Basis { u, v, w }: &Basis) -> Basis {
+        Basis { u: self.turned(*u), v: self.turned(*v), w: self.turned(*w) }
     }
 }
 

@@ -129,14 +129,14 @@ impl Camera {
             }
             let straight = orthonormal(&basis);
             let axis = unit(pitch / angle * straight.u + yaw / angle * straight.v);
-            return Ok(Some(orthonormal(&Turn::about(axis, angle).of_frame(&straight))));
+            return Ok(Some(orthonormal(&Turn::about(axis, angle).turned_frame(&straight))));
         }
         let pitch = self.pitch_short_of_poles(pitch)?;
         if yaw == 0.0 && pitch == 0.0 {
             return Ok(None);
         }
-        let pitched = Turn::about(basis.u, pitch).of_frame(&basis);
-        Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).of_frame(&pitched))))
+        let pitched = Turn::about(basis.u, pitch).turned_frame(&basis);
+        Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).turned_frame(&pitched))))
     }
 
     /// Returns as much of the pitch as leads no nearer to a pole than [`POLE_GAP`], or than the

@@ -19,8 +19,8 @@ fn difference(a: &Frame<f32>, b: &Frame<f32>) -> Option<String> {
     let bits = |frame: &Frame<f32>, place: usize| (frame.object[place], frame.t[place].to_bits());
     let place = (0..a.t.len()).find(|place| bits(a, *place) != bits(b, *place))?;
     let columns = a.raster().columns().len();
-    let of = |frame: &Frame<f32>| frame.at(place / columns, place % columns);
-    Some(format!("{:?} and {:?}", of(a), of(b)))
+    let pixel = |frame: &Frame<f32>| frame.at(place / columns, place % columns);
+    Some(format!("{:?} and {:?}", pixel(a), pixel(b)))
 }
 
 /// Finds where frames of a crowd differ by thread count or level from one thread on the lowest level.

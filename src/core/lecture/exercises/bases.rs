@@ -20,7 +20,7 @@ pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         Part { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
         Part { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
         wanting(Asked::Direction, vector(ray.direction), vec![through]),
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+        wanting(Asked::T, number(t), vec![Wanted::LineHit(ray, Surface::Wall(z))]),
     ];
     // The wall's t is along the wrong direction.
     let direction = |slip, d: DVec3| Wrong {

@@ -18,7 +18,7 @@ pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     let n = normal(point);
     let surface = Surface::Sphere(*sphere);
     let parts = vec![
-        wanting(Asked::T, number(t), vec![Wanted::Meets(*ray, surface)]),
+        wanting(Asked::T, number(t), vec![Wanted::LineHit(*ray, surface)]),
         wanting(Asked::Point, vector(point), vec![Wanted::On(surface), Wanted::OnRay(*ray)]),
         part(Asked::Normal, vector(n)),
     ];
@@ -71,7 +71,7 @@ pub(super) fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
     let ray = Ray { origin: origin.extend(0.0), direction: direction.extend(0.0) };
     let surface = Surface::Line(line);
     let parts = vec![
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, surface)]),
+        wanting(Asked::T, number(t), vec![Wanted::LineHit(ray, surface)]),
         wanting(Asked::Point, at(t), vec![Wanted::On(surface), Wanted::OnRay(ray)]),
         part(Asked::Hits, Answer::Yes(t > 0.0)),
     ];

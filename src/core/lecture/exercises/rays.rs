@@ -62,7 +62,7 @@ pub(super) fn and_wall(uv: DVec2, z: f64) -> Parts {
     let t = t_of_wall(&ray, z);
     let point = ray.at(t);
     let parts = vec![
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+        wanting(Asked::T, number(t), vec![Wanted::LineHit(ray, Surface::Wall(z))]),
         wanting(
             Asked::Point,
             vector(point),
@@ -86,7 +86,7 @@ pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
     let t = t_of_wall(&ray, z);
     let parts = vec![
         wanting(Asked::Direction, vector(ray.direction), vec![through(distance, uv)]),
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+        wanting(Asked::T, number(t), vec![Wanted::LineHit(ray, Surface::Wall(z))]),
     ];
     let scaled = distance * uv;
     let wrong = |(slip, d): (Slip, DVec3)| Wrong {

@@ -77,7 +77,7 @@ pub enum Finding {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Wanted {
     /// At this t, the ray is on it.
-    Meets(Ray, Surface),
+    LineHit(Ray, Surface),
     /// The point is on it.
     On(Surface),
     /// The point is on the ray's line.
@@ -115,8 +115,8 @@ impl Wanted {
             _ => None,
         };
         match (self, given) {
-            (Wanted::Meets(ray, surface), [t]) => surface.missed_by(ray.at(*t)),
-            (Wanted::Meets(..), _) => None,
+            (Wanted::LineHit(ray, surface), [t]) => surface.missed_by(ray.at(*t)),
+            (Wanted::LineHit(..), _) => None,
             (Wanted::On(surface), _) => surface.missed_by(point(given)?),
             (Wanted::OnRay(ray), _) => {
                 let from = point(given)? - ray.origin;

@@ -10,7 +10,7 @@ const ROWS: usize = 8;
 const MOST: usize = 512;
 
 /// Upper bounds of the largest `t` in each rectangle of 16 x 8 pixels of a band.
-pub(crate) struct Veil {
+pub(crate) struct Occlusion {
     farthest: Vec<f32>,
     /// Rectangles that were drawn into since `farthest` was found.
     is_stale: Vec<bool>,
@@ -19,13 +19,13 @@ pub(crate) struct Veil {
     height: usize,
 }
 
-impl Veil {
+impl Occlusion {
     /// Begins with a band in which nothing is hit, or something may be.
-    pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Veil {
+    pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Occlusion {
         let across = width.div_ceil(COLUMNS);
         let count = across * height.div_ceil(ROWS);
         let (farthest, is_stale) = (vec![f32::INFINITY; count], vec![is_drawn; count]);
-        Veil { farthest, is_stale, across, width, height }
+        Occlusion { farthest, is_stale, across, width, height }
     }
 
     /// Tells that pixels in these rows and columns of the band may have come nearer.

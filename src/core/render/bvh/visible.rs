@@ -43,12 +43,12 @@ pub(crate) struct GroupSeen {
     /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
     /// finds them anew otherwise.
     pub(crate) outlines: Vec<Outlines>,
-    /// True if those of its spheres that are not drawn by rows are among the crowd's.
+    /// True if those of its spheres that are not drawn by rows are among those of the whole.
     pub(crate) has_others: bool,
 }
 
 /// The part of many spheres that can be seen, near to far.
-pub(crate) struct Crowd<'a> {
+pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
     pub(crate) groups: Vec<GroupSeen>,
@@ -66,14 +66,14 @@ enum Unseen {
     Outside,
 }
 
-impl<'a> Crowd<'a> {
+impl<'a> VisibleSpheres<'a> {
     pub(crate) fn new(
         level: Level,
         index: &'a SphereIndex,
         space: CameraSpace,
         (axes, extents): (&RasterAxes, &Extents),
         counts: &mut Counts,
-    ) -> Crowd<'a> {
+    ) -> VisibleSpheres<'a> {
         /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
         const CROWDED: f64 = 2.5;
         /// Number of outlines that fit into a processor's second-level cache.
@@ -131,10 +131,10 @@ impl<'a> Crowd<'a> {
             groups.push(group);
         }
         *counts += dropped;
-        let mut crowd =
-            Crowd { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
-        crowd.others = dispatch!(level, simd => crowd.find_others(simd, extents));
-        crowd
+        let mut visible =
+            VisibleSpheres { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
+        visible.others = dispatch!(level, simd => visible.find_others(simd, extents));
+        visible
     }
 
     /// The spheres that are not drawn by rows, of groups that may have such.
@@ -155,7 +155,7 @@ impl<'a> Crowd<'a> {
                 for slot in from..from + S::f64s::LEN {
                     let id = self.index.ids[slot];
                     if id != NO_SPHERE && drawn >> (slot - from) & 1 == 0 {
-                        let extent = extents.of(&self.index.sphere(slot));
+                        let extent = extents.find(&self.index.sphere(slot));
                         others.extend(extent.map(|extent| (id, extent)));
                     }
                 }

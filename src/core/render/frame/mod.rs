@@ -62,7 +62,7 @@ pub struct Frame<T = f64> {
     /// Outward unit normals, zero where nothing is hit; empty unless asked for.
     pub normal: Vec<DVec3>,
     /// Number of decisions that each step of the ladder made. Each pixel that is asked of an object
-    /// is one; a pixel that is settled by itself may make several: whether it is met, and ahead,
+    /// is one; a pixel that is decided by itself may make several: whether it is met, and ahead,
     /// and first.
     pub steps: Steps,
     /// Counts of what was left out, and of what was left to do.
@@ -117,7 +117,7 @@ impl Raster {
     }
 
     /// These rows and columns, ascending.
-    pub(crate) fn of(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
+    pub(crate) fn from_cells(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
         Raster { rows, columns }
     }
 

@@ -37,12 +37,12 @@ impl<'a> Extents<'a> {
     }
 
     /// `None` for a sphere that covers no pixel of the raster.
-    pub(crate) fn of(&self, sphere: &Sphere) -> Option<Extent> {
+    pub(crate) fn find(&self, sphere: &Sphere) -> Option<Extent> {
         let part_of = |cells: &Range<u32>, of: &[u32]| {
             let place = |cell: u32| of.partition_point(|x| *x < cell) as u16;
             [place(cells.start), place(cells.end)]
         };
-        let PixelBounds { rows, columns } = self.bounds.of(sphere)?;
+        let PixelBounds { rows, columns } = self.bounds.find(sphere)?;
         let (rows, columns) =
             (part_of(&rows, self.raster.rows()), part_of(&columns, self.raster.columns()));
         let is_seen = rows[0] < rows[1] && columns[0] < columns[1];
@@ -98,7 +98,7 @@ impl<'a> Bounds<'a> {
     ///
     /// with z the centre's depth; likewise for v. They bound the sphere while it lies wholly in front
     /// of the eye (z > r). A sphere that crosses the eye's plane can be anywhere in the image.
-    pub(crate) fn of(&self, sphere: &Sphere) -> Option<PixelBounds> {
+    pub(crate) fn find(&self, sphere: &Sphere) -> Option<PixelBounds> {
         let to_center = sphere.center - self.camera.eye();
         let q = self.camera.basis().to_camera_from_world(to_center);
         let depth = -q.z;

@@ -124,14 +124,14 @@ impl Conic {
     /// The row that is `k` steps from the middle.
     #[inline(always)]
     pub(crate) fn row(&self, k: f64) -> ConicRow {
-        let of = |c: &[f64; 6]| {
+        let of_row = |c: &[f64; 6]| {
             let constant = c[0] + (c[2] + c[5] * k) * k;
             [constant, c[1] + c[4] * k, c[3]]
         };
         ConicRow {
-            a: of(&self.a),
+            a: of_row(&self.a),
             b: [self.b[0] + self.b[2] * k, self.b[1]],
-            discriminant: of(&self.discriminant),
+            discriminant: of_row(&self.discriminant),
         }
     }
 

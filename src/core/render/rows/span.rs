@@ -92,7 +92,7 @@ impl SpanTarget<'_> {
         is_same
     }
 
-    /// Returns whether so many pixels are in doubt that they should be settled before more are drawn.
+    /// Returns whether so many pixels are in doubt that they should be decided before more are drawn.
     pub(crate) fn is_full(&self) -> bool {
         const FULL: usize = 1 << 16;
         self.doubts.len() >= FULL

@@ -22,14 +22,14 @@ const SHARE: f64 = 1e-13;
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seen {
     /// A sphere.
-    Sphere(SphereSeen),
+    Sphere(SphereFromOrigin),
     /// A plane: its normal, `normal . (point - eye)`, and by how much that may be off.
     Plane(DVec3, f64, f64),
 }
 
 /// A sphere as seen from the eye.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SphereSeen {
+pub(crate) struct SphereFromOrigin {
     radius: f64,
     /// The way from the eye to the centre.
     to_center: DVec3,
@@ -41,7 +41,7 @@ pub(crate) struct SphereSeen {
 impl Seen {
     pub(crate) fn new(object: &Object, eye: DVec3) -> Seen {
         match object {
-            Object::Sphere(sphere) => Seen::Sphere(SphereSeen::new(sphere, eye)),
+            Object::Sphere(sphere) => Seen::Sphere(SphereFromOrigin::new(sphere, eye)),
             Object::Plane(plane) => {
                 let to_point = plane.point - eye;
                 let size = plane.normal.length() * (plane.point.length() + eye.length());
@@ -73,8 +73,8 @@ impl Seen {
     }
 }
 
-impl SphereSeen {
-    pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> SphereSeen {
+impl SphereFromOrigin {
+    pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> SphereFromOrigin {
         let to_center = sphere.center - eye;
         let (distance, radius) = (to_center.length(), sphere.radius);
         let mut power = (distance - radius) * (distance + radius);
@@ -83,13 +83,13 @@ impl SphereSeen {
             let square = oracle::big(radius) * oracle::big(radius);
             power = oracle::near(&(exact.dot(&exact) - square));
         }
-        SphereSeen { radius, to_center, distance, power }
+        SphereFromOrigin { radius, to_center, distance, power }
     }
 
     /// Finds it from the discriminant `D = (r |d|)^2 - |q x d|^2`, in which, as a product, little
     /// cancels, and the roots `t = power / (b + sqrt D)` with `b = q . d`.
     fn meeting(&self, direction: DVec3) -> Meeting {
-        let SphereSeen { radius, to_center, distance, power } = *self;
+        let SphereFromOrigin { radius, to_center, distance, power } = *self;
         let length = direction.length();
         let (reach, off) = (radius * length, to_center.cross(direction).length());
         let size = distance * length;
