@@ -97,7 +97,7 @@ fn a_contest_says_who_took_part_and_why_others_did_not() {
         let outcome = contest::run(&setting, &Method::ALL, limits);
         assert_eq!(outcome.frame.object.len(), 1200);
         assert!(outcome.rows.iter().all(|row| row.times.count > 0 && row.times.min > 0.0));
-        let names =
+        let spelled =
             |methods: Vec<Method>| methods.into_iter().map(Method::name).collect::<Vec<_>>();
         let left_out = outcome.left_out.iter().map(|(method, _)| *method).collect();
         (spelled(outcome.rows.iter().map(|row| row.method).collect()), spelled(left_out))

@@ -58,9 +58,8 @@ impl Conic {
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
     /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and
     /// a sum. A coefficient is made of dot products of vectors that are off by P. Evaluating a
-    /// polynomial, column within row, takes two steps for each of its two variables; where it is
-    /// linear, one for the row, and for the column one with a looser sum (`8 u^2` in double-double),
-    /// together less than three steps:
+    /// polynomial, column within row, takes two steps for each of its two variables, one where it is
+    /// linear; three are allowed for there:
     ///
     /// ```text
     /// b:           B' = |q| S (DOT + P + Q) + 3 STEP B
@@ -78,7 +77,7 @@ impl Conic {
         let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let corner = |x| patch.corner(x);
-        let reach_of = |v: [Vector<f64>; 3]| corner(v.map(|x| length(x)));
+        let reach_of = |v: [Vector<f64>; 3]| corner(v.map(length));
         let p = rays.doubt();
         let step = f64::PRODUCT + f64::SUM;
         let reach = reach_of(vectors);
@@ -148,8 +147,7 @@ impl Conic {
         t_doubt: f64,
     ) -> Thresholds {
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
-        // The kernels' own operations: at most 80 u^2 and a product in double-double, half a dozen u
-        // in f64.
+        // The kernels' own operations are half a dozen roundings.
         let operations = 5.0 * f64::QUOTIENT + 2.0 * f64::PRODUCT;
         if side == Ordering::Equal {
             let left = t_doubt - self.a_doubt - operations;
