@@ -1,4 +1,4 @@
-//! What a pinhole camera sees: camera bases, view rays, ray-object intersection, and whole pictures,
+//! Pictures of a pinhole camera: camera bases, view rays, ray-object intersection, and whole pictures,
 //! every decision exact. It knows no window, no file, no command line and no teaching.
 //!
 //! # A picture in ten lines
@@ -167,6 +167,33 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # How it is built
+//!
+//! Folders are floors, and each imports only from those above it in this table; inside `render`, the
+//! order is that of its `mod.rs`, which is the page of a frame.
+//!
+//! | folder | what it knows |
+//! | --- | --- |
+//! | `exact` | numbers: error-free sums, double-double, numbers of any length, surds; a quadratic with a bound of its error |
+//! | `camera` | the basis, the viewport, the image, and view rays with all their digits |
+//! | `scene` | spheres and planes, what a ray meets of them and in which order: the ladder; the index over many spheres |
+//! | `render` | pictures: `frame`, `outline`, `rows`, `bvh`, `polynomial`, `plan`, `row_band`, `shade` |
+//! | `methods` | the known formulas, to compare |
+//! | `steering` | the camera taken in the hand |
+//!
+//! A sphere on its way to pixels passes
+//!
+//! 1. `render::fill`, which every call for a picture comes to;
+//! 2. `Plan::new`, and there `Classifier::classify`: `Outlines::find` gives its outline, a conic in rows
+//!    and columns, with bounds, or drops it; `Span::new` what its rows share (of many spheres,
+//!    `VisibleSpheres::new` looks at groups and blocks of them first);
+//! 3. `RowBand::draw_rows` for each band of rows: `Span::draw` finds where each row begins and ends
+//!    (`SpanRows::find`) and `t` between (`SpanLanes::narrow` or `wide`), and keeps what is nearest;
+//! 4. `RowBand::resolve_doubt` for pixels within a bound: `SphereFromOrigin::meets` decides by
+//!    `Quadratic::new` in `f64`, in double-double, and by `BigRay`, which is exact, and `Hit::compare`
+//!    which of two objects is first;
+//! 5. `Painter::rows`: runs of pixels of one object to colours.
+//!
 //! # What stays
 //!
 //! Until 1.0, a minor version may change names. Within one:
@@ -197,7 +224,7 @@ pub mod steering;
 #[doc = include_str!("README.md")]
 struct Readme;
 
-/// What may grow cannot be built or matched as if it were complete, or implemented elsewhere.
+/// Types that may grow cannot be built or matched as if it were complete, or implemented elsewhere.
 ///
 /// ```compile_fail,E0639
 /// let _ = pinhole_core::ImageError { field: "width", value: 0 };
@@ -206,7 +233,7 @@ struct Readme;
 /// let _ = pinhole_core::ViewportError { field: "width", value: 0.0 };
 /// ```
 /// ```compile_fail,E0004
-/// fn of(step: pinhole_core::Step) -> u8 {
+/// fn kind(step: pinhole_core::Step) -> u8 {
 ///     use pinhole_core::Step::*;
 ///     match step { F64 => 0, DoubleDouble => 1, Exact => 2 }
 /// }

@@ -24,10 +24,10 @@ use crate::real::Real;
 use crate::surd::{Field, Surd};
 use crate::trace::{Direction, Hit, Roots, SceneSeen};
 
-/// Which way a camera looks.
+/// The way a camera looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
-    /// At a point: the view is `at - eye`, not rounded.
+    /// Looks at a point: the view is `at - eye`, not rounded.
     At {
         /// The point.
         at: [f64; 3],
@@ -41,11 +41,11 @@ pub enum Orientation {
         /// Keeps the camera level.
         up: [f64; 3],
     },
-    /// As its vectors say, which are taken as they are: neither normalized nor made orthogonal.
+    /// Has these vectors, which are taken as they are: neither normalized nor made orthogonal.
     Basis {
         /// Right in the image.
         u: [f64; 3],
-        /// Up in the image.
+        /// Points up in the image.
         v: [f64; 3],
         /// Backwards.
         w: [f64; 3],
@@ -68,15 +68,15 @@ pub enum Status {
 /// A pinhole camera: where it is, how it is turned, its viewport in world units, its image in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where all rays start.
+    /// The point where all rays start.
     pub eye: [f64; 3],
-    /// How it is turned.
+    /// The way it is turned.
     pub orientation: Orientation,
     /// Extent of the viewport along u.
     pub width: f64,
     /// Extent of the viewport along v.
     pub height: f64,
-    /// From the eye to the viewport, along -w.
+    /// Distance from the eye to the viewport, along -w.
     pub distance: f64,
     /// Pixels in a row.
     pub columns: u32,
@@ -84,7 +84,7 @@ pub struct Camera {
     pub rows: u32,
 }
 
-/// What a camera sees of some objects, prepared for many rays. It can be shared between threads.
+/// A camera's view of some objects, prepared for many rays. It can be shared between threads.
 #[derive(Debug)]
 pub struct View {
     resolved: Posed,
@@ -245,7 +245,7 @@ impl View {
         self.resolved.direction(&vector([u, v, self.camera.distance]), &Dyadic::power_of_two(0))
     }
 
-    /// What the ray through the pixel's centre hits first, as [`crate::first_hit`] says; rows and
+    /// Finds what the ray through the pixel's centre hits first, as [`crate::first_hit`] says; rows and
     /// columns from 0, row 0 on top. The direction is `x*u + y*v - distance*w`, not normalized, so
     /// that `t = 1` is the viewport.
     pub fn first_hit_of_pixel(&self, row: u32, column: u32) -> Option<Hit> {
@@ -257,8 +257,8 @@ impl View {
         self.scene.first_object(&self.of_pixel(row, column))
     }
 
-    /// As [`View::first_hit_of_pixel`], through any point of the viewport, in world units from its
-    /// centre.
+    /// Finds the first hit as [`View::first_hit_of_pixel`] does, through any point of the viewport,
+    /// in world units from its centre.
     ///
     /// # Panics
     /// Where a number is NaN or infinite.

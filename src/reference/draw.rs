@@ -7,7 +7,7 @@
 /// a library may change with its version.
 pub(crate) struct Draw {
     state: u64,
-    /// Whether all numbers of the case are to be exact in `f32`.
+    /// True if all numbers of the case are to be exact in `f32`.
     pub(crate) single: bool,
 }
 
@@ -30,7 +30,7 @@ impl Draw {
         z ^ (z >> 31)
     }
 
-    /// From 0 to 1, 1 excluded.
+    /// Draws a number from 0 to 1, 1 excluded.
     pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -53,7 +53,7 @@ impl Draw {
         if self.once_in(2) { 1.0 } else { -1.0 }
     }
 
-    /// From `low` to `high`, each binade of it as likely as another.
+    /// Draws a number from `low` to `high`, each binade of it as likely as another.
     pub(crate) fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
         let binades = ((high / low).to_bits() >> 52) as i64 - 1023;
         let size = low * self.power_of_two(0, binades);

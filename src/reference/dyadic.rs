@@ -14,7 +14,7 @@ pub(crate) struct Dyadic {
     exponent: i64,
 }
 
-/// Which of the neighbours a result that does not fit is rounded to.
+/// The neighbour that a result that does not fit is rounded to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Toward {
     /// The neighbour below: toward minus infinity.

@@ -10,7 +10,7 @@ use crate::{bases, frames, planes, spheres, ties};
 pub struct RayCase {
     /// Spheres first, then planes.
     pub objects: Vec<Object>,
-    /// Where the ray starts.
+    /// The point where the ray starts.
     pub origin: [f64; 3],
     /// Its direction, not normalized.
     pub direction: [f64; 3],
@@ -19,9 +19,9 @@ pub struct RayCase {
 /// A camera's place and orientation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BasisCase {
-    /// Where it is.
+    /// Its place.
     pub eye: [f64; 3],
-    /// How it is turned.
+    /// The way it is turned.
     pub orientation: Orientation,
 }
 
@@ -45,7 +45,7 @@ pub enum Case {
     Frame(FrameCase),
 }
 
-/// What a family's cases are.
+/// The kind of a family's cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Any rays: [`Family::rays`].
@@ -56,7 +56,7 @@ pub enum Kind {
     Frames,
 }
 
-/// How a case is made, from its random numbers and the knob.
+/// The way a case is made, from its random numbers and the knob.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Make {
     Ray(fn(&mut Draw, f64) -> RayCase),
@@ -97,12 +97,12 @@ impl Family {
         self.name
     }
 
-    /// What is hard about it, in one sentence.
+    /// Returns what is hard about it, in one sentence.
     pub fn about(&self) -> &'static str {
         self.about
     }
 
-    /// What the knob is, with its unit.
+    /// Returns what the knob is, with its unit.
     pub fn knob_name(&self) -> &'static str {
         self.knob_name
     }
@@ -112,7 +112,7 @@ impl Family {
         self.knobs
     }
 
-    /// What its cases are.
+    /// Returns the kind of its cases.
     pub fn kind(&self) -> Kind {
         match self.make {
             Make::Ray(_) => Kind::Rays,

@@ -65,7 +65,7 @@ impl Interval {
             .then_some(sign)
     }
 
-    /// Whether any two numbers in it differ by at most `2^-bits` of either.
+    /// Returns whether any two numbers in it differ by at most `2^-bits` of either.
     pub(crate) fn is_narrow(&self, bits: i64) -> bool {
         if self.low == self.high {
             return true;

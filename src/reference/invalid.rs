@@ -4,7 +4,7 @@ use crate::camera::{Camera, Orientation};
 use crate::family::{BasisCase, RayCase};
 use crate::object::Object;
 
-/// What is not finite.
+/// Numbers that are not finite.
 const STRANGE: [(&str, f64); 3] =
     [("NaN", f64::NAN), ("infinity", f64::INFINITY), ("-infinity", f64::NEG_INFINITY)];
 

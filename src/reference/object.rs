@@ -8,7 +8,7 @@ use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd, bits_of_level};
 
-/// What a ray can hit.
+/// An object that a ray can hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Object {
     /// All points at the distance `radius` from `center`.
@@ -28,7 +28,7 @@ pub enum Object {
 }
 
 impl Object {
-    /// Whether all its numbers are finite, and its radius is positive or its normal is not 0.
+    /// Returns whether all its numbers are finite, and its radius is positive or its normal is not 0.
     pub fn is_valid(&self) -> bool {
         let are_finite = |v: &[f64; 3]| v.iter().all(|x| x.is_finite());
         match self {
@@ -89,7 +89,7 @@ impl Seen {
         }
     }
 
-    /// Where the line from the origin along `direction` meets the object, the smaller root first.
+    /// Finds where the line from the origin along `direction` meets the object, the smaller root first.
     /// `a = |direction|^2`.
     pub(crate) fn roots(&self, field: &Field, direction: &[Surd; 3], a: &Surd) -> Vec<Quotient> {
         match self {
@@ -133,7 +133,7 @@ pub(crate) struct AtRoot<'a> {
     field: &'a Field,
     direction: &'a [Surd; 3],
     t: &'a Quotient,
-    /// What `t` lies in, enough for nearly all that is asked.
+    /// An interval around `t`, enough for nearly all that is asked.
     interval: Option<Interval>,
 }
 

@@ -17,7 +17,7 @@ pub struct Real(Dyadic);
 /// Significant bits that a [`Real`] has at least.
 const BITS: i64 = 440;
 
-/// What sets a format of floats apart: digits and range.
+/// A format of floats: digits and range.
 struct Format {
     digits: i64,
     /// `log2` of the smallest subnormal.
@@ -95,13 +95,13 @@ impl Real {
         if self.0.sign() == Ordering::Less { -magnitude } else { magnitude }
     }
 
-    /// Whether it is 0, or of a size that `f64` has at full precision: from
+    /// Returns whether it is 0, or of a size that `f64` has at full precision: from
     /// [`f64::MIN_POSITIVE`] to [`f64::MAX`].
     pub fn is_representable(&self) -> bool {
         self.is_within(f64::MIN_POSITIVE, f64::MAX)
     }
 
-    /// As [`Real::is_representable`], for `f32`.
+    /// Returns whether it is representable as [`Real::is_representable`] says, in `f32`.
     pub fn is_representable_f32(&self) -> bool {
         self.is_within(f64::from(f32::MIN_POSITIVE), f64::from(f32::MAX))
     }
@@ -119,7 +119,7 @@ impl Real {
         DOUBLE.ulps(x, &self.0)
     }
 
-    /// As [`Real::ulps_from`] in units of the last place of an `f32`:
+    /// Returns [`Real::ulps_from`] in units of the last place of an `f32`:
     /// `2^(floor(log2 |self|) - 23)`, at least `2^-149` and at most `2^104`.
     pub fn ulps_from_f32(&self, x: f32) -> f64 {
         SINGLE.ulps(f64::from(x), &self.0)

@@ -90,7 +90,7 @@ impl Field {
         Field { a, b, ab, roots: Default::default() }
     }
 
-    /// No roots but those of 1.
+    /// The field without roots but those of 1.
     pub(crate) fn rational() -> Field {
         Field::new(Dyadic::power_of_two(0), Dyadic::power_of_two(0))
     }
@@ -119,7 +119,7 @@ impl Field {
         a.plus(&b).plus(&c)
     }
 
-    /// What `x` lies in, by interval arithmetic at the level's precision.
+    /// Returns an interval around `x`, by interval arithmetic at the level's precision.
     pub(crate) fn interval(&self, x: &Surd, level: usize) -> Interval {
         let bits = bits_of_level(level);
         let mut sum = Interval::exactly(&x.0[0], bits);

@@ -9,7 +9,7 @@ use crate::object::Object;
 /// Pixels from the middle to the edge, in a picture with a pixel in the middle.
 const HALF: i64 = 12;
 
-/// Where the viewport of a picture with pixels of size 1 is: many whole numbers divide it.
+/// Distance of the viewport of a picture with pixels of size 1: many whole numbers divide it.
 const DISTANCE: f64 = 12.0;
 
 /// `[x, y, z]` in a frame of three vectors.
@@ -33,7 +33,7 @@ fn camera(draw: &mut Draw, eye: [f64; 3], orientation: Orientation, distance: f6
     }
 }
 
-/// The same with all lengths of the world times a power of two: t alone changes.
+/// Returns the case with all lengths of the world times a power of two: t alone changes.
 fn in_other_units(draw: &mut Draw, case: FrameCase) -> FrameCase {
     let scale = draw.power_of_two(-16, 16);
     let objects = case.objects.into_iter().map(|object| match object {

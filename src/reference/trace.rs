@@ -8,7 +8,7 @@ use crate::quotient::Quotient;
 use crate::real::Real;
 use crate::surd::{Field, Surd};
 
-/// Where the line `origin + t * direction` meets an object.
+/// The roots of the line `origin + t * direction` and an object.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Roots {
     /// It does not, or it runs parallel to the plane, be it inside it.
@@ -22,9 +22,9 @@ pub enum Roots {
 /// The first thing that a ray meets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hit {
-    /// Which of the objects, from 0.
+    /// The object's number, from 0.
     pub object: usize,
-    /// Where on the ray, in units of its direction's length; positive.
+    /// Place on the ray, in units of its direction's length; positive.
     pub t: Real,
     /// The unit normal there: outward on a sphere, in the plane's own sense on a plane.
     pub normal: [Real; 3],
@@ -142,7 +142,7 @@ pub fn roots(object: &Object, origin: [f64; 3], direction: [f64; 3]) -> Roots {
     SceneSeen::new(&[*object], vector(origin)).roots(0, &given(&Field::rational(), direction))
 }
 
-/// What the ray `origin + t * direction` meets at the smallest `t > 0`; of objects that share it,
+/// Finds what the ray `origin + t * direction` meets at the smallest `t > 0`; of objects that share it,
 /// the one listed first. A ray that touches a sphere hits it; one that is parallel to a plane does
 /// not, be it inside it. None for a direction of 0.
 ///

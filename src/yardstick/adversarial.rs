@@ -31,8 +31,8 @@ pub fn all() -> Vec<Listed> {
     ]
 }
 
-fn of(spheres: Vec<Sphere>) -> Setting {
-    Setting::of("adversarial", scene("adversarial", spheres), camera())
+fn setting(spheres: Vec<Sphere>) -> Setting {
+    Setting::built_in("adversarial", scene("adversarial", spheres), camera())
 }
 
 /// 10^5 spheres, all hidden by one that fills the view.
@@ -40,14 +40,14 @@ fn behind_one() -> Setting {
     let mut spheres = spheres_at(100_000, COVERAGE, 1.0).scene.spheres().to_vec();
     // sin(angle) = r / |q| = 0.75: 48.6 degrees, and the view's corners are at 45.6.
     spheres.push(Sphere { center: DVec3::new(0.0, 0.0, -2.0), radius: 1.5 });
-    of(spheres)
+    setting(spheres)
 }
 
 /// 10^6 spheres a fifth of a pixel across, most of which no pixel's centre meets.
 fn sub_pixel() -> Setting {
     let centers = centers_ahead(1_000_000, &mut Random::new(2));
     let sphere = |center: DVec3| Sphere { center, radius: 0.1 * pixel_at(-center.z) };
-    of(centers.into_iter().map(sphere).collect())
+    setting(centers.into_iter().map(sphere).collect())
 }
 
 /// The height of a pixel in the world, so far ahead.
@@ -63,7 +63,7 @@ fn six_decades() -> Setting {
     let radii: Vec<f64> = centers.iter().map(|_| 10f64.powf(random.within(-6.0, 0.0))).collect();
     let scale = scale_for(COVERAGE, &centers, &|index| radii[index]);
     let sphere = |(center, radius): (DVec3, f64)| Sphere { center, radius: scale * radius };
-    of(centers.into_iter().zip(radii).map(sphere).collect())
+    setting(centers.into_iter().zip(radii).map(sphere).collect())
 }
 
 /// 10^5 spheres on all sides of the eye; 60 % of the pixels are covered.
@@ -73,20 +73,20 @@ fn in_cloud() -> Setting {
     let centers: Vec<DVec3> =
         (0..100_000).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
     let radius = scale_for(COVERAGE, &centers, &|_| 1.0);
-    of(centers.into_iter().map(|center| Sphere { center, radius }).collect())
+    setting(centers.into_iter().map(|center| Sphere { center, radius }).collect())
 }
 
 /// 10^4 spheres, and one around them and the eye.
 fn in_sphere() -> Setting {
     let mut spheres = vec![Sphere { center: DVec3::new(0.0, 0.0, -3.0), radius: 40.0 }];
     spheres.extend(spheres_at(10_000, COVERAGE, 1.0).scene.spheres());
-    of(spheres)
+    setting(spheres)
 }
 
 /// 10^5 spheres of about a pixel's size, which all cover the centre of the same one.
 fn one_pixel() -> Setting {
     let camera = camera();
-    let resolved = Setting::of("one-pixel", Default::default(), camera).camera(0);
+    let resolved = Setting::built_in("one-pixel", Default::default(), camera).camera(0);
     let direction = resolved.ray_of_pixel(Pixel { row: 611, column: 877 }).direction;
     let mut random = Random::new(5);
     let sphere = |_| {
@@ -96,7 +96,7 @@ fn one_pixel() -> Setting {
         let center = resolved.eye() + depth * direction + pixel * off;
         Sphere { center, radius: random.within(0.6, 1.2) * pixel }
     };
-    of((0..100_000).map(sphere).collect())
+    setting((0..100_000).map(sphere).collect())
 }
 
 /// A planet under the eye, and 10^4 pebbles on it.
@@ -110,7 +110,7 @@ fn planet() -> Setting {
         let y = -EYE - (x * x + z * z) / (2.0 * RADIUS);
         Sphere { center: DVec3::new(x, y, z), radius: random.within(0.01, 0.2) }
     }));
-    of(spheres)
+    setting(spheres)
 }
 
 /// A thousand spheres beside the eye, each cut by the plane through it and reaching into the view.
@@ -123,11 +123,11 @@ fn eye_plane() -> Setting {
         let z = radius * random.within(-0.5, 0.1);
         Sphere { center: DVec3::new(away * cos, away * sin, z), radius }
     };
-    of((0..1000).map(sphere).collect())
+    setting((0..1000).map(sphere).collect())
 }
 
 /// One sphere in the lecture's 400 x 400 pixels.
 fn square() -> Setting {
     let ball = Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 };
-    Setting::of("square", scene("square", vec![ball]), Camera::CANONICAL)
+    Setting::built_in("square", scene("square", vec![ball]), Camera::CANONICAL)
 }

@@ -24,7 +24,7 @@ struct Node {
     bounds: Bounds,
     /// The left child, or the first sphere.
     first: u32,
-    /// How many spheres; 0 of an inner node.
+    /// Number of spheres; 0 of an inner node.
     count: u32,
 }
 
@@ -38,7 +38,7 @@ struct Bounds {
 const LEAF: usize = 4;
 const BINS: usize = 16;
 
-/// From this depth on a node is halved whatever its boxes cost, so that [`STACK`] is enough for 2^24
+/// Depth from which on a node is halved whatever its boxes cost, so that [`STACK`] is enough for 2^24
 /// spheres.
 const DEEP: usize = 40;
 const STACK: usize = 64;
@@ -47,7 +47,7 @@ impl Bounds {
     const NONE: Bounds =
         Bounds { low: Vec3::splat(f32::INFINITY), high: Vec3::splat(f32::NEG_INFINITY) };
 
-    fn of(ball: &Ball) -> Bounds {
+    fn around(ball: &Ball) -> Bounds {
         Bounds { low: ball.center - ball.radius, high: ball.center + ball.radius }
     }
 
@@ -61,7 +61,7 @@ impl Bounds {
         size.x * size.y + size.y * size.z + size.z * size.x
     }
 
-    /// Where a ray enters, if it does so before `t`.
+    /// Returns where a ray enters, if it does so before `t`.
     #[inline]
     fn entry(&self, origin: Vec3, inverse: Vec3, t: f32) -> Option<f32> {
         let (a, b) = ((self.low - origin) * inverse, (self.high - origin) * inverse);
@@ -80,7 +80,7 @@ impl Bvh {
         let mut open = vec![(0, 0..objects.len(), 0)];
         while let Some((place, range, depth)) = open.pop() {
             let own = &mut objects[range.clone()];
-            let boxes = own.iter().map(|object| Bounds::of(&scene.balls[*object as usize]));
+            let boxes = own.iter().map(|object| Bounds::around(&scene.balls[*object as usize]));
             let bounds = boxes.fold(Bounds::NONE, Bounds::with);
             if own.len() <= LEAF {
                 let (first, count) = (range.start as u32, own.len() as u32);
@@ -100,7 +100,7 @@ impl Bvh {
 
     /// Traces a frame.
     pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
-        let rays = Rays::of(camera);
+        let rays = Rays::new(camera);
         each_pixel(buffers, |row, column| {
             let direction = rays.direction(row, column);
             let nearest = self.nearest_ball(rays.eye, direction);
@@ -171,7 +171,7 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
             let mut bins = [(0usize, Bounds::NONE); BINS];
             for object in objects.iter() {
                 let bin = &mut bins[bin_of(axis, object)];
-                *bin = (bin.0 + 1, bin.1.with(Bounds::of(&balls[*object as usize])));
+                *bin = (bin.0 + 1, bin.1.with(Bounds::around(&balls[*object as usize])));
             }
             cuts(bins).map(move |(cost, cut)| (cost, axis, cut))
         })
@@ -192,7 +192,7 @@ fn split(objects: &mut [u32], balls: &[Ball], depth: usize) -> usize {
     left
 }
 
-/// What it costs to cut before each bin: surface times number, of both sides together. Cuts that
+/// Costs of a cut before each bin: surface times number, of both sides together. Cuts that
 /// leave a side empty are none.
 fn cuts(bins: [(usize, Bounds); BINS]) -> impl Iterator<Item = (f32, usize)> {
     let join = |a: (usize, Bounds), b: &(usize, Bounds)| (a.0 + b.0, a.1.with(b.1));

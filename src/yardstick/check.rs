@@ -1,4 +1,4 @@
-//! Whether a frame is right, on a sample of its pixels.
+//! Checks a frame on a sample of its pixels.
 
 use std::fmt;
 

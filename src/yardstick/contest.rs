@@ -28,7 +28,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// In the order in which they are shown.
+    /// All contestants, in the order in which they are shown.
     pub const ALL: [Method; 5] = [
         Method::Ladder,
         Method::Textbook,
@@ -49,14 +49,14 @@ impl Method {
     }
 }
 
-/// How much time to spend.
+/// Limits of the time to spend.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// The instructions of the ladder and of the stores.
     pub level: Level,
-    /// What each method may spend on frames, if one frame does not take longer.
+    /// Maximum time that each method spends on frames, if one frame does not take longer.
     pub share: Duration,
-    /// How many frames of each are timed at most.
+    /// Maximum number of frames of each that are timed.
     pub most: usize,
     /// A rival is left out where a frame of it would take longer, roughly, on one thread.
     pub patience: Duration,
@@ -69,21 +69,21 @@ impl Default for Limits {
     }
 }
 
-/// What a method did.
+/// The result of one method.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
-    /// Which one.
+    /// The method.
     pub method: Method,
     /// Seconds a frame.
     pub times: Times,
 }
 
-/// What came of a contest.
+/// The results of a contest.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Those that took part, in the order asked for.
+    /// The methods that took part, in the order asked for.
     pub rows: Vec<Row>,
-    /// Those that did not, and why.
+    /// The methods that did not, and why.
     pub left_out: Vec<(Method, &'static str)>,
     /// The ladder's last frame.
     pub frame: Frame<f32>,
@@ -96,7 +96,7 @@ impl Outcome {
     }
 }
 
-/// Up to here the textbook asks all spheres; from here on it has a tree.
+/// Number of spheres up to which the textbook asks all of them, and from which on it has a tree.
 pub const TREE_FROM: usize = 100;
 
 /// Lets the methods trace a setting frame by frame, in turn, on the threads of the current pool.

@@ -1,4 +1,4 @@
-//! What every contestant but the ladder writes, and a frame's rays as the textbook has them.
+//! Buffers that every contestant but the ladder writes, and a frame's rays as the textbook has them.
 
 use glam::{DVec3, Vec3};
 use pinhole_core::{ImageSize, NO_OBJECT, ResolvedCamera};
@@ -38,7 +38,7 @@ pub(crate) struct Rays {
 }
 
 impl Rays {
-    pub(crate) fn of(camera: &ResolvedCamera) -> Rays {
+    pub(crate) fn new(camera: &ResolvedCamera) -> Rays {
         let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
         Rays {
             eye: camera.eye().as_vec3(),

@@ -1,4 +1,4 @@
-//! What the speed of `pinhole-core` is measured with.
+//! Bench rig: what the speed of `pinhole-core` is measured with.
 //!
 //! - [`scenes`]: seeded scenes of 1 to 10^7 spheres, each with a camera that moves a little every
 //!   frame; [`adversarial`]: scenes that are hard to be fast in;

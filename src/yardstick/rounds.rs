@@ -2,14 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-/// What a piece of work took, in seconds.
+/// Times that a piece of work took, in seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Times {
     /// The middle one of all measurements.
     pub median: f64,
     /// The shortest one.
     pub min: f64,
-    /// How many there are.
+    /// Number of times.
     pub count: usize,
 }
 
@@ -17,7 +17,7 @@ pub struct Times {
 /// a frame is followed by frames, not by what another contestant leaves in the caches.
 const QUICK: Duration = Duration::from_millis(25);
 
-/// How often quick work is timed in a turn.
+/// Number of times that quick work is timed in a turn.
 const BURST: usize = 4;
 
 /// Times `count` pieces of work in turn, until each has spent its `share` or was timed `most` times.

@@ -14,7 +14,7 @@ use crate::random::Random;
 /// A scene and who looks at it.
 #[derive(Clone, Debug)]
 pub struct Setting {
-    /// What it is called.
+    /// Its name.
     pub name: String,
     /// The objects.
     pub scene: Scene,
@@ -22,7 +22,7 @@ pub struct Setting {
     resolved: ResolvedCamera,
 }
 
-/// How far the eye moves from frame to frame, in widths of the viewport.
+/// Distance that the eye moves from frame to frame, in widths of the viewport.
 const STRIDE: f64 = 1e-3;
 
 impl Setting {
@@ -39,7 +39,7 @@ impl Setting {
         self.camera.image
     }
 
-    /// How many pixels a frame has.
+    /// Number of pixels of a frame.
     pub fn pixels(&self) -> usize {
         self.camera.image.width() as usize * self.camera.image.height() as usize
     }
@@ -53,23 +53,27 @@ impl Setting {
         Camera { eye, ..self.camera }.resolve().unwrap_or(self.resolved)
     }
 
-    /// The same scene in an image of another size, through the same viewport.
+    /// Returns the scene in an image of another size, through the same viewport.
     ///
     /// # Panics
     /// Where that is no [`ImageSize`].
     #[must_use]
     pub fn with_image(self, width: u32, height: u32) -> Setting {
-        Setting::of(&self.name, self.scene, Camera { image: image(width, height), ..self.camera })
+        Setting::built_in(
+            &self.name,
+            self.scene,
+            Camera { image: image(width, height), ..self.camera },
+        )
     }
 
-    /// The same setting under another name.
+    /// Returns the setting under another name.
     #[must_use]
     pub fn named(self, name: &str) -> Setting {
         Setting { name: name.to_owned(), ..self }
     }
 
     /// One of our own, whose camera is sure to see.
-    pub(crate) fn of(name: &str, scene: Scene, camera: Camera) -> Setting {
+    pub(crate) fn built_in(name: &str, scene: Scene, camera: Camera) -> Setting {
         match Setting::new(name, scene, camera) {
             Ok(setting) => setting,
             Err(error) => unreachable!("{name}: {error}"),
@@ -80,7 +84,7 @@ impl Setting {
 /// The image of all scenes that do not say otherwise.
 pub const IMAGE: [u32; 2] = [1920, 1080];
 
-/// At the origin, along -z, 53 degrees from bottom to top.
+/// The camera at the origin, along -z, 53 degrees from bottom to top.
 pub(crate) fn camera() -> Camera {
     Camera {
         eye: DVec3::ZERO,
@@ -104,7 +108,7 @@ pub(crate) fn scene(name: &str, spheres: Vec<Sphere>) -> Scene {
     }
 }
 
-/// How far away the nearest and the farthest centres are.
+/// Distances of the nearest and the farthest centres.
 const DEPTH: [f64; 2] = [4.0, 12.0];
 
 /// Centres spread evenly over a box ahead, as wide and high as what is seen half way through it; the
@@ -132,17 +136,17 @@ pub fn spheres_at(count: usize, coverage: f64, radius_factor: f64) -> Setting {
     let centers = centers_ahead(count, &mut Random::new(1));
     let radius = radius_factor * scale_for(coverage, &centers, &|_| 1.0);
     let spheres = centers.into_iter().map(|center| Sphere { center, radius }).collect();
-    Setting::of(&name, scene(&name, spheres), camera())
+    Setting::built_in(&name, scene(&name, spheres), camera())
 }
 
 /// More spheres than this are not asked how much they cover: that depends on their number and radius
 /// only by the sum of their areas, as long as they are small.
 const MOST_ASKED: usize = 100_000;
 
-/// What to multiply radii with, so that [`camera`] sees this share of its pixels covered.
+/// Returns the factor of radii with which [`camera`] sees this share of its pixels covered.
 pub(crate) fn scale_for(coverage: f64, centers: &[DVec3], radius_of: &dyn Fn(usize) -> f64) -> f64 {
     let asked = &centers[..centers.len().min(MOST_ASKED)];
-    let camera = Setting::of("asked", Scene::default(), camera()).resolved;
+    let camera = Setting::built_in("asked", Scene::default(), camera()).resolved;
     let covered = |scale: f64| {
         let sphere = |(index, center): (usize, &DVec3)| Sphere {
             center: *center,
@@ -199,7 +203,7 @@ impl fmt::Display for Count {
     }
 }
 
-/// What a scene is in the list for.
+/// The reason why a scene is in the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// Time against the number of spheres.
@@ -212,9 +216,9 @@ pub enum Group {
 
 /// A scene of the list, before it is made.
 pub struct Listed {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// What it is in the list for.
+    /// The reason why it is in the list.
     pub group: Group,
     make: Box<dyn Fn() -> Setting + Send + Sync>,
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::frames::Buffers;
 
-/// As many bytes as no cache holds.
+/// Number of bytes that no cache holds.
 const BEYOND_CACHES: usize = 256 << 20;
 
 /// Stores over the same buffers again, or over several sets of buffers in turn.

@@ -58,7 +58,7 @@ impl TextbookScene {
 
     /// Traces a frame.
     pub fn trace(&self, camera: &ResolvedCamera, buffers: &mut Buffers) {
-        let rays = Rays::of(camera);
+        let rays = Rays::new(camera);
         each_pixel(buffers, |row, column| {
             let direction = rays.direction(row, column);
             let mut nearest = Nearest::NONE;

@@ -1,5 +1,5 @@
-//! What certainty costs: the ladder against the textbook's formula in the same kind of loop, one
-//! sphere, one megapixel, one thread, side by side in one run.
+//! Bench of what certainty costs: the ladder against the textbook's formula in the same kind of
+//! loop, one sphere, one megapixel, one thread, side by side in one run.
 //!
 //! `cargo bench -p pinhole-core --bench certainty`; the level of instructions is the processor's
 //! best, or AVX2 with `-- avx2`.

@@ -1,4 +1,4 @@
-//! What colours cost: milliseconds a frame of 1920 x 1080 pixels, one thread, medians.
+//! Bench of colours: milliseconds a frame of 1920 x 1080 pixels, one thread, medians.
 //!
 //! `cargo bench -p pinhole-core --bench shading`; the level of instructions is the processor's best,
 //! or AVX2 with `-- avx2`.
@@ -18,7 +18,7 @@ fn camera() -> ResolvedCamera {
     Camera { eye: DVec3::new(0.1, 0.05, 0.0), orientation, viewport, image }.resolve().unwrap()
 }
 
-/// So many equal spheres in a grid before the eye, which cover about 60 % of the picture.
+/// A grid of equal spheres before the eye, which cover about 60 % of the picture.
 fn grid(across: u32, down: u32, away: f64) -> Scene {
     let step = 1.92 * away / f64::from(across);
     let at = |k: u32, of: u32| (f64::from(k) - 0.5 * f64::from(of - 1)) * step;

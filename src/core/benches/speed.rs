@@ -1,5 +1,6 @@
 //! Time against the number of spheres, and in scenes that are hard to be fast in: the ladder, the
-//! textbook's loop, the same with a tree, and nothing but stores, frame by frame in turn. A sample of the ladder's pixels is checked against their exact rays.
+//! textbook's loop, the same with a tree, and nothing but stores, frame by frame in turn. A sample
+//! of the ladder's pixels is checked against their exact rays.
 //!
 //! `cargo bench -p pinhole-core --bench speed -- [WORD...] [avx2] [threads=N] [quick]`
 //!

@@ -8,7 +8,8 @@ use crate::exact::decimal::{shortest, triple};
 use crate::exact::dyadic::{Dyadic, dot, exact3};
 use crate::exact::scale::length;
 
-/// How far a basis given by hand may be from orthonormal: `| |a| - 1 |` and `|a . b|` of its vectors.
+/// Maximum distance of a basis given by hand from orthonormal: `| |a| - 1 |` and `|a . b|` of its
+/// vectors.
 ///
 /// Wide enough for values printed with ten digits, far too narrow for a typed `0.7071`.
 pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
@@ -20,18 +21,18 @@ pub const ORTHONORMAL_TOLERANCE: f64 = 1e-9;
 pub struct Basis {
     /// Right in the image.
     pub u: DVec3,
-    /// Up in the image.
+    /// Points up in the image.
     pub v: DVec3,
     /// Backwards: away from what the camera looks at.
     pub w: DVec3,
 }
 
-/// Which vector of a [`Basis`] a message is about.
+/// A vector of a [`Basis`], as messages name it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BasisVector {
     /// Right in the image.
     U,
-    /// Up in the image.
+    /// Points up in the image.
     V,
     /// Backwards.
     W,
@@ -47,7 +48,7 @@ impl fmt::Display for BasisVector {
     }
 }
 
-/// How close up is to the view direction, and what that does to the basis.
+/// The angle between up and the view direction, and what it does to the basis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UpAngle {
     /// Angle between up and view in radians, between 0 and pi; never either but by rounding.
@@ -69,7 +70,7 @@ pub enum BasisError {
     },
     /// `at - eye` is zero, so there is no view direction.
     EyeIsAt {
-        /// Where both are.
+        /// The point where both are.
         point: DVec3,
     },
     /// The view direction given is `(0, 0, 0)`.
@@ -85,7 +86,7 @@ pub enum BasisError {
     },
     /// A vector of a basis given by hand is not of length 1.
     NotUnit {
-        /// Which one.
+        /// The vector.
         vector: BasisVector,
         /// Its length.
         length: f64,
@@ -143,7 +144,7 @@ impl fmt::Display for BasisError {
 impl std::error::Error for BasisError {}
 
 impl Basis {
-    /// How far the three are from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
+    /// Returns the distance of the three from orthonormal: the sum of `| |a|^2 - 1 |` and `|a . b|`.
     pub(crate) fn defect(&self) -> f64 {
         let Basis { u, v, w } = *self;
         let unit = [u, v, w].map(|a| (a.length_squared() - 1.0).abs());
@@ -205,7 +206,7 @@ pub(crate) fn check_finite(field: &'static str, value: DVec3) -> Result<(), Basi
 /// Far more than rounding makes of a length or a dot product of vectors of about length 1.
 const ROUNDING: f64 = 1e-15;
 
-/// Whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as
+/// Returns whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as
 /// `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2`.
 pub fn is_unit(v: DVec3) -> bool {
     let off = (length(v) - 1.0).abs();
@@ -220,7 +221,7 @@ pub fn is_unit(v: DVec3) -> bool {
     above.sign().is_ge() && below.sign().is_ge()
 }
 
-/// Whether `|a . b| <= tolerance`, exactly.
+/// Returns whether `|a . b| <= tolerance`, exactly.
 pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
     let off = a.dot(b).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {

@@ -1,4 +1,4 @@
-//! What makes one camera another: how far its eye is from the other's, how it is turned and rolled
+//! The difference of two cameras: how far its eye is from the other's, how it is turned and rolled
 //! against it, and how its viewport differs.
 
 use glam::DVec3;
@@ -7,13 +7,13 @@ use crate::camera::basis::{Basis, BasisError};
 use crate::camera::{Camera, Orientation};
 use crate::exact::scale::{angle_between, unit};
 
-/// How one camera differs from another; lengths in world units, angles in degrees.
+/// The difference of one camera from another; lengths in world units, angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CameraDifference {
-    /// From the other's eye to this one's.
+    /// The way from the other's eye to this one's.
     pub eye: DVec3,
-    /// From the other's at to this one's, where both are given by one.
+    /// The way from the other's at to this one's, where both are given by one.
     pub at: Option<DVec3>,
     /// Between the two ups.
     pub up: f64,
@@ -21,9 +21,9 @@ pub struct CameraDifference {
     pub basis: [f64; 3],
     /// About one axis, which takes one basis to the other (L. Euler 1775).
     pub turn: f64,
-    /// How far this camera is rolled about its view against the one that looks the same way and is
-    /// held level by the other's up: as by [`Camera::swung`], in (-180, 180]. `None` where the other's
-    /// up is parallel to this view.
+    /// Angle by which this camera is rolled about its view against the one that looks the same way
+    /// and is held level by the other's up: as by [`Camera::swung`], in (-180, 180]. `None` where
+    /// the other's up is parallel to this view.
     pub roll: Option<f64>,
     /// This viewport's distance, less the other's.
     pub distance: f64,
@@ -32,7 +32,7 @@ pub struct CameraDifference {
 }
 
 impl Camera {
-    /// How this camera differs from another one.
+    /// Returns the difference of this camera from another one.
     ///
     /// ```text
     /// turn = atan2(|u' x u + v' x v + w' x w|, u' . u + v' . v + w' . w - 1)

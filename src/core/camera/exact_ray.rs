@@ -29,7 +29,7 @@ pub struct ExactRay<'a> {
     /// The direction times [`ExactRay::stretch`], in units of `2^scale`; its largest coordinate is
     /// within 1e-30 and 1e30.
     pub(crate) fine: DirectionParts<DoubleDouble>,
-    /// The same, rounded.
+    /// The direction, rounded to `f64`.
     pub(crate) rough: DirectionParts<f64>,
     pub(crate) scale: i32,
     /// A whole number: a pixel's (u, v) times it has no denominator.
@@ -38,7 +38,7 @@ pub struct ExactRay<'a> {
     pub(crate) last: Step,
 }
 
-/// What the exact numbers are made of.
+/// The inputs that the exact numbers are made of.
 #[derive(Clone, Copy, Debug)]
 enum Source<'a> {
     Given(DVec3),
@@ -49,7 +49,7 @@ impl ResolvedCamera {
     /// The view ray through a pixel's centre, of the camera as given, with nothing rounded: `u =
     /// width ((column + 0.5) / W - 0.5)`, `v = height (0.5 - (row + 0.5) / H)`, and the exact basis.
     pub fn exact_ray(&self, pixel: Pixel) -> ExactRay<'_> {
-        ExactRay::of_view(self, ViewPlace::Pixel(pixel))
+        ExactRay::from_view(self, ViewPlace::Pixel(pixel))
     }
 
     /// The view ray through a (u, v) as given, of the camera as given, with nothing rounded.
@@ -60,7 +60,7 @@ impl ResolvedCamera {
         if !uv.is_finite() {
             return Err(RayError::NotFinite { field: "uv", value: uv.extend(0.0) });
         }
-        Ok(ExactRay::of_view(self, ViewPlace::Uv(uv)))
+        Ok(ExactRay::from_view(self, ViewPlace::Uv(uv)))
     }
 }
 
@@ -69,14 +69,14 @@ impl<'a> ExactRay<'a> {
     ///
     /// # Errors
     /// Where a coordinate is not finite or the direction is zero.
-    pub fn of(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
+    pub fn from_ray(ray: &Ray) -> Result<ExactRay<'static>, RayError> {
         ray.check()?;
         let (direction, scale) = scaled(ray.direction.to_array().map(DoubleDouble::from));
         Ok(ExactRay::new(ray.origin, Source::Given(ray.direction), direction, 0.0, scale, 1.0))
     }
 
     /// A camera's view ray, from a direction that is off by `doubt` times its length at most.
-    pub(crate) fn of_view(camera: &'a ResolvedCamera, place: ViewPlace) -> ExactRay<'a> {
+    pub(crate) fn from_view(camera: &'a ResolvedCamera, place: ViewPlace) -> ExactRay<'a> {
         let (direction, scale) = camera.fine_direction(place);
         let (direction, more) = scaled(direction);
         let doubt = camera.fine_basis().direction_doubt();
@@ -101,7 +101,7 @@ impl<'a> ExactRay<'a> {
         ExactRay { origin, source, fine, rough, scale, stretch, last: Step::Exact }
     }
 
-    /// The same ray with the ladder cut off after a step, to show what the later steps are for: in
+    /// Returns the ray with the ladder cut off after a step, to show what the later steps are for: in
     /// teaching, and in tests.
     ///
     /// What lies within that step's doubt is decided by its rounded sign, a rounded 0 counting as 0;

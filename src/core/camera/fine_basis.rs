@@ -18,7 +18,7 @@ pub(crate) struct FineBasis {
     pub(crate) u: Vector<DoubleDouble>,
     pub(crate) v: Vector<DoubleDouble>,
     pub(crate) w: Vector<DoubleDouble>,
-    /// How far each of the vectors may be off.
+    /// Error bound of each vector.
     doubt: f64,
 }
 
@@ -32,7 +32,7 @@ pub(crate) enum ViewGiven {
 }
 
 impl ViewGiven {
-    /// In units of `2^k`, with what rounding left out.
+    /// Returns the direction in units of `2^k`, with what rounding left out.
     fn fine(&self) -> (Vector<DoubleDouble>, i32) {
         let (view, rest, k) = match *self {
             ViewGiven::Between { from, to } => difference_with_rest(to, from),
@@ -54,7 +54,7 @@ impl ViewGiven {
     }
 }
 
-/// What a basis from view and up is made of, exactly: with `f` the view and `R = f x up`,
+/// The exact parts of a basis from view and up: with `f` the view and `R = f x up`,
 /// `w = -f / sqrt A`, `u = R / sqrt B` and `v = w x u = (R x f) / sqrt(A B)`, where `A = |f|^2` and
 /// `B = |R|^2`.
 #[derive(Clone, Debug)]
@@ -82,8 +82,8 @@ impl BigBasis {
 const LEAST_SINE: f64 = 1.0 / (1 << 20) as f64;
 
 impl FineBasis {
-    /// From a view direction and up, neither of them zero; `None` where up is exactly parallel to
-    /// the view.
+    /// Computes the basis from a view direction and up, neither of them zero; `None` where up is
+    /// exactly parallel to the view.
     ///
     /// `R = f x up` in double-double is off by `CROSS |f| |up|`; where it is much shorter than
     /// `|f| |up|` the exact numbers take over, so that no angle costs accuracy.
@@ -139,7 +139,7 @@ impl FineBasis {
         Some(FineBasis::given(&Basis { u, v: w.cross(u), w }))
     }
 
-    /// The same from exact numbers: each coordinate is off by `3 u^2` at most.
+    /// Computes the basis from exact numbers: each coordinate is off by `3 u^2` at most.
     pub(crate) fn from_exact(view: &ViewGiven, up: DVec3) -> Option<FineBasis> {
         let BigBasis { view, right, upward, of } = BigBasis::new(view, up);
         if of.b.is_zero() {
@@ -159,21 +159,22 @@ impl FineBasis {
         FineBasis { u: exactly(u), v: exactly(v), w: exactly(w), doubt: 0.0 }
     }
 
-    /// In `f64`: each coordinate rounded once, so that a vector is off by at most 1e-16.
+    /// Returns the basis in `f64`: each coordinate rounded once, so that a vector is off by at most
+    /// 1e-16.
     pub(crate) fn rounded(&self) -> Basis {
         // Added to 0, a negative zero is 0, which readers expect to see.
         let near = |v: Vector<DoubleDouble>| DVec3::from_array(v.map(|x| x.hi + 0.0));
         Basis { u: near(self.u), v: near(self.v), w: near(self.w) }
     }
 
-    /// How far the direction `x u + y v + z w` may be off, as a share of its length: with
+    /// Error bound of the direction `x u + y v + z w`, as a share of its length: with
     /// `|x| + |y| + |z| <= sqrt 3` lengths, the vectors' own doubt, a product and two sums.
     pub(crate) fn direction_doubt(&self) -> f64 {
         // Given by hand, the vectors are orthonormal within 1e-9 only, which is in the 1.74.
         1.74 * (self.doubt + DoubleDouble::DOT)
     }
 
-    /// How far each vector may be off.
+    /// Error bound of each vector.
     pub(crate) fn doubt(&self) -> f64 {
         self.doubt
     }
@@ -271,7 +272,7 @@ impl Aim {
         Ok(self.fine_basis_up_to(Step::Exact)?.0)
     }
 
-    /// With the ladder cut off after a step, and the step that it took.
+    /// Computes the basis with the ladder cut off after a step, and tells the step that it took.
     pub(crate) fn fine_basis_up_to(&self, last: Step) -> Result<(FineBasis, Step), BasisError> {
         basis_of(&self.view, self.up, last)
     }

@@ -12,9 +12,9 @@ pub struct ImageSize {
 /// A pixel by row (0 on top) and column (0 at the left).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pixel {
-    /// From 0 at the top to H - 1.
+    /// Row, from 0 at the top to H - 1.
     pub row: u32,
-    /// From 0 at the left to W - 1.
+    /// Column, from 0 at the left to W - 1.
     pub column: u32,
 }
 
@@ -84,12 +84,12 @@ impl ImageSize {
         f64::from(self.width) / f64::from(self.height)
     }
 
-    /// How many pixels there are: W H.
+    /// Number of pixels: W H.
     pub fn pixel_count(self) -> u64 {
         u64::from(self.width()) * u64::from(self.height())
     }
 
-    /// Whether the pixel lies in the image.
+    /// Returns whether the pixel lies in the image.
     pub fn contains(self, pixel: Pixel) -> bool {
         pixel.row < self.height && pixel.column < self.width
     }

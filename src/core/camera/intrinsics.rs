@@ -21,15 +21,15 @@ pub struct Intrinsics {
     pub fx: f64,
     /// `distance H / height`; the same as fx where pixels are square.
     pub fy: f64,
-    /// Where the view direction meets the image: W / 2 for every camera here.
+    /// Column at which the view direction meets the image: W / 2 for every camera here.
     pub cx: f64,
     /// H / 2, likewise.
     pub cy: f64,
 }
 
 impl Intrinsics {
-    /// Those of a viewport that is cut into so many pixels.
-    pub fn of(viewport: &Viewport, image: ImageSize) -> Intrinsics {
+    /// Computes those of a viewport that is cut into so many pixels.
+    pub fn from_viewport(viewport: &Viewport, image: ImageSize) -> Intrinsics {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         Intrinsics {
             fx: viewport.distance * (w / viewport.width),
@@ -45,7 +45,7 @@ impl Intrinsics {
         Viewport { width: distance * w / self.fx, height: distance * h / self.fy, distance }
     }
 
-    /// How far right and down the principal point is from the image's middle, in pixels.
+    /// Returns how far right and down of the image's middle the principal point is, in pixels.
     pub fn off_centre(&self, image: ImageSize) -> [f64; 2] {
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         [self.cx - 0.5 * w, self.cy - 0.5 * h]

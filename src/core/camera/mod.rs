@@ -24,7 +24,7 @@ use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::unit;
 use crate::exact::steps::Step;
 
-/// Where the camera looks and which way is up: one of the three ways to say so.
+/// The way the camera looks and which way is up: one of the three ways to say so.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
     /// Looks at the point `at`, level with respect to `up`.
@@ -48,11 +48,11 @@ pub enum Orientation {
 /// The three ways to give an [`Orientation`], without the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum OrientationKind {
-    /// By a point to look at and up.
+    /// A point to look at, and up.
     At,
-    /// By a direction to look along and up.
+    /// A direction to look along, and up.
     View,
-    /// By u, v, w.
+    /// The vectors u, v, w.
     Basis,
 }
 
@@ -64,7 +64,7 @@ pub enum OrientationKind {
 pub struct Camera {
     /// The origin of every view ray.
     pub eye: DVec3,
-    /// Where it looks, and which way is up.
+    /// The way it looks, and which way is up.
     pub orientation: Orientation,
     /// Width, height and distance of the viewport.
     pub viewport: Viewport,
@@ -156,7 +156,7 @@ impl Camera {
         Ok((basis.rounded(), step))
     }
 
-    /// What the basis is made of, the basis with all its digits, and the step that it took.
+    /// Returns what the basis is made of, the basis with all its digits, and the step that it took.
     fn aim(&self, last: Step) -> Result<(AimGiven, FineBasis, Step), BasisError> {
         if !self.eye.is_finite() {
             return Err(BasisError::NotFinite { field: "eye", value: self.eye });
@@ -214,7 +214,7 @@ impl Camera {
         Ok(ResolvedCamera::new(self.eye, aim, basis, self.viewport, self.image))
     }
 
-    /// The same camera with its orientation given in another way.
+    /// Returns the camera with its orientation given in another way.
     ///
     /// The eye does not move and up stays; from a basis, up is v. From `view` or a basis, `at` is
     /// `eye + view` or `eye - w`, and where that sum rounds the direction away (an eye at 1e12) the
@@ -238,7 +238,7 @@ impl Camera {
         Ok(Camera { orientation, ..*self })
     }
 
-    /// How far a conversion by [`Camera::given_by`] may turn the view direction, in each coordinate
+    /// Maximum turn of the view direction by [`Camera::given_by`], in each coordinate
     /// of the unit vector: 4 times the spacing of `f64` at 1.
     pub const TURN_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 }
@@ -265,7 +265,7 @@ fn point_ahead(eye: DVec3, view: DVec3) -> Result<DVec3, BasisError> {
 }
 
 impl Orientation {
-    /// Which of the three ways this is.
+    /// Returns which of the three ways this is.
     pub fn kind(&self) -> OrientationKind {
         match self {
             Orientation::At { .. } => OrientationKind::At,

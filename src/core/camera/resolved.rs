@@ -27,7 +27,7 @@ pub struct ResolvedCamera {
     image: ImageSize,
 }
 
-/// What the basis was made of.
+/// The inputs that the basis was made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum AimGiven {
     /// A view direction and up.
@@ -36,7 +36,7 @@ pub(crate) enum AimGiven {
     Basis,
 }
 
-/// Where in the viewport a view ray passes, exactly.
+/// The place in the viewport through which a view ray passes, exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ViewPlace {
     /// Through a pixel's centre.
@@ -67,19 +67,19 @@ pub struct PixelOfUv {
     pub row_edge: Option<u32>,
 }
 
-/// Where a point of the world appears in the viewport.
+/// The image of a point of the world in the viewport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Projection {
-    /// Where the line through eye and point meets the viewport's plane. Not finite where the line
-    /// is parallel to it (depth 0).
+    /// The place where the line through eye and point meets the viewport's plane. Not finite where
+    /// the line is parallel to it (depth 0).
     pub uv: DVec2,
-    /// How far in front of the eye the point is, along -w, in world units; negative behind,
+    /// Distance of the point in front of the eye, along -w, in world units; negative behind,
     /// infinite where it overflows.
     pub depth: f64,
 }
 
 impl Projection {
-    /// Whether the point lies in front of the eye, so that a view ray can reach it.
+    /// Returns whether the point lies in front of the eye, so that a view ray can reach it.
     pub fn is_in_front(&self) -> bool {
         self.depth > 0.0
     }
@@ -292,7 +292,7 @@ impl ResolvedCamera {
         v * self.basis.v - self.viewport.distance * self.basis.w
     }
 
-    /// Where a point appears in the viewport: with `q = point - eye`,
+    /// Returns where a point appears in the viewport: with `q = point - eye`,
     ///
     /// ```text
     /// depth = -q.W     (u, v) = (q.U, q.V) * distance / depth
@@ -317,7 +317,7 @@ impl ResolvedCamera {
     }
 }
 
-/// Which of `count` cells across an `extent` a position falls into, and which edge it is on.
+/// Finds which of `count` cells across an `extent` a position falls into, and which edge it is on.
 /// `fraction` runs from 0 to 1 across the extent; `edge` gives the position of an edge.
 fn cell_of(
     position: f64,

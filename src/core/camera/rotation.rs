@@ -38,15 +38,16 @@ impl Basis {
         Basis::from_view_up(-w, v)
     }
 
-    /// How far three vectors are from orthonormal: the largest of `| |a| - 1 |` and `|a . b|`.
+    /// Returns the distance of three vectors from orthonormal: the largest of `| |a| - 1 |` and
+    /// `|a . b|`.
     pub fn error_of(u: DVec3, v: DVec3, w: DVec3) -> f64 {
         let lengths = [u, v, w].map(|a| (a.length() - 1.0).abs());
         let angles = [u.dot(v), v.dot(w), w.dot(u)].map(f64::abs);
         lengths.into_iter().chain(angles).fold(0.0, f64::max)
     }
 
-    /// Whether three vectors, unit or not, are left-handed: the picture of a camera that has them for
-    /// right, up and backwards is a mirror image.
+    /// Returns whether three vectors, unit or not, are left-handed: the picture of a camera that
+    /// has them for right, up and backwards is a mirror image.
     pub fn is_left_handed(u: DVec3, v: DVec3, w: DVec3) -> bool {
         let vectors = [u, v, w];
         if vectors.iter().any(|a| !a.is_finite() || *a == DVec3::ZERO) {

@@ -11,7 +11,7 @@ pub struct Viewport {
     pub width: f64,
     /// Extent along v.
     pub height: f64,
-    /// From the eye to the viewport, along -w. The lecture's scalar d.
+    /// Distance from the eye to the viewport, along -w. The lecture's scalar d.
     pub distance: f64,
 }
 

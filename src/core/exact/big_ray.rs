@@ -21,7 +21,7 @@ pub(crate) struct BigRay {
     pub(crate) a: Surd,
 }
 
-/// Where a ray meets an object: `(x + sign sqrt radicand) / y` in units of the scaled direction,
+/// A root of a ray and an object: `(x + sign sqrt radicand) / y` in units of the scaled direction,
 /// with `y > 0`.
 #[derive(Clone, Debug)]
 pub(crate) struct BigRoot {
@@ -83,7 +83,7 @@ impl BigRay {
         ratio(&numerator, &denominator, m - n)
     }
 
-    /// Which of two roots is smaller, exactly.
+    /// Compares two roots, exactly.
     pub(crate) fn compare(&self, one: &BigRoot, other: &BigRoot) -> Ordering {
         let of = &self.of;
         let (numerators, radicands) = match (&one.y, &other.y) {

@@ -11,7 +11,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::exact::double_double::{DoubleDouble, U2};
 use crate::exact::scale::exponent;
 
-/// What the formulas are computed in.
+/// A number that the formulas are computed in.
 pub(crate) trait Number:
     Copy
     + Add<Output = Self>
@@ -23,18 +23,18 @@ pub(crate) trait Number:
 {
     /// A bound of the relative error of a sum or difference.
     const SUM: f64;
-    /// Of a product.
+    /// A bound of the relative error of a product.
     const PRODUCT: f64;
-    /// Of a quotient.
+    /// A bound of the relative error of a quotient.
     const QUOTIENT: f64;
-    /// Of a square root.
+    /// A bound of the relative error of a square root.
     const ROOT: f64;
 
-    /// Of a dot product, as a share of the vectors' lengths: three products, each of which goes
-    /// through at most two sums.
+    /// Error bound of a dot product, as a share of the vectors' lengths: three products, each of
+    /// which goes through at most two sums.
     const DOT: f64 = Self::PRODUCT + 2.0 * Self::SUM;
 
-    /// Of a cross product's length, likewise: a coordinate is off by `PRODUCT + SUM` times
+    /// Error bound of a cross product's length, likewise: a coordinate is off by `PRODUCT + SUM` times
     /// `|a_j b_k| + |a_k b_j|`, and the vector of those sums is no longer than `sqrt 2 |a| |b|`.
     const CROSS: f64 = 1.415 * (Self::PRODUCT + Self::SUM);
 
@@ -81,11 +81,11 @@ impl Number for DoubleDouble {
     }
 }
 
-/// For terms of second order in the bounds (below 1e-12 of those of the first in `f64`) and the
-/// rounding of the bounds.
+/// Allowance for terms of second order in the bounds (below 1e-12 of those of the first in `f64`)
+/// and the rounding of the bounds.
 pub(crate) const SECOND_ORDER: f64 = 1.0 + 1.0 / 64.0;
 
-/// What underflow can add to any of the values below, which are made of scaled vectors whose
+/// Bound of what underflow can add to any of the values below, which are made of scaled vectors whose
 /// largest coordinates are within 1e-30 and 1e30: products below 2^-969 lose their rounding error,
 /// at most 2^-1073 each, times 1e120.
 pub(crate) const UNDERFLOW: f64 = 1e-190;
@@ -102,8 +102,8 @@ pub(crate) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
 /// `a x b`: error at most `CROSS |a| |b|`.
 #[inline(always)]
 pub(crate) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
-    let of = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
-    [of(1, 2), of(2, 0), of(0, 1)]
+    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// A vector rounded to `f64`.

@@ -20,7 +20,7 @@ use crate::exact::scale::ldexp;
 pub struct DoubleDouble {
     /// The number, rounded.
     pub hi: f64,
-    /// What rounding left out.
+    /// The part that rounding left out.
     pub lo: f64,
 }
 

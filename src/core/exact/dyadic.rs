@@ -267,8 +267,8 @@ pub fn dot(a: &Exact3, b: &Exact3) -> Dyadic {
 
 /// `a x b`
 pub fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
-    let of = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
-    [of(1, 2), of(2, 0), of(0, 1)]
+    let minor = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 /// `x v`

@@ -12,14 +12,14 @@ use crate::exact::error_free::{Lane, SPLITTER, Split, dekker_product};
 pub(crate) struct Lanes<S: Simd>(pub(crate) S::f64s);
 
 impl<S: Simd> Lanes<S> {
-    /// The same number in every lane.
+    /// Returns a vector with one number in every lane.
     #[inline(always)]
     pub(crate) fn splat(simd: S, x: f64) -> Self {
         Lanes(S::f64s::splat(simd, x))
     }
 }
 
-/// Whether the level multiplies and adds in one instruction.
+/// Returns whether the level multiplies and adds in one instruction.
 #[inline(always)]
 pub(crate) fn is_fused(level: Level) -> bool {
     match level {
@@ -110,7 +110,7 @@ impl<S: Simd> Neg for Lanes<S> {
 pub(crate) struct SingleLanes<S: Simd>(pub(crate) S::f32s);
 
 impl<S: Simd> SingleLanes<S> {
-    /// The same number in every lane.
+    /// Returns a vector with one number in every lane.
     #[inline(always)]
     pub(crate) fn splat(simd: S, x: f32) -> Self {
         SingleLanes(S::f32s::splat(simd, x))

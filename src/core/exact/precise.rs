@@ -10,8 +10,8 @@ use crate::exact::scale::ldexp;
 /// most 2^53 ulp in a number, it is then within half an ulp, and 2^-40 of an ulp more.
 pub(crate) const T_DOUBT: f64 = 0.98 * 8192.0 * U2;
 
-/// Whether `t d + term` is so small against `term`, with which `t d` cancels, that every digit of it
-/// may come from the error of t: it is 0 as far as anyone knows.
+/// Returns whether `t d + term` is so small against `term`, with which `t d` cancels, that every
+/// digit of it may come from the error of t: it is 0 as far as anyone knows.
 pub(crate) fn is_noise(sum: f64, term: f64) -> bool {
     sum.abs() < 2.0 * T_DOUBT * term.abs()
 }
@@ -53,7 +53,7 @@ impl Precise {
         self.compare_beyond(other, 2.0 * T_DOUBT)
     }
 
-    /// Which is less, as the numbers stand.
+    /// Compares the numbers as they stand.
     pub(crate) fn compare_rounded(self, other: Precise) -> Ordering {
         self.compare_beyond(other, 0.0).unwrap_or(Ordering::Equal)
     }

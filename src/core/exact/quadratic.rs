@@ -3,7 +3,7 @@
 
 use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot};
 
-/// Which form of the discriminant loses the least, by the origin's distance from the centre.
+/// The form of the discriminant that loses the least, by the origin's distance from the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     /// `b^2 - a c`: inside it is a sum; just outside, both parts are small.
@@ -45,9 +45,9 @@ pub(crate) struct Quadratic<T> {
     pub(crate) a: T,
     pub(crate) b: T,
     pub(crate) discriminant: T,
-    /// How far b may be off.
+    /// Error bound of b.
     pub(crate) b_doubt: f64,
-    /// How far D may be off.
+    /// Error bound of D.
     pub(crate) discriminant_doubt: f64,
     /// Relative error of a.
     pub(crate) a_doubt: f64,

@@ -7,8 +7,8 @@ use glam::DVec3;
 /// their reciprocals.
 pub(crate) const PLAIN_LENGTH_SQUARED: std::ops::Range<f64> = 1e-200..1e200;
 
-/// Whether the direction's squared length is so far from 0 and infinity that intersections need no
-/// scaling.
+/// Returns whether the direction's squared length is so far from 0 and infinity that intersections
+/// need no scaling.
 pub(crate) fn is_plain_direction(direction: DVec3) -> bool {
     (1e-120..1e120).contains(&direction.length_squared())
 }

@@ -1,9 +1,9 @@
-//! How far up the ladder each decision had to go.
+//! The steps of the ladder, and how many decisions each of them made.
 
 use std::cmp::Ordering;
 use std::ops::{Add, AddAssign};
 
-/// How many decisions were made by which step of the ladder: in `f64`, in double-double, exactly.
+/// Number of decisions that each step of the ladder made: in `f64`, in double-double, exactly.
 ///
 /// A decision is whether one ray meets one object, or which of two objects it meets first. Each step
 /// knows a bound of its own error and hands over what lies within it to the next.
@@ -12,9 +12,9 @@ use std::ops::{Add, AddAssign};
 pub struct Steps {
     /// Decided in `f64`.
     pub f64: u64,
-    /// In doubt there, decided in double-double.
+    /// Decisions in doubt there, made in double-double.
     pub double_double: u64,
-    /// In doubt there too, decided in exact arithmetic.
+    /// Decisions in doubt there too, made in exact arithmetic.
     pub exact: u64,
 }
 
@@ -45,7 +45,7 @@ impl Steps {
         self.f64 + self.double_double + self.exact
     }
 
-    /// Those that `f64` could not make.
+    /// Number of decisions that `f64` could not make.
     pub fn beyond_f64(&self) -> u64 {
         self.double_double + self.exact
     }

@@ -22,7 +22,7 @@ impl Radicands {
         Radicands { a, b, ab }
     }
 
-    /// For numbers without roots.
+    /// Returns the radicands of numbers without roots.
     pub(crate) fn none() -> Radicands {
         Radicands::new(Dyadic::from(1.0), Dyadic::from(1.0))
     }

@@ -1,4 +1,4 @@
-//! What a frame costs, from one sphere to a million, and what was left out:
+//! Prints what a frame costs, from one sphere to a million, and what was left out:
 //! `cargo run --release -p pinhole-core --example timing`.
 #![allow(clippy::print_stdout, reason = "this is where the times are shown")]
 

@@ -32,7 +32,7 @@ use crate::scene::object::{Object, Root};
 pub struct MethodHit {
     /// The object's index in the scene.
     pub object: u32,
-    /// Where on the ray, in units of the direction's length, widened to `f64`.
+    /// Place on the ray, in units of the direction's length, widened to `f64`.
     pub t: f64,
     /// The outward normal as the method gives it, `(p + t d - center) / radius` of a sphere, and of
     /// the length that rounding leaves it.
@@ -49,7 +49,7 @@ pub struct Traced {
     pub object: Vec<u32>,
 }
 
-/// What is done with a method at compile time, chosen at run time.
+/// Something done with a method at compile time, chosen at run time.
 trait Visitor {
     type Out;
     fn ladder(self) -> Self::Out;
@@ -166,7 +166,8 @@ pub trait FrameKernel: Send + Sync + sealed::Sealed {
     /// Outside the raster.
     fn hit(&self, row: usize, column: usize) -> Option<MethodHit>;
 
-    /// How far up the ladder the last trace had to go; the ladder alone has steps.
+    /// Number of decisions that each step of the ladder made in the last trace; the ladder alone
+    /// has steps.
     fn steps(&self) -> Option<Steps> {
         None
     }
@@ -274,10 +275,10 @@ pub trait RayKernel: Send + Sync + sealed::Sealed {
     /// Finds every ray's first hit again, into memory of its own.
     fn intersect(&mut self);
 
-    /// What [`RayKernel::intersect`] found for a ray; nothing before that.
+    /// Returns what [`RayKernel::intersect`] found for a ray; nothing before that.
     fn hit(&self, index: usize) -> Option<MethodHit>;
 
-    /// How far up the ladder the rays had to go the last time; the ladder alone has steps.
+    /// Number of decisions that each step of the ladder made the last time; the ladder alone has steps.
     fn steps(&self) -> Option<Steps> {
         None
     }

@@ -22,7 +22,7 @@ pub(crate) trait Intersect: Send + Sync + 'static {
     /// The precision of every operation and of the answer.
     type Real: Real;
 
-    /// What the rays from `origin` share of the sphere.
+    /// Computes what the rays from `origin` share of the sphere.
     fn new(sphere: &RoundedSphere<Self::Real>, origin: Vector<Self::Real>) -> Self;
 
     /// The smallest t > 0 at which the method finds the sphere. No hit is anything else: infinite,
@@ -30,8 +30,8 @@ pub(crate) trait Intersect: Send + Sync + 'static {
     fn first_hit(&self, direction: Vector<Self::Real>) -> Self::Real;
 }
 
-/// Whether an answer of [`Intersect::first_hit`] or [`PlaneByTextbook::first_hit`] is a hit: positive
-/// and finite.
+/// Returns whether an answer of [`Intersect::first_hit`] or [`PlaneByTextbook::first_hit`] is a
+/// hit: positive and finite.
 #[inline(always)]
 pub(crate) fn is_hit<R: Real>(t: R) -> bool {
     t > R::ZERO && t < R::INFINITY
@@ -54,7 +54,7 @@ impl<R: Real> Shared<R> {
     }
 }
 
-/// Of two roots, the smallest that is a hit; either may be the smaller one, or NaN.
+/// Returns the smallest of two roots that is a hit; either may be the smaller one, or NaN.
 #[inline(always)]
 fn first_of<R: Real>(s: R, t: R) -> R {
     let s = if s > R::ZERO { s } else { R::INFINITY };
@@ -88,11 +88,11 @@ impl<R: Real> Intersect for Textbook<R> {
 /// A way to compute `D = b^2 - a c`.
 pub(crate) trait Discriminant<R: Real>: Send + Sync + 'static {
     /// D from `a`, `b`, `c`, `oc`, the direction and the radius.
-    fn discriminant(quadratic: &Quadratic<R>) -> R;
+    fn discriminant(quadratic: &DiscriminantParts<R>) -> R;
 }
 
-/// What a [`Discriminant`] may use.
-pub(crate) struct Quadratic<R> {
+/// The numbers that a [`Discriminant`] may use.
+pub(crate) struct DiscriminantParts<R> {
     /// `d.d`
     pub(crate) a: R,
     /// `d.oc`, half the linear coefficient.
@@ -125,7 +125,8 @@ impl<R: Real, D: Discriminant<R>> Intersect for ByQ<R, D> {
     fn first_hit(&self, direction: Vector<R>) -> R {
         let Shared { from_center, c, radius } = self.shared;
         let (a, b) = (direction.dot(direction), direction.dot(from_center));
-        let discriminant = D::discriminant(&Quadratic { a, b, c, from_center, direction, radius });
+        let discriminant =
+            D::discriminant(&DiscriminantParts { a, b, c, from_center, direction, radius });
         let q = -(b + discriminant.sqrt().copysign(b));
         first_of(q / a, c / q)
     }
@@ -136,7 +137,7 @@ pub(crate) struct Plain;
 
 impl<R: Real> Discriminant<R> for Plain {
     #[inline(always)]
-    fn discriminant(&Quadratic { a, b, c, .. }: &Quadratic<R>) -> R {
+    fn discriminant(&DiscriminantParts { a, b, c, .. }: &DiscriminantParts<R>) -> R {
         b * b - a * c
     }
 }
@@ -146,7 +147,7 @@ pub(crate) struct Kahan;
 
 impl<R: Fused> Discriminant<R> for Kahan {
     #[inline(always)]
-    fn discriminant(&Quadratic { a, b, c, .. }: &Quadratic<R>) -> R {
+    fn discriminant(&DiscriminantParts { a, b, c, .. }: &DiscriminantParts<R>) -> R {
         let product = a * c;
         let product_error = (-a).mul_add(c, product);
         b.mul_add(b, -product) + product_error
@@ -158,8 +159,8 @@ pub(crate) struct Perpendicular;
 
 impl<R: Real> Discriminant<R> for Perpendicular {
     #[inline(always)]
-    fn discriminant(quadratic: &Quadratic<R>) -> R {
-        let &Quadratic { a, b, from_center, direction, radius, .. } = quadratic;
+    fn discriminant(quadratic: &DiscriminantParts<R>) -> R {
+        let &DiscriminantParts { a, b, from_center, direction, radius, .. } = quadratic;
         let perpendicular = from_center - direction.times(b / a);
         let length = perpendicular.dot(perpendicular).sqrt();
         a * ((radius + length) * (radius - length))
@@ -171,8 +172,8 @@ pub(crate) struct Lagrange;
 
 impl<R: Real> Discriminant<R> for Lagrange {
     #[inline(always)]
-    fn discriminant(quadratic: &Quadratic<R>) -> R {
-        let &Quadratic { a, from_center, direction, radius, .. } = quadratic;
+    fn discriminant(quadratic: &DiscriminantParts<R>) -> R {
+        let &DiscriminantParts { a, from_center, direction, radius, .. } = quadratic;
         let moment = from_center.cross(direction);
         radius * radius * a - moment.dot(moment)
     }
@@ -243,13 +244,13 @@ pub(crate) struct PlaneByTextbook<R> {
 }
 
 impl<R: Real> PlaneByTextbook<R> {
-    /// What the rays from `origin` share of the plane.
+    /// Computes what the rays from `origin` share of the plane.
     #[inline(always)]
     pub(crate) fn new(plane: &RoundedPlane<R>, origin: Vector<R>) -> Self {
         PlaneByTextbook { normal: plane.normal, offset: plane.normal.dot(plane.point - origin) }
     }
 
-    /// As [`Intersect::first_hit`].
+    /// Returns `t` as [`Intersect::first_hit`] does.
     #[inline(always)]
     pub(crate) fn first_hit(&self, direction: Vector<R>) -> R {
         self.offset / self.normal.dot(direction)

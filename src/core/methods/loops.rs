@@ -27,16 +27,16 @@ impl<R: Real> ViewRays<R> {
             [viewport.width, viewport.height, viewport.distance].map(R::from_f64);
         let (columns, rows) = (camera.image().width(), camera.image().height());
         // Small integers, exact in every precision.
-        let of = |extent: R, numerator: f64, count: u32| {
+        let share = |extent: R, numerator: f64, count: u32| {
             extent * (R::from_f64(numerator) / R::from_f64(2.0 * f64::from(count)))
         };
         let column_part = |column: &u32| {
             let odd = 2.0 * f64::from(*column) + 1.0;
-            u.times(of(width, odd - f64::from(columns), columns))
+            u.times(share(width, odd - f64::from(columns), columns))
         };
         let row_part = |row: &u32| {
             let odd = 2.0 * f64::from(*row) + 1.0;
-            v.times(of(height, f64::from(rows) - odd, rows)) - w.times(distance)
+            v.times(share(height, f64::from(rows) - odd, rows)) - w.times(distance)
         };
         let parts: Vec<Vector<R>> = raster.columns().iter().map(column_part).collect();
         ViewRays {
@@ -62,7 +62,7 @@ impl<R: Real> ViewRays<R> {
     }
 }
 
-/// What every row of a frame shares.
+/// The parts that all rows of a frame share.
 pub(crate) struct FrameBy<M: Intersect> {
     pub(crate) rays: ViewRays<M::Real>,
     spheres: Vec<M>,

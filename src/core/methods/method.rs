@@ -32,7 +32,7 @@ pub enum Formula {
     /// Fails like the textbook's where b^2 and a c nearly cancel; the near root of a large sphere is
     /// good as long as c is.
     HalfB,
-    /// The same with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`,
+    /// Half-b with Kahan's `b^2 - a c` by fused multiply-adds: `w = a c`, `(b b - w) + (w - a c)`,
     /// within 1.5 ulp of the exact value for the a, b, c at hand.
     ///
     /// Source: Jeannerod, Louvet, Muller, *Further analysis of Kahan's algorithm for the accurate
@@ -41,7 +41,7 @@ pub enum Formula {
     /// Fails like half-b: a, b and c are rounded before, and that error is as large as the one that
     /// is avoided.
     Kahan,
-    /// The same with `D = a (r + l)(r - l)`, l the length of `oc - (b / a) d`, the vector from the
+    /// Half-b with `D = a (r + l)(r - l)`, l the length of `oc - (b / a) d`, the vector from the
     /// centre at right angles to the ray.
     ///
     /// Source: Haines, Guenther, Akenine-Moeller, *Precision improvements for ray/sphere
@@ -80,7 +80,7 @@ pub enum Formula {
     Lagrange,
 }
 
-/// What every operation is rounded to.
+/// The precision that every operation is rounded to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Precision {
     /// 24 binary digits.
@@ -92,7 +92,7 @@ pub enum Precision {
 /// A way to find the first hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Method {
-    /// What this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
+    /// The steps that this crate decides by: [`Scene::first_hit`](crate::Scene::first_hit) and
     /// [`trace`](crate::trace).
     Ladder,
     /// [`Formula::HalfB`] in double-double, rounded at the end: no filter, no exact step.
@@ -195,7 +195,7 @@ impl Method {
         }
     }
 
-    /// What it does and where it fails, in one sentence.
+    /// Returns what it does and where it fails, in one sentence.
     pub fn about(self) -> &'static str {
         match self {
             Method::Ladder => {

@@ -110,7 +110,7 @@ impl Real for DoubleDouble {
     }
 }
 
-/// By value; nothing compares with NaN.
+/// Compares by value; nothing compares with NaN.
 impl PartialOrd for DoubleDouble {
     #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
@@ -134,9 +134,9 @@ impl PartialOrd for DoubleDouble {
 /// A point or direction in a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Vector<R> {
-    /// To the right in the canonical camera.
+    /// Coordinate to the right in the canonical camera.
     pub(crate) x: R,
-    /// Up in it.
+    /// Coordinate upwards in it.
     pub(crate) y: R,
     /// Towards its reader.
     pub(crate) z: R,
@@ -202,7 +202,7 @@ impl<R: Real> Sub for Vector<R> {
 /// A [`Ray`] rounded to a method's precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct RoundedRay<R> {
-    /// Where t = 0.
+    /// The point at t = 0.
     pub(crate) origin: Vector<R>,
     /// Not normalized.
     pub(crate) direction: Vector<R>,
@@ -233,7 +233,7 @@ pub(crate) struct RoundedSphere<R> {
 pub(crate) struct RoundedPlane<R> {
     /// Any point of it.
     pub(crate) point: Vector<R>,
-    /// At right angles to it, of any length.
+    /// A vector at right angles to it, of any length.
     pub(crate) normal: Vector<R>,
 }
 

@@ -48,7 +48,7 @@ use crate::render::frame::depth::{Depth, Finish};
 use crate::render::frame::{Frame, Outputs, Raster, Stage};
 use crate::render::plan::Plan;
 use crate::render::plan::classify::SLICE_ROWS;
-use crate::render::row_band::Band;
+use crate::render::row_band::RowBand;
 use crate::render::row_band::exact_values::fill_exactly;
 use crate::render::shade::paint::{Paint, Rgb, Shade};
 use crate::render::shade::paint_frame;
@@ -205,7 +205,7 @@ fn fill<T: Depth>(
         let needs_t = !part.t.is_empty() || finish.is_some();
         let t = or_own(part.t, &mut own.t, rows.len() * width, T::ZERO);
         let object = or_own(part.object, &mut own.object, rows.len() * width, 0);
-        let mut band = Band::new(&plan, rows.clone(), T::drawn(t, &mut own.drawn), object);
+        let mut band = RowBand::new(&plan, rows.clone(), T::drawn(t, &mut own.drawn), object);
         band.draw_large();
         while band.draw_rows() {
             band.resolve_doubt();

@@ -7,9 +7,9 @@ use crate::exact::precise::Precise;
 use crate::exact::scale::{exponent, ldexp};
 use crate::scene::error::ObjectError;
 use crate::scene::object::Object;
-use crate::scene::object_from_origin::ObjectSeen;
-use crate::scene::plane_predicates::PlaneSeen;
-use crate::scene::sphere_predicates::SphereSeen;
+use crate::scene::object_from_origin::ObjectFromOrigin;
+use crate::scene::plane_predicates::PlaneFromOrigin;
+use crate::scene::sphere_predicates::SphereFromOrigin;
 
 /// The implicit function of an object at the point `p + t d` of a ray, as a function of t:
 ///
@@ -34,7 +34,7 @@ use crate::scene::sphere_predicates::SphereSeen;
 #[derive(Clone, Debug)]
 pub struct AlongRay<'a> {
     ray: ExactRay<'a>,
-    seen: ObjectSeen,
+    seen: ObjectFromOrigin,
 }
 
 /// Where a sphere's parabola is lowest: where the ray's line is nearest to the centre.
@@ -60,7 +60,7 @@ impl<'a> AlongRay<'a> {
     /// Where the object is none, see [`Object::check`].
     pub fn new(object: &Object, ray: ExactRay<'a>) -> Result<AlongRay<'a>, ObjectError> {
         object.check()?;
-        Ok(AlongRay { seen: ObjectSeen::by(object, &ray), ray })
+        Ok(AlongRay { seen: ObjectFromOrigin::by(object, &ray), ray })
     }
 
     /// f(t), within half an ulp and 2^-7 of one of what exact arithmetic on the ray's own inputs
@@ -75,12 +75,12 @@ impl<'a> AlongRay<'a> {
             return self.limit(t);
         }
         let sure = match &self.seen {
-            ObjectSeen::Sphere(seen) => self.sphere_value(seen, t),
-            ObjectSeen::Plane(seen) => self.plane_value(seen, t),
+            ObjectFromOrigin::Sphere(seen) => self.sphere_value(seen, t),
+            ObjectFromOrigin::Plane(seen) => self.plane_value(seen, t),
         };
         let (value, k) = sure.unwrap_or_else(|| match &self.seen {
-            ObjectSeen::Sphere(seen) => self.ray.big().sphere_value(seen.sphere(), t),
-            ObjectSeen::Plane(seen) => self.ray.big().plane_value(seen.plane(), t),
+            ObjectFromOrigin::Sphere(seen) => self.ray.big().sphere_value(seen.sphere(), t),
+            ObjectFromOrigin::Plane(seen) => self.ray.big().plane_value(seen.plane(), t),
         });
         Precise::new(value, k).to_f64()
     }
@@ -89,10 +89,10 @@ impl<'a> AlongRay<'a> {
     /// infinite where it overflows. Of an infinite t it is the limit; of NaN it is NaN.
     pub fn slope(&self, t: f64) -> f64 {
         let seen = match &self.seen {
-            ObjectSeen::Plane(seen) => return seen.rate_given(&self.ray),
+            ObjectFromOrigin::Plane(seen) => return seen.rate_given(&self.ray),
             // Its limit has the sign of t, and is infinite.
-            ObjectSeen::Sphere(_) if !t.is_finite() => return t,
-            ObjectSeen::Sphere(seen) => seen,
+            ObjectFromOrigin::Sphere(_) if !t.is_finite() => return t,
+            ObjectFromOrigin::Sphere(seen) => seen,
         };
         match self.offset_from_center(seen, t) {
             Some((offset, _)) => {
@@ -108,7 +108,7 @@ impl<'a> AlongRay<'a> {
 
     /// Where a sphere's f is least; `None` for a plane, whose f has no least value.
     pub fn vertex(&self) -> Option<ParabolaVertex> {
-        let ObjectSeen::Sphere(seen) = &self.seen else { return None };
+        let ObjectFromOrigin::Sphere(seen) = &self.seen else { return None };
         let (d, q) = (self.ray.fine.d, seen.fine.q);
         let (a, b) = (dot(d, d), dot(q, d));
         let t = (b / a).times(self.ray.stretch).hi;
@@ -126,7 +126,11 @@ impl<'a> AlongRay<'a> {
 
     /// `p + t d - center` in units of `2^(scale of the sphere)`, and how far it may be off; `None`
     /// where that would overflow or underflow.
-    fn offset_from_center(&self, seen: &SphereSeen, t: f64) -> Option<(Vector<DoubleDouble>, f64)> {
+    fn offset_from_center(
+        &self,
+        seen: &SphereFromOrigin,
+        t: f64,
+    ) -> Option<(Vector<DoubleDouble>, f64)> {
         type T = DoubleDouble;
         let (ray, q) = (&self.ray, seen.fine.q);
         let t = self.scaled_time(t, ray.scale - seen.scale)?;
@@ -153,7 +157,7 @@ impl<'a> AlongRay<'a> {
     }
 
     /// With e = p + t d - center: `|e|^2 - r^2`, if double-double is sure of it.
-    fn sphere_value(&self, seen: &SphereSeen, t: f64) -> Option<(DoubleDouble, i32)> {
+    fn sphere_value(&self, seen: &SphereFromOrigin, t: f64) -> Option<(DoubleDouble, i32)> {
         type T = DoubleDouble;
         let (offset, off) = self.offset_from_center(seen, t)?;
         let radius = seen.fine.radius;
@@ -166,7 +170,7 @@ impl<'a> AlongRay<'a> {
     }
 
     /// `n . d t - n . (point - p)`, if double-double is sure of it.
-    fn plane_value(&self, seen: &PlaneSeen, t: f64) -> Option<(DoubleDouble, i32)> {
+    fn plane_value(&self, seen: &PlaneFromOrigin, t: f64) -> Option<(DoubleDouble, i32)> {
         type T = DoubleDouble;
         let normal = seen.normal.map(T::from);
         let t = self.scaled_time(t, self.ray.scale - seen.scale)?;
@@ -184,8 +188,8 @@ impl<'a> AlongRay<'a> {
             return t;
         }
         match &self.seen {
-            ObjectSeen::Sphere(_) => f64::INFINITY,
-            ObjectSeen::Plane(_) => match self.slope(t) {
+            ObjectFromOrigin::Sphere(_) => f64::INFINITY,
+            ObjectFromOrigin::Plane(_) => match self.slope(t) {
                 0.0 => self.value(0.0),
                 slope => slope * t,
             },

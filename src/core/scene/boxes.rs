@@ -1,6 +1,6 @@
 //! Axis-aligned boxes around spheres, side by side, so that several are looked at together.
 
-/// How many boxes are loaded at once at most; see [`Boxes`].
+/// Maximum number of boxes that are loaded at once; see [`Boxes`].
 pub(crate) const BOX_LANES: usize = 8;
 
 /// Boxes, array by array. There is always a whole number of [`BOX_LANES`]; a box that is only there
@@ -21,7 +21,7 @@ pub(crate) struct Boxes {
     pub(crate) area: Vec<f64>,
     /// The largest r of the spheres inside.
     pub(crate) radius: Vec<f64>,
-    /// How many spheres are inside.
+    /// Number of spheres inside.
     pub(crate) count: Vec<u32>,
 }
 
@@ -80,7 +80,7 @@ impl Boxes {
     /// These boxes, filled up to a whole number of [`BOX_LANES`].
     pub(crate) fn new(bounds: &[Bound]) -> Boxes {
         let count = bounds.len().next_multiple_of(BOX_LANES);
-        let of = |part: fn(&Bound) -> f64| -> Vec<f64> {
+        let values = |part: fn(&Bound) -> f64| -> Vec<f64> {
             let mut values = Vec::with_capacity(count);
             values.extend(bounds.iter().map(part));
             values.resize(count, 0.0);
@@ -90,19 +90,19 @@ impl Boxes {
         counts.extend(bounds.iter().map(|bound| bound.count));
         counts.resize(count, 0);
         Boxes {
-            x: of(|bound| bound.middle[0]),
-            y: of(|bound| bound.middle[1]),
-            z: of(|bound| bound.middle[2]),
-            half_x: of(|bound| bound.half[0]),
-            half_y: of(|bound| bound.half[1]),
-            half_z: of(|bound| bound.half[2]),
-            area: of(|bound| bound.area),
-            radius: of(|bound| bound.radius),
+            x: values(|bound| bound.middle[0]),
+            y: values(|bound| bound.middle[1]),
+            z: values(|bound| bound.middle[2]),
+            half_x: values(|bound| bound.half[0]),
+            half_y: values(|bound| bound.half[1]),
+            half_z: values(|bound| bound.half[2]),
+            area: values(|bound| bound.area),
+            radius: values(|bound| bound.radius),
             count: counts,
         }
     }
 
-    /// How many boxes there are, with those that only fill up.
+    /// Number of boxes, with those that only fill up.
     pub(crate) fn len(&self) -> usize {
         self.count.len()
     }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::exact::decimal::{shortest, triple};
 
-/// What is wrong with one object.
+/// A fault of one object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ObjectError {
@@ -26,7 +26,7 @@ pub enum ObjectError {
     NormalIsZero,
 }
 
-/// Which object of a scene is at fault, and why.
+/// The object of a scene that is at fault, and why.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
@@ -34,14 +34,14 @@ pub enum SceneError {
     Sphere {
         /// Its index among all objects: spheres first.
         index: usize,
-        /// What is wrong with it.
+        /// Its fault.
         error: ObjectError,
     },
     /// A plane.
     Plane {
         /// Its index among all objects: spheres first.
         index: usize,
-        /// What is wrong with it.
+        /// Its fault.
         error: ObjectError,
     },
     /// An object to be replaced is no sphere, or not there.

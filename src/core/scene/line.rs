@@ -7,20 +7,20 @@ use crate::exact::bounded::Vector;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     origin: [f64; 3],
-    /// Of any length that is neither near 0 nor near infinity.
+    /// A direction of any length that is neither near 0 nor near infinity.
     direction: Vector<f64>,
-    /// How far a cross product with the direction may be off, as a share of the other's size.
+    /// Error bound of a cross product with the direction, as a share of the other's size.
     doubt: f64,
 }
 
 impl Line {
-    pub(crate) fn of(ray: &ExactRay) -> Line {
+    pub(crate) fn from_ray(ray: &ExactRay) -> Line {
         let rough = &ray.rough;
         let doubt = rough.length * (Line::DOUBT + 4.0 * rough.doubt);
         Line { origin: ray.origin().to_array(), direction: rough.d, doubt }
     }
 
-    /// Whether the line may meet the box `middle +- half`. Of one that it does meet, always.
+    /// Returns whether the line may meet the box `middle +- half`. Of one that it does meet, always.
     ///
     /// With q from the line's origin to the middle, the box seen along the line is a hexagon whose
     /// sides have the normals `e_i x d`. It lies to one side of the line where, on one of them,
@@ -46,6 +46,6 @@ impl Line {
         !(0..3).any(is_beside)
     }
 
-    /// How much of `|d| (|q|_1 + |h|_1)` a box may be off and still be taken for met.
+    /// Share of `|d| (|q|_1 + |h|_1)` by which a box may be off and still be taken for met.
     const DOUBT: f64 = 1e-12;
 }

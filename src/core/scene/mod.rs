@@ -30,11 +30,11 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::error::SceneError;
 use crate::scene::line::Line;
 use crate::scene::object::{Object, Root};
-use crate::scene::object_from_origin::{Hit, ObjectSeen};
+use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::plane::Plane;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereIndex;
-use crate::scene::sphere_predicates::{End, SphereSeen};
+use crate::scene::sphere_predicates::{RootSide, SphereFromOrigin};
 use crate::scene::spheres::Spheres;
 
 /// Checked spheres and planes. Objects are counted from 0: the spheres in order, then the planes.
@@ -64,7 +64,7 @@ impl Scene {
         Ok(Scene { spheres: Arc::new(Spheres::new(spheres)), planes })
     }
 
-    /// The same spheres without any plane. They are shared, not copied.
+    /// Returns the spheres without any plane. They are shared, not copied.
     #[must_use]
     pub fn without_planes(&self) -> Scene {
         Scene { spheres: Arc::clone(&self.spheres), planes: Vec::new() }
@@ -119,8 +119,9 @@ impl Scene {
     }
 
     /// The index over the spheres; `None` where there are fewer than
-    /// [`INDEX_FROM`](crate::scene::spheres::INDEX_FROM). The first call makes it, in parallel, and must not
-    /// come from within parallel work: a thread that helps out while it waits would come back here.
+    /// [`INDEX_FROM`](crate::scene::spheres::INDEX_FROM). The first call makes it, in parallel, and
+    /// must not come from within parallel work: a thread that helps out while it waits would come
+    /// back here.
     pub(crate) fn index(&self) -> Option<&SphereIndex> {
         self.spheres.index()
     }
@@ -140,7 +141,7 @@ impl Scene {
     /// The spheres that the ray's line comes near, ascending, and few others: nearer than `share` times
     /// the sum of the coordinates of the ray's origin, of the way to the sphere, and of its radius.
     pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
-        let (line, origin) = (Line::of(ray), ray.origin().to_array());
+        let (line, origin) = (Line::from_ray(ray), ray.origin().to_array());
         self.spheres_where(|middle, half| {
             let reach: f64 =
                 (0..3).map(|i| (middle[i] - origin[i]).abs() + half[i] + origin[i].abs()).sum();
@@ -159,12 +160,12 @@ impl Scene {
         &self.planes
     }
 
-    /// How many objects there are.
+    /// Number of objects.
     pub fn len(&self) -> usize {
         self.spheres().len() + self.planes.len()
     }
 
-    /// Whether there is no object.
+    /// Returns whether there is no object.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -193,19 +194,19 @@ impl Scene {
 
     /// [`Scene::roots`] of a ray with all its digits: a camera's view ray, or any other.
     pub fn roots_of(&self, ray: &ExactRay) -> Vec<Root> {
-        let line = Line::of(ray);
+        let line = Line::from_ray(ray);
         let spheres = self.spheres_where(|middle, half| line.may_meet(middle, half));
         let planes = self.spheres().len() as u32..self.len() as u32;
-        let seen: Vec<(u32, ObjectSeen)> = spheres
+        let seen: Vec<(u32, ObjectFromOrigin)> = spheres
             .into_iter()
             .chain(planes)
-            .filter_map(|index| Some((index, ObjectSeen::by(&self.object(index)?, ray))))
+            .filter_map(|index| Some((index, ObjectFromOrigin::by(&self.object(index)?, ray))))
             .collect();
         let steps = &mut Steps::default();
         let mut hits = Vec::new();
         for (index, seen) in &seen {
             let index = *index;
-            hits.extend(seen.ends(ray, steps).iter().map(|&end| Hit { index, seen, end }));
+            hits.extend(seen.root_sides(ray, steps).iter().map(|&root| Hit { index, seen, root }));
         }
         // Stable, so that equal roots stay in the order of objects.
         hits.sort_by(|a, b| a.compare(b, ray, steps));
@@ -225,31 +226,31 @@ impl Scene {
 
     /// [`Scene::first_hit_of`], which adds its decisions to `steps`.
     pub fn first_hit_counting(&self, ray: &ExactRay, steps: &mut Steps) -> Option<Root> {
-        let mut first: Option<(u32, ObjectSeen, End)> = None;
+        let mut first: Option<(u32, ObjectFromOrigin, RootSide)> = None;
         // At least the first hit's t, as far as it is known.
         let mut nearest = f64::INFINITY;
         for (index, object) in (0..).zip(self.objects()) {
             if let Object::Sphere(sphere) = &object
-                && SphereSeen::is_passed(sphere, ray, nearest)
+                && SphereFromOrigin::is_passed(sphere, ray, nearest)
             {
                 steps.count(Step::F64);
                 continue;
             }
-            let seen = ObjectSeen::by(&object, ray);
+            let seen = ObjectFromOrigin::by(&object, ray);
             if seen.side_step() > Step::F64 {
                 steps.count(seen.side_step());
             }
-            let Some(end) = seen.first_end(ray, steps) else { continue };
-            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_end)| {
-                let first = Hit { index: *first_index, seen: first_seen, end: *first_end };
-                Hit { index, seen: &seen, end }.is_before(&first, ray, steps)
+            let Some(root) = seen.first_root(ray, steps) else { continue };
+            let is_first = first.as_ref().is_none_or(|(first_index, first_seen, first_root)| {
+                let first = Hit { index: *first_index, seen: first_seen, root: *first_root };
+                Hit { index, seen: &seen, root }.is_before(&first, ray, steps)
             });
             if is_first {
-                nearest = seen.rough_t(ray, end).map_or(f64::INFINITY, |(t, off)| t + off * t);
-                first = Some((index, seen, end));
+                nearest = seen.rough_t(ray, root).map_or(f64::INFINITY, |(t, off)| t + off * t);
+                first = Some((index, seen, root));
             }
         }
-        first.map(|(index, seen, end)| seen.root(index, ray, end))
+        first.map(|(index, seen, root)| seen.root(index, ray, root))
     }
 
     /// The spheres of which `may` says so, each given by the middle and the half extents of its box;

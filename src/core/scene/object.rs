@@ -22,9 +22,9 @@ pub enum Object {
 pub struct Root {
     /// The object's index in the scene.
     pub object: u32,
-    /// Where on the ray, in units of the direction's length; may be negative or 0.
+    /// Place on the ray, in units of the direction's length; may be negative or 0.
     pub t: f64,
-    /// Where in the world.
+    /// The point of the world.
     pub point: DVec3,
     /// The outward unit normal there.
     pub normal: DVec3,

@@ -15,70 +15,74 @@ use crate::exact::steps::{Step, Steps};
 use crate::scene::error::ObjectError;
 use crate::scene::object::{LineRoots, Object, Root};
 use crate::scene::plane::Plane;
-use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::roots::Roots;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::{End, Meets, SphereSeen};
+use crate::scene::sphere_predicates::{LineHit, RootSide, SphereFromOrigin};
 
 /// An object as the rays of one origin see it.
 #[derive(Clone, Debug)]
-pub(crate) enum ObjectSeen {
-    Sphere(SphereSeen),
-    Plane(PlaneSeen),
+pub(crate) enum ObjectFromOrigin {
+    Sphere(SphereFromOrigin),
+    Plane(PlaneFromOrigin),
 }
 
-impl ObjectSeen {
-    pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectSeen {
-        ObjectSeen::up_to(object, origin, Step::Exact)
+impl ObjectFromOrigin {
+    pub(crate) fn new(object: &Object, origin: DVec3) -> ObjectFromOrigin {
+        ObjectFromOrigin::up_to(object, origin, Step::Exact)
     }
 
-    /// From the origin of a ray, whose ladder may be cut off.
-    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectSeen {
-        ObjectSeen::up_to(object, ray.origin(), ray.last)
+    /// Computes it for the origin of a ray, whose ladder may be cut off.
+    pub(crate) fn by(object: &Object, ray: &ExactRay) -> ObjectFromOrigin {
+        ObjectFromOrigin::up_to(object, ray.origin(), ray.last)
     }
 
-    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectSeen {
+    fn up_to(object: &Object, origin: DVec3, last: Step) -> ObjectFromOrigin {
         match object {
-            Object::Sphere(sphere) => ObjectSeen::Sphere(SphereSeen::up_to(sphere, origin, last)),
-            Object::Plane(plane) => ObjectSeen::Plane(PlaneSeen::up_to(plane, origin, last)),
+            Object::Sphere(sphere) => {
+                ObjectFromOrigin::Sphere(SphereFromOrigin::up_to(sphere, origin, last))
+            }
+            Object::Plane(plane) => {
+                ObjectFromOrigin::Plane(PlaneFromOrigin::up_to(plane, origin, last))
+            }
         }
     }
 
     /// The step that decided on which side of the object the origin is.
     pub(crate) fn side_step(&self) -> Step {
         match self {
-            ObjectSeen::Sphere(seen) => seen.side_step,
-            ObjectSeen::Plane(seen) => seen.side_step,
+            ObjectFromOrigin::Sphere(seen) => seen.side_step,
+            ObjectFromOrigin::Plane(seen) => seen.side_step,
         }
     }
 
     /// The first hit's place, if the ray hits the object at all.
-    pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+    pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         match self {
-            ObjectSeen::Sphere(seen) => seen.first_end(ray, steps),
-            ObjectSeen::Plane(seen) => seen.is_hit(ray, steps).then_some(End::Near),
+            ObjectFromOrigin::Sphere(seen) => seen.first_root(ray, steps),
+            ObjectFromOrigin::Plane(seen) => seen.is_hit(ray, steps).then_some(RootSide::Near),
         }
     }
 
-    /// Returns the end at which every ray that hits the object hits it first.
-    pub(crate) fn end_of_hit(&self) -> End {
+    /// Returns the root at which every ray that hits the object hits it first.
+    pub(crate) fn root_of_hit(&self) -> RootSide {
         match self {
-            ObjectSeen::Sphere(seen) => seen.end_of_hit(),
-            ObjectSeen::Plane(_) => End::Near,
+            ObjectFromOrigin::Sphere(seen) => seen.root_of_hit(),
+            ObjectFromOrigin::Plane(_) => RootSide::Near,
         }
     }
 
-    /// Where the ray's line meets the object, by ascending `t`.
-    pub(crate) fn ends(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [End] {
+    /// Finds where the ray's line meets the object, by ascending `t`.
+    pub(crate) fn root_sides(&self, ray: &ExactRay, steps: &mut Steps) -> &'static [RootSide] {
         match self {
-            ObjectSeen::Sphere(seen) => match seen.meets(ray, steps) {
-                Meets::Misses => &[],
-                Meets::Touches => &[End::Near],
-                Meets::Crosses => &[End::Near, End::Far],
+            ObjectFromOrigin::Sphere(seen) => match seen.meets(ray, steps) {
+                LineHit::Misses => &[],
+                LineHit::Touches => &[RootSide::Near],
+                LineHit::Crosses => &[RootSide::Near, RootSide::Far],
             },
-            ObjectSeen::Plane(seen) => {
+            ObjectFromOrigin::Plane(seen) => {
                 if seen.meets(ray, steps) {
-                    &[End::Near]
+                    &[RootSide::Near]
                 } else {
                     &[]
                 }
@@ -87,23 +91,23 @@ impl ObjectSeen {
     }
 
     /// `t` there, to half an ulp of `f64`.
-    pub(crate) fn t(&self, ray: &ExactRay, end: End) -> Precise {
-        self.t_within(ray, end, T_DOUBT)
+    pub(crate) fn t(&self, ray: &ExactRay, root: RootSide) -> Precise {
+        self.t_within(ray, root, T_DOUBT)
     }
 
     /// `t` there, with a relative error of at most `doubt`.
-    pub(crate) fn t_within(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
+    pub(crate) fn t_within(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
         match self {
-            ObjectSeen::Sphere(seen) => seen.t(ray, end, doubt),
-            ObjectSeen::Plane(seen) => seen.t(ray, doubt),
+            ObjectFromOrigin::Sphere(seen) => seen.t(ray, root, doubt),
+            ObjectFromOrigin::Plane(seen) => seen.t(ray, doubt),
         }
     }
 
     /// `t` in `f64` and how far it may be off, as a share; `None` where it is out of range.
-    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
+    pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
         let ((t, share), scale) = match self {
-            ObjectSeen::Sphere(seen) => (seen.rough_t(ray, end)?, seen.scale),
-            ObjectSeen::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
+            ObjectFromOrigin::Sphere(seen) => (seen.rough_t(ray, root)?, seen.scale),
+            ObjectFromOrigin::Plane(seen) => (seen.rough_t(ray)?, seen.scale),
         };
         let t = ldexp(t * ray.stretch, scale - ray.scale);
         (t.is_normal() && share < 0.25).then_some((t, share))
@@ -111,25 +115,27 @@ impl ObjectSeen {
 
     /// Every `t`, ascending.
     pub(crate) fn roots(&self, ray: &ExactRay) -> Roots {
-        match self.ends(ray, &mut Steps::default()) {
+        match self.root_sides(ray, &mut Steps::default()) {
             [] => Roots::None,
-            [end] => Roots::One(self.t(ray, *end).to_f64()),
+            [root] => Roots::One(self.t(ray, *root).to_f64()),
             [near, far, ..] => Roots::Two(self.t(ray, *near).to_f64(), self.t(ray, *far).to_f64()),
         }
     }
 
-    fn big_root(&self, ray: &ExactRay, end: End) -> BigRoot {
+    fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
         match self {
-            ObjectSeen::Sphere(seen) => seen.big_root(ray, end),
-            ObjectSeen::Plane(seen) => seen.big_root(ray),
+            ObjectFromOrigin::Sphere(seen) => seen.big_root(ray, root),
+            ObjectFromOrigin::Plane(seen) => seen.big_root(ray),
         }
     }
 
-    /// Whether both are the same object given twice, which every ray meets at the same `t`.
-    fn is_same(&self, other: &ObjectSeen) -> bool {
+    /// Returns whether both are the same object given twice, which every ray meets at the same `t`.
+    fn is_same(&self, other: &ObjectFromOrigin) -> bool {
         match (self, other) {
-            (ObjectSeen::Sphere(one), ObjectSeen::Sphere(other)) => one.sphere() == other.sphere(),
-            (ObjectSeen::Plane(one), ObjectSeen::Plane(other)) => {
+            (ObjectFromOrigin::Sphere(one), ObjectFromOrigin::Sphere(other)) => {
+                one.sphere() == other.sphere()
+            }
+            (ObjectFromOrigin::Plane(one), ObjectFromOrigin::Plane(other)) => {
                 one.plane().is_same(other.plane())
             }
             _ => false,
@@ -140,11 +146,11 @@ impl ObjectSeen {
     ///
     /// A sphere's point is `center + r n`; a plane's is `origin + t direction`, rounded once. Where the
     /// terms cancel but for the rounding of t, a coordinate is 0.
-    pub(crate) fn root(&self, index: u32, ray: &ExactRay, end: End) -> Root {
-        let t = self.t(ray, end);
+    pub(crate) fn root(&self, index: u32, ray: &ExactRay, root: RootSide) -> Root {
+        let t = self.t(ray, root);
         let (point, normal) = match self {
-            ObjectSeen::Sphere(seen) => {
-                let (sphere, normal) = (seen.sphere(), seen.normal(ray, end));
+            ObjectFromOrigin::Sphere(seen) => {
+                let (sphere, normal) = (seen.sphere(), seen.normal(ray, root));
                 let coordinate = |i: usize| {
                     let step = DoubleDouble::product(sphere.radius, normal[i]);
                     let sum = (step + DoubleDouble::from(sphere.center[i])).hi;
@@ -152,7 +158,7 @@ impl ObjectSeen {
                 };
                 (DVec3::from_array(std::array::from_fn(coordinate)), normal)
             }
-            ObjectSeen::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
+            ObjectFromOrigin::Plane(seen) => (point_at(ray, t), plane_normal(seen.plane().normal)),
         };
         Root { object: index, t: t.to_f64(), point, normal }
     }
@@ -195,20 +201,20 @@ pub(crate) fn plane_normal(normal: DVec3) -> DVec3 {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hit<'a> {
     pub(crate) index: u32,
-    pub(crate) seen: &'a ObjectSeen,
-    pub(crate) end: End,
+    pub(crate) seen: &'a ObjectFromOrigin,
+    pub(crate) root: RootSide,
 }
 
 impl Hit<'_> {
-    /// Whether this hit comes before the other one, which is of an object listed earlier: exactly,
-    /// so that of a tie the earlier one is first.
+    /// Returns whether this hit comes before the other one, which is of an object listed earlier:
+    /// exactly, so that of a tie the earlier one is first.
     pub(crate) fn is_before(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.compare(other, ray, steps) == Ordering::Less
     }
 
-    /// Which of two `t` is smaller.
+    /// Compares two `t`.
     pub(crate) fn compare(&self, other: &Hit, ray: &ExactRay, steps: &mut Steps) -> Ordering {
-        let rough = (self.seen.rough_t(ray, self.end), other.seen.rough_t(ray, other.end));
+        let rough = (self.seen.rough_t(ray, self.root), other.seen.rough_t(ray, other.root));
         if let (Some((t, share)), Some((other_t, other_share))) = rough {
             let doubt = 1.01 * (share * t.abs() + other_share * other_t.abs());
             if (t - other_t).abs() > doubt {
@@ -217,11 +223,11 @@ impl Hit<'_> {
             }
         }
         let is_whole = ray.last == Step::Exact;
-        if is_whole && self.end == other.end && self.seen.is_same(other.seen) {
+        if is_whole && self.root == other.root && self.seen.is_same(other.seen) {
             steps.count(Step::F64);
             return Ordering::Equal;
         }
-        let (t, other_t) = (self.seen.t(ray, self.end), other.seen.t(ray, other.end));
+        let (t, other_t) = (self.seen.t(ray, self.root), other.seen.t(ray, other.root));
         if ray.last > Step::F64
             && let Some(order) = t.compare(other_t)
         {
@@ -232,19 +238,20 @@ impl Hit<'_> {
         if !is_whole {
             return t.compare_rounded(other_t);
         }
-        let (one, other) = (self.seen.big_root(ray, self.end), other.seen.big_root(ray, other.end));
+        let (one, other) =
+            (self.seen.big_root(ray, self.root), other.seen.big_root(ray, other.root));
         ray.big().compare(&one, &other)
     }
 
     pub(crate) fn root(&self, ray: &ExactRay) -> Root {
-        self.seen.root(self.index, ray, self.end)
+        self.seen.root(self.index, ray, self.root)
     }
 }
 
 impl Sphere {
-    /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
-    /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
-    /// `t` is within half an ulp, and 2^-40 of one.
+    /// Finds where the ray's line meets the sphere, decided exactly for the numbers as given;
+    /// nowhere for a ray that does not pass [`Ray::check`], or a sphere that does not pass
+    /// [`Sphere::check`]. Each `t` is within half an ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
@@ -254,15 +261,15 @@ impl Sphere {
         if self.check().is_err() {
             return Roots::None;
         }
-        ObjectSeen::Sphere(SphereSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+        ObjectFromOrigin::Sphere(SphereFromOrigin::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }
 
 impl Plane {
-    /// Where the ray's line meets the plane, decided exactly for the numbers as given: once, or not
-    /// at all if it is parallel (even inside the plane); nowhere for a ray that does not pass
-    /// [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an ulp, and
-    /// 2^-40 of one.
+    /// Finds where the ray's line meets the plane, decided exactly for the numbers as given: once,
+    /// or not at all if it is parallel (even inside the plane); nowhere for a ray that does not
+    /// pass [`Ray::check`], or a plane that does not pass [`Plane::check`]. `t` is within half an
+    /// ulp, and 2^-40 of one.
     pub fn roots(&self, ray: &Ray) -> Roots {
         ExactRay::from_ray(ray).map_or(Roots::None, |ray| self.roots_of(&ray))
     }
@@ -272,12 +279,12 @@ impl Plane {
         if self.check().is_err() {
             return Roots::None;
         }
-        ObjectSeen::Plane(PlaneSeen::up_to(self, ray.origin(), ray.last)).roots(ray)
+        ObjectFromOrigin::Plane(PlaneFromOrigin::up_to(self, ray.origin(), ray.last)).roots(ray)
     }
 }
 
 impl Object {
-    /// Where the ray's line meets the object.
+    /// Finds where the ray's line meets the object.
     pub fn roots(&self, ray: &Ray) -> Roots {
         match self {
             Object::Sphere(sphere) => sphere.roots(ray),
@@ -289,9 +296,9 @@ impl Object {
     /// that does not pass [`Object::check`].
     pub fn first_hit(&self, index: u32, ray: &ExactRay) -> Option<Root> {
         self.check().ok()?;
-        let seen = ObjectSeen::by(self, ray);
-        let end = seen.first_end(ray, &mut Steps::default())?;
-        Some(seen.root(index, ray, end))
+        let seen = ObjectFromOrigin::by(self, ray);
+        let root = seen.first_root(ray, &mut Steps::default())?;
+        Some(seen.root(index, ray, root))
     }
 
     /// How the ray's line meets the object, which is given `index` in the roots; decided exactly.
@@ -300,14 +307,14 @@ impl Object {
     /// Where the object is none, see [`Object::check`].
     pub fn line_roots(&self, index: u32, ray: &ExactRay) -> Result<LineRoots, ObjectError> {
         self.check()?;
-        let (seen, steps) = (ObjectSeen::by(self, ray), &mut Steps::default());
+        let (seen, steps) = (ObjectFromOrigin::by(self, ray), &mut Steps::default());
         let side = match &seen {
-            ObjectSeen::Sphere(sphere) => sphere.side,
-            ObjectSeen::Plane(plane) => plane.side.reverse(),
+            ObjectFromOrigin::Sphere(sphere) => sphere.side,
+            ObjectFromOrigin::Plane(plane) => plane.side.reverse(),
         };
-        let (ends, hit) = (seen.ends(ray, steps), seen.first_end(ray, steps));
-        let root = |n: usize| ends.get(n).map(|end| seen.root(index, ray, *end));
-        let first = hit.and_then(|hit| ends.iter().position(|end| *end == hit));
+        let (sides, hit) = (seen.root_sides(ray, steps), seen.first_root(ray, steps));
+        let root = |n: usize| sides.get(n).map(|side| seen.root(index, ray, *side));
+        let first = hit.and_then(|hit| sides.iter().position(|side| *side == hit));
         Ok(LineRoots { side, roots: [root(0), root(1)], first })
     }
 }

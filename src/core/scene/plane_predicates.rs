@@ -18,9 +18,9 @@ use crate::exact::steps::{Step, Steps, rounded_sign};
 use crate::scene::big_roots::big_offset;
 use crate::scene::plane::{Plane, PlaneTerms};
 
-/// What the rays of one origin share of a plane: `t = offset / (normal . direction)`.
+/// The numbers that the rays of one origin share of a plane: `t = offset / (normal . direction)`.
 #[derive(Clone, Debug)]
-pub(crate) struct PlaneSeen {
+pub(crate) struct PlaneFromOrigin {
     plane: Plane,
     /// The normal in units of `2^normal_scale`, which loses nothing that counts.
     pub(crate) normal: Vector<f64>,
@@ -32,7 +32,7 @@ pub(crate) struct PlaneSeen {
     offset_doubt: f64,
     /// 0 but for extreme distances.
     pub(crate) scale: i32,
-    /// On which side the plane is: the exact sign of the offset.
+    /// The side on which the plane is: the exact sign of the offset.
     pub(crate) side: Ordering,
     pub(crate) side_step: Step,
 }
@@ -60,13 +60,13 @@ impl<T: Number> Rate<T> {
     }
 }
 
-impl PlaneSeen {
-    pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneSeen {
-        PlaneSeen::up_to(plane, origin, Step::Exact)
+impl PlaneFromOrigin {
+    pub(crate) fn new(plane: &Plane, origin: DVec3) -> PlaneFromOrigin {
+        PlaneFromOrigin::up_to(plane, origin, Step::Exact)
     }
 
-    /// With the ladder cut off after a step.
-    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneSeen {
+    /// Computes it with the ladder cut off after a step.
+    pub(crate) fn up_to(plane: &Plane, origin: DVec3, last: Step) -> PlaneFromOrigin {
         let (normal, normal_scale) = split(plane.normal);
         let (to, rest, quartered) = difference_with_rest(plane.point, origin);
         let to: Vector<DoubleDouble> =
@@ -80,7 +80,7 @@ impl PlaneSeen {
             _ => dot(normal.map(DoubleDouble::from), to),
         };
         let reach = normal_length * length(to.map(DoubleDouble::near));
-        let mut seen = PlaneSeen {
+        let mut seen = PlaneFromOrigin {
             plane: *plane,
             normal,
             normal_length,
@@ -148,12 +148,12 @@ impl PlaneSeen {
         Rate::new(&self.normal, self.normal_length, &ray.fine)
     }
 
-    /// Whether the line meets the plane: it is not parallel to it.
+    /// Returns whether the line meets the plane: it is not parallel to it.
     pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.rate(ray, steps) != Ordering::Equal
     }
 
-    /// Whether the ray hits the plane at a `t > 0`.
+    /// Returns whether the ray hits the plane at a `t > 0`.
     pub(crate) fn is_hit(&self, ray: &ExactRay, steps: &mut Steps) -> bool {
         self.rate(ray, steps) == self.side && self.side != Ordering::Equal
     }
@@ -222,7 +222,7 @@ impl PlaneSeen {
         ldexp(self.offset.hi, self.scale + self.normal_scale)
     }
 
-    /// The normal's scale, see [`PlaneSeen::normal`].
+    /// The normal's scale, see [`PlaneFromOrigin::normal`].
     pub(crate) fn normal_scale(&self) -> i32 {
         self.normal_scale
     }
@@ -247,7 +247,7 @@ impl Plane {
             return f64::NAN;
         }
         // Subtracted from 0, not negated: on the plane it is 0, not -0.
-        0.0 - PlaneSeen::new(self, q).offset_given()
+        0.0 - PlaneFromOrigin::new(self, q).offset_given()
     }
 
     /// The intersection's parts for the readouts, each rounded once from more digits. They may
@@ -264,12 +264,12 @@ impl Plane {
         if self.check().is_err() {
             return PlaneTerms::NONE;
         }
-        let seen = PlaneSeen::up_to(self, ray.origin(), ray.last);
+        let seen = PlaneFromOrigin::up_to(self, ray.origin(), ray.last);
         PlaneTerms { rate: seen.rate_given(ray), offset: seen.offset_given() }
     }
 
-    /// Whether both are the same set of points, exactly: the normals are parallel, and each plane's
-    /// point lies in the other. What does not pass [`Plane::check`] is no set of points.
+    /// Returns whether both are the same set of points, exactly: the normals are parallel, and each
+    /// plane's point lies in the other. What does not pass [`Plane::check`] is no set of points.
     pub fn is_same(&self, other: &Plane) -> bool {
         if self.check().is_err() || other.check().is_err() {
             return false;
@@ -279,7 +279,7 @@ impl Plane {
         if n.cross(m).length_squared() > 1e-20 {
             return false;
         }
-        if PlaneSeen::new(self, other.point).side != Ordering::Equal {
+        if PlaneFromOrigin::new(self, other.point).side != Ordering::Equal {
             return false;
         }
         let normals = cross(&exact3(self.normal), &exact3(other.normal));

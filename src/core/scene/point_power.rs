@@ -11,34 +11,34 @@ use crate::scene::big_roots::big_c;
 use crate::scene::sphere::Sphere;
 
 /// `c = |q|^2 - r^2` with its exact sign.
-pub(crate) struct Power {
+pub(crate) struct PointPower {
     pub(crate) value: DoubleDouble,
     /// Relative error.
     pub(crate) doubt: f64,
     pub(crate) sign: Ordering,
-    /// Which step knew the sign.
+    /// The step that knew the sign.
     pub(crate) step: Step,
 }
 
-impl Power {
-    /// In `f64` alone, whatever the doubt.
-    pub(crate) fn rounded(q: [f64; 3], radius: f64) -> Power {
+impl PointPower {
+    /// Computes it in `f64` alone, whatever the doubt.
+    pub(crate) fn rounded(q: [f64; 3], radius: f64) -> PointPower {
         let (qq, rr) = (dot(q, q), radius * radius);
         let value = qq - rr;
         let doubt = 8.0 * UNIT * (qq + rr) / value.abs();
         let value = DoubleDouble::from(value);
-        Power { value, doubt, sign: sign_of(value.hi), step: Step::F64 }
+        PointPower { value, doubt, sign: sign_of(value.hi), step: Step::F64 }
     }
 
-    /// Of q and r in units of `2^scale`. In double-double where that keeps its digits, else from the
-    /// exact number: close to the sphere c is all that is left of large squares.
+    /// Computes it of q and r in units of `2^scale`: in double-double where that keeps its digits,
+    /// else from the exact number: close to the sphere c is all that is left of large squares.
     pub(crate) fn new(
         sphere: &Sphere,
         origin: DVec3,
         q: [DoubleDouble; 3],
         radius: f64,
         (scale, last): (i32, Step),
-    ) -> Power {
+    ) -> PointPower {
         /// Beyond this share, t would lose digits for c's sake.
         const PLENTY: f64 = 256.0 * U2;
         let fine_radius = DoubleDouble::from(radius);
@@ -51,7 +51,7 @@ impl Power {
         let is_sure = value.hi.abs() > 8.0 * UNIT * squares && value.hi.abs() > 1e-200;
         let step = if is_sure { Step::F64 } else { Step::DoubleDouble };
         if doubt <= PLENTY && value.hi.abs() > 1e-200 || last == Step::DoubleDouble {
-            return Power { value, doubt: 1.05 * doubt, sign: sign_of(value.hi), step };
+            return PointPower { value, doubt: 1.05 * doubt, sign: sign_of(value.hi), step };
         }
         let exact = big_c(sphere, origin);
         // c may need the exact number where its sign does not.
@@ -62,6 +62,6 @@ impl Power {
         let value = value.scaled(k);
         // Where c is too small for the scale its digits are lost, and only its sign is used.
         let is_kept = sign == Ordering::Equal || value.hi.abs() > 1e-200;
-        Power { value, doubt: if is_kept { 2.0 * U2 } else { f64::INFINITY }, sign, step }
+        PointPower { value, doubt: if is_kept { 2.0 * U2 } else { f64::INFINITY }, sign, step }
     }
 }

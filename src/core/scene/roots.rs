@@ -1,6 +1,6 @@
-//! Where a ray's line meets a surface.
+//! Roots: the points at which a ray's line meets a surface.
 
-/// Where a ray's line meets a surface, ascending. A `t` beyond the range of `f64` (a direction of
+/// The roots of a ray's line and a surface, ascending. A `t` beyond the range of `f64` (a direction of
 /// 1e-300 and a sphere at 1e10) is infinite, with its sign; one too small for it is the smallest
 /// number there is, with its sign.
 #[derive(Clone, Copy, Debug, PartialEq)]

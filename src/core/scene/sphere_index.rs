@@ -13,7 +13,7 @@ use crate::scene::sphere_order::{BLOCK, GROUP, ordered};
 pub(crate) const NO_SPHERE: u32 = u32::MAX;
 
 /// Spheres side by side: as many as a vector has lanes.
-pub(crate) struct Spheres<'a> {
+pub(crate) struct SphereSlots<'a> {
     pub(crate) x: &'a [f64],
     pub(crate) y: &'a [f64],
     pub(crate) z: &'a [f64],
@@ -38,13 +38,13 @@ pub(crate) struct SphereIndex {
     pub(crate) z: Vec<f64>,
     /// The radii, slot by slot.
     pub(crate) radius: Vec<f64>,
-    /// Which sphere of the scene is in the slot; [`NO_SPHERE`] where the slot only fills up.
+    /// The sphere of the scene in the slot; [`NO_SPHERE`] where the slot only fills up.
     pub(crate) ids: Vec<u32>,
-    /// By sphere of the scene, its slot.
+    /// The slot of each sphere of the scene.
     slot_of: Vec<u32>,
     pub(crate) blocks: Boxes,
     pub(crate) groups: Boxes,
-    /// By group, its first block; at the end, how many blocks there are.
+    /// The first block of each group; at the end, the number of blocks.
     first_block: Vec<u32>,
 }
 
@@ -103,8 +103,8 @@ impl SphereIndex {
     }
 
     /// Some slots' spheres.
-    pub(crate) fn spheres(&self, slots: Range<usize>) -> Spheres<'_> {
-        Spheres {
+    pub(crate) fn spheres(&self, slots: Range<usize>) -> SphereSlots<'_> {
+        SphereSlots {
             x: &self.x[slots.clone()],
             y: &self.y[slots.clone()],
             z: &self.z[slots.clone()],

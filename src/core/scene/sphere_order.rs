@@ -18,7 +18,7 @@ pub(crate) struct Key {
     pub(crate) id: u32,
 }
 
-/// From so many spheres on, the two halves of a split may be ordered by two threads.
+/// Number of spheres from which on the two halves of a split may be ordered by two threads.
 const SHARED_FROM: usize = 8192;
 
 /// Classes that radii from 2^-1074 to 2^1024 fall into.

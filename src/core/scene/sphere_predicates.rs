@@ -14,70 +14,70 @@ use crate::exact::precise::{Precise, T_DOUBT, is_noise};
 use crate::exact::quadratic::{Form, Quadratic, SphereParts, sphere_normal};
 use crate::exact::scale::ldexp;
 use crate::exact::steps::{Step, Steps, rounded_sign};
-use crate::scene::point_power::Power;
+use crate::scene::point_power::PointPower;
 use crate::scene::sphere::{Sphere, SphereQuadratic};
 
-/// How a ray's line meets a sphere.
+/// The way a ray's line meets a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Meets {
+pub(crate) enum LineHit {
     /// Not at all.
     Misses,
-    /// In one point.
+    /// It meets it in one point.
     Touches,
-    /// In two.
+    /// It meets it in two.
     Crosses,
 }
 
-impl From<Ordering> for Meets {
-    /// By the sign of D.
-    fn from(sign: Ordering) -> Meets {
+impl From<Ordering> for LineHit {
+    /// Converts the sign of D.
+    fn from(sign: Ordering) -> LineHit {
         match sign {
-            Ordering::Less => Meets::Misses,
-            Ordering::Equal => Meets::Touches,
-            Ordering::Greater => Meets::Crosses,
+            Ordering::Less => LineHit::Misses,
+            Ordering::Equal => LineHit::Touches,
+            Ordering::Greater => LineHit::Crosses,
         }
     }
 }
 
-/// Which of the two points of a line and a sphere.
+/// One of the two roots of a line and a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum End {
+pub(crate) enum RootSide {
     /// That of the smaller t.
     Near,
     /// That of the larger t.
     Far,
 }
 
-impl End {
+impl RootSide {
     /// The sign of the square root in `t = (b -+ sqrt D) / a`.
     fn sign(self) -> Ordering {
         match self {
-            End::Near => Ordering::Less,
-            End::Far => Ordering::Greater,
+            RootSide::Near => Ordering::Less,
+            RootSide::Far => Ordering::Greater,
         }
     }
 }
 
-/// What the rays of one origin share of a sphere; lengths in units of `2^scale`.
+/// The numbers that the rays of one origin share of a sphere; lengths in units of `2^scale`.
 #[derive(Clone, Debug)]
-pub(crate) struct SphereSeen {
+pub(crate) struct SphereFromOrigin {
     sphere: Sphere,
     pub(crate) fine: SphereParts<DoubleDouble>,
     pub(crate) rough: SphereParts<f64>,
     pub(crate) scale: i32,
-    /// Where the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
+    /// The side on which the origin is: `Less` inside, `Equal` on the sphere, `Greater` outside.
     pub(crate) side: Ordering,
     /// The step that decided so.
     pub(crate) side_step: Step,
 }
 
-impl SphereSeen {
-    pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereSeen {
-        SphereSeen::up_to(sphere, origin, Step::Exact)
+impl SphereFromOrigin {
+    pub(crate) fn new(sphere: &Sphere, origin: DVec3) -> SphereFromOrigin {
+        SphereFromOrigin::up_to(sphere, origin, Step::Exact)
     }
 
-    /// With the ladder cut off after a step.
-    pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereSeen {
+    /// Computes it with the ladder cut off after a step.
+    pub(crate) fn up_to(sphere: &Sphere, origin: DVec3, last: Step) -> SphereFromOrigin {
         let (q, rest, quartered) = difference_with_rest(sphere.center, origin);
         let parts: [DoubleDouble; 3] =
             std::array::from_fn(|i| DoubleDouble { hi: q[i], lo: rest[i] });
@@ -87,8 +87,8 @@ impl SphereSeen {
         let distance = length(rounded);
         let form = if distance * distance < 2.0 * radius * radius { Form::Near } else { Form::Far };
         let c = match last {
-            Step::F64 => Power::rounded(rounded, radius),
-            _ => Power::new(sphere, origin, q, radius, (scale + quartered, last)),
+            Step::F64 => PointPower::rounded(rounded, radius),
+            _ => PointPower::new(sphere, origin, q, radius, (scale + quartered, last)),
         };
         let fine = SphereParts {
             q,
@@ -110,7 +110,7 @@ impl SphereSeen {
             form,
         };
         let (side, side_step, scale) = (c.sign, c.step, scale + quartered);
-        SphereSeen { sphere: *sphere, fine, rough, scale, side, side_step }
+        SphereFromOrigin { sphere: *sphere, fine, rough, scale, side, side_step }
     }
 
     /// The parts in `f64` alone of a sphere that is seen from well outside, at ordinary lengths.
@@ -130,12 +130,13 @@ impl SphereSeen {
         })
     }
 
-    /// Whether `f64` alone knows that the ray misses the sphere, or hits it after `nearest`: what most
-    /// spheres of a scene are to most rays, for a tenth of what the rest costs.
+    /// Returns whether `f64` alone knows that the ray misses the sphere, or hits it after
+    /// `nearest`: what most spheres of a scene are to most rays, for a tenth of what the rest
+    /// costs.
     pub(crate) fn is_passed(sphere: &Sphere, ray: &ExactRay, nearest: f64) -> bool {
         /// `t` that is off by less is compared as it is.
         const SHARE: f64 = 1e-6;
-        let Some(parts) = SphereSeen::rough_parts(sphere, ray.origin()) else {
+        let Some(parts) = SphereFromOrigin::rough_parts(sphere, ray.origin()) else {
             return false;
         };
         let quadratic = Quadratic::new(&parts, &ray.rough);
@@ -148,14 +149,14 @@ impl SphereSeen {
         ray.scale == 0 && b > b_doubt && quadratic.root(&parts, false).is_some_and(is_behind)
     }
 
-    /// Whether the ray's line meets the sphere.
-    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> Meets {
+    /// Finds whether the ray's line meets the sphere.
+    pub(crate) fn meets(&self, ray: &ExactRay, steps: &mut Steps) -> LineHit {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
-            return Meets::Crosses;
+            return LineHit::Crosses;
         }
         let of_sign =
-            |sure: Option<bool>| sure.map(|is| if is { Meets::Crosses } else { Meets::Misses });
+            |sure: Option<bool>| sure.map(|is| if is { LineHit::Crosses } else { LineHit::Misses });
         let rough = Quadratic::new(&self.rough, &ray.rough);
         if let Some(meets) = of_sign(sure_sign(&rough)) {
             steps.count(Step::F64);
@@ -177,7 +178,7 @@ impl SphereSeen {
         big.meets(&big.quadratic(&self.sphere)).into()
     }
 
-    /// Whether the centre lies ahead: the sign of b, of a line that meets the sphere.
+    /// Finds whether the centre lies ahead: the sign of b, of a line that meets the sphere.
     fn ahead(&self, ray: &ExactRay, steps: &mut Steps) -> Ordering {
         let sure = |b: f64, doubt: f64| (b.abs() > doubt).then(|| b.total_cmp(&0.0));
         let rough = Quadratic::new(&self.rough, &ray.rough);
@@ -200,48 +201,49 @@ impl SphereSeen {
         big.is_ahead(&big.quadratic(&self.sphere))
     }
 
-    /// Which end of the line's chord the ray hits first: the smallest `t > 0`.
-    pub(crate) fn first_end(&self, ray: &ExactRay, steps: &mut Steps) -> Option<End> {
+    /// Finds the root that the ray hits first: the smallest `t > 0`.
+    pub(crate) fn first_root(&self, ray: &ExactRay, steps: &mut Steps) -> Option<RootSide> {
         if self.side == Ordering::Less {
             steps.count(Step::F64);
-            return Some(End::Far);
+            return Some(RootSide::Far);
         }
-        if self.meets(ray, steps) == Meets::Misses || self.ahead(ray, steps) != Ordering::Greater {
+        if self.meets(ray, steps) == LineHit::Misses || self.ahead(ray, steps) != Ordering::Greater
+        {
             return None;
         }
-        Some(self.end_of_hit())
+        Some(self.root_of_hit())
     }
 
-    /// Returns the end at which every ray that hits the sphere hits it first: the far one from inside
+    /// Returns the root at which every ray that hits the sphere hits it first: the far one from inside
     /// and from the sphere itself.
-    pub(crate) fn end_of_hit(&self) -> End {
-        if self.side == Ordering::Greater { End::Near } else { End::Far }
+    pub(crate) fn root_of_hit(&self) -> RootSide {
+        if self.side == Ordering::Greater { RootSide::Near } else { RootSide::Far }
     }
 
-    /// `t` at an end of a chord that is there, with a relative error of at most `doubt`.
-    pub(crate) fn t(&self, ray: &ExactRay, end: End, doubt: f64) -> Precise {
-        if self.side == Ordering::Equal && self.is_origin(ray, end) {
+    /// `t` at an root of a chord that is there, with a relative error of at most `doubt`.
+    pub(crate) fn t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Precise {
+        if self.side == Ordering::Equal && self.is_origin(ray, root) {
             return Precise::ZERO;
         }
         let fine = if ray.last == Step::Exact {
-            self.fine_t(ray, end, doubt)
+            self.fine_t(ray, root, doubt)
         } else {
-            Some(self.rounded_t(ray, end))
+            Some(self.rounded_t(ray, root))
         };
         fine.map(|t| Precise::new(t.times(ray.stretch), self.scale - ray.scale)).unwrap_or_else(
             || {
                 let big = ray.big();
-                let (t, k) = big.t(&self.big_root(ray, end));
+                let (t, k) = big.t(&self.big_root(ray, root));
                 Precise::new(t, k)
             },
         )
     }
 
     /// `t` by the step after which the ray's ladder is cut off, in the units of
-    /// [`SphereSeen::fine_t`].
+    /// [`SphereFromOrigin::fine_t`].
     #[cold]
-    fn rounded_t(&self, ray: &ExactRay, end: End) -> DoubleDouble {
-        let far = end == End::Far;
+    fn rounded_t(&self, ray: &ExactRay, root: RootSide) -> DoubleDouble {
+        let far = root == RootSide::Far;
         match ray.last {
             Step::F64 => {
                 let quadratic = Quadratic::new(&self.rough, &ray.rough);
@@ -251,53 +253,53 @@ impl SphereSeen {
         }
     }
 
-    /// Whether this end of the chord is the origin itself, which lies on the sphere: its roots are 0
+    /// Returns whether this root is the origin itself, which lies on the sphere: its roots are 0
     /// and `2 b / a`.
-    fn is_origin(&self, ray: &ExactRay, end: End) -> bool {
+    fn is_origin(&self, ray: &ExactRay, root: RootSide) -> bool {
         match self.ahead(ray, &mut Steps::default()) {
             Ordering::Equal => true,
-            Ordering::Greater => end == End::Near,
-            Ordering::Less => end == End::Far,
+            Ordering::Greater => root == RootSide::Near,
+            Ordering::Less => root == RootSide::Far,
         }
     }
 
     /// `t` in double-double, where its relative error is at most `doubt`; in units of
     /// `2^(scale of the sphere - scale of the ray) / stretch`.
-    fn fine_t(&self, ray: &ExactRay, end: End, doubt: f64) -> Option<DoubleDouble> {
+    fn fine_t(&self, ray: &ExactRay, root: RootSide, doubt: f64) -> Option<DoubleDouble> {
         let quadratic = Quadratic::new(&self.fine, &ray.fine);
-        let (t, off) = quadratic.root(&self.fine, end == End::Far)?;
+        let (t, off) = quadratic.root(&self.fine, root == RootSide::Far)?;
         let is_in_range = (1e-250..1e250).contains(&t.hi.abs());
         (off <= doubt && is_in_range).then_some(t)
     }
 
     /// `t` in `f64` with its relative error, in the same units.
-    pub(crate) fn rough_t(&self, ray: &ExactRay, end: End) -> Option<(f64, f64)> {
-        Quadratic::new(&self.rough, &ray.rough).root(&self.rough, end == End::Far)
+    pub(crate) fn rough_t(&self, ray: &ExactRay, root: RootSide) -> Option<(f64, f64)> {
+        Quadratic::new(&self.rough, &ray.rough).root(&self.rough, root == RootSide::Far)
     }
 
     /// The root in exact numbers.
-    pub(crate) fn big_root(&self, ray: &ExactRay, end: End) -> BigRoot {
+    pub(crate) fn big_root(&self, ray: &ExactRay, root: RootSide) -> BigRoot {
         let big = ray.big();
         let quadratic = big.quadratic(&self.sphere);
-        big.root(quadratic, end.sign())
+        big.root(quadratic, root.sign())
     }
 
     /// The outward unit normal where the ray meets the sphere: `(t d - q) / r`, within 3e-16 rad.
-    pub(crate) fn normal(&self, ray: &ExactRay, end: End) -> DVec3 {
+    pub(crate) fn normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
         if ray.last != Step::Exact {
-            return self.rounded_normal(ray, end);
+            return self.rounded_normal(ray, root);
         }
         // t d is off by this share of its length, about |q|; a radius small against that needs more.
         let reach = self.fine.distance + self.fine.radius.hi;
         let is_enough =
             (T_DOUBT + ray.fine.doubt + 16.0 * U2) * reach < 1e-17 * self.fine.radius.hi;
-        let t = match self.fine_t(ray, end, T_DOUBT) {
+        let t = match self.fine_t(ray, root, T_DOUBT) {
             Some(t) if is_enough => t,
-            _ if self.side == Ordering::Equal && self.is_origin(ray, end) => {
+            _ if self.side == Ordering::Equal && self.is_origin(ray, root) => {
                 DoubleDouble::from(0.0)
             }
             _ => {
-                return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, end));
+                return ray.big().sphere_normal(&self.sphere, &self.big_root(ray, root));
             }
         };
         let normal = sphere_normal(self.fine.q, &ray.fine, t);
@@ -309,9 +311,9 @@ impl SphereSeen {
 
     /// The normal by the step after which the ray's ladder is cut off.
     #[cold]
-    fn rounded_normal(&self, ray: &ExactRay, end: End) -> DVec3 {
-        let is_origin = self.side == Ordering::Equal && self.is_origin(ray, end);
-        let t = if is_origin { DoubleDouble::default() } else { self.rounded_t(ray, end) };
+    fn rounded_normal(&self, ray: &ExactRay, root: RootSide) -> DVec3 {
+        let is_origin = self.side == Ordering::Equal && self.is_origin(ray, root);
+        let t = if is_origin { DoubleDouble::default() } else { self.rounded_t(ray, root) };
         DVec3::from_array(match ray.last {
             Step::F64 => sphere_normal(self.rough.q, &ray.rough, t.hi),
             _ => sphere_normal(self.fine.q, &ray.fine, t),
@@ -323,9 +325,9 @@ impl SphereSeen {
     pub(crate) fn quadratic(&self, ray: &ExactRay) -> (f64, f64, f64, f64) {
         let fine = Quadratic::new(&self.fine, &ray.fine);
         let discriminant = match self.meets(ray, &mut Steps::default()) {
-            Meets::Touches => 0.0,
-            Meets::Crosses => fine.discriminant.hi.max(f64::MIN_POSITIVE),
-            Meets::Misses => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
+            LineHit::Touches => 0.0,
+            LineHit::Crosses => fine.discriminant.hi.max(f64::MIN_POSITIVE),
+            LineHit::Misses => fine.discriminant.hi.min(-f64::MIN_POSITIVE),
         };
         (fine.a.hi, fine.b.hi, self.fine.c.hi, discriminant)
     }
@@ -363,7 +365,7 @@ impl Sphere {
         if self.check().is_err() || !q.is_finite() {
             return f64::NAN;
         }
-        let seen = SphereSeen::new(self, q);
+        let seen = SphereFromOrigin::new(self, q);
         ldexp(seen.fine.c.hi, 2 * seen.scale)
     }
 
@@ -381,7 +383,7 @@ impl Sphere {
         if self.check().is_err() {
             return SphereQuadratic::NONE;
         }
-        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
+        let seen = SphereFromOrigin::up_to(self, ray.origin(), ray.last);
         let (a, b, c, discriminant) = seen.quadratic(ray);
         let (k, stretch) = (ray.scale, ray.stretch);
         let scaled = ldexp(discriminant / stretch / stretch, 2 * (k + seen.scale));
@@ -399,7 +401,7 @@ impl Sphere {
     /// negative, and of a sphere that is none. Infinite where it overflows.
     pub fn root_of_discriminant_of(&self, ray: &ExactRay) -> Option<f64> {
         self.check().ok()?;
-        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
+        let seen = SphereFromOrigin::up_to(self, ray.origin(), ray.last);
         let (.., discriminant) = seen.quadratic(ray);
         (discriminant >= 0.0)
             .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale))

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use crate::scene::sphere::Sphere;
 use crate::scene::sphere_index::SphereIndex;
 
-/// From so many spheres on, there is an index over them: a look at each of fewer is as fast.
+/// Number of spheres from which on there is an index over them: a look at each of fewer is as fast.
 pub(crate) const INDEX_FROM: usize = 256;
 
 /// Checked spheres, with an index that is made at the first demand and kept; it says nothing that

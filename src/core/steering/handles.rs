@@ -11,10 +11,10 @@ use crate::camera::{Camera, Orientation};
 use crate::exact::error_free::difference_with_rest;
 use crate::exact::scale::{ldexp3, split, unit};
 
-/// What stays when the eye is moved.
+/// The thing that stays when the eye is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Keep {
-    /// What it looks at, the [pivot](Camera::pivot): the view turns.
+    /// The point it looks at, the [pivot](Camera::pivot): the view turns.
     At,
     /// The view direction: at moves along, the camera travels.
     View,
@@ -23,20 +23,20 @@ pub enum Keep {
 /// A corner of the viewport, as the camera sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ViewportCorner {
-    /// At `(-width/2, height/2)`.
+    /// The corner at `(-width/2, height/2)`.
     TopLeft,
-    /// At `(width/2, height/2)`.
+    /// The corner at `(width/2, height/2)`.
     TopRight,
-    /// At `(-width/2, -height/2)`.
+    /// The corner at `(-width/2, -height/2)`.
     BottomLeft,
-    /// At `(width/2, -height/2)`.
+    /// The corner at `(width/2, -height/2)`.
     BottomRight,
 }
 
-/// What stays when a corner of the viewport is moved, besides its middle.
+/// The thing that stays, besides its middle, when a corner of the viewport is moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CornerKeeps {
-    /// Nothing: width and height follow the corner.
+    /// Keeps nothing: width and height follow the corner.
     Nothing,
     /// The ratio of width to height, and so the shape of a pixel.
     Ratio,
@@ -44,7 +44,7 @@ pub enum CornerKeeps {
     SquarePixels,
 }
 
-/// What stays when the viewport's distance changes.
+/// The thing that stays when the viewport's distance changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DistanceKeeps {
     /// Width and height: the field of view changes.
@@ -72,7 +72,7 @@ impl ViewportCorner {
         }
     }
 
-    /// Where it is in the viewport.
+    /// Returns where it is in the viewport.
     pub fn uv(self, viewport: &Viewport) -> DVec2 {
         0.5 * self.signs() * DVec2::new(viewport.width, viewport.height)
     }

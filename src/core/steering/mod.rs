@@ -23,10 +23,10 @@
 //! Poincaré 1885, L. E. J. Brouwer 1912: the hairy ball). So:
 //!
 //! - Turns stop [`POLE_GAP`] short of up and of -up, and v turns by at most `|yaw| + |pitch|`.
-//! - Handles, which may be dragged anywhere, push up before them: within [`CONE`] of up or -up,
-//!   up goes along, so that v turns exactly as the view does (is transported in parallel);
-//!   outside, up stays to the bit and v turns by at most `1 / sin(CONE)`, 11.5, times as much. So a small
-//!   drag is a small change, from any camera; and of two drags from the same camera that end side by
+//! - Handles, which may be dragged anywhere, push up before them: within [`CONE`] of up or -up, up
+//!   goes along, so that v turns exactly as the view does (is transported in parallel); outside, up
+//!   stays to the bit and v turns by at most `1 / sin(CONE)`, 11.5, times as much. So a small drag
+//!   is a small change, from any camera; and of two drags from the same camera that end side by
 //!   side, the v of one may differ if its way touched the cone and the other's passed beside it.
 //!
 //! Rounding of the result may turn the basis further by [`ROUNDING_TURN`] at most, and for cameras of

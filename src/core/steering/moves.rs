@@ -40,8 +40,8 @@ impl Camera {
     }
 
     /// The viewport's width and height times a factor at the same distance: the field of view opens
-    /// (factor above 1) or closes, and neither eye nor basis change. Zoomed by f and by 1/f, the viewport
-    /// is as before but for rounding.
+    /// (factor above 1) or closes, and neither eye nor basis change. Zoomed by f and by 1/f, the
+    /// viewport is as before but for rounding.
     ///
     /// # Errors
     /// Where the factor is not positive and finite, or the viewport is none, before or after.

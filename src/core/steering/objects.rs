@@ -34,8 +34,8 @@ impl Plane {
         Plane::new(point, self.normal)
     }
 
-    /// The plane moved along its normal until it passes through a point q, its own point with it, which so
-    /// keeps its place in the plane: `point' = point + n (n . (q - point)) / (n . n)`.
+    /// The plane moved along its normal until it passes through a point q, its own point with it,
+    /// which so keeps its place in the plane: `point' = point + n (n . (q - point)) / (n . n)`.
     ///
     /// # Errors
     /// Where the plane is none, before or after.

@@ -1,4 +1,4 @@
-//! From where the pointer is in the observer's picture to a point of the world.
+//! Drags: from the pointer in the observer's picture to a point of the world.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::exact::scale::unit;
 /// along: a pixel would be more than ten times as long there as across. In radians, 5 degrees.
 pub const LEAST_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// Nothing is dragged farther away than so many times the depth that the drag began at: there, at the
+/// Maximum depth of a drag, as a multiple of the depth that it began at: beyond it, at the
 /// horizon of its axis or plane, a pixel goes to infinity.
 pub const FARTHEST: f64 = 1000.0;
 
@@ -31,7 +31,7 @@ pub enum DragAlong {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DragError {
-    /// What is dragged is not in front of the observer.
+    /// The thing dragged is not in front of the observer.
     NotInFront {
         /// Its depth, 0 or negative.
         depth: f64,
@@ -85,7 +85,7 @@ impl std::error::Error for DragError {}
 pub struct Drag {
     /// The handle's point in the world.
     pub anchor: DVec3,
-    /// Where in the observer's viewport the pointer took it.
+    /// The place in the observer's viewport where the pointer took it.
     pub begun_at: DVec2,
 }
 
@@ -104,8 +104,8 @@ impl Drag {
     /// ```
     ///
     /// The image of `anchor + s a`, with `a = (a_x, a_y, -a_z)` of length 1, is
-    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`: a line along g, on
-    /// which the nearest point is `l = m . g / |g|` away from p, and so
+    /// `p + g s z / (z + s a_z)`, with `g = distance ((a_x, a_y) z - (x, y) a_z) / z^2`: a line
+    /// along g, on which the nearest point is `l = m . g / |g|` away from p, and so
     ///
     /// ```text
     /// s = l z / (|g| z - l a_z)
@@ -122,7 +122,7 @@ impl Drag {
         uv: DVec2,
         along: DragAlong,
     ) -> Result<DVec3, DragError> {
-        let seen = Seen::of(self.anchor, observer)?;
+        let seen = SeenAnchor::new(self.anchor, observer)?;
         let way = uv - self.begun_at;
         if !way.is_finite() {
             return Err(DragError::NotFinite { field: "pointer", value: uv.extend(0.0) });
@@ -143,19 +143,19 @@ impl Drag {
     }
 }
 
-/// What a pixel of the observer's picture measures in the world at a point, in the plane parallel to
-/// the picture: `depth / distance * height / H`.
+/// Returns what a pixel of the observer's picture measures in the world at a point, in the plane
+/// parallel to the picture: `depth / distance * height / H`.
 ///
 /// # Errors
 /// Where the point is not in front of the observer.
 pub fn pixel_in_world(observer: &ResolvedCamera, point: DVec3) -> Result<f64, DragError> {
-    let Seen { depth, distance, .. } = Seen::of(point, observer)?;
+    let SeenAnchor { depth, distance, .. } = SeenAnchor::new(point, observer)?;
     let height = observer.viewport().height / f64::from(observer.image().height());
     Ok(depth / distance * height)
 }
 
 /// An anchor in the observer's coordinates.
-struct Seen<'a> {
+struct SeenAnchor<'a> {
     observer: &'a ResolvedCamera,
     /// `(x, y, -z)`
     place: DVec3,
@@ -164,14 +164,19 @@ struct Seen<'a> {
     distance: f64,
 }
 
-impl Seen<'_> {
-    fn of(anchor: DVec3, observer: &ResolvedCamera) -> Result<Seen<'_>, DragError> {
+impl SeenAnchor<'_> {
+    fn new(anchor: DVec3, observer: &ResolvedCamera) -> Result<SeenAnchor<'_>, DragError> {
         finite("anchor", anchor)?;
         let place = finite("anchor", anchor - observer.eye())?;
         let place = observer.basis().to_camera_from_world(place);
         let depth = -place.z;
         if depth > 0.0 {
-            return Ok(Seen { observer, place, depth, distance: observer.viewport().distance });
+            return Ok(SeenAnchor {
+                observer,
+                place,
+                depth,
+                distance: observer.viewport().distance,
+            });
         }
         Err(DragError::NotInFront { depth })
     }

@@ -1,4 +1,4 @@
-//! What becomes of up when the view is led near it.
+//! Poles: up, when the view is led near it.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ struct Way {
     from: DVec3,
     /// The great circle's axis.
     axis: DVec3,
-    /// How long it is, in radians.
+    /// Its length in radians.
     turn: f64,
 }
 
@@ -31,7 +31,7 @@ impl Way {
 
     /// A direction carried along to this place of the way, in parallel.
     fn carried(&self, direction: DVec3, arc: f64) -> DVec3 {
-        Turn::about(self.axis, arc).of(direction)
+        Turn::about(self.axis, arc).turned(direction)
     }
 
     /// The direction in which the view turns at the beginning.
@@ -43,11 +43,11 @@ impl Way {
 /// A frame that looks along `to`, carried there in parallel: by the least turn.
 pub(super) fn frame_carried(frame: &Basis, to: DVec3) -> Basis {
     let way = Way::new(-frame.w, to, frame.v);
-    Basis { w: -to, ..Turn::about(way.axis, way.turn).of_frame(frame) }
+    Basis { w: -to, ..Turn::about(way.axis, way.turn).turned_frame(frame) }
 }
 
-/// Up, of length 1, and v, where the view of a camera with this basis is led to another direction and
-/// takes up along; `None` where up stays. `angle` is that between up and the view.
+/// Returns up, of length 1, and v, where the view of a camera with this basis is led to another
+/// direction and takes up along; `None` where up stays. `angle` is that between up and the view.
 ///
 /// On its way the view meets up to three stretches:
 ///
@@ -88,7 +88,7 @@ pub(super) fn up_carried(basis: &Basis, angle: f64, to: DVec3) -> Option<(DVec3,
     Some((way.carried(up, rest - entry), way.carried(v, rest - entry)))
 }
 
-/// Where, at `arc > 0`, a view with `up . view = a cos(arc) + b sin(arc)` first enters a cone.
+/// Finds where, at `arc > 0`, a view with `up . view = a cos(arc) + b sin(arc)` first enters a cone.
 fn entry_into_cone(a: f64, b: f64) -> Option<f64> {
     let share = CONE.cos() / a.hypot(b);
     if share >= 1.0 {

@@ -1,4 +1,4 @@
-//! What steering gives: a camera, or the reason why there is none; and the turns that it is made of.
+//! Results of steering: a camera, or the reason why there is none; and the turns that it is made of.
 
 use std::fmt;
 
@@ -21,13 +21,13 @@ pub const CONE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// The most that rounding may turn u, v and w besides what the hand did, in radians.
 pub const ROUNDING_TURN: f64 = 1e-6;
 
-/// What a drag of a handle made of a camera.
+/// A camera after the drag of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Steered {
     /// The camera after it.
     pub camera: Camera,
-    /// Whether up was changed, because the view came within [`CONE`] of it.
+    /// True if up was changed, because the view came within [`CONE`] of it.
     pub up_went_along: bool,
 }
 
@@ -39,14 +39,14 @@ pub enum SteerError {
     Camera(CameraError),
     /// A number that is NaN or infinite.
     NotFinite {
-        /// What it stands for: `yaw`, `pitch`, `forward`, `value`.
+        /// The number's name: `yaw`, `pitch`, `forward`, `value`.
         field: &'static str,
         /// The value.
         value: f64,
     },
     /// A number that is not positive and finite.
     NotPositive {
-        /// What it stands for: `factor`, `scale`, `step`, `pixel`.
+        /// The number's name: `factor`, `scale`, `step`, `pixel`.
         field: &'static str,
         /// The value.
         value: f64,
@@ -55,7 +55,7 @@ pub enum SteerError {
     NoUp,
     /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
     Unsteady {
-        /// By how many radians.
+        /// The turn in radians.
         turn: f64,
     },
 }
@@ -124,13 +124,13 @@ impl Turn {
         Turn { axis, sin: radians.sin(), one_minus_cos: 2.0 * half * half }
     }
 
-    pub(super) fn of(&self, x: DVec3) -> DVec3 {
+    pub(super) fn turned(&self, x: DVec3) -> DVec3 {
         let across = self.axis.cross(x);
         x + self.sin * across + self.one_minus_cos * self.axis.cross(across)
     }
 
-    pub(super) fn of_frame(&self, Basis { u, v, w }: &Basis) -> Basis {
-        Basis { u: self.of(*u), v: self.of(*v), w: self.of(*w) }
+    pub(super) fn turned_frame(&self, Basis { u, v, w }: &Basis) -> Basis {
+        Basis { u: self.turned(*u), v: self.turned(*v), w: self.turned(*w) }
     }
 }
 

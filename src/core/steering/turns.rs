@@ -39,8 +39,8 @@ impl Camera {
     /// eye' = pivot + |eye - pivot| w'
     /// ```
     ///
-    /// `at` stays to the bit, and so do up and the length of `view`. The distance from eye to pivot stays
-    /// within 4 ulps, besides half an ulp in each of the eye's coordinates.
+    /// `at` stays to the bit, and so do up and the length of `view`. The distance from eye to pivot
+    /// stays within 4 ulps, besides half an ulp in each of the eye's coordinates.
     ///
     /// # Errors
     /// As [`Camera::looked_round`], and where the eye's coordinates overflow.
@@ -62,8 +62,9 @@ impl Camera {
         steady(Camera { eye, orientation, ..*self }, &turned)
     }
 
-    /// The camera looking round from where it stands, in radians: turned about up by yaw (positive: to
-    /// the left, counter-clockwise as seen from the tip of up), and about u by pitch (positive: upwards).
+    /// The camera looking round from where it stands, in radians: turned about up by yaw (positive:
+    /// to the left, counter-clockwise as seen from the tip of up), and about u by pitch (positive:
+    /// upwards).
     ///
     /// ```text
     /// (u', v', w') = R(up, yaw) R(u, pitch) (u, v, w)
@@ -95,7 +96,7 @@ impl Camera {
         steady(Camera { orientation, ..*self }, &turned)
     }
 
-    /// How far the pivot is from the eye.
+    /// Distance of the pivot from the eye.
     pub(super) fn reach(&self) -> Result<f64, SteerError> {
         let (field, value, reach) = match self.orientation {
             Orientation::At { at, .. } => {
@@ -128,17 +129,18 @@ impl Camera {
             }
             let straight = orthonormal(&basis);
             let axis = unit(pitch / angle * straight.u + yaw / angle * straight.v);
-            return Ok(Some(orthonormal(&Turn::about(axis, angle).of_frame(&straight))));
+            return Ok(Some(orthonormal(&Turn::about(axis, angle).turned_frame(&straight))));
         }
         let pitch = self.pitch_short_of_poles(pitch)?;
         if yaw == 0.0 && pitch == 0.0 {
             return Ok(None);
         }
-        let pitched = Turn::about(basis.u, pitch).of_frame(&basis);
-        Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).of_frame(&pitched))))
+        let pitched = Turn::about(basis.u, pitch).turned_frame(&basis);
+        Ok(Some(orthonormal(&Turn::about(unit(self.up()), yaw).turned_frame(&pitched))))
     }
 
-    /// As much of the pitch as leads no nearer to a pole than [`POLE_GAP`], or than the camera is.
+    /// Returns as much of the pitch as leads no nearer to a pole than [`POLE_GAP`], or than the
+    /// camera is.
     fn pitch_short_of_poles(&self, pitch: f64) -> Result<f64, SteerError> {
         let angle = self.up_angle()?.angle;
         let (nearest, farthest) = (angle.min(POLE_GAP), angle.max(PI - POLE_GAP));

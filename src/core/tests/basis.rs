@@ -7,7 +7,7 @@ use crate::common::oracle::Big3;
 use crate::common::seed::config;
 use crate::common::{oracle, vec3};
 
-/// How far a coordinate of u, v or w may be from exact, and `|a . b|` and `|a| - 1` from 0 and 1.
+/// Tolerance of the coordinates of u, v and w, of `|a . b|` and of `|a| - 1`.
 const BASIS_TOLERANCE: f64 = 6e-16;
 
 fn direction() -> impl Strategy<Value = DVec3> {

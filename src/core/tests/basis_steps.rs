@@ -36,7 +36,7 @@ fn turned(found: &Basis, truth: &[[Real; 3]; 3]) -> f64 {
     angles.map(|(found, truth)| angle_between(truth, found.to_array())).fold(0.0, f64::max)
 }
 
-/// What the ladder owes: each coordinate rounded once.
+/// Error bound of the ladder: each coordinate rounded once.
 const ROUNDING: f64 = 1.2e-16;
 
 const UPS: [[u64; 3]; 4] = [

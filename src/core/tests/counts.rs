@@ -1,4 +1,4 @@
-//! What a frame says that it left out.
+//! Counts of what a frame left out.
 
 use pinhole_core::{
     Camera, Counts, DVec3, Frame, ImageSize, NO_OBJECT, Outputs, Raster, ResolvedCamera, Scene,

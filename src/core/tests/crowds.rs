@@ -10,7 +10,7 @@ use crate::support::crowds;
 use crate::support::crowds::{Crowd, ahead};
 use crate::support::every_pixel::{check, every_pixel_is_right};
 
-/// What is wrong with a crowd's frame.
+/// Finds what is wrong with a crowd's frame.
 fn faults_of(crowd: &Crowd) -> Option<String> {
     let frame = crowd.trace();
     match check(&crowd.scene, &crowd.camera, &frame) {
@@ -154,9 +154,9 @@ struct Powers {
     /// The viewport's distance over the world's size.
     distance: f64,
     world: f64,
-    /// How many worlds away from the world's origin the eye is.
+    /// Distance of the eye from the world's origin, in worlds.
     away: f64,
-    /// What radii are spread over, in pixels.
+    /// The range of radii, in pixels.
     radii: [f64; 2],
 }
 
@@ -244,7 +244,7 @@ fn crowds_of_random_cameras_are_right() {
     check_random(200);
 }
 
-/// The same with many more cases.
+/// Checks many more cases.
 ///
 /// ```text
 /// cargo test --release -p pinhole-core --test core many_random -- --ignored --nocapture

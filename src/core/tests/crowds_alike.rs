@@ -19,11 +19,11 @@ fn difference(a: &Frame<f32>, b: &Frame<f32>) -> Option<String> {
     let bits = |frame: &Frame<f32>, place: usize| (frame.object[place], frame.t[place].to_bits());
     let place = (0..a.t.len()).find(|place| bits(a, *place) != bits(b, *place))?;
     let columns = a.raster().columns().len();
-    let of = |frame: &Frame<f32>| frame.at(place / columns, place % columns);
-    Some(format!("{:?} and {:?}", of(a), of(b)))
+    let pixel = |frame: &Frame<f32>| frame.at(place / columns, place % columns);
+    Some(format!("{:?} and {:?}", pixel(a), pixel(b)))
 }
 
-/// Where frames of a crowd differ by thread count or level from one thread on the lowest level.
+/// Finds where frames of a crowd differ by thread count or level from one thread on the lowest level.
 fn differences(
     crowd: &Crowd,
     levels: &[(&str, Level)],
@@ -90,7 +90,7 @@ fn hard_crowds_are_the_same_bits_for_any_threads_and_level() {
     assert_none(&found);
 }
 
-/// Where the pixels of a part differ from those of the whole picture.
+/// Finds where the pixels of a part differ from those of the whole picture.
 fn differing(crowd: &Crowd, whole: &Frame<f32>, raster: &Raster) -> Option<String> {
     let camera = crowd.camera.resolve().unwrap();
     let part = trace_as::<f32>(&crowd.scene, &camera, raster, Outputs::default());

@@ -1,4 +1,4 @@
-//! How one camera differs from another, in numbers that are known.
+//! Differences of two cameras, in numbers that are known.
 
 use pinhole_core::*;
 

@@ -1,7 +1,8 @@
 //! The lecture's everyday cases by every method, as a table: a change of accuracy is a diff.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p pinhole-core --test core everyday` writes `everyday.txt` anew. No number in
-//! it depends on the machine: sums, products, quotients, roots and fused products of IEEE 754 alone.
+//! `UPDATE_EXPECT=1 cargo test -p pinhole-core --test core everyday` writes `everyday.txt` anew. No
+//! number in it depends on the machine: sums, products, quotients, roots and fused products of IEEE
+//! 754 alone.
 
 use std::fmt::Write;
 

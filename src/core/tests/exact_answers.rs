@@ -132,7 +132,7 @@ fn the_planet_under_the_eye() {
     assert_eq!((hit.t, hit.point, hit.normal), (1.0, DVec3::NEG_Y, DVec3::Y));
 }
 
-/// Where the middle ray of a camera meets what lies at its `at`, the coordinates are 0, not what the
+/// Coordinates are 0 where the middle ray of a camera meets what lies at its `at`, not what the
 /// digits of t leave.
 #[test]
 fn coordinates_that_cancel_are_zero() {

@@ -24,17 +24,17 @@ fn scenes() -> Vec<(&'static str, Scene, ResolvedCamera)> {
     let zoomed = Camera { viewport: zoomed, image, ..Camera::CANONICAL }.resolve().unwrap();
     let minute = Viewport { width: 1e-70, height: 1e-70, distance: 1e-70 };
     let minute = Camera { viewport: minute, image, ..Camera::CANONICAL }.resolve().unwrap();
-    let of = |spheres, planes| Scene::new(spheres, planes).unwrap();
+    let scene = |spheres, planes| Scene::new(spheres, planes).unwrap();
     let floor = plane([0.0, -1.0, 0.0], [0.0, 2.0, 0.1]);
     let balls = vec![sphere([-0.5, 0.0, -5.0], 1.0), sphere([1.0, 0.0, -30.0], 2.5)];
     vec![
-        ("balls and a floor", of(balls.clone(), vec![floor]), ahead),
-        ("no plane", of(balls.clone(), vec![]), ahead),
-        ("inside", of(vec![sphere([0.0, 0.1, 0.2], 3.0)], vec![]), ahead),
-        ("many", of(many, vec![]), ahead),
-        ("nothing", of(vec![], vec![]), ahead),
-        ("far for its size", of(vec![sphere([0.0, 0.0, -1e9], 12.0)], vec![]), zoomed),
-        ("rays that need scaling", of(balls, vec![floor]), minute),
+        ("balls and a floor", scene(balls.clone(), vec![floor]), ahead),
+        ("no plane", scene(balls.clone(), vec![]), ahead),
+        ("inside", scene(vec![sphere([0.0, 0.1, 0.2], 3.0)], vec![]), ahead),
+        ("many", scene(many, vec![]), ahead),
+        ("nothing", scene(vec![], vec![]), ahead),
+        ("far for its size", scene(vec![sphere([0.0, 0.0, -1e9], 12.0)], vec![]), zoomed),
+        ("rays that need scaling", scene(balls, vec![floor]), minute),
     ]
 }
 
@@ -241,9 +241,9 @@ fn a_coarse_frame_spread_over_the_image_says_of_each_pixel_what_the_nearest_trac
         (0..image.height()).flat_map(|row| (0..image.width()).map(move |column| (row, column)))
     {
         let raster = coarse.raster();
-        let of = coarse.at(nearest(raster.rows(), row), nearest(raster.columns(), column));
+        let shown = coarse.at(nearest(raster.rows(), row), nearest(raster.columns(), column));
         let at = spread.at(row as usize, column as usize);
-        assert_eq!((at.t, at.object), (of.t, of.object), "row {row}, column {column}");
+        assert_eq!((at.t, at.object), (shown.t, shown.object), "row {row}, column {column}");
         hits += usize::from(at.object.is_some());
     }
     assert!(hits > 1000);

@@ -239,7 +239,7 @@ fn the_same_bits_on_any_number_of_threads() {
     assert_eq!(alone, with_threads(7));
 }
 
-/// Of objects at exactly the same t, the one listed first is seen.
+/// The object listed first is seen of those at exactly the same t.
 #[test]
 fn ties_go_to_the_object_listed_first() {
     let ball = sphere([0.0, 0.0, -5.0], 1.0);
@@ -351,7 +351,7 @@ fn spheres_that_fill_the_picture() {
     }
 }
 
-/// The same objects in `f32` and `f64`, and those of each pixel's own ray: t beyond the range of
+/// Objects are the same in `f32` and `f64`, and for each pixel's own ray: t beyond the range of
 /// `f32`, subnormal scenes, viewports of extreme measures.
 #[test]
 fn measures_at_the_ends_of_the_range() {
@@ -365,16 +365,16 @@ fn measures_at_the_ends_of_the_range() {
     let beside = spheres_only(vec![sphere([1e-6, 2e-6, 3e-6], 1e-7)]);
     let (view, up) = (vec3(1.0, 2.0, 3.0), DVec3::Y);
     let ball = spheres_only(vec![sphere([0.1, 0.3, -2.0], 0.8)]);
-    let of = |width, height, distance| Viewport { width, height, distance };
+    let viewport = |width, height, distance| Viewport { width, height, distance };
     let cases = [
         (far.unwrap(), DVec3::NEG_Z, tiny, image(20, 20)),
         (around, vec3(-0.52, -0.52, -0.677), Viewport::CANONICAL, image(4, 4)),
-        (beside.clone(), view, of(1.0, 1.0, 1e-310), image(3, 3)),
-        (beside.clone(), view, of(1e300, 1e300, 1e-15), image(3, 3)),
-        (beside, view, of(1e-310, 1e-310, 1e-310), image(5, 5)),
-        (ball.clone(), vec3(0.1, 0.2, -1.0), of(1e36, 1.0, 1.0), image(1, 8192)),
-        (ball.clone(), vec3(0.1, 0.2, -1.0), of(1e45, 1.0, 1.0), image(1, 8192)),
-        (ball, vec3(0.1, 0.2, -1.0), of(1.0, 1e45, 1.0), image(8192, 1)),
+        (beside.clone(), view, viewport(1.0, 1.0, 1e-310), image(3, 3)),
+        (beside.clone(), view, viewport(1e300, 1e300, 1e-15), image(3, 3)),
+        (beside, view, viewport(1e-310, 1e-310, 1e-310), image(5, 5)),
+        (ball.clone(), vec3(0.1, 0.2, -1.0), viewport(1e36, 1.0, 1.0), image(1, 8192)),
+        (ball.clone(), vec3(0.1, 0.2, -1.0), viewport(1e45, 1.0, 1.0), image(1, 8192)),
+        (ball, vec3(0.1, 0.2, -1.0), viewport(1.0, 1e45, 1.0), image(8192, 1)),
     ];
     for (scene, view, viewport, image) in cases {
         let orientation = Orientation::View { view, up };

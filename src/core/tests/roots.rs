@@ -1,4 +1,4 @@
-//! Where rays meet spheres and planes: planted roots are found, found roots lie on the surface.
+//! Roots of rays with spheres and planes: planted roots are found, found roots lie on the surface.
 
 use pinhole_core::*;
 use proptest::prelude::*;
@@ -34,7 +34,7 @@ fn sphere_and_ray() -> impl Strategy<Value = (Sphere, Ray)> {
         })
 }
 
-/// How far a root may lie from the surface: a few roundings of the lengths that it is made of.
+/// Maximum distance of a root from the surface: a few roundings of the lengths that it is made of.
 fn reach_of_rounding(sphere: &Sphere, ray: &Ray) -> f64 {
     let away = ray.origin.distance(sphere.center);
     16.0 * f64::EPSILON * (away + sphere.radius + ray.origin.length())
@@ -118,7 +118,7 @@ proptest! {
         }
     }
 
-    /// With the eye on the ground, t is as exact as the height of the eye allows: `c` is not lost.
+    /// The t of an eye on the ground is as exact as the height of the eye allows: `c` is not lost.
     #[test]
     fn a_planet_from_just_above(
         radius in magnitude(3.0, 8.0), height in magnitude(-3.0, 1.0), aside in -1.0..1.0_f64,
@@ -213,7 +213,7 @@ proptest! {
     }
 }
 
-/// From a million million radii away the normal keeps twelve digits, where `p + t d - center` has
+/// Normals from a million million radii away keep twelve digits, where `p + t d - center` has
 /// three.
 #[test]
 fn normals_of_tiny_far_spheres() {

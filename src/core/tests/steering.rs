@@ -53,13 +53,13 @@ fn any_camera() -> impl Strategy<Value = Camera> {
     )
 }
 
-/// Of those, the calm ones.
+/// The calm ones of those.
 fn calm_camera() -> impl Strategy<Value = Camera> {
     any_camera().prop_filter("calm", is_calm)
 }
 
-/// Whether rounding is far below what a test of the drag asks for: eye and at not much nearer to each
-/// other than to the origin, up not nearly parallel to the view.
+/// Returns whether rounding is far below what a test of the drag asks for: eye and at not much
+/// nearer to each other than to the origin, up not nearly parallel to the view.
 fn is_calm(camera: &Camera) -> bool {
     let reach = camera.eye.distance(camera.pivot().unwrap());
     camera.eye.length() < 100.0 * reach

@@ -6,7 +6,7 @@ use pinhole_reference::{Camera as GivenCamera, Family, Hit, Object, Orientation 
 
 use crate::common::given;
 
-/// Whose first hit is asked for.
+/// The ray whose first hit is asked for.
 #[derive(Clone, Debug)]
 enum Asked {
     Ray {
@@ -88,7 +88,8 @@ impl Case {
     }
 }
 
-/// The same object at about the same t: rounding moves t by far less, the other root by far more.
+/// Returns whether it is the same object at about the same t: rounding moves t by far less, the
+/// other root by far more.
 fn is_same(found: Option<&Root>, truth: Option<&Hit>) -> bool {
     match (found, truth) {
         (None, None) => true,
@@ -241,7 +242,7 @@ fn touching_spheres_need_the_exact_step() {
     assert_needs(Step::Exact, &VIEWS.map(touching).concat());
 }
 
-/// The same for any ray, off the axis.
+/// Any ray off the axis needs it too.
 #[test]
 fn touching_spheres_off_the_axis_need_the_exact_step() {
     let contact = 100_000_007.0 * whole(1.0, 2.0, 2.0);

@@ -153,7 +153,7 @@ pub(super) fn truth_of(
             }
             continue;
         }
-        let raster = Raster::of(rows.to_vec(), columns.clone());
+        let raster = Raster::from_cells(rows.to_vec(), columns.clone());
         let frame = trace(truth.scene, resolved, &raster, Outputs::default());
         for index in here {
             let pixel = pixels[*index];

@@ -230,5 +230,5 @@ fn resolve(
 }
 
 fn traced(scene: &Scene, camera: &ResolvedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
-    trace_as(scene, camera, &Raster::of(rows, columns), Outputs::default())
+    trace_as(scene, camera, &Raster::from_cells(rows, columns), Outputs::default())
 }

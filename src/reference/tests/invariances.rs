@@ -1,4 +1,4 @@
-//! What must not change an answer, and what answers must have in common.
+//! Changes that must not change an answer, and what answers must have in common.
 
 use std::cmp::Ordering;
 
@@ -43,7 +43,7 @@ fn permuted_back([x, y, z]: [f64; 3]) -> [f64; 3] {
     [-y, -z, x]
 }
 
-/// The same number to the last of its 440 bits, however it was come by.
+/// Returns whether two numbers are the same to the last of their 440 bits.
 fn is_same(a: &Real, b: &Real) -> bool {
     a.minus_f64(a.to_f64()).to_f64() == b.minus_f64(a.to_f64()).to_f64()
 }

@@ -11,7 +11,7 @@ use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
-use crate::model::ghost::{Beside, Ghost, resolved};
+use crate::model::ghost::{Beside, Ghost, resolve};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};
 use crate::view::ghost::{AgainstGhost, difference_map};

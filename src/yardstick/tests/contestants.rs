@@ -97,9 +97,10 @@ fn a_contest_says_who_took_part_and_why_others_did_not() {
         let outcome = contest::run(&setting, &Method::ALL, limits);
         assert_eq!(outcome.frame.object.len(), 1200);
         assert!(outcome.rows.iter().all(|row| row.times.count > 0 && row.times.min > 0.0));
-        let of = |methods: Vec<Method>| methods.into_iter().map(Method::name).collect::<Vec<_>>();
+        let spelled =
+            |methods: Vec<Method>| methods.into_iter().map(Method::name).collect::<Vec<_>>();
         let left_out = outcome.left_out.iter().map(|(method, _)| *method).collect();
-        (of(outcome.rows.iter().map(|row| row.method).collect()), of(left_out))
+        (spelled(outcome.rows.iter().map(|row| row.method).collect()), spelled(left_out))
     };
     let (took_part, left_out) = names(10, &limits);
     assert!(took_part.contains(&"textbook") && left_out.contains(&"textbook-bvh"));

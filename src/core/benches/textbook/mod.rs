@@ -4,7 +4,7 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
 use pinhole_core::{NO_OBJECT, ResolvedCamera, Sphere};
 
-/// What is computed of the quadratic.
+/// The roots that are computed of the quadratic.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Form {
     /// `(-b -+ sqrt(b^2 - 4ac)) / 2a`, the smaller positive one.
@@ -33,14 +33,14 @@ macro_rules! textbook {
                 let image = camera.image();
                 let basis = camera.basis();
                 let distance = camera.viewport().distance;
-                let of = |v: pinhole_core::DVec3| v.to_array().map(|x| x as $real);
+                let rounded = |v: pinhole_core::DVec3| v.to_array().map(|x| x as $real);
                 let columns: Vec<_> =
-                    (0..image.width()).map(|c| of(camera.u_of_column(c) * basis.u)).collect();
+                    (0..image.width()).map(|c| rounded(camera.u_of_column(c) * basis.u)).collect();
                 let rows = (0..image.height())
-                    .map(|r| of(camera.v_of_row(r) * basis.v - distance * basis.w))
+                    .map(|r| rounded(camera.v_of_row(r) * basis.v - distance * basis.w))
                     .collect();
                 let part = |i: usize| columns.iter().map(|c: &[$real; 3]| c[i]).collect();
-                let from_center = of(camera.eye() - sphere.center);
+                let from_center = rounded(camera.eye() - sphere.center);
                 let [x, y, z] = from_center;
                 let radius = sphere.radius as $real;
                 let pixels = image.width() as usize * image.height() as usize;

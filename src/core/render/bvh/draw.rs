@@ -1,4 +1,4 @@
-//! Drawing what a band of rows sees of a crowd of spheres.
+//! Drawing what a band of rows sees of many spheres.
 
 use std::ops::Range;
 
@@ -6,41 +6,41 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::exact::lanes::lanes_of;
-use crate::render::bvh::occlusion::Veil;
-use crate::render::bvh::visible::{BoxSeen, Crowd};
+use crate::render::bvh::occlusion::Occlusion;
+use crate::render::bvh::visible::{BoxSeen, VisibleSpheres};
 use crate::render::frame::counts::Counts;
 use crate::render::outline::Outlines;
-use crate::render::rows::small_spheres::{Runs, draw_tiny};
+use crate::render::rows::small_spheres::{Runs, draw_small};
 use crate::render::rows::span::{Span, SpanTarget};
 use crate::scene::sphere_index::{NO_SPHERE, SphereIndex};
 use crate::scene::sphere_order::BLOCK;
 
-/// What a band did with a crowd.
+/// Results of drawing a band's part of many spheres.
 #[derive(Default)]
-pub(crate) struct CrowdDrawn {
+pub(crate) struct DrawnSpheres {
     pub(crate) counts: Counts,
     /// Spheres that cannot be drawn by rows.
     pub(crate) others: Vec<u32>,
 }
 
-/// Draws what the target's rows see of the crowd, near to far, from a block of a group on. Stops before
-/// the end, and tells before which block, where too many pixels are in doubt.
+/// Draws what the target's rows see of many spheres, near to far, from a block of a group on. Stops
+/// before the end, and tells before which block, where too many pixels are in doubt.
 #[inline(always)]
-pub(crate) fn draw_crowd<S: Simd>(
+pub(crate) fn draw_visible<S: Simd>(
     simd: S,
-    crowd: &Crowd,
+    visible: &VisibleSpheres,
     (first_group, mut first_block): (usize, usize),
     target: &mut SpanTarget,
-    drawn: &mut CrowdDrawn,
+    drawn: &mut DrawnSpheres,
 ) -> Option<(usize, usize)> {
-    let is_drawn = !crowd.others.is_empty() || first_group + first_block > 0;
+    let is_drawn = !visible.others.is_empty() || first_group + first_block > 0;
     let mut drawing = Drawing {
-        crowd,
+        visible,
         runs: Runs::new(),
-        veil: Veil::new(target.axes.width(), target.rows.len(), is_drawn),
+        occlusion: Occlusion::new(target.axes.width(), target.rows.len(), is_drawn),
         drawn,
     };
-    for (number, group) in crowd.groups.iter().enumerate().skip(first_group) {
+    for (number, group) in visible.groups.iter().enumerate().skip(first_group) {
         let start = std::mem::take(&mut first_block);
         let rows = own_rows(target, &group.bounds.rows());
         if rows.is_empty() {
@@ -58,7 +58,7 @@ pub(crate) fn draw_crowd<S: Simd>(
             }
             // Where spheres do not cover one another much, a look at each block costs more than it
             // saves.
-            if crowd.is_crowded && drawing.is_hidden(target, block) {
+            if visible.is_crowded && drawing.is_hidden(target, block) {
                 drawing.count_hidden(target, block);
                 continue;
             }
@@ -69,21 +69,22 @@ pub(crate) fn draw_crowd<S: Simd>(
                 return Some((number, place + 1));
             }
         }
-        if !crowd.is_crowded {
-            drawing.veil.touch(&rows, &group.bounds.columns());
+        if !visible.is_crowded {
+            drawing.occlusion.touch(&rows, &group.bounds.columns());
         }
     }
     None
 }
 
 struct Drawing<'a> {
-    crowd: &'a Crowd<'a>,
+    visible: &'a VisibleSpheres<'a>,
     runs: Runs,
-    veil: Veil,
-    drawn: &'a mut CrowdDrawn,
+    occlusion: Occlusion,
+    drawn: &'a mut DrawnSpheres,
 }
 
-/// What is found of a block's spheres is counted once: by the first band that the block reaches.
+/// Returns whether this band counts a block's spheres, which are counted once: by the first band
+/// that the block reaches.
 #[inline(always)]
 fn is_first_band(target: &SpanTarget, block: &BoxSeen) -> bool {
     block.rows().start >= target.rows.start
@@ -97,11 +98,11 @@ fn own_rows(target: &SpanTarget, rows: &Range<usize>) -> Range<usize> {
 }
 
 impl Drawing<'_> {
-    /// Whether all pixels that a group or block has in the target are covered by what is nearer.
+    /// Returns whether all pixels that a group or block has in the target are covered by what is nearer.
     #[inline(always)]
     fn is_hidden(&mut self, target: &SpanTarget, bounds: &BoxSeen) -> bool {
         let rows = own_rows(target, &bounds.rows());
-        self.veil.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
+        self.occlusion.hides(target.t, &rows, &bounds.columns(), bounds.nearest)
     }
 
     /// Counts the spheres of a block that is passed over.
@@ -109,7 +110,7 @@ impl Drawing<'_> {
         if own_rows(target, &block.rows()).is_empty() {
             return;
         }
-        let spheres = u64::from(self.crowd.index.blocks.count[block.place as usize]);
+        let spheres = u64::from(self.visible.index.blocks.count[block.place as usize]);
         self.drawn.counts.hidden += spheres;
         if is_first_band(target, block) {
             self.drawn.counts.in_view += spheres;
@@ -125,7 +126,7 @@ impl Drawing<'_> {
         (block, has_others): (&BoxSeen, bool),
         kept: Option<&[Outlines]>,
     ) {
-        let index = self.crowd.index;
+        let index = self.visible.index;
         let slots = SphereIndex::slots_of(block.place as usize);
         let counts_here = is_first_band(target, block);
         for (vector, from) in slots.step_by(S::f64s::LEN).enumerate() {
@@ -137,7 +138,7 @@ impl Drawing<'_> {
                 }
                 None => {
                     let mut outlines = Outlines::default();
-                    outlines.find(simd, &self.crowd.space, &index.spheres(lanes));
+                    outlines.find(simd, &self.visible.space, &index.spheres(lanes));
                     self.vector(simd, target, &outlines, ids, (counts_here, has_others));
                 }
             }
@@ -165,23 +166,23 @@ impl Drawing<'_> {
         let left = there & !behind & !outside;
         let plain = left & outlines.is_plain;
         let plain_here = plain & rows_meet(simd, outlines, target, target.rows.clone());
-        let tiny = plain_here & outlines.is_tiny;
+        let small = plain_here & outlines.is_small;
         if counts_here {
             let counts = &mut self.drawn.counts;
             counts.behind += u64::from(behind.count_ones());
             counts.outside += u64::from(outside.count_ones());
             counts.in_view += u64::from(left.count_ones());
         }
-        if tiny != 0 {
-            draw_tiny(simd, outlines, tiny, ids, &mut self.runs, target);
-            if self.crowd.is_crowded {
-                for lane in lanes_of(tiny) {
+        if small != 0 {
+            draw_small(simd, outlines, small, ids, &mut self.runs, target);
+            if self.visible.is_crowded {
+                for lane in lanes_of(small) {
                     let (rows, columns) = extent(target, outlines, lane);
-                    self.veil.touch(&rows, &columns);
+                    self.occlusion.touch(&rows, &columns);
                 }
             }
         }
-        for lane in lanes_of(plain_here & !tiny) {
+        for lane in lanes_of(plain_here & !small) {
             self.sphere(simd, target, outlines, lane, ids[lane]);
         }
         if !has_others {
@@ -203,24 +204,24 @@ impl Drawing<'_> {
     ) {
         let span = Span::new(id, &outlines.one(lane));
         // Where spheres do not cover one another much, a look costs more than it saves.
-        let reached = self.crowd.is_crowded.then(|| extent(target, outlines, lane));
+        let reached = self.visible.is_crowded.then(|| extent(target, outlines, lane));
         if let Some((rows, columns)) = &reached {
             if rows.is_empty() || columns.is_empty() {
                 return;
             }
-            if self.veil.hides(target.t, rows, columns, span.outline.nearest as f32) {
+            if self.occlusion.hides(target.t, rows, columns, span.outline.nearest as f32) {
                 self.drawn.counts.hidden += 1;
                 return;
             }
         }
         span.draw(simd, target);
         if let Some((rows, columns)) = &reached {
-            self.veil.touch(rows, columns);
+            self.occlusion.touch(rows, columns);
         }
     }
 }
 
-/// Which spheres of a vector reach rows of the raster.
+/// Finds the spheres of a vector that reach rows of the raster.
 #[inline(always)]
 fn rows_meet<S: Simd>(simd: S, of: &Outlines, target: &SpanTarget, rows: Range<usize>) -> u64 {
     let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);

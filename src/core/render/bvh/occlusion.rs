@@ -1,4 +1,4 @@
-//! What hides what: how far away the farthest hit is in each small rectangle of a band.
+//! Occlusion: the distance of the farthest hit in each small rectangle of a band.
 
 use std::ops::Range;
 
@@ -9,8 +9,8 @@ const ROWS: usize = 8;
 /// More rectangles than this are not looked at: what covers so much is seldom hidden.
 const MOST: usize = 512;
 
-/// For each rectangle of 16 x 8 pixels of a band, at least the largest `t` in it.
-pub(crate) struct Veil {
+/// Upper bounds of the largest `t` in each rectangle of 16 x 8 pixels of a band.
+pub(crate) struct Occlusion {
     farthest: Vec<f32>,
     /// Rectangles that were drawn into since `farthest` was found.
     is_stale: Vec<bool>,
@@ -19,13 +19,13 @@ pub(crate) struct Veil {
     height: usize,
 }
 
-impl Veil {
-    /// Of a band in which nothing is hit, or something may be.
-    pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Veil {
+impl Occlusion {
+    /// Begins with a band in which nothing is hit, or something may be.
+    pub(crate) fn new(width: usize, height: usize, is_drawn: bool) -> Occlusion {
         let across = width.div_ceil(COLUMNS);
         let count = across * height.div_ceil(ROWS);
         let (farthest, is_stale) = (vec![f32::INFINITY; count], vec![is_drawn; count]);
-        Veil { farthest, is_stale, across, width, height }
+        Occlusion { farthest, is_stale, across, width, height }
     }
 
     /// Tells that pixels in these rows and columns of the band may have come nearer.
@@ -37,7 +37,7 @@ impl Veil {
         }
     }
 
-    /// Whether every pixel in these rows and columns has a hit nearer than `nearest`.
+    /// Returns whether every pixel in these rows and columns has a hit nearer than `nearest`.
     #[inline(always)]
     pub(crate) fn hides(
         &mut self,

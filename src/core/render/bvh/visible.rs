@@ -1,4 +1,4 @@
-//! What a camera sees of an index over many spheres, without a look at each.
+//! The groups and blocks of an index over many spheres that a camera can see.
 
 use std::ops::Range;
 
@@ -18,9 +18,9 @@ use crate::scene::sphere_order::BLOCK;
 /// A group or a block of spheres, and which part of the raster they can cover.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BoxSeen {
-    /// Which of its kind.
+    /// Number among its kind.
     pub(crate) place: u32,
-    /// No hit of them has a smaller t.
+    /// Lower bound of the t of all their hits.
     pub(crate) nearest: f32,
     rows: [u16; 2],
     columns: [u16; 2],
@@ -43,20 +43,20 @@ pub(crate) struct GroupSeen {
     /// The outlines of the blocks' spheres, where so few can be seen that they are kept: each band
     /// finds them anew otherwise.
     pub(crate) outlines: Vec<Outlines>,
-    /// Whether those of its spheres that are not drawn by rows are among the crowd's.
+    /// True if those of its spheres that are not drawn by rows are among those of the whole.
     pub(crate) has_others: bool,
 }
 
-/// What can be seen of many spheres, near to far.
-pub(crate) struct Crowd<'a> {
+/// The part of many spheres that can be seen, near to far.
+pub(crate) struct VisibleSpheres<'a> {
     pub(crate) index: &'a SphereIndex,
     pub(crate) space: CameraSpace,
     pub(crate) groups: Vec<GroupSeen>,
-    /// Whether spheres cover one another so much that each is worth a look whether it is hidden.
+    /// True if spheres cover one another so much that each is worth a look whether it is hidden.
     pub(crate) is_crowded: bool,
     /// Spheres that are not drawn by rows, of groups in which there can be such.
     pub(crate) others: Vec<(u32, Extent)>,
-    /// Whether outlines are kept.
+    /// True if outlines are kept.
     pub(crate) keeps_outlines: bool,
 }
 
@@ -66,17 +66,17 @@ enum Unseen {
     Outside,
 }
 
-impl<'a> Crowd<'a> {
+impl<'a> VisibleSpheres<'a> {
     pub(crate) fn new(
         level: Level,
         index: &'a SphereIndex,
         space: CameraSpace,
         (axes, extents): (&RasterAxes, &Extents),
         counts: &mut Counts,
-    ) -> Crowd<'a> {
+    ) -> VisibleSpheres<'a> {
         /// Layers of spheres, one behind the other, from which on looks whether one is hidden pay.
         const CROWDED: f64 = 2.5;
-        /// So many outlines fit into a processor's second-level cache.
+        /// Number of outlines that fit into a processor's second-level cache.
         const KEPT: u32 = 40_000;
         let mut dropped = Counts { blocks: blocks_in(&index.blocks), ..Counts::default() };
         let mut groups = Vec::new();
@@ -131,10 +131,10 @@ impl<'a> Crowd<'a> {
             groups.push(group);
         }
         *counts += dropped;
-        let mut crowd =
-            Crowd { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
-        crowd.others = dispatch!(level, simd => crowd.find_others(simd, extents));
-        crowd
+        let mut visible =
+            VisibleSpheres { index, space, groups, is_crowded, others: Vec::new(), keeps_outlines };
+        visible.others = dispatch!(level, simd => visible.find_others(simd, extents));
+        visible
     }
 
     /// The spheres that are not drawn by rows, of groups that may have such.
@@ -155,7 +155,7 @@ impl<'a> Crowd<'a> {
                 for slot in from..from + S::f64s::LEN {
                     let id = self.index.ids[slot];
                     if id != NO_SPHERE && drawn >> (slot - from) & 1 == 0 {
-                        let extent = extents.of(&self.index.sphere(slot));
+                        let extent = extents.find(&self.index.sphere(slot));
                         others.extend(extent.map(|extent| (id, extent)));
                     }
                 }
@@ -165,11 +165,11 @@ impl<'a> Crowd<'a> {
     }
 }
 
-/// Whether a sphere of a group may be so near or so large that it is not drawn by rows.
+/// Returns whether a sphere of a group may be so near or so large that it is not drawn by rows.
 fn may_have_others(groups: &Boxes, bounds: &BoxSeen, space: &CameraSpace) -> bool {
-    /// Of the eye's distance.
+    /// Share of the eye's distance.
     const NEAR: f64 = 0.1;
-    /// In columns or rows.
+    /// Radius in columns or rows.
     const LARGE: f64 = 400.0;
     let (near, radius) =
         (f64::from(bounds.nearest) * space.distance, groups.radius[bounds.place as usize]);
@@ -208,7 +208,8 @@ fn drop_box(counts: &mut Counts, why: Unseen, spheres: u32, blocks: usize) {
     counts.blocks_left_out += blocks as u64;
 }
 
-/// Which part of the raster a box can cover, and how many pixels its spheres cover together, roughly.
+/// Finds which part of the raster a box can cover, and how many pixels its spheres cover together,
+/// roughly.
 ///
 /// All margins are a share of 1e-9 of what they are added to, far more than the few roundings that
 /// they stand for, and far less than what would cost anything.

@@ -1,8 +1,9 @@
-//! What a frame left out, and what was left to do.
+//! Counts of what a frame left out, and of what was left to do.
 
 use std::ops::{Add, AddAssign};
 
-/// How much of a scene a frame had to look at. Rows and columns are those of the traced raster.
+/// Counts of how much of a scene a frame had to look at. Rows and columns are those of the traced
+/// raster.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Counts {

@@ -14,7 +14,7 @@ use crate::render::frame::counts::Counts;
 /// [`Frame::object`] where the ray hits nothing.
 pub const NO_OBJECT: u32 = u32::MAX;
 
-/// Which rows and columns of the image to trace, ascending. A screen smaller than the image shows
+/// Rows and columns of the image to trace, ascending. A screen smaller than the image shows
 /// only some of its pixels; the others need not be traced.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Raster {
@@ -22,19 +22,19 @@ pub struct Raster {
     columns: Vec<u32>,
 }
 
-/// What to keep of every pixel. What is not asked for is not written: its buffer stays empty.
+/// The outputs to keep of every pixel. What is not asked for is not written: its buffer stays empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outputs {
     /// `t` of the first hit.
     pub t: bool,
-    /// Which object it is.
+    /// The object's index.
     pub object: bool,
     /// The outward unit normal there.
     pub normal: bool,
 }
 
 impl Outputs {
-    /// Nothing but steps and counts: for a picture of which only the colours are wanted.
+    /// Steps and counts alone: for a picture of which only the colours are wanted.
     pub const NONE: Outputs = Outputs { t: false, object: false, normal: false };
 }
 
@@ -61,20 +61,21 @@ pub struct Frame<T = f64> {
     pub object: Vec<u32>,
     /// Outward unit normals, zero where nothing is hit; empty unless asked for.
     pub normal: Vec<DVec3>,
-    /// How far up the ladder the decisions had to go. Each pixel that is asked of an object is one; a
-    /// pixel that is settled by itself may make several: whether it is met, and ahead, and first.
+    /// Number of decisions that each step of the ladder made. Each pixel that is asked of an object
+    /// is one; a pixel that is decided by itself may make several: whether it is met, and ahead,
+    /// and first.
     pub steps: Steps,
-    /// What was left out, and what was left to do.
+    /// Counts of what was left out, and of what was left to do.
     pub counts: Counts,
 }
 
-/// What of a frame was just done.
+/// A stage of a frame that was just done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Stage {
     /// The plan: what the rows can see, and what their pixels share.
     Planned,
-    /// So many rows: traced, and coloured where the shading allows.
+    /// Some rows, so many: traced, and coloured where the shading allows.
     Rows(usize),
 }
 
@@ -82,7 +83,7 @@ pub enum Stage {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct FramePixel<T = f64> {
-    /// Which pixel of the image it is.
+    /// The pixel of the image.
     pub pixel: Pixel,
     /// `t` of the first hit; infinite where there is none.
     pub t: T,
@@ -116,7 +117,7 @@ impl Raster {
     }
 
     /// These rows and columns, ascending.
-    pub fn of(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
+    pub fn from_cells(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
         Raster { rows, columns }
     }
 
@@ -130,8 +131,8 @@ impl Raster {
         &self.columns
     }
 
-    /// For each row of the image the place among [`Raster::rows`] of the nearest one, and likewise for
-    /// columns; of two equally near ones the first.
+    /// Returns, for each row of the image, the place among [`Raster::rows`] of the nearest one, and
+    /// likewise for columns; of two equally near ones the first.
     pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {
         [nearest(&self.rows, image.height()), nearest(&self.columns, image.width())]
     }
@@ -164,12 +165,12 @@ impl Raster {
         rows.iter().flat_map(|row| columns.iter().map(|column| of_row(row)[*column])).collect()
     }
 
-    /// How many pixels are traced.
+    /// Number of pixels that are traced.
     pub fn len(&self) -> usize {
         self.rows.len() * self.columns.len()
     }
 
-    /// Whether no pixel is traced.
+    /// Returns whether no pixel is traced.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -184,7 +185,7 @@ fn shown(count: u32, dots: u32) -> Vec<u32> {
     (0..dots).map(|k| ((2 * k + 1) * count / (2 * dots)) as u32).collect()
 }
 
-/// For each of `count` rows or columns the index of the nearest that was traced.
+/// Returns, for each of `count` rows or columns, the index of the nearest that was traced.
 fn nearest(traced: &[u32], count: u32) -> Vec<usize> {
     let mut index = 0;
     let nearest_to = |own: u32| {

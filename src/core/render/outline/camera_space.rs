@@ -1,4 +1,4 @@
-//! What the outlines of all spheres share of a camera.
+//! A camera as the outlines of all spheres need it.
 
 use crate::camera::resolved::ResolvedCamera;
 
@@ -32,7 +32,7 @@ pub(crate) struct CameraSpace {
     pub(crate) border_lengths: [f64; 2],
     /// See [`CameraSpace::new`].
     pub(crate) doubt: f64,
-    /// Whether lengths and slopes are so ordinary that no product of a few of them overflows, and
+    /// True if lengths and slopes are so ordinary that no product of a few of them overflows, and
     /// the basis so close to orthonormal that `doubt` is small.
     pub(crate) is_plain: bool,
 }

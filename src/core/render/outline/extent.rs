@@ -1,4 +1,4 @@
-//! Which pixels of a raster a sphere can cover.
+//! Rectangles of the pixels of a raster that a sphere can cover.
 
 use std::ops::Range;
 
@@ -37,12 +37,12 @@ impl<'a> Extents<'a> {
     }
 
     /// `None` for a sphere that covers no pixel of the raster.
-    pub(crate) fn of(&self, sphere: &Sphere) -> Option<Extent> {
+    pub(crate) fn find(&self, sphere: &Sphere) -> Option<Extent> {
         let part_of = |cells: &Range<u32>, of: &[u32]| {
             let place = |cell: u32| of.partition_point(|x| *x < cell) as u16;
             [place(cells.start), place(cells.end)]
         };
-        let PixelBounds { rows, columns } = self.bounds.of(sphere)?;
+        let PixelBounds { rows, columns } = self.bounds.find(sphere)?;
         let (rows, columns) =
             (part_of(&rows, self.raster.rows()), part_of(&columns, self.raster.columns()));
         let is_seen = rows[0] < rows[1] && columns[0] < columns[1];
@@ -57,7 +57,7 @@ pub(crate) struct PixelBounds {
     pub(crate) columns: Range<u32>,
 }
 
-/// What the bounds of all spheres share of a camera.
+/// A camera as the bounds of all spheres need it.
 pub(crate) struct Bounds<'a> {
     camera: &'a ResolvedCamera,
     /// See [`Bounds::new`].
@@ -98,7 +98,7 @@ impl<'a> Bounds<'a> {
     ///
     /// with z the centre's depth; likewise for v. They bound the sphere while it lies wholly in front
     /// of the eye (z > r). A sphere that crosses the eye's plane can be anywhere in the image.
-    pub(crate) fn of(&self, sphere: &Sphere) -> Option<PixelBounds> {
+    pub(crate) fn find(&self, sphere: &Sphere) -> Option<PixelBounds> {
         let to_center = sphere.center - self.camera.eye();
         let q = self.camera.basis().to_camera_from_world(to_center);
         let depth = -q.z;
@@ -122,7 +122,7 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// Where the formula for the tangents neither overflows nor underflows.
+/// Returns whether the formula for the tangents neither overflows nor underflows.
 fn is_in_plain_range(q: DVec3, radius: f64) -> bool {
     q.abs().max_element() < 1e100 && radius > 1e-100
 }
@@ -137,10 +137,10 @@ fn tangents(x: f64, depth: f64, radius: f64) -> (f64, f64) {
 
 /// The cells, `count` of which span the viewport, whose centres can lie between two slopes.
 fn cells(from: f64, to: f64, cells_per_slope: f64, count: u32) -> Range<u32> {
-    /// Of a cell, for the rounding of cell centres (below 1e-10 of 65536 cells).
+    /// Share of a cell, for the rounding of cell centres (below 1e-10 of 65536 cells).
     const MARGIN: f64 = 1e-6;
-    /// For the rounding of slopes. Where one tangent is steep and the other is not, the steep one's
-    /// rounding is in both.
+    /// Allowance for the rounding of slopes. Where one tangent is steep and the other is not, the
+    /// steep one's rounding is in both.
     const RELATIVE_MARGIN: f64 = 1e-9;
     let (from, to) = (from * cells_per_slope, to * cells_per_slope);
     let margin = MARGIN + RELATIVE_MARGIN * (from.abs() + to.abs());

@@ -8,17 +8,17 @@ use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
 use crate::render::outline::camera_space::CameraSpace;
-use crate::scene::sphere_index::Spheres;
+use crate::scene::sphere_index::SphereSlots;
 
-/// How far from an outline's end a pixel is beyond doubt, in columns: far more than the end is off
-/// by, and so little that hardly a pixel lies within it.
+/// Distance from an outline's end at which a pixel is beyond doubt, in columns: far more than the
+/// end is off by, and so little that hardly a pixel lies within it.
 pub(crate) const MARGIN: f64 = 1.0 / 131_072.0;
 
-/// A tiny sphere has at most so many rows.
-pub(crate) const TINY_ROWS: usize = 9;
+/// A small sphere has at most so many rows.
+pub(crate) const SMALL_ROWS: usize = 9;
 
-/// The largest `w^2` of a tiny sphere: its rows are less than [`PIXELS`] columns long.
-pub(crate) const TINY_SIZE: f64 = 16.0;
+/// The largest `w^2` of a small sphere: its rows are less than [`PIXELS`] columns long.
+pub(crate) const SMALL_SIZE: f64 = 16.0;
 
 /// The widest vector of `f64` that any level has.
 pub(crate) const MOST_LANES: usize = 8;
@@ -28,7 +28,7 @@ const KEEP: f64 = 1.126e15;
 
 type Lane8 = [f64; MOST_LANES];
 
-/// What a vector of spheres looks like. Rows r and columns c are numbers of the image's; with
+/// Outlines of a vector of spheres. Rows r and columns c are numbers of the image's; with
 /// `j = r - row`, a sphere seen from outside, wholly in front of the eye, covers on row r the
 /// columns
 ///
@@ -63,28 +63,28 @@ pub(crate) struct Outlines {
     pub(crate) b_column: Lane8,
     pub(crate) b_row: Lane8,
     pub(crate) numerator: Lane8,
-    /// How far `w^2` may be off.
+    /// Error bound of `w^2`.
     pub(crate) square_doubt: Lane8,
     /// First and last row with `w^2 >= -square_doubt`, not clipped: whole numbers.
     pub(crate) first_row: Lane8,
     pub(crate) last_row: Lane8,
-    /// No hit has a smaller t.
+    /// Lower bound of the t of all hits.
     pub(crate) nearest: Lane8,
-    /// At least the largest `w^2`.
+    /// Upper bound of `w^2`.
     pub(crate) size: Lane8,
     /// Rows whose `w^2` is below this touch the outline's top or bottom so closely that their pixels
     /// go up the ladder.
     pub(crate) thin: Lane8,
-    /// Which spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
+    /// Lanes whose spheres are drawn by [`wide`](crate::render::rows::span::SpanLanes::wide) rows.
     pub(crate) is_wide: u64,
-    /// Which spheres have so few rows and columns that each row is drawn as one vector, see
+    /// Lanes whose spheres have so few rows and columns that each row is drawn as one vector, see
     /// [`small_spheres`](crate::render::rows::small_spheres).
-    pub(crate) is_tiny: u64,
-    /// In which lanes all of the above holds.
+    pub(crate) is_small: u64,
+    /// Lanes in which all of the above holds.
     pub(crate) is_plain: u64,
-    /// Which spheres lie wholly behind the eye.
+    /// Lanes whose spheres lie wholly behind the eye.
     pub(crate) is_behind: u64,
-    /// Which spheres no ray inside the image's borders can meet.
+    /// Lanes whose spheres no ray inside the image's borders can meet.
     pub(crate) is_outside: u64,
 }
 
@@ -133,7 +133,7 @@ impl Outlines {
     /// whose kernel leaves more room, `2^-26`. With `sqrt(2 w + 1) < 0.1 b` the rounding in a wide row
     /// adds less than `0.2 2^-24`.
     #[inline(always)]
-    pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &Spheres) {
+    pub(crate) fn find<S: Simd>(&mut self, simd: S, space: &CameraSpace, of: &SphereSlots) {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let centers = Centers::<S>::new(simd, space, of);
         let Centers { x, y, z, r, qq } = centers;
@@ -189,7 +189,7 @@ impl Outlines {
             (space, size, square_doubt),
             ([b_row, b_column, shear], rows_away),
         );
-        let is_tiny = (last_row - first_row).simd_lt(splat(TINY_ROWS as f64)) & kinds.is_tiny;
+        let is_small = (last_row - first_row).simd_lt(splat(SMALL_ROWS as f64)) & kinds.is_small;
         let far = splat(131_072.0);
         let is_plain = centers.are_plain(simd)
             & kinds.is_plain(simd, numerator, nearest)
@@ -199,7 +199,7 @@ impl Outlines {
             & size.simd_gt(splat(1e-12));
         self.is_plain = if space.is_plain { is_plain.to_bitmask() } else { 0 };
         (self.is_behind, self.is_outside) = centers.unseen(simd, space, r + eta * 4.0);
-        self.is_tiny = is_tiny.to_bitmask();
+        self.is_small = is_small.to_bitmask();
         self.is_wide = kinds.is_wide.to_bitmask();
         let put = |to: &mut Lane8, x: S::f64s| x.store_slice(&mut to[..S::f64s::LEN]);
         put(&mut self.column, column_center + offset);
@@ -256,7 +256,7 @@ struct Centers<S: Simd> {
 
 impl<S: Simd> Centers<S> {
     #[inline(always)]
-    fn new(simd: S, space: &CameraSpace, of: &Spheres) -> Self {
+    fn new(simd: S, space: &CameraSpace, of: &SphereSlots) -> Self {
         let splat = |x: f64| S::f64s::splat(simd, x);
         let load = |x: &[f64]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
         let q = [
@@ -270,7 +270,7 @@ impl<S: Simd> Centers<S> {
         Centers { x, y, z, r: load(of.radius), qq: x * x + y * y + z * z }
     }
 
-    /// In front of the eye, of ordinary size, nothing lost in h.
+    /// Lanes whose centres lie in front of the eye, of ordinary size, nothing lost in h.
     #[inline(always)]
     fn are_plain(self, simd: S) -> <S::f64s as SimdBase<S>>::Mask {
         let splat = |x: f64| S::f64s::splat(simd, x);
@@ -300,13 +300,14 @@ impl<S: Simd> Centers<S> {
     }
 }
 
-/// By which rows spheres are drawn. With the least b only as its square, no root is needed but one in
-/// `f32`, rounded up.
+/// The kinds of rows by which spheres are drawn. With the least b only as its square, no root is
+/// needed but one in `f32`, rounded up.
 struct Kinds<S: Simd> {
     is_wide: <S::f64s as SimdBase<S>>::Mask,
-    /// Of few columns, and so small beside b as [`small_spheres`](crate::render::rows::small_spheres) rows need.
-    is_tiny: <S::f64s as SimdBase<S>>::Mask,
-    /// Whether wide rows would do.
+    /// Lanes of few columns, and so small beside b as
+    /// [`small_spheres`](crate::render::rows::small_spheres) rows need.
+    is_small: <S::f64s as SimdBase<S>>::Mask,
+    /// Lanes in which wide rows would do.
     can_be_wide: <S::f64s as SimdBase<S>>::Mask,
     /// The root of `w^2` below which a row is thin.
     thin: S::f64s,
@@ -315,7 +316,7 @@ struct Kinds<S: Simd> {
 }
 
 impl<S: Simd> Kinds<S> {
-    /// From `c / h` and its inverse.
+    /// Finds the kinds from `c / h` and its inverse.
     #[inline(always)]
     fn new(
         simd: S,
@@ -330,7 +331,7 @@ impl<S: Simd> Kinds<S> {
         let b_column = b_column.abs();
         let error = (splat(4.5) + splat(4.0) * b_column) * widest;
         let away = b_row.abs() * rows_away + b_column * (widest + shear.abs() * rows_away);
-        let tiny_error = splat(4.0) * (one + b_column) * widest + splat(3.0) * away;
+        let small_error = splat(4.0) * (one + b_column) * widest + splat(3.0) * away;
         let is_wide = (error * error).simd_gt(splat(0.42 * 0.42) * least);
         let root_error = is_wide.select(splat(KEEP), splat(16.0 * KEEP));
         let keep = (square_doubt * root_error * (h_by_c * slope)).max(splat(32.0));
@@ -339,13 +340,13 @@ impl<S: Simd> Kinds<S> {
         let can_be_wide = widest.simd_lt(splat(2040.0))
             & (twice * twice).simd_lt(splat(0.99 * 0.99) * least)
             & (widest + widest + one).simd_lt(splat(0.01) * least);
-        let is_tiny = size.simd_lt(splat(TINY_SIZE))
-            & (tiny_error * tiny_error).simd_lt(splat(0.05 * 0.05) * least)
+        let is_small = size.simd_lt(splat(SMALL_SIZE))
+            & (small_error * small_error).simd_lt(splat(0.05 * 0.05) * least)
             & thin.simd_lt(splat(1.0));
-        Kinds { is_wide, is_tiny, can_be_wide, thin, least }
+        Kinds { is_wide, is_small, can_be_wide, thin, least }
     }
 
-    /// Whether rows of the kind will do, and `f32` holds the numbers.
+    /// Finds the lanes in which rows of the kind will do, and `f32` holds the numbers.
     #[inline(always)]
     fn is_plain(
         &self,

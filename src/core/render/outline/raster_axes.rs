@@ -17,7 +17,7 @@ pub(crate) struct RasterAxes {
     pub(crate) columns: Vec<f32>,
     height: usize,
     width: usize,
-    /// Whether rows, and columns, follow one another without a gap.
+    /// True if rows, and columns, follow one another without a gap.
     rows_are_whole: bool,
     columns_are_whole: bool,
 }
@@ -84,7 +84,7 @@ impl RasterAxes {
         (!rows.is_empty()).then_some(rows.start)
     }
 
-    /// For a vector of numbers of rows: where in these rows of the raster they lie, and in which
+    /// Finds where in these rows of the raster a vector of row numbers lies, and in which
     /// lanes they do.
     #[inline(always)]
     pub(crate) fn place_rows<S: Simd>(
@@ -126,8 +126,8 @@ impl RasterAxes {
         (from < end).then(|| (from, end - 1))
     }
 
-    /// For a vector of rows: the raster's first and last columns with numbers from `first` to `last`,
-    /// all whole, and in which lanes there is one.
+    /// Finds, for a vector of rows, the raster's first and last columns with numbers from `first`
+    /// to `last`, all whole, and in which lanes there is one.
     #[inline(always)]
     pub(crate) fn clip<S: Simd>(
         &self,

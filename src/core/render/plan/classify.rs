@@ -1,4 +1,4 @@
-//! Which way each sphere of a frame is drawn, if it can be seen at all.
+//! The way that each sphere of a frame is drawn, if it can be seen at all.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -10,22 +10,22 @@ use crate::render::outline::raster_axes::RasterAxes;
 use crate::render::outline::{MOST_LANES, Outlines};
 use crate::render::rows::span::Span;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_index::Spheres;
+use crate::scene::sphere_index::SphereSlots;
 
 /// Rows in a slice: what the polynomials of one object are made for. Bands are whole slices.
 pub(crate) const SLICE_ROWS: usize = 32;
 
-/// What a run of spheres is to a frame.
+/// A run of spheres by the way they are drawn.
 #[derive(Default)]
-pub(crate) struct Sorted {
+pub(crate) struct Classified {
     pub(crate) spans: Vec<Span>,
-    /// For each slice of rows.
+    /// The others, for each slice of rows.
     pub(crate) others: Vec<Vec<(u32, Extent)>>,
     pub(crate) counts: Counts,
 }
 
-/// What sorting spheres takes of a frame.
-pub(crate) struct Sorter<'a> {
+/// The parts of a frame that it takes to classify spheres.
+pub(crate) struct Classifier<'a> {
     pub(crate) level: Level,
     /// `None` where all spheres are asked pixel by pixel.
     pub(crate) space: Option<CameraSpace>,
@@ -33,16 +33,16 @@ pub(crate) struct Sorter<'a> {
     pub(crate) axes: &'a RasterAxes,
 }
 
-impl Sorter<'_> {
+impl Classifier<'_> {
     /// Sorts a run of spheres, whose first index is `first`.
-    pub(crate) fn sort(&self, spheres: &[Sphere], first: usize) -> Sorted {
-        let mut sorted = Sorted::default();
-        sorted.others.resize_with(self.axes.height().div_ceil(SLICE_ROWS), Vec::new);
+    pub(crate) fn classify(&self, spheres: &[Sphere], first: usize) -> Classified {
+        let mut classified = Classified::default();
+        classified.others.resize_with(self.axes.height().div_ceil(SLICE_ROWS), Vec::new);
         let Some(space) = &self.space else {
             for (index, sphere) in (first..).zip(spheres) {
-                self.add_other(&mut sorted, index, sphere);
+                self.add_other(&mut classified, index, sphere);
             }
-            return sorted;
+            return classified;
         };
         let mut outlines = Outlines::default();
         let lanes = lanes_of(self.level);
@@ -52,55 +52,57 @@ impl Sorter<'_> {
             };
             let (x, y, z) = (side(|s| s.center.x), side(|s| s.center.y), side(|s| s.center.z));
             let radius = side(|s| s.radius);
-            let of = Spheres { x: &x, y: &y, z: &z, radius: &radius };
-            dispatch!(self.level, simd => outlines.find(simd, space, &of));
+            let slots = SphereSlots { x: &x, y: &y, z: &z, radius: &radius };
+            dispatch!(self.level, simd => outlines.find(simd, space, &slots));
             for (lane, sphere) in some.iter().enumerate() {
                 let index = first + group * lanes + lane;
-                self.add(&mut sorted, &outlines, lane, index, sphere);
+                self.add(&mut classified, &outlines, lane, index, sphere);
             }
         }
-        sorted
+        classified
     }
 
     fn add(
         &self,
-        sorted: &mut Sorted,
+        classified: &mut Classified,
         outlines: &Outlines,
         lane: usize,
         index: usize,
         sphere: &Sphere,
     ) {
         if outlines.is_behind >> lane & 1 == 1 {
-            sorted.counts.behind += 1;
+            classified.counts.behind += 1;
         } else if outlines.is_outside >> lane & 1 == 1 {
-            sorted.counts.outside += 1;
+            classified.counts.outside += 1;
         } else if outlines.is_plain >> lane & 1 == 1 {
             let span = Span::new(index as u32, &outlines.one(lane));
             if span.rows(self.axes).is_empty() {
-                sorted.counts.outside += 1;
+                classified.counts.outside += 1;
             } else {
-                sorted.counts.in_view += 1;
-                sorted.spans.push(span);
+                classified.counts.in_view += 1;
+                classified.spans.push(span);
             }
         } else {
-            self.add_other(sorted, index, sphere);
+            self.add_other(classified, index, sphere);
         }
     }
 
-    fn add_other(&self, sorted: &mut Sorted, index: usize, sphere: &Sphere) {
-        let Some(extent) = self.extents.of(sphere) else {
-            sorted.counts.outside += 1;
+    fn add_other(&self, classified: &mut Classified, index: usize, sphere: &Sphere) {
+        let Some(extent) = self.extents.find(sphere) else {
+            classified.counts.outside += 1;
             return;
         };
-        sorted.counts.in_view += 1;
+        classified.counts.in_view += 1;
         let rows = extent.rows();
-        for seen_in in &mut sorted.others[rows.start / SLICE_ROWS..rows.end.div_ceil(SLICE_ROWS)] {
+        for seen_in in
+            &mut classified.others[rows.start / SLICE_ROWS..rows.end.div_ceil(SLICE_ROWS)]
+        {
             seen_in.push((index as u32, extent));
         }
     }
 }
 
-/// How many `f64` a vector of the level has.
+/// Returns the number of `f64` in a vector of the level.
 fn lanes_of(level: Level) -> usize {
     dispatch!(level, simd => lanes(simd))
 }

@@ -1,4 +1,4 @@
-//! What a frame does, decided before it is done: which objects the rows can see, and what their
+//! The plan of a frame, made before anything is drawn: which objects the rows can see, and what their
 //! pixels share.
 
 pub(crate) mod classify;
@@ -9,21 +9,21 @@ use fearless_simd::Level;
 use rayon::prelude::*;
 
 use crate::camera::resolved::ResolvedCamera;
-use crate::render::bvh::visible::Crowd;
+use crate::render::bvh::visible::VisibleSpheres;
 use crate::render::frame::Raster;
 use crate::render::frame::counts::Counts;
 use crate::render::outline::camera_space::CameraSpace;
 use crate::render::outline::extent::{Extent, Extents};
 use crate::render::outline::raster_axes::RasterAxes;
-use crate::render::plan::classify::{SLICE_ROWS, Sorted, Sorter};
+use crate::render::plan::classify::{Classified, Classifier, SLICE_ROWS};
 use crate::render::polynomial::frame_rays::FrameRays;
 use crate::render::rows::span::Span;
 use crate::scene::Scene;
 use crate::scene::object::Object;
-use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::plane::Plane;
 
-/// What all bands of a frame share.
+/// The parts that all bands of a frame share.
 pub(crate) struct Plan<'a> {
     pub(crate) level: Level,
     pub(crate) scene: &'a Scene,
@@ -33,16 +33,16 @@ pub(crate) struct Plan<'a> {
     pub(crate) spans: Vec<Span>,
     /// The others: for each run of spheres, for each slice of rows, those that it can see.
     others: Vec<Vec<Vec<(u32, Extent)>>>,
-    /// What is seen of an index over the spheres; of few there is none.
-    pub(crate) crowd: Option<Crowd<'a>>,
+    /// The part of an index over the spheres that is seen; of few there is none.
+    pub(crate) visible: Option<VisibleSpheres<'a>>,
     pub(crate) counts: Counts,
-    /// How many rows a thread traces at a time.
+    /// Number of rows that a thread traces at a time.
     pub(crate) band_rows: usize,
-    /// Whether the frame is done before another thread would have begun.
+    /// True if the frame is done before another thread would have begun.
     pub(crate) is_quick: bool,
     pub(crate) extents: Extents<'a>,
     /// `None` for one that an earlier one hides altogether.
-    pub(crate) planes: Vec<Option<ObjectSeen>>,
+    pub(crate) planes: Vec<Option<ObjectFromOrigin>>,
 }
 
 /// Spheres whose bounds one thread finds at a time.
@@ -65,34 +65,34 @@ impl<'a> Plan<'a> {
             planes: scene.planes().len() as u64,
             ..Counts::default()
         };
-        let crowd = match (scene.index(), space) {
+        let visible = match (scene.index(), space) {
             (Some(index), Some(space)) => {
-                Some(Crowd::new(level, index, space, (&axes, &extents), &mut counts))
+                Some(VisibleSpheres::new(level, index, space, (&axes, &extents), &mut counts))
             }
             _ => None,
         };
         let (mut spans, mut others) = (Vec::new(), Vec::new());
-        if crowd.is_none() {
-            let sorter = Sorter { level, space, extents: &extents, axes: &axes };
+        if visible.is_none() {
+            let classifier = Classifier { level, space, extents: &extents, axes: &axes };
             let runs = scene.spheres().chunks(SPHERES_PER_RUN).enumerate();
-            let sort = |(run, spheres)| sorter.sort(spheres, run * SPHERES_PER_RUN);
-            let sorted: Vec<Sorted> = if runs.len() > 1 {
-                runs.collect::<Vec<_>>().into_par_iter().map(sort).collect()
+            let classify = |(run, spheres)| classifier.classify(spheres, run * SPHERES_PER_RUN);
+            let classified: Vec<Classified> = if runs.len() > 1 {
+                runs.collect::<Vec<_>>().into_par_iter().map(classify).collect()
             } else {
-                runs.map(sort).collect()
+                runs.map(classify).collect()
             };
-            for run in sorted {
+            for run in classified {
                 counts += run.counts;
                 spans.extend(run.spans);
                 others.push(run.others);
             }
             spans.sort_unstable_by(|a, b| a.outline.nearest.total_cmp(&b.outline.nearest));
         }
-        let seen = |plane| ObjectSeen::new(&Object::Plane(plane), camera.eye());
+        let seen = |plane| ObjectFromOrigin::new(&Object::Plane(plane), camera.eye());
         let planes = distinct(scene.planes()).map(|plane| plane.map(seen));
-        let planes: Vec<Option<ObjectSeen>> = planes.collect();
+        let planes: Vec<Option<ObjectFromOrigin>> = planes.collect();
         counts.planes_asked = planes.iter().flatten().count() as u64;
-        let keeps_outlines = crowd.as_ref().is_none_or(|crowd| crowd.keeps_outlines);
+        let keeps_outlines = visible.as_ref().is_none_or(|visible| visible.keeps_outlines);
         let band_rows = if keeps_outlines { SLICE_ROWS } else { 2 * SLICE_ROWS };
         let mut plan = Plan {
             level,
@@ -101,7 +101,7 @@ impl<'a> Plan<'a> {
             axes,
             spans,
             others,
-            crowd,
+            visible,
             counts,
             band_rows,
             is_quick: false,
@@ -112,13 +112,13 @@ impl<'a> Plan<'a> {
         plan
     }
 
-    /// Whether a thread draws the frame, a few operations a pixel, in the time that others take to
-    /// wake up.
+    /// Returns whether a thread draws the frame, a few operations a pixel, in the time that others
+    /// take to wake up.
     fn is_quick(&self) -> bool {
         const PIXELS: usize = 1 << 18;
         const SPANS: usize = 8;
         let has_others = self.others.iter().flatten().any(|slice| !slice.is_empty());
-        let is_simple = self.crowd.is_none() && self.planes.is_empty() && !has_others;
+        let is_simple = self.visible.is_none() && self.planes.is_empty() && !has_others;
         is_simple && self.spans.len() <= SPANS && self.axes.pixels() <= PIXELS
     }
 
@@ -129,7 +129,7 @@ impl<'a> Plan<'a> {
         first.map(|first| first..rows.min(first + self.band_rows)).collect()
     }
 
-    /// The spheres, but those drawn by rows and those of a crowd, that a slice of rows can see.
+    /// The spheres, but those drawn by rows and those of an index, that a slice of rows can see.
     pub(crate) fn others(&self, slice: usize) -> impl Iterator<Item = (u32, Extent)> + '_ {
         self.others.iter().flat_map(move |run| &run[slice]).copied()
     }

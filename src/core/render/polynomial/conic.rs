@@ -7,18 +7,18 @@ use crate::exact::bounded::{Number, SECOND_ORDER, UNDERFLOW, Vector, cross, dot,
 use crate::exact::quadratic::{Form, SphereParts};
 use crate::render::polynomial::frame_rays::{Patch, Steppers};
 
-/// With the direction `s + m e + k g`, m columns and k rows from the middle of a [`Patch`], the
-/// parts a, b and D of a sphere's quadratic, whose coefficients stand in the order 1, m, k, m^2, mk,
-/// k^2. The middle is near the outline's, where `r^2 a` and `|q x d|^2` are small, so that nothing
-/// cancels.
+/// A sphere's quadratic as polynomials: with the direction `s + m e + k g`, m columns and k rows
+/// from the middle of a [`Patch`], the parts a, b and D of a sphere's quadratic, whose coefficients
+/// stand in the order 1, m, k, m^2, mk, k^2. The middle is near the outline's, where `r^2 a` and
+/// `|q x d|^2` are small, so that nothing cancels.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Conic {
     a: [f64; 6],
     b: [f64; 3],
     discriminant: [f64; 6],
-    /// How far D may be off, in the patch.
+    /// Error bound of D in the patch.
     discriminant_doubt: f64,
-    /// How far b may be off.
+    /// Error bound of b.
     b_doubt: f64,
     /// Relative error of a.
     a_doubt: f64,
@@ -32,7 +32,7 @@ pub(crate) struct ConicRow {
     pub(crate) discriminant: [f64; 3],
 }
 
-/// Where a pixel is beyond doubt.
+/// Thresholds beyond which a pixel is beyond doubt.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Thresholds {
     /// D at least this is a hit, and `t` exact enough.
@@ -58,9 +58,8 @@ impl Conic {
     /// At the patch's corner let `S = |s| + m |e| + k |g|`, and likewise N of `q x direction` and B
     /// of b; P and Q are the doubts of direction and q, and STEP is a product with a whole number and
     /// a sum. A coefficient is made of dot products of vectors that are off by P. Evaluating a
-    /// polynomial, column within row, takes two steps for each of its two variables; where it is
-    /// linear, one for the row, and for the column one with a looser sum (`8 u^2` in double-double),
-    /// together less than three steps:
+    /// polynomial, column within row, takes two steps for each of its two variables, one where it is
+    /// linear; three are allowed for there:
     ///
     /// ```text
     /// b:           B' = |q| S (DOT + P + Q) + 3 STEP B
@@ -78,7 +77,7 @@ impl Conic {
         let q = sphere.q;
         let vectors = [rays.direction(patch.n, patch.l), rays.e, rays.g];
         let corner = |x| patch.corner(x);
-        let reach_of = |v: [Vector<f64>; 3]| corner(v.map(|x| length(x)));
+        let reach_of = |v: [Vector<f64>; 3]| corner(v.map(length));
         let p = rays.doubt();
         let step = f64::PRODUCT + f64::SUM;
         let reach = reach_of(vectors);
@@ -124,18 +123,18 @@ impl Conic {
     /// The row that is `k` steps from the middle.
     #[inline(always)]
     pub(crate) fn row(&self, k: f64) -> ConicRow {
-        let of = |c: &[f64; 6]| {
+        let of_row = |c: &[f64; 6]| {
             let constant = c[0] + (c[2] + c[5] * k) * k;
             [constant, c[1] + c[4] * k, c[3]]
         };
         ConicRow {
-            a: of(&self.a),
+            a: of_row(&self.a),
             b: [self.b[0] + self.b[2] * k, self.b[1]],
-            discriminant: of(&self.discriminant),
+            discriminant: of_row(&self.discriminant),
         }
     }
 
-    /// Where decisions are beyond doubt and the relative error of `t` is at most `t_doubt`.
+    /// Finds where decisions are beyond doubt and the relative error of `t` is at most `t_doubt`.
     ///
     /// With `z = |b| + sqrt D`, t is `c / z` or `z / a`. z is at least `sqrt(|c| a)`, since
     /// `b^2 - D = a c`, and off by `b_doubt + D_doubt / sqrt D`. On the sphere itself
@@ -148,8 +147,7 @@ impl Conic {
         t_doubt: f64,
     ) -> Thresholds {
         let (doubt, b_doubt) = (self.discriminant_doubt, self.b_doubt);
-        // The kernels' own operations: at most 80 u^2 and a product in double-double, half a dozen u
-        // in f64.
+        // The kernels' own operations are half a dozen roundings.
         let operations = 5.0 * f64::QUOTIENT + 2.0 * f64::PRODUCT;
         if side == Ordering::Equal {
             let left = t_doubt - self.a_doubt - operations;

@@ -10,8 +10,8 @@ use crate::exact::quadratic::DirectionParts;
 use crate::exact::scale::ldexp;
 use crate::render::frame::Raster;
 
-/// With the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`, the view ray's direction
-/// times `2 W H` is
+/// All view rays of a frame: with the whole numbers `n = 2 column + 1 - W` and `l = H - 2 row - 1`,
+/// the view ray's direction times `2 W H` is
 ///
 /// ```text
 /// n (width H U) + l (height W V) - 2 W H distance W  =  n e + l g + z
@@ -26,7 +26,7 @@ pub(crate) struct FrameRays<'a> {
     pub(crate) l: Vec<f64>,
     /// `n e` of each column, in `f64`.
     column_parts: Vec<Vector<f64>>,
-    /// At least the length of every direction.
+    /// Upper bound of the length of every direction.
     longest: f64,
     pub(crate) steppers: Steppers,
     /// `2 W H`
@@ -96,7 +96,7 @@ impl<'a> FrameRays<'a> {
         Patch { n: n0, l: l0, columns: reach(n, n0), rows: reach(l, l0) }
     }
 
-    /// Whether e, g and z are of ordinary lengths, so that none of their digits was lost to the
+    /// Returns whether e, g and z are of ordinary lengths, so that none of their digits was lost to the
     /// common scale.
     pub(crate) fn is_plain(&self) -> bool {
         let Steppers { e, g, z, .. } = &self.steppers;

@@ -18,7 +18,7 @@ pub(crate) struct SphereRow {
     pub(crate) conic: ConicRow,
     /// `c` times `factor`.
     pub(crate) c: f64,
-    /// From the polynomials' units to those of `t`.
+    /// Factor from the polynomials' units to those of `t`.
     pub(crate) factor: f64,
     pub(crate) side: Ordering,
     pub(crate) thresholds: Thresholds,

@@ -1,5 +1,5 @@
-//! What is not drawn by rows: spheres that are near or large, and planes. An object's quadratic is a
-//! polynomial in rows and columns.
+//! Objects that are not drawn by rows: spheres that are near or large, and planes. An object's
+//! quadratic is a polynomial in rows and columns.
 
 pub(crate) mod blend;
 pub(crate) mod conic;

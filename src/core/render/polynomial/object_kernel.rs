@@ -11,9 +11,9 @@ use crate::render::polynomial::blend::T_SHARE;
 use crate::render::polynomial::conic::{Conic, ConicRow, Thresholds};
 use crate::render::polynomial::frame_rays::{FrameRays, Patch, Steppers};
 use crate::render::polynomial::kernel::{PlaneRow, SphereRow, plane_row, sphere_row};
-use crate::scene::plane_predicates::PlaneSeen;
+use crate::scene::plane_predicates::PlaneFromOrigin;
 
-/// From the units of the polynomials to those of `t`; `None` where they are extreme.
+/// Returns the factor from the units of the polynomials to those of `t`; `None` where they are extreme.
 pub(crate) fn factor(rays: &FrameRays, scale: i32) -> Option<f64> {
     let factor = ldexp(rays.stretch, scale - rays.scale);
     (rays.is_plain() && (1e-60..1e60).contains(&factor)).then_some(factor)
@@ -43,7 +43,7 @@ impl SphereKernel {
         Some(SphereKernel { conic, c: parts.c * factor, factor, side, thresholds })
     }
 
-    /// From which to which m a row can have a hit, generously; `None` where it has none.
+    /// Finds from which to which m a row can have a hit, generously; `None` where it has none.
     pub(crate) fn reach(&self, k: f64) -> Option<[f64; 2]> {
         if self.side != Ordering::Greater {
             return Some(EVERYWHERE);
@@ -115,7 +115,7 @@ impl PlaneKernel {
     /// doubt, the rate is off by `|n| S (DOT + P)`, and by two steps of a product and a sum where it is
     /// put together. `t` is off by that over the rate, by the offset's share, and by its own operations.
     pub(crate) fn new(
-        seen: &PlaneSeen,
+        seen: &PlaneFromOrigin,
         factor: f64,
         rays: &Steppers,
         patch: &Patch,

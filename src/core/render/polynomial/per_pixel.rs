@@ -6,7 +6,7 @@ use crate::render::polynomial::blend::{DOUBT, T_SHARE, is_in_range};
 /// `t` where a ray surely hits a sphere, seen from outside, before what is known; infinite where it
 /// surely does not; NaN in doubt.
 #[inline(always)]
-pub(crate) fn small_hit(
+pub(crate) fn pixel_hit(
     quadratic: &Quadratic<f64>,
     parts: &SphereParts<f64>,
     factor: f64,

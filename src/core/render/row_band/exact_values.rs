@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
-use crate::scene::object_from_origin::{ObjectSeen, plane_normal};
+use crate::scene::object_from_origin::{ObjectFromOrigin, plane_normal};
 
 /// Fills in `t` and normals of the pixels in some rows, whose objects are known; neither where there
 /// is no room for it.
@@ -21,7 +21,7 @@ pub(crate) fn fill_exactly(
         return;
     }
     let (camera, width) = (plan.rays.camera(), plan.axes.width());
-    let mut known: Option<(u32, ObjectSeen)> = None;
+    let mut known: Option<(u32, ObjectFromOrigin)> = None;
     for (place, object) in object.iter().copied().enumerate() {
         if object == NO_OBJECT {
             if let Some(t) = t.get_mut(place) {
@@ -32,19 +32,19 @@ pub(crate) fn fill_exactly(
         let seen = match known.take() {
             Some((index, seen)) if index == object => seen,
             _ => match plan.scene.object(object) {
-                Some(object) => ObjectSeen::new(&object, camera.eye()),
+                Some(object) => ObjectFromOrigin::new(&object, camera.eye()),
                 None => continue,
             },
         };
         let ray = camera.exact_ray(plan.rays.pixel(rows.start + place / width, place % width));
-        let end = seen.end_of_hit();
+        let root = seen.root_of_hit();
         if let Some(t) = t.get_mut(place) {
-            *t = seen.t(&ray, end).to_f64();
+            *t = seen.t(&ray, root).to_f64();
         }
         if let Some(normal) = normals.get_mut(place) {
             *normal = match &seen {
-                ObjectSeen::Plane(seen) => plane_normal(seen.plane().normal),
-                ObjectSeen::Sphere(seen) => seen.normal(&ray, end),
+                ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
+                ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),
             };
         }
         known = Some((object, seen));

@@ -5,20 +5,20 @@ use std::cmp::Ordering;
 use crate::exact::steps::Steps;
 use crate::render::frame::NO_OBJECT;
 use crate::render::polynomial::blend::{T_SHARE, to_single};
-use crate::render::row_band::Band;
+use crate::render::row_band::RowBand;
 use crate::render::rows::span::Doubt;
 use crate::scene::object::Object;
-use crate::scene::object_from_origin::{Hit, ObjectSeen};
+use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 
-impl Band<'_> {
+impl RowBand<'_> {
     /// A sphere as the eye sees it.
-    pub(crate) fn seen(&self, index: u32) -> ObjectSeen {
+    pub(crate) fn seen(&self, index: u32) -> ObjectFromOrigin {
         let sphere = Object::Sphere(self.plan.scene.spheres()[index as usize]);
-        ObjectSeen::new(&sphere, self.plan.rays.camera().eye())
+        ObjectFromOrigin::new(&sphere, self.plan.rays.camera().eye())
     }
 
     /// A pixel that a sphere's row could not decide.
-    pub(crate) fn settle_doubt(&mut self, doubt: &Doubt) {
+    pub(crate) fn resolve(&mut self, doubt: &Doubt) {
         let Doubt { index, row, column, t } = *doubt;
         let (row, column) = (row as usize, column as usize);
         self.steps.f64 += 1;
@@ -32,21 +32,27 @@ impl Band<'_> {
             return;
         }
         let seen = self.seen(index);
-        self.settle_with(index, &seen, row, column, t);
+        self.resolve_with(index, &seen, row, column, t);
     }
 
     /// One pixel by itself, up the ladder.
     #[cold]
-    pub(crate) fn settle(&mut self, index: u32, seen: &ObjectSeen, row: usize, column: usize) {
-        self.settle_with(index, seen, row, column, None);
-    }
-
-    /// The same, where `t` may be known.
-    #[cold]
-    fn settle_with(
+    pub(crate) fn resolve_exactly(
         &mut self,
         index: u32,
-        seen: &ObjectSeen,
+        seen: &ObjectFromOrigin,
+        row: usize,
+        column: usize,
+    ) {
+        self.resolve_with(index, seen, row, column, None);
+    }
+
+    /// Decides a pixel whose `t` may be known.
+    #[cold]
+    fn resolve_with(
+        &mut self,
+        index: u32,
+        seen: &ObjectFromOrigin,
         row: usize,
         column: usize,
         t: Option<f32>,
@@ -56,18 +62,18 @@ impl Band<'_> {
         let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
         // The ladder counts this decision at its own step.
         self.steps.f64 -= 1;
-        let Some(end) = seen.first_end(&ray, &mut self.steps) else {
+        let Some(root) = seen.first_root(&ray, &mut self.steps) else {
             return;
         };
-        let hit = Hit { index, seen, end };
+        let hit = Hit { index, seen, root };
         let known = self.object[place];
         if known != NO_OBJECT
             && let Some(object) = self.plan.scene.object(known)
         {
-            let known_seen = ObjectSeen::new(&object, camera.eye());
-            let known_end = known_seen.first_end(&ray, &mut Steps::default());
-            let order = known_end.map_or(Ordering::Less, |end| {
-                let known = Hit { index: known, seen: &known_seen, end };
+            let known_seen = ObjectFromOrigin::new(&object, camera.eye());
+            let known_root = known_seen.first_root(&ray, &mut Steps::default());
+            let order = known_root.map_or(Ordering::Less, |root| {
+                let known = Hit { index: known, seen: &known_seen, root };
                 hit.compare(&known, &ray, &mut self.steps)
             });
             if order.then(index.cmp(&known)) == Ordering::Greater {
@@ -79,7 +85,7 @@ impl Band<'_> {
             self.t[place] = to_single(f64::from(t));
             return;
         }
-        let t = seen.t_within(&ray, end, T_SHARE);
+        let t = seen.t_within(&ray, root, T_SHARE);
         self.t[place] = to_single(t.to_f64());
     }
 }

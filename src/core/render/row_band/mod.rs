@@ -12,7 +12,7 @@ use fearless_simd::{Simd, dispatch};
 
 use crate::exact::quadratic::{Quadratic, SphereParts};
 use crate::exact::steps::Steps;
-use crate::render::bvh::draw::{CrowdDrawn, draw_crowd};
+use crate::render::bvh::draw::{DrawnSpheres, draw_visible};
 use crate::render::frame::NO_OBJECT;
 use crate::render::frame::counts::Counts;
 use crate::render::outline::extent::Extent;
@@ -21,28 +21,28 @@ use crate::render::plan::classify::SLICE_ROWS;
 use crate::render::polynomial::blend::{DOUBT, blend, is_in_doubt, to_single};
 use crate::render::polynomial::frame_rays::Patch;
 use crate::render::polynomial::object_kernel::{EVERYWHERE, PlaneKernel, SphereKernel, factor};
-use crate::render::polynomial::per_pixel::small_hit;
+use crate::render::polynomial::per_pixel::pixel_hit;
 use crate::render::rows::span::{Doubt, SpanTarget};
-use crate::scene::object_from_origin::ObjectSeen;
-use crate::scene::sphere_predicates::SphereSeen;
+use crate::scene::object_from_origin::ObjectFromOrigin;
+use crate::scene::sphere_predicates::SphereFromOrigin;
 
 /// The widest vector there is: rows are padded to whole ones.
 const LANES: usize = 8;
 
 /// Rows of a frame with their part of the buffers. Objects are added in any order: of two that are
 /// too close to tell, or equal, the ladder finds the first, and of equals the one that is listed first.
-pub(crate) struct Band<'a> {
+pub(crate) struct RowBand<'a> {
     pub(crate) plan: &'a Plan<'a>,
     pub(crate) rows: Range<usize>,
     pub(crate) t: &'a mut [f32],
     pub(crate) object: &'a mut [u32],
     pub(crate) steps: Steps,
-    /// From which sphere, or group and block of many, rows are drawn next; `None` where all are.
+    /// The sphere, or group and block of many, from which rows are drawn next; `None` where all are.
     next: Option<(usize, usize)>,
     /// Pixels in doubt, left to be decided.
     doubts: Vec<Doubt>,
-    drawn: CrowdDrawn,
-    /// By row, whether an object's outline reaches it.
+    drawn: DrawnSpheres,
+    /// True, by row, if an object's outline reaches it.
     is_reached: Vec<bool>,
     /// Columns from the middle of the patch at hand.
     m: Vec<f64>,
@@ -50,16 +50,16 @@ pub(crate) struct Band<'a> {
     found: Vec<f64>,
 }
 
-/// Up to this many pixels, a sphere's polynomials cost more than asking each pixel.
-const SMALL: usize = 64;
+/// Number of pixels up to which a sphere's polynomials cost more than asking each pixel.
+const FEW_PIXELS: usize = 64;
 
-/// What a kernel does with one row: columns from the middle, row's l, answers.
+/// A kernel's answers for one row: columns from the middle, row's l, answers.
 type RowOf<'a> = &'a dyn Fn(&[f64], f64, &mut [f64]);
 
-/// From which to which m, columns from the middle, a row can have a hit.
+/// The range of m, columns from the middle, in which a row can have a hit.
 type ReachOf<'a> = &'a dyn Fn(f64) -> Option<[f64; 2]>;
 
-impl<'a> Band<'a> {
+impl<'a> RowBand<'a> {
     pub(crate) fn new(
         plan: &'a Plan<'a>,
         rows: Range<usize>,
@@ -68,7 +68,7 @@ impl<'a> Band<'a> {
     ) -> Self {
         dispatch!(plan.level, simd => clear(simd, t));
         object.fill(NO_OBJECT);
-        Band {
+        RowBand {
             plan,
             is_reached: vec![false; rows.len()],
             rows,
@@ -77,7 +77,7 @@ impl<'a> Band<'a> {
             steps: Steps::default(),
             next: Some((0, 0)),
             doubts: Vec::new(),
-            drawn: CrowdDrawn::default(),
+            drawn: DrawnSpheres::default(),
             m: Vec::new(),
             found: Vec::new(),
         }
@@ -86,7 +86,7 @@ impl<'a> Band<'a> {
     /// Draws what of many spheres is near or large, and hides much of the rest.
     pub(crate) fn draw_large(&mut self) {
         let plan = self.plan;
-        for (index, extent) in plan.crowd.iter().flat_map(|crowd| &crowd.others) {
+        for (index, extent) in plan.visible.iter().flat_map(|visible| &visible.others) {
             self.add_in_slices(*index, extent);
         }
     }
@@ -105,7 +105,7 @@ impl<'a> Band<'a> {
     pub(crate) fn resolve_doubt(&mut self) {
         let mut doubts = mem::take(&mut self.doubts);
         for doubt in doubts.drain(..) {
-            self.settle_doubt(&doubt);
+            self.resolve(&doubt);
         }
         self.doubts = doubts;
     }
@@ -114,7 +114,7 @@ impl<'a> Band<'a> {
     pub(crate) fn draw_others(&mut self) {
         let plan = self.plan;
         for index in mem::take(&mut self.drawn.others) {
-            if let Some(extent) = plan.extents.of(&plan.scene.spheres()[index as usize]) {
+            if let Some(extent) = plan.extents.find(&plan.scene.spheres()[index as usize]) {
                 self.add_in_slices(index, &extent);
             }
         }
@@ -168,7 +168,7 @@ impl<'a> Band<'a> {
         &mut self,
         from: (usize, usize),
         doubts: &mut Vec<Doubt>,
-        drawn: &mut CrowdDrawn,
+        drawn: &mut DrawnSpheres,
     ) -> Option<(usize, usize)> {
         let plan = self.plan;
         let mut target = SpanTarget {
@@ -191,20 +191,20 @@ impl<'a> Band<'a> {
         self.reach(&rows);
         let sphere = self.plan.scene.spheres()[index as usize];
         let eye = self.plan.rays.camera().eye();
-        let parts = SphereSeen::rough_parts(&sphere, eye);
-        let is_small = rows.len() * columns.len() <= SMALL;
-        if is_small
+        let parts = SphereFromOrigin::rough_parts(&sphere, eye);
+        let is_per_pixel = rows.len() * columns.len() <= FEW_PIXELS;
+        if is_per_pixel
             && let Some(parts) = &parts
             && let Some(factor) = factor(&self.plan.rays, 0)
         {
-            return self.add_small_sphere(index, rows, columns, parts, factor);
+            return self.add_per_pixel(index, rows, columns, parts, factor);
         }
         let patch = self.plan.rays.patch(&rows, &columns);
         let rays = &self.plan.rays;
         let kernel = match parts {
             Some(parts) => SphereKernel::new(rays, &parts, Ordering::Greater, 0, &patch),
             None => {
-                let seen = SphereSeen::new(&sphere, eye);
+                let seen = SphereFromOrigin::new(&sphere, eye);
                 SphereKernel::new(rays, &seen.rough, seen.side, seen.scale, &patch)
             }
         };
@@ -224,7 +224,7 @@ impl<'a> Band<'a> {
 
     /// Adds a sphere that covers too few pixels to be worth polynomials: each pixel's ray is asked by
     /// itself, in `f64`.
-    fn add_small_sphere(
+    fn add_per_pixel(
         &mut self,
         index: u32,
         rows: Range<usize>,
@@ -240,10 +240,10 @@ impl<'a> Band<'a> {
             for column in columns.clone() {
                 let quadratic = Quadratic::new(parts, &rays.rough_direction(row, column));
                 let place = (row - self.rows.start) * width + column;
-                let found = small_hit(&quadratic, parts, factor, self.t[place]);
+                let found = pixel_hit(&quadratic, parts, factor, self.t[place]);
                 if found.is_nan() {
                     let seen = own.get_or_insert_with(|| self.seen(index));
-                    self.settle(index, seen, row, column);
+                    self.resolve_exactly(index, seen, row, column);
                 } else if found < f64::INFINITY {
                     (self.t[place], self.object[place]) = (to_single(found), index);
                 }
@@ -252,8 +252,8 @@ impl<'a> Band<'a> {
     }
 
     /// Adds a plane; none that the eye lies in, which no ray hits.
-    fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectSeen, rows: Range<usize>) {
-        let ObjectSeen::Plane(seen) = seen_by_eye else {
+    fn add_plane(&mut self, plane: usize, seen_by_eye: &ObjectFromOrigin, rows: Range<usize>) {
+        let ObjectFromOrigin::Plane(seen) = seen_by_eye else {
             return;
         };
         if seen.side == Ordering::Equal {
@@ -284,7 +284,7 @@ impl<'a> Band<'a> {
         columns: Range<usize>,
         patch: &Patch,
         (answer, reach): (RowOf, ReachOf),
-        seen: Option<&ObjectSeen>,
+        seen: Option<&ObjectFromOrigin>,
     ) {
         let padded = columns.len().next_multiple_of(LANES);
         self.m.clear();
@@ -318,7 +318,7 @@ impl<'a> Band<'a> {
                     if is_in_doubt(*found, self.t[place], self.object[place], index) {
                         let seen =
                             seen.unwrap_or_else(|| own.get_or_insert_with(|| self.seen(index)));
-                        self.settle(index, seen, row, column);
+                        self.resolve_exactly(index, seen, row, column);
                     }
                 }
             }
@@ -327,7 +327,7 @@ impl<'a> Band<'a> {
     }
 }
 
-/// No hit anywhere.
+/// Sets all to no hit.
 #[inline(always)]
 fn clear<S: Simd>(simd: S, t: &mut [f32]) {
     let none = S::f32s::splat(simd, f32::INFINITY);
@@ -344,10 +344,10 @@ fn draw<S: Simd>(
     plan: &Plan,
     from: (usize, usize),
     target: &mut SpanTarget,
-    drawn: &mut CrowdDrawn,
+    drawn: &mut DrawnSpheres,
 ) -> Option<(usize, usize)> {
-    if let Some(crowd) = &plan.crowd {
-        return draw_crowd(simd, crowd, from, target, drawn);
+    if let Some(visible) = &plan.visible {
+        return draw_visible(simd, visible, from, target, drawn);
     }
     for (place, span) in plan.spans.iter().enumerate().skip(from.0) {
         span.draw(simd, target);

@@ -5,26 +5,26 @@ use fearless_simd::prelude::*;
 use fearless_simd::{Simd, f32x8, u32x8};
 
 use crate::exact::lanes::lanes_of;
-use crate::render::outline::{MARGIN, MOST_LANES, Outlines, TINY_ROWS};
+use crate::render::outline::{MARGIN, MOST_LANES, Outlines, SMALL_ROWS};
 use crate::render::rows::span::{Doubt, RowEnds, SpanTarget, TIE};
 
 /// Pixels drawn at once.
 const PIXELS: usize = 8;
 
-/// How many rows the spheres of a vector have at most.
-const RUNS: usize = TINY_ROWS * MOST_LANES;
+/// Maximum number of rows of the spheres of a vector.
+const RUNS: usize = SMALL_ROWS * MOST_LANES;
 
-/// What the rows of a tiny sphere share, lane by lane: with an anchor B near all of its b,
+/// The numbers that the rows of a small sphere share, lane by lane: with an anchor B near all of its b,
 /// `Q = numerator / B` in two parts.
-struct TinySpheres {
+struct SmallSpheres {
     /// 1 / B.
     inverse: [f32; 2 * MOST_LANES],
-    /// What e changes by from column to column, see [`TinySpheres::t`].
+    /// Change of e from column to column, see [`SmallSpheres::t`].
     slope: [f32; 2 * MOST_LANES],
     quotient: [[f32; 2 * MOST_LANES]; 2],
 }
 
-/// Rows of tiny spheres: those of the first row of each, lane by lane, then those of the second, and so
+/// Rows of small spheres: those of the first row of each, lane by lane, then those of the second, and so
 /// on; each narrowed vector is stored with as many lanes again, which the next one overwrites.
 pub(crate) struct Runs {
     /// First and last column that the sphere covers, wherever the image ends, and how far inside
@@ -38,7 +38,7 @@ pub(crate) struct Runs {
     /// The row in the target and the first column in the raster; see [`whole`].
     row: [f64; RUNS],
     from: [f64; RUNS],
-    /// Which of them are drawn.
+    /// The rows that are drawn.
     listed: [u8; RUNS + 1],
 }
 
@@ -61,29 +61,29 @@ fn whole(sum: f64) -> usize {
 
 /// Draws those spheres of a vector whose bits are set.
 #[inline(always)]
-pub(crate) fn draw_tiny<S: Simd>(
+pub(crate) fn draw_small<S: Simd>(
     simd: S,
     outlines: &Outlines,
-    tiny: u64,
+    small: u64,
     ids: &[u32],
     runs: &mut Runs,
     target: &mut SpanTarget,
 ) {
-    let (spheres, anchor) = TinySpheres::new(simd, outlines);
+    let (spheres, anchor) = SmallSpheres::new(simd, outlines);
     // Listed without a branch, which no processor could foresee.
     let mut count = 0;
-    for number in 0..TINY_ROWS {
+    for number in 0..SMALL_ROWS {
         let step = runs.find::<S>(simd, (outlines, &spheres, anchor), number, target);
         // A row between two others may pass no pixel's centre, where the outline leans.
-        if tiny & step.is_left == 0 {
+        if small & step.is_left == 0 {
             break;
         }
-        let is_drawn = tiny & step.is_drawn;
+        let is_drawn = small & step.is_drawn;
         for lane in 0..S::f64s::LEN {
             runs.listed[count] = (number * S::f64s::LEN + lane) as u8;
             count += (is_drawn >> lane & 1) as usize;
         }
-        for lane in lanes_of(tiny & step.is_doubtful) {
+        for lane in lanes_of(small & step.is_doubtful) {
             note_doubts(outlines, lane, ids[lane], number, target);
         }
     }
@@ -94,16 +94,16 @@ pub(crate) fn draw_tiny<S: Simd>(
     }
 }
 
-impl TinySpheres {
-    /// With the anchors: each sphere's b at its centre.
+impl SmallSpheres {
+    /// Computes the spheres' numbers, and the anchors: each sphere's b at its centre.
     #[inline(always)]
-    fn new<S: Simd>(simd: S, of: &Outlines) -> (TinySpheres, S::f64s) {
+    fn new<S: Simd>(simd: S, of: &Outlines) -> (SmallSpheres, S::f64s) {
         let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..S::f64s::LEN]);
         let anchor = load(&of.b0) + load(&of.b_column) * load(&of.column);
         let inverse = S::f64s::splat(simd, 1.0) / anchor;
         let quotient = load(&of.numerator) * inverse;
         let high = quotient.narrow(quotient);
-        let spheres = TinySpheres {
+        let spheres = SmallSpheres {
             inverse: narrowed::<S>(inverse),
             slope: narrowed::<S>(load(&of.b_column) * inverse),
             quotient: [narrowed::<S>(quotient), narrowed::<S>(quotient - high.widen().0)],
@@ -168,7 +168,7 @@ impl Runs {
     fn find<S: Simd>(
         &mut self,
         simd: S,
-        (of, spheres, anchor): (&Outlines, &TinySpheres, S::f64s),
+        (of, spheres, anchor): (&Outlines, &SmallSpheres, S::f64s),
         step: usize,
         target: &SpanTarget,
     ) -> Step {
@@ -213,7 +213,7 @@ impl Runs {
         &self,
         simd: S,
         run: usize,
-        (spheres, lane, index): (&TinySpheres, usize, u32),
+        (spheres, lane, index): (&SmallSpheres, usize, u32),
         target: &mut SpanTarget,
     ) {
         let (row, from) = (whole(self.row[run]), whole(self.from[run]));

@@ -65,7 +65,7 @@ fn two_parts(x: f64) -> [f32; 2] {
     [high, (x - f64::from(high)) as f32]
 }
 
-/// Where spans are drawn: some rows of the raster.
+/// The rows of the raster that spans are drawn into.
 pub(crate) struct SpanTarget<'a> {
     pub(crate) axes: &'a RasterAxes,
     pub(crate) rows: Range<usize>,
@@ -74,15 +74,15 @@ pub(crate) struct SpanTarget<'a> {
     pub(crate) doubts: &'a mut Vec<Doubt>,
     /// The scene's spheres.
     pub(crate) spheres: &'a [Sphere],
-    /// By row of the target, whether an outline reaches it.
+    /// True, by row of the target, if an outline reaches it.
     pub(crate) is_reached: &'a mut [bool],
-    /// How many pixels were decided.
+    /// Number of pixels that were decided.
     pub(crate) decided: u64,
 }
 
 impl SpanTarget<'_> {
-    /// Whether the sphere is the one that the pixel shows, given twice: then the one that is listed
-    /// first is shown, and nothing is in doubt.
+    /// Returns whether the sphere is the one that the pixel shows, given twice: then the one that
+    /// is listed first is shown, and nothing is in doubt.
     pub(crate) fn is_same_as_known(&mut self, place: usize, index: u32) -> bool {
         let known = self.object[place];
         let is_same = self.spheres.get(known as usize) == Some(&self.spheres[index as usize]);
@@ -92,7 +92,7 @@ impl SpanTarget<'_> {
         is_same
     }
 
-    /// Whether so many pixels are in doubt that they should be settled before more are drawn.
+    /// Returns whether so many pixels are in doubt that they should be decided before more are drawn.
     pub(crate) fn is_full(&self) -> bool {
         const FULL: usize = 1 << 16;
         self.doubts.len() >= FULL
@@ -232,7 +232,7 @@ impl Span {
     }
 }
 
-/// As many `f32` as two vectors of `f64` narrow to.
+/// Lanes of `f32`, as many as two vectors of `f64` narrow to.
 type Singles = [f32; 2 * MOST_LANES];
 
 /// A vector of rows.
@@ -354,13 +354,14 @@ impl<S: Simd> RowEnds<S> {
     }
 }
 
-/// What a row's pixels share. Column numbers are whole, so that differences of them are exact.
+/// The numbers that a row's pixels share. Column numbers are whole, so that differences of them are
+/// exact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanRow {
     /// First and last column that the sphere covers, wherever the image ends.
     pub(crate) first: f32,
     pub(crate) last: f32,
-    /// How far inside the outline's two ends they are, in columns.
+    /// Distance from the outline's two ends to them, in columns.
     pub(crate) left: f32,
     pub(crate) right: f32,
     /// b at the pivot, in two parts.
@@ -371,14 +372,14 @@ pub(crate) struct SpanRow {
     pub(crate) offset: f32,
 }
 
-/// What all of a sphere's rows share.
+/// The numbers that all of a sphere's rows share.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SpanShape {
-    /// In two parts.
+    /// The numerator of t, in two parts.
     pub(crate) numerator: [f32; 2],
     /// b for each column, in two parts, for wide spheres the first of 12 bits.
     pub(crate) b_column: [f32; 2],
-    /// Whether the error of the root needs correction too.
+    /// True if the error of the root needs correction too.
     pub(crate) is_wide: bool,
 }
 
@@ -417,9 +418,10 @@ impl<S: Simd> SpanLanes<S> {
     /// S is small beside b.
     ///
     /// With `u = 2^-24`: each factor of `S^2` is off by 2 u, its own rounding and that of left or
-    /// right, and their product by u more, so S is by `5/2 u` and its own rounding, the part of b that varies by 3 u of itself, and the sum of both by u: in all
-    /// `(4.5 S + 4 (b - b0)) u`, which the caller keeps below 0.45 u of the denominator. The sum with
-    /// b0 keeps its rest, and the quotient is corrected by it and by its own residual.
+    /// right, and their product by u more, so S is by `5/2 u` and its own rounding, the part of b
+    /// that varies by 3 u of itself, and the sum of both by u: in all `(4.5 S + 4 (b - b0)) u`,
+    /// which the caller keeps below 0.45 u of the denominator. The sum with b0 keeps its rest, and
+    /// the quotient is corrected by it and by its own residual.
     #[inline(always)]
     pub(crate) fn narrow(&self, columns: S::f32s) -> SingleLanes<S> {
         let columns = SingleLanes(columns);
@@ -437,16 +439,17 @@ impl<S: Simd> SpanLanes<S> {
         quotient + (residual - quotient * rest) * reciprocal
     }
 
-    /// The same for a sphere whose S is not small beside b: with whole numbers m and n of columns
-    /// from the first and to the last pixel,
+    /// `t` as [`SpanLanes::narrow`] has it, for a sphere whose S is not small beside b: with whole
+    /// numbers m and n of columns from the first and to the last pixel,
     ///
     /// ```text
     /// S^2 = (m + left) (n + right) = m n + (m right + (n left + left right))
     /// ```
     ///
-    /// in which nothing cancels, and whose first term is exact, since `m + n < 2^12`. The root is corrected by
-    /// `(S^2 - root^2) / (2 root)`. One reciprocal `i = 1 / (root sum)` serves both quotients, since
-    /// `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they multiply is small.
+    /// in which nothing cancels, and whose first term is exact, since `m + n < 2^12`. The root is
+    /// corrected by `(S^2 - root^2) / (2 root)`. One reciprocal `i = 1 / (root sum)` serves both
+    /// quotients, since `1 / sum = i root` and `1 / root = i sum` are right to 3 u, and what they
+    /// multiply is small.
     ///
     /// What is left: the rounding of the second term of `S^2`, by 4 u of itself, which is at most
     /// `2 w + 1`, so that S is off by less than `2 sqrt(2 w + 1) u`; and the third power of the share of
@@ -493,14 +496,14 @@ pub(crate) struct RowBuffers<'a> {
 /// each is off by an ulp at most.
 pub(crate) const TIE: f32 = 6.0 * f32::EPSILON;
 
-/// What the vectors of one row share.
+/// The numbers that the vectors of one row share.
 struct Drawing<S: Simd> {
     simd: S,
     below: S::f32s,
     above: S::f32s,
     none: S::f32s,
     nearest: S::f32s,
-    /// Whether a row is so long that it pays to look whether whole vectors are hidden.
+    /// True if a row is so long that it pays to look whether whole vectors are hidden.
     may_be_hidden: bool,
     end: S::f32s,
     own: S::u32s,
@@ -562,8 +565,8 @@ impl<S: Simd> RowOfT<S> for Wide<'_, S> {
 }
 
 /// Takes over the sphere's pixels from `from` to `to` (which is the last one) of a row where they
-/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too close to it to tell; those stay as they
-/// are.
+/// are nearer than what is there; none of them is nearer than `nearest`. Tells whether any is too
+/// close to it to tell; those stay as they are.
 #[inline(always)]
 pub(crate) fn draw_row<S: Simd>(
     simd: S,

@@ -1,4 +1,4 @@
-//! From hits to colours.
+//! Colours of hits.
 
 pub(crate) mod normals;
 pub(crate) mod paint;

@@ -10,9 +10,9 @@ use crate::render::shade::surface::{
     Ball, PLAIN_T, far_normal, near_normal, plane_cosine, sphere_cosine,
 };
 use crate::scene::Scene;
-use crate::scene::object_from_origin::ObjectSeen;
+use crate::scene::object_from_origin::ObjectFromOrigin;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::SphereSeen;
+use crate::scene::sphere_predicates::SphereFromOrigin;
 
 /// The outward normals of a scene's objects.
 pub(crate) struct Normals<'a> {
@@ -88,8 +88,8 @@ impl Surface<'_> {
 #[cold]
 fn normal_of_first_hit(sphere: &Sphere, ray: &Ray) -> DVec3 {
     let Ok(exact) = ExactRay::from_ray(ray) else { return DVec3::ZERO };
-    let seen = SphereSeen::new(sphere, ray.origin);
-    match ObjectSeen::Sphere(seen.clone()).first_end(&exact, &mut Steps::default()) {
+    let seen = SphereFromOrigin::new(sphere, ray.origin);
+    match ObjectFromOrigin::Sphere(seen.clone()).first_root(&exact, &mut Steps::default()) {
         Some(end) => seen.normal(&exact, end),
         None => -unit(ray.direction),
     }

@@ -6,7 +6,7 @@ pub type Rgb = [u8; 3];
 /// The colour of a pixel whose ray hits nothing.
 pub const BACKGROUND: Rgb = [0xc9, 0xd3, 0xdf];
 
-/// How a hit becomes a colour.
+/// A way to make a colour of a hit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Shade {
     /// Lit from the eye: the object's colour times `0.15 + 0.85 |n.d| / |d|`, in linear light.
@@ -34,16 +34,16 @@ impl Shade {
         }
     }
 
-    /// Whether the colours depend on `t`.
+    /// Returns whether the colours depend on `t`.
     pub fn needs_t(self) -> bool {
         matches!(self, Shade::Normal | Shade::T)
     }
 }
 
-/// How hits become pixels.
+/// A way to make pixels of hits.
 #[derive(Clone, Copy, Debug)]
 pub struct Paint<C, F> {
-    /// How a hit becomes a colour.
+    /// A way to make a colour of a hit.
     pub shade: Shade,
     /// `Fn(u32) -> Rgb`: each object's own colour.
     pub color_of: C,

@@ -11,7 +11,7 @@ use crate::render::shade::paint::{BACKGROUND, Paint, Rgb, Shade};
 use crate::render::shade::shade_rows::{PADDING, RowRays, Run, ToneRow, Toner};
 use crate::scene::Scene;
 
-/// What the pixels of a picture share.
+/// The parts that all pixels of a picture share.
 pub(crate) struct Painter<'a, C, F> {
     level: Level,
     paint: &'a Paint<C, F>,
@@ -123,8 +123,8 @@ where
     }
 }
 
-/// Whether the squares of all directions' lengths are far from 0 and infinity: none is shorter than
-/// the distance, and none longer than three sides of the viewport's box.
+/// Returns whether the squares of all directions' lengths are far from 0 and infinity: none is
+/// shorter than the distance, and none longer than three sides of the viewport's box.
 fn has_plain_rays(camera: &ResolvedCamera) -> bool {
     let viewport = camera.viewport();
     let longest = viewport.width + viewport.height + viewport.distance;

@@ -1,4 +1,4 @@
-//! What a pixel's colour is made of, three numbers a pixel, of one pixel or of a run in vectors.
+//! Tones, which a pixel's colour is made of, three numbers a pixel, of one pixel or of a run in vectors.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, Simd, dispatch};
@@ -24,7 +24,7 @@ pub(crate) const FROM_EYE: f64 = 0.85;
 /// Three numbers a pixel: light in parts for [`Shade::Lambert`], bytes for all others.
 pub(crate) type Tones = [u32; 3];
 
-/// How hits become tones, and tones colours.
+/// The way that hits become tones, and tones colours.
 pub(crate) struct Toner<'a> {
     pub(crate) shade: Shade,
     /// The `t` that [`Shade::T`] shows white.
@@ -48,7 +48,7 @@ pub(crate) struct RowRays<'a> {
     /// x, y and z of the columns' parts, padded.
     pub(crate) columns: [&'a [f64]; 3],
     pub(crate) row: DVec3,
-    /// Whether all directions have lengths that need no scaling.
+    /// True if all directions have lengths that need no scaling.
     pub(crate) is_plain: bool,
 }
 
@@ -221,12 +221,12 @@ impl<'a> Toner<'a> {
     }
 }
 
-/// To the nearest byte; `x` is not negative.
+/// Rounds to the nearest byte; `x` is not negative.
 fn byte(x: f32) -> u32 {
     u32::from((x + 0.5) as u8)
 }
 
-/// The same of many; between 0 and 255.
+/// Rounds many to the nearest byte, between 0 and 255.
 #[inline(always)]
 fn bytes<S: Simd>(simd: S, x: S::f32s) -> S::u32s {
     let most = S::f32s::splat(simd, 255.0);
@@ -250,7 +250,7 @@ fn directions<S: Simd>(simd: S, rays: &RowRays, start: usize) -> [Lanes<S>; 3] {
     ]
 }
 
-/// What is lit, in vectors; no closure, see [`surface`](crate::render::shade::surface).
+/// A lit surface, in vectors; no closure, see [`surface`](crate::render::shade::surface).
 trait Lit<S: Simd> {
     /// `|n.d| / |d|`
     fn cosine(&self, d: [Lanes<S>; 3]) -> Lanes<S>;
@@ -280,7 +280,7 @@ impl<S: Simd> Lit<S> for LitSphere<S> {
     }
 }
 
-/// What has normals, in vectors.
+/// A curved surface, in vectors.
 trait Curved<S: Simd> {
     /// The normals where the rays of these directions, in the row's columns from `start` on, hit.
     fn normal(&self, simd: S, start: usize, d: [Lanes<S>; 3]) -> [Lanes<S>; 3];

@@ -6,8 +6,8 @@ use std::sync::LazyLock;
 pub(crate) struct Srgb {
     /// Byte to linear light, in [parts](PARTS).
     parts: [f32; 256],
-    /// From parts to the byte nearest in linear light. Where the curve is steepest, at 0, a byte has
-    /// 20 parts.
+    /// The curve from parts to the byte nearest in linear light. Where the curve is steepest, at 0,
+    /// a byte has 20 parts.
     bytes: Vec<u8>,
 }
 

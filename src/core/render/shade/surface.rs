@@ -1,5 +1,5 @@
-//! What colours need of a surface, for one ray or several side by side: normals in `f64`, without
-//! `t` where it can be.
+//! The numbers of a surface that colours need, for one ray or several side by side: normals in
+//! `f64`, without `t` where it can be.
 //!
 //! No closures here: what a closure does in vectors is not always put into the loop around it, and
 //! then costs ten times as much.
@@ -12,12 +12,12 @@ use crate::exact::error_free::Lane;
 use crate::exact::lanes::Lanes;
 use crate::scene::sphere::Sphere;
 
-/// Up to this many radii away, `p + t d - center` keeps a normal's digits within 1e-6 even from a
-/// `t` in `f32`.
+/// Number of radii of distance up to which `p + t d - center` keeps a normal's digits within 1e-6
+/// even from a `t` in `f32`.
 const NEAR: f64 = 8.0;
 
-/// Up to this many radii away, the ray's point nearest to the centre keeps a normal's digits within
-/// 1e-6.
+/// Number of radii of distance up to which the ray's point nearest to the centre keeps a normal's
+/// digits within 1e-6.
 const FAR: f64 = 1e6;
 
 /// A `t` that has its digits in `f32` too.
@@ -46,10 +46,10 @@ impl<S: Simd> NotNegative for Lanes<S> {
 /// The eye and a sphere, of measures that need no scaling.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball {
-    /// From the centre to the eye.
+    /// The way from the centre to the eye.
     pub(crate) q: DVec3,
     pub(crate) radius: f64,
-    /// Whether the normal is kept by `q + t d`.
+    /// True if the normal is kept by `q + t d`.
     pub(crate) is_near: bool,
 }
 

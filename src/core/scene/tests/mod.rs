@@ -105,7 +105,7 @@ fn assert_is_index_of(index: &SphereIndex, spheres: &[Sphere]) {
     assert!(seen.iter().all(|times| *times == 1), "a sphere has no slot, or two");
 }
 
-/// What a box says of the spheres inside it.
+/// Asserts what a box says of the spheres inside it.
 fn assert_box(boxes: &Boxes, place: usize, inside: &[(usize, Sphere)]) {
     assert_eq!(boxes.count[place] as usize, inside.len());
     if inside.is_empty() {
@@ -129,9 +129,10 @@ fn assert_filled_up(index: &SphereIndex, block: usize, inside: &[(usize, Sphere)
     let slots = SphereIndex::slots_of(block);
     let first = slots.start;
     for slot in slots.filter(|slot| index.ids[*slot] == NO_SPHERE) {
-        let of = |slot: usize| [index.x[slot], index.y[slot], index.z[slot], index.radius[slot]];
-        let expected = if inside.is_empty() { [0.0; 4] } else { of(first) };
-        assert_eq!(of(slot), expected);
+        let slot_values =
+            |slot: usize| [index.x[slot], index.y[slot], index.z[slot], index.radius[slot]];
+        let expected = if inside.is_empty() { [0.0; 4] } else { slot_values(first) };
+        assert_eq!(slot_values(slot), expected);
     }
 }
 
@@ -205,9 +206,9 @@ fn the_index_is_the_same_for_any_number_of_threads() {
 
 #[test]
 fn a_scene_of_few_spheres_has_no_index() {
-    let of = |count| Scene::new(cloud(count, (0.0, 0.0)), vec![]).unwrap();
-    assert!(of(INDEX_FROM - 1).index().is_none());
-    assert!(of(INDEX_FROM).index().is_some());
+    let scene = |count| Scene::new(cloud(count, (0.0, 0.0)), vec![]).unwrap();
+    assert!(scene(INDEX_FROM - 1).index().is_none());
+    assert!(scene(INDEX_FROM).index().is_some());
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub(crate) fn scene(objects: &[reference::Object]) -> Scene {
     Scene::new(spheres, planes).unwrap()
 }
 
-/// How a camera is turned.
+/// Converts the way a camera is turned.
 pub(crate) fn orientation(given: &reference::Orientation) -> Orientation {
     match *given {
         reference::Orientation::At { at, up } => Orientation::At { at: at.into(), up: up.into() },

@@ -1,4 +1,4 @@
-//! What several test files use.
+//! Helpers of several tests.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod given;
@@ -23,7 +23,7 @@ pub(crate) fn plane(point: [f64; 3], normal: [f64; 3]) -> Plane {
     Plane { point: DVec3::from_array(point), normal: DVec3::from_array(normal) }
 }
 
-/// How many `f64`s apart two numbers are, counted across 0.
+/// Number of `f64`s between two numbers, counted across 0.
 pub(crate) fn ulps(a: f64, b: f64) -> u64 {
     assert!(!a.is_nan() && !b.is_nan(), "{a} against {b}");
     let place = |x: f64| {

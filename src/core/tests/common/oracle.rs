@@ -1,4 +1,4 @@
-//! The same formulas in 1200 binary digits, of the `f64` inputs as given.
+//! The formulas in 1200 binary digits, of the `f64` inputs as given.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -49,8 +49,8 @@ impl Big3 {
 
     pub(crate) fn cross(&self, other: &Big3) -> Big3 {
         let (a, b) = (&self.0, &other.0);
-        let of = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
-        Big3([of(1, 2), of(2, 0), of(0, 1)])
+        let minor = |i: usize, j: usize| &a[i] * &b[j] - &a[j] * &b[i];
+        Big3([minor(1, 2), minor(2, 0), minor(0, 1)])
     }
 
     pub(crate) fn is_zero(&self) -> bool {

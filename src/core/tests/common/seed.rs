@@ -22,7 +22,7 @@ pub(crate) fn seed() -> u64 {
     seed
 }
 
-/// So many random cases of the seed; no file of failures, as the seed tells them again.
+/// Configuration of so many random cases of the seed; no file of failures, as the seed tells them again.
 pub(crate) fn config(cases: u32) -> Config {
     let rng_seed = RngSeed::Fixed(seed());
     Config { cases, failure_persistence: None, rng_seed, ..Config::default() }

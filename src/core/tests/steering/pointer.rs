@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::{direction, vec3};
 use crate::common::seed::config;
 
-/// From (0, 0, 10) along -z: a viewport of 2 x 2 at distance 1.
+/// A camera at (0, 0, 10), along -z: a viewport of 2 x 2 at distance 1.
 fn straight() -> ResolvedCamera {
     Camera {
         eye: vec3(0.0, 0.0, 10.0),

@@ -30,7 +30,7 @@ fn offset() -> impl Strategy<Value = DVec3> {
     (direction(), -6.0..1.0_f64).prop_map(|(direction, power)| 10_f64.powf(power) * direction)
 }
 
-/// On the unit sphere round at, so far from straight above it, in degrees; along a meridian that
+/// A point of the unit sphere round at, so far from straight above it, in degrees; along a meridian that
 /// passes so many degrees beside.
 fn eye_over_the_top(degrees: f64, beside: f64) -> DVec3 {
     let (sin, cos) = degrees.to_radians().sin_cos();
@@ -248,7 +248,7 @@ proptest! {
         }
     }
 
-    /// From any camera: no jump.
+    /// A small drag never makes a camera jump.
     #[test]
     fn a_small_drag_is_a_small_change(
         camera in any_camera(), direction in direction(), is_eye in any::<bool>(),
@@ -263,7 +263,7 @@ proptest! {
         prop_assert!(!calm || turn <= 1.01e-6 / CONE.sin() + 1e-11);
     }
 
-    /// Where up stays, there and back again is where it began.
+    /// A drag there and back again ends where it began, where up stays.
     #[test]
     fn outside_the_cone_there_and_back_again(
         camera in calm_camera(), offset in offset(), is_eye in any::<bool>(),

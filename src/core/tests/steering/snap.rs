@@ -60,7 +60,7 @@ fn dragged_numbers_stay_short() {
     assert_eq!(point, DVec3::new(1.0, -2.5, 0.0));
 }
 
-/// How many digits the shortest decimal of a number has.
+/// Number of digits of the shortest decimal of a number.
 fn digits(x: f64) -> usize {
     let text = format!("{x:e}");
     let mantissa = text.split('e').next().unwrap().trim_start_matches('-').replace('.', "");

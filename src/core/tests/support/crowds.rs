@@ -23,7 +23,7 @@ impl Crowd {
         Crowd { scene, ..self }
     }
 
-    /// The same with at least so many objects to be seen.
+    /// Returns the crowd with at least so many objects to be seen.
     pub(crate) fn showing(self, objects: usize) -> Crowd {
         Crowd { objects, ..self }
     }
@@ -34,7 +34,7 @@ impl Crowd {
     }
 }
 
-/// At the origin, along -z, with a viewport of this size at distance 1.
+/// A camera at the origin, along -z, with a viewport of this size at distance 1.
 pub(crate) fn ahead(viewport: [f64; 2], image: [u32; 2]) -> Camera {
     Camera {
         viewport: Viewport { width: viewport[0], height: viewport[1], distance: 1.0 },
@@ -146,7 +146,7 @@ fn on_the_sides() -> Vec<Sphere> {
     (0..600).map(one).collect()
 }
 
-/// The same spheres again, in another order, with others of the same centres between them.
+/// Spheres given twice, in another order, with others of the same centres between them.
 fn twice() -> Vec<Sphere> {
     let own = of_pixels(200, [2.0, 12.0], 10);
     let smaller = own.iter().map(|own| Sphere { radius: 0.999 * own.radius, ..*own });
@@ -239,7 +239,7 @@ fn wide_angle(name: &'static str, width: f64, count: usize) -> Crowd {
     Crowd::new(name, (0..count).map(one).collect(), camera)
 }
 
-/// The same crowd as it looks from elsewhere: moved, and with a basis given by hand.
+/// A crowd as it looks from elsewhere: moved, and with a basis given by hand.
 fn by_hand(name: &'static str, basis: Basis, offset: DVec3) -> Crowd {
     let mut spheres = of_pixels(700, [0.3, 9.0], 13);
     for sphere in &mut spheres {
@@ -271,31 +271,31 @@ pub(crate) fn all() -> Vec<Crowd> {
     let mut behind_one = of_pixels(5000, [1.0, 20.0], 2);
     behind_one.push(sphere([0.0, 0.0, -2.0], 1.5));
     let many = |radii, seed| of_pixels(5000, radii, seed);
-    let of = |name, spheres| Crowd::new(name, spheres, ordinary());
+    let crowd = |name, spheres| Crowd::new(name, spheres, ordinary());
     let line = |name, image| {
         Crowd::new(name, of_pixels(20_000, [0.05, 2.0], 14), ahead([16.0 / 9.0, 1.0], image))
     };
     let mut all = vec![
-        of("overdraw", many([6.0, 12.0], 1)).showing(100),
-        of("behind one", behind_one).showing(1),
-        of("tinier than a pixel", of_pixels(100_000, [0.05, 0.3], 15)).showing(1000),
-        of("about a pixel", of_pixels(30_000, [0.3, 1.2], 16)).showing(1000),
-        of("about four rows", many([1.6, 2.4], 17)).showing(1000),
-        of("six decades", six_decades()),
-        of("in a cloud", cloud(3000)).showing(100),
-        of("in one of many", around_the_eye(false)).showing(100),
-        of("in the first of many", around_the_eye(true)).showing(100),
-        of("all on one pixel", one_pixel()),
-        of("a planet with pebbles", planet()).showing(100),
-        of("across the eye's plane", eye_plane()),
-        of("on the picture's sides", on_the_sides()).showing(100),
-        of("each twice", twice()).showing(50),
-        of("255 spheres", of_pixels(255, [0.5, 20.0], 18)).showing(50),
-        of("256 spheres", of_pixels(256, [0.5, 20.0], 18)).showing(50),
-        of("257 spheres", of_pixels(257, [0.5, 20.0], 18)).showing(50),
-        of("39,900 spheres", of_pixels(39_900, [0.5, 3.0], 19)).showing(1000),
-        of("45,000 spheres", of_pixels(45_000, [0.5, 3.0], 19)).showing(1000),
-        of("narrow and wide", many([20.0, 90.0], 20)),
+        crowd("overdraw", many([6.0, 12.0], 1)).showing(100),
+        crowd("behind one", behind_one).showing(1),
+        crowd("tinier than a pixel", of_pixels(100_000, [0.05, 0.3], 15)).showing(1000),
+        crowd("about a pixel", of_pixels(30_000, [0.3, 1.2], 16)).showing(1000),
+        crowd("about four rows", many([1.6, 2.4], 17)).showing(1000),
+        crowd("six decades", six_decades()),
+        crowd("in a cloud", cloud(3000)).showing(100),
+        crowd("in one of many", around_the_eye(false)).showing(100),
+        crowd("in the first of many", around_the_eye(true)).showing(100),
+        crowd("all on one pixel", one_pixel()),
+        crowd("a planet with pebbles", planet()).showing(100),
+        crowd("across the eye's plane", eye_plane()),
+        crowd("on the picture's sides", on_the_sides()).showing(100),
+        crowd("each twice", twice()).showing(50),
+        crowd("255 spheres", of_pixels(255, [0.5, 20.0], 18)).showing(50),
+        crowd("256 spheres", of_pixels(256, [0.5, 20.0], 18)).showing(50),
+        crowd("257 spheres", of_pixels(257, [0.5, 20.0], 18)).showing(50),
+        crowd("39,900 spheres", of_pixels(39_900, [0.5, 3.0], 19)).showing(1000),
+        crowd("45,000 spheres", of_pixels(45_000, [0.5, 3.0], 19)).showing(1000),
+        crowd("narrow and wide", many([20.0, 90.0], 20)),
         line("one column", [1, 16_384]).showing(50),
         line("one row", [16_384, 1]).showing(100),
         Crowd::new("touching", lattice(), sixteenths()).showing(50),
@@ -310,7 +310,7 @@ pub(crate) fn all() -> Vec<Crowd> {
         wide_angle("20 wide at distance 1", 20.0, 3000).showing(100),
         wide_angle("20 wide, few", 20.0, 200),
         wide_angle("1000 wide", 1000.0, 3000),
-        of("with planes", many([1.0, 8.0], 21))
+        crowd("with planes", many([1.0, 8.0], 21))
             .with_planes(vec![
                 plane([0.0, -1.5, 0.0], [0.0, 1.0, 0.1]),
                 plane([0.0, 0.0, -9.0], [0.2, 0.1, 1.0]),

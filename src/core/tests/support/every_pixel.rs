@@ -1,4 +1,4 @@
-//! Whether every pixel of a frame is right: what plain `f64` cannot say for sure is asked of the
+//! Checks that every pixel of a frame is right: what plain `f64` cannot say for sure is asked of the
 //! reference, in arbitrary precision, or of the exact ray among those few objects alone.
 
 use std::collections::BTreeMap;
@@ -10,10 +10,10 @@ use rayon::prelude::*;
 
 use super::meeting::{Meeting, Seen};
 
-/// How many of a frame's doubtful pixels the reference decides; exact rays decide the others.
+/// Maximum number of a frame's doubtful pixels that the reference decides; exact rays decide the others.
 const BY_REFERENCE: usize = 200;
 
-/// What a check has looked at.
+/// Counts of what a check has looked at.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Checked {
     pub(crate) pixels: usize,
@@ -34,10 +34,10 @@ struct Checker<'a> {
     resolved: ResolvedCamera,
     frame: &'a Frame<f32>,
     seen: Vec<Seen>,
-    /// By column and by row of the raster, what its pixels share of their directions.
+    /// The parts of the directions that the pixels of a column, and of a row, share.
     across: Vec<DVec3>,
     down: Vec<DVec3>,
-    /// By pixel, from where to where the `t` of the object that it shows surely is.
+    /// The range in which the `t` of the object that a pixel shows surely is.
     own: Vec<[f64; 2]>,
 }
 
@@ -65,7 +65,7 @@ pub(crate) fn every_pixel_is_right(
     }
 }
 
-/// What is wrong with a frame, by pixel.
+/// Finds what is wrong with a frame, by pixel.
 pub(crate) fn check(scene: &Scene, camera: &Camera, frame: &Frame<f32>) -> Result<Checked, Faults> {
     let mut faults = Faults::new();
     let mut checker = Checker::new(scene, camera, frame);
@@ -284,7 +284,7 @@ impl<'a> Checker<'a> {
         Some(format!("{}, {ulps} ulp off; right is {truth}", self.describe(pixel)))
     }
 
-    /// Which of some objects is first, and how far off `t` is.
+    /// Finds which of some objects is first, and how far off `t` is.
     fn by_reference(&self, objects: &[u32], place: Pixel, t: f32) -> (Option<usize>, f64) {
         let objects: Vec<reference::Object> =
             objects.iter().map(|index| as_reference(self.scene.object(*index).unwrap())).collect();
@@ -316,7 +316,7 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// What is known of the object that a pixel shows.
+/// The hit of the object that a pixel shows, as far as it is known.
 enum Own {
     /// It is there, and its `t` is right and lies between these.
     Sure([f64; 2]),

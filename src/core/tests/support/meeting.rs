@@ -1,10 +1,10 @@
-//! Where a view ray meets an object, in plain `f64` with generous bounds: sure, or left to others.
+//! Meetings of a view ray and an object, in plain `f64` with generous bounds: sure, or left to others.
 
 use pinhole_core::*;
 
 use crate::common::oracle;
 
-/// What is known of a ray's first hit of one object.
+/// A ray's first hit of one object, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Meeting {
     /// There is none.
@@ -15,23 +15,23 @@ pub(crate) enum Meeting {
     Unknown,
 }
 
-/// How far off a sum of a few products is, as a share of their sizes: hundreds of roundings.
+/// Error bound of a sum of a few products, as a share of their sizes: hundreds of roundings.
 const SHARE: f64 = 1e-13;
 
 /// One object as seen from the eye.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Seen {
     /// A sphere.
-    Sphere(SphereSeen),
+    Sphere(SphereFromOrigin),
     /// A plane: its normal, `normal . (point - eye)`, and by how much that may be off.
     Plane(DVec3, f64, f64),
 }
 
 /// A sphere as seen from the eye.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SphereSeen {
+pub(crate) struct SphereFromOrigin {
     radius: f64,
-    /// From the eye to the centre.
+    /// The way from the eye to the centre.
     to_center: DVec3,
     distance: f64,
     /// `distance^2 - radius^2`: right, with its sign, for the numbers as given.
@@ -41,7 +41,7 @@ pub(crate) struct SphereSeen {
 impl Seen {
     pub(crate) fn new(object: &Object, eye: DVec3) -> Seen {
         match object {
-            Object::Sphere(sphere) => Seen::Sphere(SphereSeen::new(sphere, eye)),
+            Object::Sphere(sphere) => Seen::Sphere(SphereFromOrigin::new(sphere, eye)),
             Object::Plane(plane) => {
                 let to_point = plane.point - eye;
                 let size = plane.normal.length() * (plane.point.length() + eye.length());
@@ -50,7 +50,7 @@ impl Seen {
         }
     }
 
-    /// Where the ray from the eye in this direction first meets it, `t > 0`.
+    /// Finds where the ray from the eye in this direction first meets it, `t > 0`.
     pub(crate) fn meeting(&self, direction: DVec3) -> Meeting {
         match *self {
             Seen::Sphere(sphere) => sphere.meeting(direction),
@@ -73,8 +73,8 @@ impl Seen {
     }
 }
 
-impl SphereSeen {
-    pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> SphereSeen {
+impl SphereFromOrigin {
+    pub(crate) fn new(sphere: &Sphere, eye: DVec3) -> SphereFromOrigin {
         let to_center = sphere.center - eye;
         let (distance, radius) = (to_center.length(), sphere.radius);
         let mut power = (distance - radius) * (distance + radius);
@@ -83,13 +83,13 @@ impl SphereSeen {
             let square = oracle::big(radius) * oracle::big(radius);
             power = oracle::near(&(exact.dot(&exact) - square));
         }
-        SphereSeen { radius, to_center, distance, power }
+        SphereFromOrigin { radius, to_center, distance, power }
     }
 
-    /// From the discriminant `D = (r |d|)^2 - |q x d|^2`, in which, as a product, little cancels, and
-    /// the roots `t = power / (b + sqrt D)` with `b = q . d`.
+    /// Finds it from the discriminant `D = (r |d|)^2 - |q x d|^2`, in which, as a product, little
+    /// cancels, and the roots `t = power / (b + sqrt D)` with `b = q . d`.
     fn meeting(&self, direction: DVec3) -> Meeting {
-        let SphereSeen { radius, to_center, distance, power } = *self;
+        let SphereFromOrigin { radius, to_center, distance, power } = *self;
         let length = direction.length();
         let (reach, off) = (radius * length, to_center.cross(direction).length());
         let size = distance * length;
@@ -146,7 +146,7 @@ impl SphereSeen {
         [side(basis.u), side(basis.v)]
     }
 
-    /// At most its depth in front of the eye.
+    /// Lower bound of its depth in front of the eye.
     pub(crate) fn least_depth(&self, basis: &Basis) -> f64 {
         -self.to_center.dot(basis.w) - 1.0001 * self.radius - 1e-8 * self.distance
     }

@@ -1,4 +1,4 @@
-//! Whether every pixel of a frame is right, and scenes of crowds to ask it of.
+//! Checks of every pixel of a frame, and scenes of crowds to ask it of.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub(crate) mod crowds;

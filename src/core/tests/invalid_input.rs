@@ -1,5 +1,5 @@
-//! What is no ray, object, basis or camera gets a typed error at its door; and whoever goes on with
-//! it all the same meets no panic, no hit and no endless loop.
+//! Inputs that are no ray, object, basis or camera get a typed error at its door; and whoever goes
+//! on with it all the same meets no panic, no hit and no endless loop.
 
 use pinhole_core::methods::{Method, first_hit_by};
 use pinhole_core::*;
@@ -232,7 +232,7 @@ fn cameras() {
     }
 }
 
-/// What a camera is asked for may be no place either.
+/// Places that a camera is asked for may be none either.
 #[test]
 fn places_in_a_camera() {
     let resolved = Camera::CANONICAL.resolve().unwrap();
