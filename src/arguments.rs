@@ -1,4 +1,4 @@
-//! What may stand on the command line.
+//! The command line: commands and their arguments.
 
 use std::path::PathBuf;
 
@@ -27,15 +27,15 @@ use crate::translator::Target;
                   scene."
 )]
 pub struct Arguments {
-    /// What to do instead of opening the window.
+    /// The command to run instead of opening the window.
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// How to open the window.
+    /// Options of the window.
     #[command(flatten)]
     pub window: WindowArguments,
 }
 
-/// How to open the window.
+/// Options of the window.
 #[derive(Args, Clone, Debug)]
 pub struct WindowArguments {
     /// The scene to open
@@ -68,7 +68,7 @@ pub enum Command {
     Check(CheckArguments),
     /// Measure the error of every method against its run time
     Report(ReportArguments),
-    /// Write a view, the ledger or the lab of lines as a figure for slides
+    /// Write a view, the derivation or the lab of lines as a figure for slides
     Figure(FigureArguments),
     /// Write the camera and the scene as another program has them
     Export(ExportArguments),
@@ -81,7 +81,7 @@ pub enum Command {
 pub struct InspectArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// Which ray.
+    /// The ray.
     #[command(flatten)]
     pub ray: RayArguments,
     /// Print one JSON object
@@ -89,7 +89,7 @@ pub struct InspectArguments {
     pub json: bool,
 }
 
-/// Which view ray: exactly one of these.
+/// A view ray: exactly one of these.
 #[derive(Args, Clone, Copy, Debug)]
 #[group(required = true, multiple = false)]
 pub struct RayArguments {
@@ -144,13 +144,13 @@ pub struct FigureArguments {
     pub scene: PathBuf,
     /// What is drawn: the scene with the camera in it, what the camera sees, the derivation of every
     /// number, or the lab of lines, which is the same for every scene
-    #[arg(long, value_name = "world|camera|ledger|lines")]
+    #[arg(long, value_name = "world|camera|derivation|lines")]
     #[arg(value_parser = subject())]
     pub view: Subject,
     /// The file to write; the ending chooses the format
     ///
     /// SVG and PDF keep strokes and text as such, and have the fonts in them; PNG has the pixels of
-    /// the window. The ledger can be written as text, too: .tex for LaTeX (with amsmath), .md for
+    /// the window. The derivation can be written as text, too: .tex for LaTeX (with amsmath), .md for
     /// Markdown with $formulas$.
     #[arg(short, long, value_name = "OUT.svg|pdf|png")]
     pub output: PathBuf,
@@ -185,7 +185,7 @@ pub struct FigureArguments {
     /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG
     #[arg(long, requires = "play")]
     pub numbered: bool,
-    /// Which ray is shown.
+    /// The ray that is shown.
     #[command(flatten)]
     pub ray: MaybeRayArguments,
 }

@@ -1,4 +1,4 @@
-//! How long the window's frames took, written to a file for those who measure.
+//! A log of how long the window's frames took, written to a file for those who measure.
 
 use std::ffi::OsString;
 use std::fmt::Write as _;

@@ -1,4 +1,4 @@
-//! How long the work of a frame takes: this is where deriving meets the clock.
+//! Times of the work of a frame: this is where deriving meets the clock.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -12,7 +12,7 @@ pub(crate) struct WorkTimes {
     pub(crate) overlay: Duration,
     /// All else that is derived from the document.
     pub(crate) readouts: Duration,
-    /// Whether a picture was made.
+    /// A picture was made.
     pub(crate) is_new: bool,
 }
 

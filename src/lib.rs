@@ -9,7 +9,6 @@ pub mod accuracy;
 pub mod action;
 pub mod app;
 pub mod arguments;
-pub mod chart;
 pub mod coarseness;
 pub mod code;
 mod columns;
@@ -35,6 +34,7 @@ pub mod ledger;
 pub mod lessons;
 mod letters;
 pub mod lines;
+#[cfg(feature = "report")]
 mod machine;
 mod measuring;
 pub mod mistakes;

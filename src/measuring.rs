@@ -8,30 +8,62 @@ use egui::Context;
 use pinhole_core::{Camera, Scene};
 
 use crate::derive::Derived;
+#[cfg(feature = "report")]
 use crate::report::measure::Run;
 use crate::report::model::Report;
 
-/// For so long nothing may have changed before measuring starts, in seconds: while one drags, each
+/// Time without a change before measuring starts, in seconds: while one drags, each
 /// frame is another scene.
 const REST: f64 = 0.5;
 
-/// From one report to the next while measuring, in seconds.
+/// Time from one report to the next while measuring, in seconds.
 const BETWEEN: f64 = 0.3;
 
-/// What is being measured, and what was.
+/// A run that there is none of, in a build without the feature `report`.
+#[cfg(not(feature = "report"))]
+enum Run {}
+
+#[cfg(not(feature = "report"))]
+impl Run {
+    fn of_scene(_: &str, _: &Scene, _: &Camera) -> Result<Run, ()> {
+        Err(())
+    }
+
+    fn step(&mut self) {
+        match *self {}
+    }
+
+    fn is_done(&self) -> bool {
+        match *self {}
+    }
+
+    fn report(&self) -> Report {
+        match *self {}
+    }
+
+    fn total(&self) -> usize {
+        match *self {}
+    }
+
+    fn done(&self) -> usize {
+        match *self {}
+    }
+}
+
+/// The measurement under way, and the last report.
 #[derive(Default)]
 pub(crate) struct Measuring {
     /// The scene is told by its place, and not held: who holds one makes its next change a copy.
     subject: Option<(Camera, Weak<Scene>)>,
-    /// When the subject was first seen, in the context's seconds.
+    /// Time at which the subject was first seen, in the context's seconds.
     since: f64,
     run: Option<Run>,
     report: Option<Arc<Report>>,
-    /// When the report was made, in the context's seconds.
+    /// Time at which the report was made, in the context's seconds.
     told: f64,
-    /// Whether the report is about the subject.
+    /// The report is about the subject.
     is_current: bool,
-    /// Whether nothing is left to measure.
+    /// Nothing is left to measure.
     is_done: bool,
 }
 
@@ -77,12 +109,12 @@ impl Measuring {
         self.report.as_ref()
     }
 
-    /// Whether the report is about what is shown, not about what was shown before.
+    /// Returns whether the report is about what is shown, not about what was shown before.
     pub(crate) fn is_current(&self) -> bool {
         self.is_current
     }
 
-    /// How far it is, 0 to 1; `None` where nothing is left to measure.
+    /// Share that is measured, 0 to 1; `None` where nothing is left to measure.
     pub(crate) fn share(&self) -> Option<f32> {
         match &self.run {
             _ if self.is_done => None,

@@ -8,7 +8,7 @@ use egui::{Context, ViewportCommand};
 use super::App;
 use crate::action::{Action, MadeUp, ObjectMove, Observe};
 use crate::derive::Deriver;
-use crate::figures::ledger_of;
+use crate::figures::derivation_of;
 use crate::files::{OpenDocument, remember, title_of};
 use crate::formats::scene_argument::SceneSource;
 use crate::lessons::{self, Place, Which};
@@ -77,7 +77,7 @@ impl App {
             }
             Action::Export { order, path } => self.export(&order, &path),
             Action::CopyLedger(markup) => {
-                let ledger = ledger_of(&self.open.document, &self.session);
+                let ledger = derivation_of(&self.open.document, &self.session);
                 ctx.copy_text(ledger.written_in(markup));
             }
             Action::AskPaste => self.ask_paste(ctx),

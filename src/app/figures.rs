@@ -6,7 +6,7 @@ use std::path::Path;
 use egui::Context;
 
 use super::App;
-use crate::figures::{Content, MARGIN, Order, Subject, ledger_of};
+use crate::figures::{Content, MARGIN, Order, Subject, derivation_of};
 use crate::formats::atomic;
 use crate::overlay::Style;
 use crate::panels::dialogs::Dialog;
@@ -27,7 +27,7 @@ impl App {
             | ViewLayout::Accuracy
             | ViewLayout::Mistakes
             | ViewLayout::Answers => Subject::Camera,
-            ViewLayout::Ledger | ViewLayout::LedgerAlone => Subject::Ledger,
+            ViewLayout::Ledger | ViewLayout::LedgerAlone => Subject::Derivation,
             ViewLayout::Lines => Subject::Lines,
             _ => Subject::World,
         };
@@ -50,7 +50,7 @@ impl App {
         let points = match subject {
             Subject::World => seen.unwrap_or([VIEW, VIEW * 9.0 / 16.0]),
             Subject::Camera => seen.unwrap_or([VIEW * aspect.min(1.0), VIEW / aspect.max(1.0)]),
-            Subject::Ledger => {
+            Subject::Derivation => {
                 let page = |width| [width + 2.0 * MARGIN, LEDGER[1]];
                 self.ledger.width().map_or(LEDGER, page)
             }
@@ -70,8 +70,10 @@ impl App {
 
     fn exported(&self, order: &Order, path: &Path, session: &Session) -> Result<(), String> {
         let document = &self.open.document;
-        let bytes = match Content::of(order.subject, path)? {
-            Content::Text(markup) => ledger_of(document, session).written_in(markup).into_bytes(),
+        let bytes = match Content::for_path(order.subject, path)? {
+            Content::Text(markup) => {
+                derivation_of(document, session).written_in(markup).into_bytes()
+            }
             Content::Figure(format) => {
                 let is_folded = |section: &_| self.ledger.is_folded(section);
                 order.figure(document, session, is_folded)?.to_file(format)?

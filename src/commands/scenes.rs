@@ -1,6 +1,7 @@
 //! `pinhole scenes`: the built-in scenes, a line each.
 
-use super::{CommandError, to_stdout};
+use super::console::to_stdout;
+use super::error::CommandError;
 use crate::formats::builtin;
 
 pub(super) fn run() -> Result<(), CommandError> {

@@ -5,22 +5,24 @@ use std::path::Path;
 
 use pinhole_core::ImageSize;
 
-use super::{Figure, Format, Look, View, of_view, sheets};
+use super::figure::{Figure, Format, Look};
+use super::views::{View, of_view};
+use super::window_parts;
 use crate::derive::{Deriver, ViewSizes};
 use crate::document::Document;
 use crate::ledger::{Ledger, Markup, Section};
 use crate::overlay::Style;
 use crate::session::{Session, ViewLayout};
 
-/// What a figure shows.
+/// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The scene with the camera in it.
     World,
-    /// What the camera sees.
+    /// The camera's picture.
     Camera,
-    /// How every number comes about.
-    Ledger,
+    /// The derivation of every number.
+    Derivation,
     /// The lab of lines: the plane, and one line put into the other.
     Lines,
 }
@@ -28,38 +30,38 @@ pub enum Subject {
 impl Subject {
     /// All of them.
     pub const ALL: [Subject; 4] =
-        [Subject::World, Subject::Camera, Subject::Ledger, Subject::Lines];
+        [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
 
-    /// In one word, as the command line has it.
+    /// Its name in one word, as the command line has it.
     pub fn name(self) -> &'static str {
         match self {
             Subject::World => "world",
             Subject::Camera => "camera",
-            Subject::Ledger => "ledger",
+            Subject::Derivation => "derivation",
             Subject::Lines => "lines",
         }
     }
 }
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// A figure.
     Figure(Format),
-    /// The ledger as text.
+    /// The derivation as text.
     Text(Markup),
 }
 
 impl Content {
-    /// As the ending of the file's name says.
+    /// The content that the ending of a file's name asks for.
     ///
     /// # Errors
-    /// Which endings there are.
-    pub fn of(subject: Subject, path: &Path) -> Result<Content, String> {
+    /// A sentence with the endings that there are.
+    pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
         let mut known: Vec<(&str, Content)> =
             Format::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
         let mut formats = "SVG, PDF or PNG";
-        if subject == Subject::Ledger {
+        if subject == Subject::Derivation {
             known.extend([
                 ("tex", Content::Text(Markup::Latex)),
                 ("md", Content::Text(Markup::Markdown)),
@@ -79,19 +81,19 @@ impl Content {
     }
 }
 
-/// What is asked for.
+/// A figure that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
-    /// What it shows.
+    /// Its subject.
     pub subject: Subject,
-    /// Width and height in dots; a ledger is as high as its lines.
+    /// Width and height in dots; a derivation is as high as its lines.
     pub size: [u32; 2],
-    /// The same in points: how much of the plane there is room for, where lines are broken, and how
+    /// Width and height in points: how much of the plane there is room for, where lines are broken, and how
     /// large letters are.
     pub points: [f32; 2],
     /// The colours.
     pub style: Style,
-    /// Nothing is painted where there is nothing.
+    /// Leaves the background out.
     pub transparent: bool,
 }
 
@@ -99,13 +101,13 @@ impl Order {
     /// Dots per point: as many as have room for all points.
     fn scale(&self) -> f32 {
         let [across, down] = [0, 1].map(|k| self.size[k] as f32 / self.points[k].max(1.0));
-        if self.subject == Subject::Ledger { across } else { across.min(down) }
+        if self.subject == Subject::Derivation { across } else { across.min(down) }
     }
 
     /// The figure, of the document as the session looks at it.
     ///
     /// # Errors
-    /// In words, why there is none.
+    /// A sentence that says why there is none.
     pub fn figure(
         &self,
         document: &Document,
@@ -122,19 +124,22 @@ impl Order {
         match self.subject {
             Subject::World => of_view(View::World),
             Subject::Camera => of_view(View::Camera),
-            Subject::Ledger => {
-                Ok(sheets::ledger(&ledger_of(document, session), self.points[0], look, is_folded))
-            }
+            Subject::Derivation => Ok(window_parts::derivation(
+                &derivation_of(document, session),
+                self.points[0],
+                look,
+                is_folded,
+            )),
             Subject::Lines => {
                 let points = self.size.map(|dots| dots as f32 / scale);
-                Ok(sheets::lines(&session.lines, session.settings.digits, points, look))
+                Ok(window_parts::lines(&session.lines, session.settings.digits, points, look))
             }
         }
     }
 }
 
-/// The ledger of the document, whatever the layout shows.
-pub fn ledger_of(document: &Document, session: &Session) -> Ledger {
+/// The derivation of the document, whatever the layout shows.
+pub fn derivation_of(document: &Document, session: &Session) -> Ledger {
     let mut session = session.clone();
     session.settings.layout = ViewLayout::Ledger;
     let derived = Deriver::default().derive(document, &session, &ViewSizes::default());

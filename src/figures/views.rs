@@ -5,20 +5,20 @@ use std::sync::Arc;
 use egui::{Color32, Context, Pos2};
 use pinhole_core::ImageSize;
 
-use super::{Figure, Look};
+use super::figure::{Figure, Look};
 use crate::coarseness::Coarseness;
 use crate::derive::{Deriver, Fault, Purpose, ViewSizes};
 use crate::document::Document;
 use crate::label_text;
 use crate::overlay::Drawing;
-use crate::present::headless::Sheet;
+use crate::present::headless::UiPass;
 use crate::present::look;
 use crate::session::Session;
 
-/// Which of the two views.
+/// One of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
-    /// What the edited camera sees.
+    /// The edited camera's picture.
     Camera,
     /// The scene with the camera in it, as the observer sees it.
     World,
@@ -63,10 +63,11 @@ pub fn of_view(
         marks: shown.marks.to_vec(),
         labels: shown.labels.to_vec(),
     });
+    let paths = drawing.paths().map(|path| path.scaled(1.0)).collect();
     let ctx = Context::default();
     look::install(&ctx);
     let size = dots.map(|n| n as usize);
-    let sheet = Sheet::draw(&ctx, size, scale, |ui| {
+    let drawn = UiPass::draw(&ctx, size, scale, |ui| {
         for label in &drawing.labels {
             label_text::write(ui.painter(), Pos2::ZERO, scale, label);
         }
@@ -77,8 +78,8 @@ pub fn of_view(
         size,
         ground: (!transparent).then_some(background),
         picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
-        drawing,
-        sheet,
+        paths,
+        drawn,
     })
 }
 
@@ -87,7 +88,7 @@ pub fn scale_of([width, height]: [u32; 2]) -> f32 {
     (width.min(height) as f32 / 720.0).max(1.0)
 }
 
-/// Whether there is anything in a picture at all.
+/// Returns whether there is anything in a picture at all.
 fn has_dots(image: &egui::ColorImage) -> bool {
     image.pixels.iter().any(|dot| *dot != Color32::TRANSPARENT)
 }

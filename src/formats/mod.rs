@@ -11,6 +11,7 @@ pub mod color;
 pub mod csv_spheres;
 mod csv_table;
 mod error;
+#[cfg(feature = "exr")]
 pub mod exr;
 pub(crate) mod fields;
 pub mod molecule;
@@ -19,6 +20,5 @@ pub mod rays;
 pub mod scene_argument;
 pub mod scene_file;
 mod suggest;
-pub(crate) mod svg;
 
 pub use error::{FileError, Place};

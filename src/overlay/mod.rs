@@ -45,6 +45,7 @@ pub use handles::{
 pub use items::{Item, OverlayItems};
 pub use lit::Lit;
 pub use loupe::{Loupe, loupe_window};
+pub use paint::paint_paths;
 pub use path::{Ink, Outline, Path};
 pub use picture::Picture;
 pub use style::{Colors, Scheme, Style};

@@ -154,7 +154,9 @@ pub(crate) fn ui(
 
 /// How far measuring is, or what the numbers rest on.
 fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
-    if derived.fault.is_some() {
+    if !cfg!(feature = "report") {
+        ui.label("Nothing is measured: this build has no feature `report`");
+    } else if derived.fault.is_some() {
         ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
     } else if let Some(why) = derived.too_many {
         ui.label(format!("Nothing is measured: {why}"));

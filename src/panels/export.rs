@@ -73,7 +73,7 @@ impl ExportForm {
 
     /// The same for an animation: as many frames as it has time for.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
-        self.animation = Some((kind, Frames::of(kind)));
+        self.animation = Some((kind, Frames::new(kind)));
         if let Some(folder) = self.field.text.strip_suffix("world.svg") {
             self.field.text = format!("{folder}{}.png", kind.name());
         }
@@ -101,7 +101,7 @@ impl ExportForm {
         if let Some(path) = path {
             let content = match self.animation {
                 Some(_) => check_name(&path),
-                None => Content::of(shown.subject, &path).map(drop),
+                None => Content::for_path(shown.subject, &path).map(drop),
             };
             match content {
                 Ok(()) => {
@@ -156,7 +156,7 @@ impl ExportForm {
         let [width, height] = &mut self.size;
         let is_wider = number(ui, width, "width");
         match shown.subject {
-            Subject::Ledger => {
+            Subject::Derivation => {
                 ui.label("height");
                 ui.weak("as its lines need");
                 ui.end_row();
@@ -214,7 +214,7 @@ fn title(subject: Subject) -> &'static str {
     match subject {
         Subject::World => "World view",
         Subject::Camera => "Camera view",
-        Subject::Ledger => "Ledger",
+        Subject::Derivation => "Ledger",
         Subject::Lines => "Lines",
     }
 }

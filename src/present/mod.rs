@@ -13,6 +13,7 @@
 mod cpu;
 mod display;
 pub mod fonts;
+#[cfg(feature = "wgpu")]
 mod gpu;
 pub mod headless;
 pub(crate) mod look;

@@ -4,6 +4,7 @@
 
 pub mod csv;
 pub mod json;
+#[cfg(feature = "report")]
 pub mod measure;
 pub mod model;
 pub mod plot;

@@ -6,7 +6,7 @@ use super::model::{Case, MethodRow, Report};
 use crate::columns::{aligned, widths, wrapped};
 use crate::number::short;
 
-/// As wide as text may be.
+/// Maximum width of a line, in characters.
 const WIDTH: usize = 118;
 
 /// The columns: name, and whether the next one belongs to it in the head above.

@@ -8,7 +8,7 @@ use pinhole::overlay::Style;
 
 use super::{Run, entries, run_in};
 
-const VIEWS: [&str; 4] = ["world", "camera", "ledger", "lines"];
+const VIEWS: [&str; 4] = ["world", "camera", "derivation", "lines"];
 
 pub(crate) fn figure(folder: &Path, line: &str) -> Run {
     run_in(folder, &format!("figure {line}").split(' ').collect::<Vec<_>>())
@@ -69,7 +69,8 @@ fn the_size_is_as_asked_for() {
     ] {
         assert_eq!(size(arguments), expected, "{arguments}");
     }
-    let [small, large] = [400, 800].map(|w| size(&format!("canonical --view ledger --width {w}")));
+    let [small, large] =
+        [400, 800].map(|w| size(&format!("canonical --view derivation --width {w}")));
     assert_eq!((small.0, large.0), (400, 800));
     // The same lines, twice as large, but for letters on whole dots.
     assert!(small.1.abs_diff(large.1 / 2) <= large.1 / 50, "{small:?} {large:?}");
@@ -167,7 +168,7 @@ fn transparent_figures_have_no_ground() {
         let near = |(w, c): (&[u8; 4], &[u8; 4])| (0..3).all(|k| w[k].abs_diff(c[k]) <= 3);
         assert!(same.clone().all(near), "{view}: what is opaque is the same");
     }
-    for view in ["ledger", "lines"] {
+    for view in ["derivation", "lines"] {
         figure(folder.path(), &format!("roll --view {view} -o a.svg")).done();
         figure(folder.path(), &format!("roll --view {view} -o b.svg --transparent")).done();
         let [a, b] =
@@ -187,7 +188,7 @@ fn the_theme_is_that_of_the_window() {
         let colors = style.colors();
         assert_eq!(pixels[0], rgba(colors.background));
         assert!(pixels.contains(&rgba(colors.basis[2])));
-        figure(folder.path(), &line.replace("world", "ledger")).done();
+        figure(folder.path(), &line.replace("world", "derivation")).done();
         let (.., pixels, _) = decode(&folder.path().join("out.png"));
         let is_dark = pixels[0][0] < 100;
         assert_eq!(is_dark, style.is_dark());
@@ -216,13 +217,13 @@ fn the_camera_s_pixels_are_kept_as_they_are() {
 }
 
 #[test]
-fn the_ledger_is_text_too() {
+fn the_derivation_is_text_too() {
     let folder = tempfile::tempdir().unwrap();
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
-    figure(folder.path(), "forty-five --view ledger -o out.tex --uv 0.2,-0.1").done();
+    figure(folder.path(), "forty-five --view derivation -o out.tex --uv 0.2,-0.1").done();
     let latex = read("out.tex");
     assert!(latex.contains(r"\begin{align*}"), "{latex}");
-    figure(folder.path(), "forty-five --view ledger -o out.md --uv 0.2,-0.1").done();
+    figure(folder.path(), "forty-five --view derivation -o out.md --uv 0.2,-0.1").done();
     let markdown = read("out.md");
     assert!(markdown.contains(r"t = "), "{markdown}");
     for (name, text) in [("LaTeX", &latex), ("Markdown", &markdown)] {
@@ -242,10 +243,10 @@ fn a_camera_without_a_basis() {
     for view in ["world", "camera"] {
         figure(folder.path(), &format!("s.toml --view {view} -o out.svg")).failed(1, why);
     }
-    figure(folder.path(), "s.toml --view ledger -o out.svg --pixel 0,0").failed(1, why);
+    figure(folder.path(), "s.toml --view derivation -o out.svg --pixel 0,0").failed(1, why);
     assert_eq!(entries(folder.path()), ["s.toml"]);
-    // The ledger says where its derivation fails.
-    figure(folder.path(), "s.toml --view ledger -o out.md").done();
+    // The derivation says where it fails.
+    figure(folder.path(), "s.toml --view derivation -o out.md").done();
     let text = fs::read_to_string(folder.path().join("out.md")).unwrap();
     assert!(text.contains("is parallel to the view direction"), "{text}");
 }
@@ -254,14 +255,14 @@ fn a_camera_without_a_basis() {
 fn what_does_not_fit_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let at = |line: &str| figure(folder.path(), line);
-    at("canonical -o out.svg").refused("--view <world|camera|ledger|lines>");
-    at("canonical --view side -o out.svg").refused("world, camera, ledger, lines");
+    at("canonical -o out.svg").refused("--view <world|camera|derivation|lines>");
+    at("canonical --view side -o out.svg").refused("world, camera, derivation, lines");
     at("canonical --view world").refused("--output <OUT.svg|pdf|png>");
     at("canonical --view world -o a.svg --theme sepia")
         .refused("light, dark, colour-blind, colour-blind-dark, grey, grey-dark");
     at("canonical --view world -o a.png --frames 3").refused("--play <KIND>");
     at("canonical --view world -o a.png --play dance").refused("swing-up, orbit, walk, scan");
-    at("canonical --view ledger -o a.png --play orbit")
+    at("canonical --view derivation -o a.png --play orbit")
         .failed(2, "--play shows a view: --view world or --view camera");
     at("canonical --view world -o a.svg --play orbit")
         .failed(2, "-o writes animations as PNG: end the name with .png");
@@ -271,14 +272,14 @@ fn what_does_not_fit_is_refused() {
         .failed(2, "-o writes SVG, PDF or PNG: not out.jpg but out.svg, out.pdf or out.png");
     at("canonical --view camera -o out.tex")
         .failed(2, "-o writes SVG, PDF or PNG: not out.tex but out.svg, out.pdf or out.png");
-    at("canonical --view ledger -o out").failed(
+    at("canonical --view derivation -o out").failed(
         2,
         "-o writes SVG, PDF, PNG, LaTeX or Markdown: not out but out.svg, out.pdf, out.png, out.tex \
          or out.md",
     );
-    at("canonical --view ledger -o out.svg --height 9")
-        .failed(2, "the ledger is as high as its lines: leave out --height, give --width");
-    at("canonical --view ledger -o out.md --width 9")
+    at("canonical --view derivation -o out.svg --height 9")
+        .failed(2, "the derivation is as high as its lines: leave out --height, give --width");
+    at("canonical --view derivation -o out.md --width 9")
         .failed(2, "--width is for pictures: leave it out, out.md is text");
     at("canonical --view camera -o out.svg --width 300 --height 200").failed(
         2,

@@ -29,7 +29,7 @@ const FIGURES: [Case; 6] = [
     Case("dark", "canonical --view world --width 900 --uv 0,0 --theme dark", Tolerance(2.5, 0.3)),
     Case("camera", "canonical --view camera --pixel 99,199", Tolerance(0.6, 0.25)),
     Case("grid", "non-square --view camera --width 600", Tolerance(0.8, 0.2)),
-    Case("ledger", "look-at --view ledger --width 900 --uv 0.2,-0.1", Tolerance(8.0, 4.0)),
+    Case("derivation", "look-at --view derivation --width 900 --uv 0.2,-0.1", Tolerance(8.0, 4.0)),
     Case("lines", "canonical --view lines --width 900", Tolerance(3.2, 1.5)),
 ];
 
@@ -141,10 +141,10 @@ fn pdftotext_finds_the_labels() {
     let mut words: Vec<&str> = world.split_whitespace().collect();
     words.sort_unstable();
     assert_eq!(words, ["at", "eye", "hit", "n", "u", "up", "v", "view", "w", "x", "y", "z"]);
-    let ledger = text_of(FIGURES[4].1);
+    let derivation = text_of(FIGURES[4].1);
     for part in ["Basis", "normalize(−view)", "(0.80413, 0.15317, 0.57438)", "sphere 0 “target”"]
     {
-        assert!(ledger.contains(part), "no {part} in {ledger}");
+        assert!(derivation.contains(part), "no {part} in {derivation}");
     }
     let lines = text_of(FIGURES[5].1);
     for part in ["f > 0", "hit: t = 1", "𝑡 = 0.5", "sorted by t", "They meet at"] {

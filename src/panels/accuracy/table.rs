@@ -7,7 +7,7 @@ use super::super::number::error_color;
 use crate::number::short;
 use crate::panels::look;
 use crate::report::model::{Case, MethodRow};
-use crate::report::plot::marker;
+use crate::report::plot::marker::marker_of;
 use crate::session::MethodName;
 
 /// Heads, and what they mean.
@@ -85,6 +85,5 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
 
 /// A method's colour on this window's ground.
 pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
-    let [r, g, b] = marker::of(row.family()).ink_on(ui.visuals().dark_mode);
-    look::finished(ui, Color32::from_rgb(r, g, b))
+    look::finished(ui, marker_of(row.family()).color_on(ui.visuals().dark_mode))
 }

@@ -1,23 +1,23 @@
-//! Figures of what the window's panels draw: the ledger, and the lab of lines.
+//! Figures of what stands in the window's panels: the derivation, and the lab of lines.
 
 use egui::{Context, Pos2, Rect, Theme, Ui, Vec2, vec2};
 
-use super::{Figure, Look};
+use super::figure::{Figure, Look};
 use crate::ledger::{Ledger, Section};
 use crate::lines::LinesLab;
-use crate::overlay::{Drawing, Style};
+use crate::overlay::Style;
 use crate::panels;
-use crate::present::headless::Sheet;
+use crate::present::headless::UiPass;
 use crate::present::look;
 
-/// Left and right of the ledger, and above and below it, in points.
+/// Left and right of the derivation, and above and below it, in points.
 pub const MARGIN: f32 = 12.0;
 
-/// Nothing that is set on it is higher, in points.
+/// Height that nothing set on a page reaches, in points.
 const HIGHEST: f32 = 1e6;
 
-/// The ledger, so many points wide with its margins; of a section that `is_folded` only the title.
-pub(super) fn ledger(
+/// The derivation, so many points wide with its margins; of a section that `is_folded` only the title.
+pub(super) fn derivation(
     ledger: &Ledger,
     width: f32,
     look: Look,
@@ -28,14 +28,14 @@ pub(super) fn ledger(
     let mut height = 0.0;
     let mut draw = |ui: &mut Ui| height = panels::ledger::draw(ui, ledger, column, &is_folded);
     // How high it is shows when it is drawn.
-    Sheet::draw(&context(look.style), [1, 1], look.scale, &mut draw);
+    UiPass::draw(&context(look.style), [1, 1], look.scale, &mut draw);
     let page = vec2(width, height + 2.0 * MARGIN);
     let (ctx, size) = (context(look.style), dots(page, look.scale));
-    let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
+    let drawn = UiPass::draw(&ctx, size, look.scale, |ui| {
         panels::ledger::draw(ui, ledger, column, &is_folded);
     });
     let ground = ctx.style_of(theme(look.style)).visuals.panel_fill;
-    figure("Ledger", size, look, ground, sheet)
+    figure("Derivation", size, look, ground, drawn)
 }
 
 /// The lab of lines, so many points wide and high.
@@ -43,10 +43,10 @@ pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -
     let ctx = context(look.style);
     let page = Rect::from_min_size(Pos2::ZERO, size.into());
     let size = dots(page.size(), look.scale);
-    let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
+    let drawn = UiPass::draw(&ctx, size, look.scale, |ui| {
         panels::lines::draw(ui, page, lab, digits);
     });
-    figure("Lines", size, look, look.style.colors().background, sheet)
+    figure("Lines", size, look, look.style.colors().background, drawn)
 }
 
 fn context(style: Style) -> Context {
@@ -71,14 +71,14 @@ fn figure(
     size: [usize; 2],
     look: Look,
     ground: egui::Color32,
-    sheet: Sheet,
+    drawn: UiPass,
 ) -> Figure {
     Figure {
         title: title.to_owned(),
         size,
         ground: (!look.transparent).then_some(ground),
         picture: None,
-        drawing: Drawing { scale: look.scale, ..Drawing::default() },
-        sheet,
+        paths: Vec::new(),
+        drawn,
     }
 }
