@@ -1,4 +1,4 @@
-//! What the program says it is: version, commit, profile and target, for `--version`.
+//! Text of `--version`: version, commit, profile and target.
 //!
 //! The commit is told of release builds alone: those that are tested are rebuilt with every edit, and
 //! would be with every commit.

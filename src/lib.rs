@@ -5,7 +5,6 @@
 //! apply, derive, outputs, once; [`view::derive`] is pure; overlay, readouts and upload get what it
 //! made and nothing else.
 
-pub mod chart;
 pub mod cli;
 pub mod figures;
 pub mod model;

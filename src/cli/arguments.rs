@@ -1,4 +1,4 @@
-//! What may stand on the command line.
+//! The command line: commands and their arguments.
 
 use std::path::PathBuf;
 
@@ -25,15 +25,15 @@ use pinhole_exchange::programs::{FORMATS, IMPORTERS, Importer};
     after_help = "SCENE is the path of a scene file, or the name of a built-in scene."
 )]
 pub struct Arguments {
-    /// What to do instead of opening the window.
+    /// The command to run instead of opening the window.
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// How to open the window.
+    /// Options of the window.
     #[command(flatten)]
     pub window: WindowArguments,
 }
 
-/// How to open the window.
+/// Options of the window.
 #[derive(Args, Clone, Debug)]
 pub struct WindowArguments {
     /// The scene to open
@@ -79,7 +79,7 @@ pub enum Command {
 pub struct InspectArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// Which ray.
+    /// The ray.
     #[command(flatten)]
     pub ray: RayArguments,
     /// Print one JSON object
@@ -87,7 +87,7 @@ pub struct InspectArguments {
     pub json: bool,
 }
 
-/// Which view ray: exactly one of these.
+/// A view ray: exactly one of these.
 #[derive(Args, Clone, Copy, Debug)]
 #[group(required = true, multiple = false)]
 pub struct RayArguments {
@@ -183,7 +183,7 @@ pub struct FigureArguments {
     /// Write OUT-0001.png, OUT-0002.png and so on in place of one animated PNG
     #[arg(long, requires = "play")]
     pub numbered: bool,
-    /// Which ray is shown.
+    /// The ray that is shown.
     #[command(flatten)]
     pub ray: MaybeRayArguments,
 }

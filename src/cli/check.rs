@@ -10,12 +10,9 @@ use std::path::Path;
 use pinhole_core::ImageSize;
 use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
-use super::CommandError;
-use super::load;
-use super::named;
-use super::of_scene;
-use super::pose;
-use super::to_stdout;
+use super::console::{named, to_stdout};
+use super::error::{CommandError, scene_fault};
+use super::load::{load, pose};
 use crate::cli::arguments::CheckArguments;
 use pinhole_exchange::images::png;
 use pinhole_exchange::{FileError, answers, atomic};
@@ -23,7 +20,8 @@ use pinhole_exchange::{FileError, answers, atomic};
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {
     let graded = graded(arguments).map_err(unreadable)?;
-    let text = if arguments.json { json::of(&graded).map_err(unreadable)? } else { text(&graded) };
+    let text =
+        if arguments.json { json::to_json(&graded).map_err(unreadable)? } else { text(&graded) };
     match to_stdout(|out| out.write_all(text.as_bytes())) {
         // What was found is the status, whether it is read or not.
         Ok(()) | Err(CommandError::ReaderGone) if graded.grade.all_agree() => Ok(()),
@@ -46,7 +44,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     }
     let document = load(&arguments.scene)?;
     let resolved = pose(&arguments.scene, &document)?;
-    let scene = document.scene().map_err(|error| of_scene(&arguments.scene, error))?;
+    let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     let image = resolved.image();
     let (path, bytes) = read(&arguments.answers)?;
     if let (Some(asked), Some(kind)) = (&arguments.kind, answers::kind_of(&bytes))
@@ -68,7 +66,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
     let color_of = |object| document.color_of(object);
     let truth = Truth { camera: &document.camera, scene: &scene, color_of: &color_of };
     let grade: Grade = grade(&truth, &answers, arguments.tolerance)
-        .map_err(|error| of_scene(&arguments.scene, error))?;
+        .map_err(|error| scene_fault(&arguments.scene, error))?;
     let graded = Graded { answers, grade, image, count_from: arguments.count_from };
     let graded = if arguments.complete { graded.complete() } else { graded };
     if let Some(map) = &arguments.map {

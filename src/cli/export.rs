@@ -1,11 +1,8 @@
 //! `pinhole export`: the camera and the scene in another program's words.
 
-use super::CommandError;
-use super::load;
-use super::of_scene;
-use super::pose;
-use super::to_stdout;
-use super::warn;
+use super::console::{to_stdout, warn};
+use super::error::{CommandError, scene_fault};
+use super::load::{load, pose};
 use crate::cli::arguments::ExportArguments;
 use crate::model::files::save_written;
 use pinhole_exchange::programs::{Subject, With};
@@ -20,7 +17,7 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
         (false, false) => With::Objects,
     };
     let written = Subject::new(&document, with).and_then(|subject| arguments.to.write(&subject));
-    let written = written.map_err(|error| of_scene(&arguments.scene, error))?;
+    let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
     match &arguments.output {
         None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,
         Some(path) => save_written(&written, path)?,

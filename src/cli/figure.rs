@@ -1,23 +1,22 @@
 //! `pinhole figure`: a view, the derivation or the lab of lines as SVG, PDF or PNG; the derivation as LaTeX and
-//! Markdown, too.
+//! Markdown, too; with `--play`, an animation of a view.
 
 use std::io::Write as _;
 
 use pinhole_core::{DVec2, ImageSize};
 
-use super::CommandError;
-use super::animation;
-use super::load;
-use super::of_scene;
-use super::outputs::unmade;
-use super::pose;
+use super::error::{CommandError, scene_fault, unmade};
+use super::load::{load, pose, selection_of};
 use super::progress::Progress;
-use super::selection_of;
 use crate::cli::arguments::FigureArguments;
-use crate::figures::{self, Content, Order, Subject};
+use crate::figures::{
+    self, Animation, Content, Frames, Order, Recorder, Reel, Subject, check_name,
+};
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
+use crate::model::play::{Kind, Start};
 use crate::model::session::{Selection, Session};
+use crate::view::derive::{Deriver, ViewSizes};
 use pinhole_exchange::atomic;
 use pinhole_exchange::document::Document;
 
@@ -32,16 +31,16 @@ const LINES_POINTS: f32 = 640.0;
 
 pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
     if let Some(kind) = arguments.play {
-        return animation::run(arguments, kind);
+        return play(arguments, kind);
     }
-    let content = Content::of(arguments.view, &arguments.output)
+    let content = Content::for_path(arguments.view, &arguments.output)
         .map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
     check_idle(arguments, content)?;
     atomic::check(&arguments.output)?;
     let document = load(&arguments.scene)?;
     let order = order_of(arguments, document.camera.image)?;
     let session = session_of(arguments, &document, order.size)?;
-    let progress = Progress::of("drawing");
+    let progress = Progress::during("drawing");
     let bytes = match content {
         Content::Text(markup) => {
             figures::derivation_of(&document, &session).written_in(markup).into_bytes()
@@ -49,13 +48,63 @@ pub(super) fn run(arguments: &FigureArguments) -> Result<(), CommandError> {
         Content::Figure(format) => {
             let figure = order
                 .figure(&document, &session, |_| false)
-                .map_err(|problem| of_scene(&arguments.scene, problem))?;
+                .map_err(|problem| scene_fault(&arguments.scene, problem))?;
             figure.to_file(format).map_err(|error| unmade(&arguments.output, &error))?
         }
     };
     progress.go_on("writing");
     atomic::write(&arguments.output, |file| file.write_all(&bytes))?;
     Ok(())
+}
+
+/// Writes what plays, by the window's recorder.
+fn play(arguments: &FigureArguments, kind: Kind) -> Result<(), CommandError> {
+    let refused = |problem: &str| Err(CommandError::Arguments(problem.to_owned()));
+    if !matches!(arguments.view, Subject::World | Subject::Camera) {
+        return refused("--play shows a view: --view world or --view camera");
+    }
+    let output = &arguments.output;
+    check_name(output).map_err(|problem| CommandError::Arguments(format!("-o {problem}")))?;
+    if !arguments.numbered {
+        atomic::check(output)?;
+    }
+    let document = load(&arguments.scene)?;
+    let order = order_of(arguments, document.camera.image)?;
+    let mut session = session_of(arguments, &document, order.size)?;
+    let start = start_of(&document, &session);
+    let [width, height] = order.size.map(f64::from);
+    session.observer = session
+        .observer
+        .map(|from| from.following(&document.camera, &start.cameras(kind), width / height));
+    let frames = frames_of(arguments, kind);
+    let scene = (document, session);
+    let loops = kind.is_round();
+    let animation = Animation { kind, start, loops, scene, order, frames };
+    let why = |problem| CommandError::Input(format!("{}: {problem}", arguments.scene.display()));
+    // What cannot move is known before anything is written.
+    animation.start.at(kind, 0.5).map_err(|error| why(error.to_string()))?;
+    let mut recorder = Recorder::new(animation, output.clone()).map_err(CommandError::Input)?;
+    let progress = Progress::counting("frame", frames.count as usize);
+    for _ in 0..frames.count {
+        recorder.step().map_err(why)?;
+        progress.add(1);
+    }
+    recorder.finish().map_err(CommandError::Input)
+}
+
+fn start_of(document: &Document, session: &Session) -> Start {
+    // The ray is asked about wherever the derivation is open.
+    let derived = Deriver::default().derive(document, session, &ViewSizes::default());
+    Start::of(document, session, derived.inspection.as_deref())
+}
+
+fn frames_of(arguments: &FigureArguments, kind: Kind) -> Frames {
+    let mut frames = arguments.per_second.map_or(Frames::new(kind), |each| Frames::at(kind, each));
+    frames.count = arguments.frames.unwrap_or(frames.count);
+    if arguments.numbered {
+        frames.reel = Reel::Numbered;
+    }
+    frames
 }
 
 /// Refuses what would change nothing.
@@ -83,10 +132,7 @@ fn check_idle(arguments: &FigureArguments, content: Content) -> Result<(), Comma
     Ok(())
 }
 
-pub(super) fn order_of(
-    arguments: &FigureArguments,
-    image: ImageSize,
-) -> Result<Order, CommandError> {
+fn order_of(arguments: &FigureArguments, image: ImageSize) -> Result<Order, CommandError> {
     let FigureArguments { view: subject, style, transparent, .. } = *arguments;
     let size = match subject {
         Subject::World => free(arguments, WORLD)?,
@@ -106,9 +152,9 @@ pub(super) fn order_of(
     Ok(Order { subject, size, points: size.map(|n| n as f32 / scale), style, transparent })
 }
 
-/// How the document is looked at: as in a window that has just been opened, but that no ray is drawn
+/// The session that looks at the document: as in a window that has just been opened, but that no ray is drawn
 /// unless it is asked for.
-pub(super) fn session_of(
+fn session_of(
     arguments: &FigureArguments,
     document: &Document,
     [width, height]: [u32; 2],
@@ -124,11 +170,11 @@ pub(super) fn session_of(
         let camera = pose(scene, document)?;
         if asked {
             session.selection = selection_of(&camera, ray.pixel, ray.uv)
-                .map_err(|problem| of_scene(scene, problem))?;
+                .map_err(|problem| scene_fault(scene, problem))?;
         }
     }
     if sees {
-        let objects = document.scene().map_err(|error| of_scene(scene, error))?;
+        let objects = document.scene().map_err(|error| scene_fault(scene, error))?;
         let aspect = f64::from(width) / f64::from(height);
         session.observer = Some(Observer::frame_all(&document.camera, &objects, aspect));
     }

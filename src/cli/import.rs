@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 
 use pinhole_core::Camera;
 
-use super::CommandError;
-use super::to_stdout;
-use super::warn;
+use super::console::{to_stdout, warn};
+use super::error::CommandError;
 use crate::cli::arguments::ImportArguments;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::programs::{Text, recognised_file};
@@ -41,7 +40,7 @@ pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     Ok(())
 }
 
-/// What is said of a model of COLMAP as it writes it by itself.
+/// Message about a model of COLMAP as it writes it by itself.
 const BINARY_MODEL: &str =
     "binary: `colmap model_converter --output_type TXT` writes the model as text";
 

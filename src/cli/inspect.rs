@@ -5,12 +5,9 @@ mod text;
 
 use pinhole_core::{ResolvedCamera, UpAngle};
 
-use super::CommandError;
-use super::load;
-use super::of_scene;
-use super::pose;
-use super::selection_of;
-use super::to_stdout;
+use super::console::to_stdout;
+use super::error::{CommandError, scene_fault};
+use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
 use crate::model::inspection::Inspection;
 use pinhole_exchange::document::Document;
@@ -25,7 +22,7 @@ struct Readout<'a> {
 
 pub(super) fn run(arguments: &InspectArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
-    let at_fault = |error: &dyn std::fmt::Display| of_scene(&arguments.scene, error);
+    let at_fault = |error: &dyn std::fmt::Display| scene_fault(&arguments.scene, error);
     let camera = pose(&arguments.scene, &document)?;
     let up_angle = document.camera.up_angle().map_err(|e| at_fault(&e))?;
     let scene = document.scene().map_err(|e| at_fault(&e))?;

@@ -1,5 +1,4 @@
-//! Where a command that measures puts what it found: a table on standard output, or JSON there, and
-//! files.
+//! The outputs of a command that measures: a table on standard output, or JSON there, and files.
 
 use std::io::Write as _;
 use std::path::Path;
@@ -8,13 +7,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 
-use super::CommandError;
-use super::named;
-use super::to_stdout;
-use crate::chart::{Figure, PNG_SCALE};
-use pinhole_exchange::images::png;
-use pinhole_exchange::scenes::builtin;
-use pinhole_exchange::{FileError, atomic};
+use super::console::{named, to_stdout};
+use super::error::{CommandError, unmade};
+use crate::figures::{Figure, Format};
+use crate::report::plot::PNG_SCALE;
+use pinhole_exchange::{atomic, scenes::builtin};
 
 /// The outputs that were asked for.
 #[derive(Clone, Copy, Default)]
@@ -25,7 +22,7 @@ pub(super) struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// What can be told to be wrong before minutes of work.
+    /// Checks what can be told to be wrong before minutes of work.
     pub(super) fn check(&self) -> Result<(), CommandError> {
         let Outputs { csv, plot, .. } = *self;
         for (name, path) in [("--csv", csv), ("--plot", plot)] {
@@ -68,13 +65,13 @@ impl<'a> Outputs<'a> {
         &self,
         json: impl FnOnce() -> serde_json::Result<String>,
         csv: Option<Vec<u8>>,
-        figure: impl FnOnce() -> Figure,
+        plot: impl FnOnce(f32) -> Figure,
         table: impl FnOnce() -> String,
     ) -> Result<(), CommandError> {
         let json = self.json.map(|_| json()).transpose();
         let json = json.map_err(|error| CommandError::Input(error.to_string()))?;
         let plot = match self.plot {
-            Some(path) => Some((path, plotted(path, &figure())?)),
+            Some(path) => Some((path, plotted(path, plot)?)),
             None => None,
         };
         let bytes = json.as_ref().map(|json| json.clone().into_bytes());
@@ -102,46 +99,27 @@ fn is_scene(path: &Path) -> bool {
     ends_as_one || path.to_str().is_some_and(|name| builtin::find(name).is_some())
 }
 
-/// What a plot is written as.
-#[derive(Clone, Copy)]
-enum PlotFormat {
-    Svg,
-    Png,
+/// The format of a plot's file, by the ending of its name.
+fn format_of(plot: &Path) -> Result<Format, CommandError> {
+    let is = |format: &Format| {
+        plot.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(format.ending()))
+    };
+    [Format::Svg, Format::Png].into_iter().find(is).ok_or_else(|| {
+        let (svg, png) = (plot.with_extension("svg"), plot.with_extension("png"));
+        CommandError::Arguments(format!(
+            "--plot writes SVG or PNG: not {} but {} or {}",
+            plot.display(),
+            svg.display(),
+            png.display()
+        ))
+    })
 }
 
-fn format_of(plot: &Path) -> Result<PlotFormat, CommandError> {
-    match plot.extension() {
-        Some(ending) if ending.eq_ignore_ascii_case("svg") => Ok(PlotFormat::Svg),
-        Some(ending) if ending.eq_ignore_ascii_case("png") => Ok(PlotFormat::Png),
-        _ => {
-            let (svg, png) = (plot.with_extension("svg"), plot.with_extension("png"));
-            Err(CommandError::Arguments(format!(
-                "--plot writes SVG or PNG: not {} but {} or {}",
-                plot.display(),
-                svg.display(),
-                png.display()
-            )))
-        }
-    }
-}
-
-/// The bytes of the plot's file.
-fn plotted(path: &Path, figure: &Figure) -> Result<Vec<u8>, CommandError> {
-    match format_of(path)? {
-        PlotFormat::Svg => Ok(figure.to_svg().into_bytes()),
-        PlotFormat::Png => {
-            let raster = figure.to_pixels(PNG_SCALE);
-            let mut bytes = Vec::new();
-            png::encode(&mut bytes, raster.width, raster.height, &raster.pixels)
-                .map_err(|error| unmade(path, &error))?;
-            Ok(bytes)
-        }
-    }
-}
-
-/// A file whose bytes could not be made.
-pub(super) fn unmade(path: &Path, error: &dyn std::fmt::Display) -> CommandError {
-    FileError::of_file(path, format!("cannot be made: {error}")).into()
+/// The bytes of the plot's file; it is drawn with so many dots to a point.
+fn plotted(path: &Path, plot: impl FnOnce(f32) -> Figure) -> Result<Vec<u8>, CommandError> {
+    let format = format_of(path)?;
+    let scale = if format == Format::Png { PNG_SCALE } else { 1.0 };
+    plot(scale).to_file(format).map_err(|error| unmade(path, &error))
 }
 
 /// Writes the files, each as a whole. Ctrl-C waits for that moment, so that no temporary file stays

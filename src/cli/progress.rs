@@ -1,94 +1,114 @@
-//! How far long work is, for those who watch.
+//! Progress of long work, for those who watch.
 
-use std::io::{self, IsTerminal};
+use std::io::{self, IsTerminal, Write as _};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-
-/// A bar or spinner on standard error, which appears only where that is a terminal and the work
-/// takes longer than [`PATIENCE`].
+/// A line on standard error, which appears only where that is a terminal and the work takes longer
+/// than [`PATIENCE`].
 pub(super) struct Progress {
-    bar: ProgressBar,
-    /// Shows the bar when it is time, until the other end of the channel goes away.
+    work: Arc<Work>,
+    /// Writes the line when it is time, until the other end of the channel goes away.
     clock: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// How long nobody needs to be told that something is going on.
+/// Time in which nobody needs to be told that something is going on.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// How often the bar shows that something is going on.
+/// Time from one line to the next.
 const TICK: Duration = Duration::from_millis(100);
 
+struct Work {
+    since: Instant,
+    done: AtomicU64,
+    all: u64,
+    what: Mutex<What>,
+}
+
+#[derive(Clone, Copy)]
+enum What {
+    /// Things that are counted, as `row`.
+    Counted(&'static str),
+    /// Work that does not tell how far it is.
+    Named(&'static str),
+}
+
 impl Progress {
-    /// Of a number of rows.
-    pub(super) fn of_rows(rows: u32) -> Progress {
-        let bar = ProgressBar::with_draw_target(Some(rows.into()), ProgressDrawTarget::hidden());
-        set_style(&bar, "{wide_bar} row {pos} of {len}, {eta} left");
-        Progress::shown_later(bar)
+    /// Work on so many of something, as `row`.
+    pub(super) fn counting(what: &'static str, all: usize) -> Progress {
+        Progress::new(What::Counted(what), all as u64)
     }
 
-    /// Of so many frames of an animation.
-    pub(super) fn of_frames(frames: u32) -> Progress {
-        let bar = ProgressBar::with_draw_target(Some(frames.into()), ProgressDrawTarget::hidden());
-        set_style(&bar, "{wide_bar} frame {pos} of {len}, {eta} left");
-        Progress::shown_later(bar)
-    }
-
-    /// Of measuring so many parts.
-    pub(super) fn of_parts(parts: usize) -> Progress {
-        let target = ProgressDrawTarget::hidden();
-        let bar = ProgressBar::with_draw_target(Some(parts as u64), target);
-        set_style(&bar, "{wide_bar} measured {percent} %, {eta} left");
-        Progress::shown_later(bar)
-    }
-
-    /// Of work that does not tell how far it is.
-    pub(super) fn of(work: &'static str) -> Progress {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        let progress = Progress::shown_later(bar);
-        progress.go_on(work);
-        progress
+    /// Work that does not tell how far it is.
+    pub(super) fn during(work: &'static str) -> Progress {
+        Progress::new(What::Named(work), 0)
     }
 
     /// Goes on with work that does not tell how far it is.
     pub(super) fn go_on(&self, work: &'static str) {
-        set_style(&self.bar, "{spinner} {msg}, {elapsed}");
-        self.bar.set_message(work);
+        *self.work.what.lock().unwrap_or_else(PoisonError::into_inner) = What::Named(work);
     }
 
-    /// More rows are done.
-    pub(super) fn add(&self, rows: usize) {
-        self.bar.inc(rows as u64);
-    }
-
-    /// So many parts are done in all.
-    pub(super) fn reach(&self, parts: usize) {
-        self.bar.set_position(parts as u64);
+    /// Counts more of them as done.
+    pub(super) fn add(&self, count: usize) {
+        self.work.done.fetch_add(count as u64, Ordering::Relaxed);
     }
 
     /// The work may be silent for long, so another thread looks at the clock.
-    fn shown_later(bar: ProgressBar) -> Progress {
+    fn new(what: What, all: u64) -> Progress {
+        let work = Work { since: Instant::now(), done: AtomicU64::new(0), all, what: what.into() };
+        let work = Arc::new(work);
         if !io::stderr().is_terminal() {
-            return Progress { bar, clock: None };
+            return Progress { work, clock: None };
         }
         let (end, ended) = mpsc::channel::<()>();
-        let shown = bar.clone();
+        let shown = Arc::clone(&work);
         let clock = thread::spawn(move || {
-            if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
-                shown.set_draw_target(ProgressDrawTarget::stderr());
-                shown.enable_steady_tick(TICK);
+            let mut wait = PATIENCE;
+            while ended.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
+                write_line(&shown.line());
+                wait = TICK;
+            }
+            if wait == TICK {
+                write_line("");
             }
         });
-        Progress { bar, clock: Some((end, clock)) }
+        Progress { work, clock: Some((end, clock)) }
     }
 }
 
-fn set_style(bar: &ProgressBar, template: &str) {
-    if let Ok(style) = ProgressStyle::with_template(template) {
-        bar.set_style(style);
+impl Work {
+    fn line(&self) -> String {
+        let (done, elapsed) = (self.done.load(Ordering::Relaxed), self.since.elapsed());
+        let share = done as f64 / self.all.max(1) as f64;
+        let left = if share > 0.0 {
+            format!(", {} left", typeset_message(elapsed.mul_f64((1.0 / share - 1.0).max(0.0))))
+        } else {
+            String::new()
+        };
+        match *self.what.lock().unwrap_or_else(PoisonError::into_inner) {
+            What::Counted(what) => format!("{what} {done} of {}{left}", self.all),
+            What::Named(work) => format!("{work}, {}", typeset_message(elapsed)),
+        }
     }
+}
+
+/// A time as `7 s` or `2 min 5 s`.
+fn typeset_message(time: Duration) -> String {
+    match time.as_secs() {
+        seconds @ 0..60 => format!("{seconds} s"),
+        seconds => format!("{} min {} s", seconds / 60, seconds % 60),
+    }
+}
+
+/// Writes over the line that was there before.
+fn write_line(line: &str) {
+    let mut out = io::stderr().lock();
+    // Where standard error is closed, there is nobody to tell.
+    let _ = write!(out, "\r\x1b[K{line}").and_then(|()| out.flush());
 }
 
 impl Drop for Progress {
@@ -98,6 +118,21 @@ impl Drop for Progress {
             // A clock that has failed has shown nothing, which is all that is wanted here.
             let _ = clock.join();
         }
-        self.bar.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_says_how_far_it_is_and_how_long_it_takes() {
+        let progress = Progress::counting("row", 200);
+        assert_eq!(progress.work.line(), "row 0 of 200");
+        progress.add(50);
+        assert_eq!(progress.work.line(), "row 50 of 200, 0 s left");
+        progress.go_on("writing");
+        assert_eq!(progress.work.line(), "writing, 0 s");
+        assert_eq!(typeset_message(Duration::from_secs(125)), "2 min 5 s");
     }
 }

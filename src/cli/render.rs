@@ -2,19 +2,19 @@
 
 use pinhole_core::ImageSize;
 
-use super::CommandError;
-use super::load;
-use super::named;
-use super::of_scene;
-use super::pose;
+use super::console::named;
+use super::error::{CommandError, not_built, scene_fault};
+use super::load::{load, pose};
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
 use crate::cli::arguments::{RenderArguments, View};
-use pinhole_exchange::atomic;
-use pinhole_exchange::images::{exr, png};
+use pinhole_exchange::{atomic, images::png};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {
+        if !cfg!(feature = "exr") {
+            return Err(not_built("--aov", "exr"));
+        }
         if arguments.view == View::World {
             let problem = "--aov writes what the camera's rays meet: leave out --view world";
             return Err(CommandError::Arguments(problem.to_owned()));
@@ -42,16 +42,17 @@ pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
         normals: arguments.aov.is_some(),
     };
     let progress = if arguments.overlay || arguments.view == View::World {
-        Progress::of("drawing")
+        Progress::during("drawing")
     } else {
-        Progress::of_rows(image.height())
+        Progress::counting("row", image.height() as usize)
     };
     let rendering = render_view(&document, options, |rows| progress.add(rows))
-        .map_err(|error| of_scene(&arguments.scene, error))?;
+        .map_err(|error| scene_fault(&arguments.scene, error))?;
     progress.go_on("writing");
     png::save(&arguments.output, image.width(), image.height(), &rendering.pixels)?;
+    #[cfg(feature = "exr")]
     if let (Some(aov), Some(frame)) = (&arguments.aov, &rendering.frame) {
-        exr::save(aov, frame)?;
+        pinhole_exchange::images::exr::save(aov, frame)?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
 
-use super::CommandError;
+use super::error::CommandError;
 use crate::cli::arguments::View;
 use crate::figures::{self, Look};
 use crate::model::fault::Fault;
@@ -12,18 +12,18 @@ use crate::model::session::{Session, Settings};
 use crate::view::overlay::Style;
 use pinhole_exchange::document::Document;
 
-/// What to draw, and how.
+/// Options of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderOptions {
-    /// How large the picture is.
+    /// Size of the picture.
     pub size: ImageSize,
-    /// Which of the two views.
+    /// The view, of the two.
     pub view: View,
-    /// Whether the basis, the viewport and the rays are drawn over it.
+    /// Draws the basis, the viewport and the rays over it.
     pub overlay: bool,
-    /// How a hit becomes a colour.
+    /// The shading: how a hit becomes a colour.
     pub shade: Shade,
-    /// Whether normals are computed even if the shading does not need them.
+    /// Computes normals even if the shading does not need them.
     pub normals: bool,
 }
 
@@ -32,7 +32,7 @@ pub struct RenderOptions {
 pub struct Rendering {
     /// Opaque sRGB pixels with alpha 255, row by row from the top.
     pub pixels: Vec<[u8; 4]>,
-    /// What the camera's rays meet, pixel by pixel, where it was asked for or needed anyway.
+    /// Hits of the camera's rays, pixel by pixel, where they were asked for or needed anyway.
     pub frame: Option<Frame<f32>>,
 }
 

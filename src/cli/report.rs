@@ -2,11 +2,9 @@
 
 use std::path::PathBuf;
 
-use super::CommandError;
-use super::load;
-use super::of_scene;
-use super::outputs::{Outputs, unmade};
-use super::pose;
+use super::error::{CommandError, scene_fault, unmade};
+use super::load::{load, pose};
+use super::outputs::Outputs;
 use super::progress::Progress;
 use crate::cli::arguments::ReportArguments;
 use crate::report::measure::Run;
@@ -25,12 +23,12 @@ pub(super) fn run(arguments: &ReportArguments) -> Result<(), CommandError> {
     outputs.deliver(
         || json::to_json(&report),
         csv,
-        || plot::figure(&report),
+        |scale| plot::figure(&report, scale),
         || table::to_table(&report),
     )
 }
 
-/// What is to be measured. Every scene is read before the first is measured.
+/// The runs to measure. Every scene is read before the first is measured.
 fn runs(arguments: &ReportArguments) -> Result<Vec<Run>, CommandError> {
     if arguments.scenes.is_empty() {
         return Ok(vec![Run::of_families(arguments.seed)]);
@@ -38,23 +36,23 @@ fn runs(arguments: &ReportArguments) -> Result<Vec<Run>, CommandError> {
     let run_of = |path: &PathBuf| {
         let document = load(path)?;
         pose(path, &document)?;
-        let scene = document.scene().map_err(|error| of_scene(path, error))?;
+        let scene = document.scene().map_err(|error| scene_fault(path, error))?;
         Run::of_scene(&path.display().to_string(), &scene, &document.camera)
-            .map_err(|error| of_scene(path, error))
+            .map_err(|error| scene_fault(path, error))
     };
     arguments.scenes.iter().map(run_of).collect()
 }
 
 /// Measures them one after the other; the report is about all of them.
 fn measured(mut runs: Vec<Run>) -> Report {
-    let progress = Progress::of_parts(runs.iter().map(Run::total).sum());
-    let (mut done, mut all) = (0, Report::default());
+    let progress = Progress::counting("step", runs.iter().map(Run::total).sum());
+    let mut all = Report::default();
     for run in &mut runs {
         while !run.is_done() {
+            let done = run.done();
             run.step();
-            progress.reach(done + run.done());
+            progress.add(run.done().saturating_sub(done));
         }
-        done += run.total();
         all.append(run.report());
     }
     all

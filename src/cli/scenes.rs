@@ -1,7 +1,7 @@
 //! `pinhole scenes`: the built-in scenes, a line each.
 
-use super::CommandError;
-use super::to_stdout;
+use super::console::to_stdout;
+use super::error::CommandError;
 use pinhole_exchange::scenes::builtin;
 
 pub(super) fn run() -> Result<(), CommandError> {

@@ -6,10 +6,9 @@ use std::path::Path;
 use pinhole_core::{Ray, Root, Scene};
 use rayon::prelude::*;
 
-use super::CommandError;
-use super::load;
-use super::of_scene;
-use super::to_stdout;
+use super::console::to_stdout;
+use super::error::{CommandError, scene_fault};
+use super::load::load;
 use crate::cli::arguments::TraceArguments;
 use pinhole_exchange::csv::rays;
 use pinhole_exchange::{FileError, atomic};
@@ -19,7 +18,7 @@ const CHUNK: usize = 1 << 16;
 
 pub(super) fn run(arguments: &TraceArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
-    let scene = document.scene().map_err(|error| of_scene(&arguments.scene, error))?;
+    let scene = document.scene().map_err(|error| scene_fault(&arguments.scene, error))?;
     let rays = read(&arguments.rays)?;
     match &arguments.output {
         Some(path) => Ok(atomic::write(path, |file| {

@@ -6,16 +6,15 @@ use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use super::Figure;
-use super::Format;
-use super::Order;
+use super::figure::{Figure, Format};
+use super::order::Order;
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
 use pinhole_exchange::atomic::Draft;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::images::png::Animated;
 
-/// What the frames become.
+/// The files that frames become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reel {
     /// One animated PNG.
@@ -24,34 +23,34 @@ pub enum Reel {
     Numbered,
 }
 
-/// How many frames there are, and how fast they follow each other.
+/// Number of frames, and how fast they follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Frames {
-    /// At least one.
+    /// Number of frames, at least one.
     pub count: u32,
     /// Frames per second.
     pub per_second: u16,
-    /// What they become.
+    /// The files that they become.
     pub reel: Reel,
 }
 
 impl Frames {
-    /// As many as it has time for, twenty a second.
-    pub fn of(kind: Kind) -> Frames {
+    /// Returns as many as it has time for, twenty a second.
+    pub fn new(kind: Kind) -> Frames {
         Frames::at(kind, 20)
     }
 
-    /// As many as it has time for, so many a second.
+    /// Returns as many as it has time for, so many a second.
     pub fn at(kind: Kind, per_second: u16) -> Frames {
         let count = (kind.seconds() * f64::from(per_second)) as u32;
         Frames { count: count.max(1), per_second, reel: Reel::Animated }
     }
 }
 
-/// Whether an animation can be written to a file of this name.
+/// Checks that an animation can be written to a file of this name.
 ///
 /// # Errors
-/// In words, which name would do.
+/// A sentence that says which name would do.
 pub fn check_name(path: &Path) -> Result<(), String> {
     let is = |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
     if is("png") || is("apng") {
@@ -63,17 +62,17 @@ pub fn check_name(path: &Path) -> Result<(), String> {
 /// Something that plays, as figures.
 #[derive(Clone, Debug)]
 pub struct Animation {
-    /// What moves.
+    /// The kind of motion.
     pub kind: Kind,
-    /// How it was at the start.
+    /// The state at the start.
     pub start: Start,
     /// After the end it begins again.
     pub loops: bool,
-    /// What is edited, and how it is looked at.
+    /// The document, and the session that looks at it.
     pub scene: (Document, Session),
-    /// What each figure shows, and how large it is.
+    /// The figure of each phase.
     pub order: Order,
-    /// How many there are.
+    /// Number and pace of the figures.
     pub frames: Frames,
 }
 
@@ -81,7 +80,7 @@ impl Animation {
     /// Frame `k`, from 0. It depends on the start and on its number alone.
     ///
     /// # Errors
-    /// In words, why there is none.
+    /// A sentence that says why there is none.
     pub fn figure(&self, k: u32) -> Result<Figure, String> {
         let phase = self.kind.phase_of_frame(k, self.frames.count);
         let still = self.start.at(self.kind, phase).map_err(|error| error.to_string())?;
@@ -99,7 +98,7 @@ pub struct Recorder {
     sink: Sink,
 }
 
-/// What the frames are written to, in the folder where they will be.
+/// The unfinished files, in the folder where they will be.
 enum Sink {
     Animated(Box<Animated<BufWriter<File>>>, Draft),
     Numbered(TempDir),
@@ -109,7 +108,7 @@ impl Recorder {
     /// Begins.
     ///
     /// # Errors
-    /// In words, why nothing can be written there.
+    /// A sentence that says why nothing can be written there.
     pub fn new(animation: Animation, path: PathBuf) -> Result<Recorder, String> {
         let Frames { count, per_second, reel } = animation.frames;
         let sink = match reel {
@@ -136,7 +135,7 @@ impl Recorder {
         Ok(Recorder { animation, done: 0, path, sink })
     }
 
-    /// How many frames are done, and how many there are.
+    /// Returns how many frames are done, and how many there are.
     pub fn progress(&self) -> (u32, u32) {
         (self.done, self.animation.frames.count)
     }
@@ -144,7 +143,7 @@ impl Recorder {
     /// Makes the next frame.
     ///
     /// # Errors
-    /// In words, why there is none, or why it cannot be written.
+    /// A sentence that says why there is none, or why it cannot be written.
     pub fn step(&mut self) -> Result<(), String> {
         let figure = self.animation.figure(self.done)?;
         match &mut self.sink {
@@ -163,7 +162,7 @@ impl Recorder {
     /// Puts everything in its place, after the last frame.
     ///
     /// # Errors
-    /// In words, why it cannot be written; nothing is left then.
+    /// A sentence that says why it cannot be written; nothing is left then.
     pub fn finish(self) -> Result<(), String> {
         match self.sink {
             Sink::Animated(animated, draft) => {
@@ -186,7 +185,7 @@ impl Recorder {
     }
 }
 
-/// Where frame `k` goes, counted from 1.
+/// Path of frame `k`, counted from 1.
 fn numbered(path: &Path, k: u32) -> PathBuf {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!("{stem}-{:04}.png", k + 1))

@@ -5,26 +5,23 @@ use std::path::Path;
 
 use pinhole_core::ImageSize;
 
-use super::Figure;
-use super::Format;
-use super::Look;
-use super::View;
-use super::of_view;
-use super::sheets;
+use super::figure::{Figure, Format, Look};
+use super::views::{View, of_view};
+use super::window_parts;
 use crate::model::session::{Session, ViewLayout};
 use crate::view::derivation::{Derivation, Markup, Section};
 use crate::view::derive::{Deriver, ViewSizes};
 use crate::view::overlay::Style;
 use pinhole_exchange::document::Document;
 
-/// What a figure shows.
+/// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The scene with the camera in it.
     World,
-    /// What the camera sees.
+    /// The camera's picture.
     Camera,
-    /// How every number comes about.
+    /// The derivation of every number.
     Derivation,
     /// The lab of lines: the plane, and one line put into the other.
     Lines,
@@ -35,7 +32,7 @@ impl Subject {
     pub const ALL: [Subject; 4] =
         [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
 
-    /// In one word, as the command line has it.
+    /// Its name in one word, as the command line has it.
     pub fn name(self) -> &'static str {
         match self {
             Subject::World => "world",
@@ -46,7 +43,7 @@ impl Subject {
     }
 }
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
     /// A figure.
@@ -56,11 +53,11 @@ pub enum Content {
 }
 
 impl Content {
-    /// As the ending of the file's name says.
+    /// The content that the ending of a file's name asks for.
     ///
     /// # Errors
-    /// Which endings there are.
-    pub fn of(subject: Subject, path: &Path) -> Result<Content, String> {
+    /// A sentence with the endings that there are.
+    pub fn for_path(subject: Subject, path: &Path) -> Result<Content, String> {
         let mut known: Vec<(&str, Content)> =
             Format::ALL.map(|format| (format.ending(), Content::Figure(format))).into();
         let mut formats = "SVG, PDF or PNG";
@@ -84,19 +81,19 @@ impl Content {
     }
 }
 
-/// What is asked for.
+/// A figure that is asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
-    /// What it shows.
+    /// Its subject.
     pub subject: Subject,
     /// Width and height in dots; a derivation is as high as its lines.
     pub size: [u32; 2],
-    /// The same in points: how much of the plane there is room for, where lines are broken, and how
+    /// Width and height in points: how much of the plane there is room for, where lines are broken, and how
     /// large letters are.
     pub points: [f32; 2],
     /// The colours.
     pub style: Style,
-    /// Nothing is painted where there is nothing.
+    /// Leaves the background out.
     pub transparent: bool,
 }
 
@@ -110,7 +107,7 @@ impl Order {
     /// The figure, of the document as the session looks at it.
     ///
     /// # Errors
-    /// In words, why there is none.
+    /// A sentence that says why there is none.
     pub fn figure(
         &self,
         document: &Document,
@@ -127,7 +124,7 @@ impl Order {
         match self.subject {
             Subject::World => of_view(View::World),
             Subject::Camera => of_view(View::Camera),
-            Subject::Derivation => Ok(sheets::derivation(
+            Subject::Derivation => Ok(window_parts::derivation(
                 &derivation_of(document, session),
                 self.points[0],
                 look,
@@ -135,7 +132,7 @@ impl Order {
             )),
             Subject::Lines => {
                 let points = self.size.map(|dots| dots as f32 / scale);
-                Ok(sheets::lines(&session.lines, session.settings.digits, points, look))
+                Ok(window_parts::lines(&session.lines, session.settings.digits, points, look))
             }
         }
     }

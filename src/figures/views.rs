@@ -5,22 +5,21 @@ use std::sync::Arc;
 use egui::{Color32, Context, Pos2};
 use pinhole_core::ImageSize;
 
-use super::Figure;
-use super::Look;
+use super::figure::{Figure, Look};
 use crate::model::fault::Fault;
 use crate::model::session::Session;
 use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
-use crate::view::headless::Sheet;
+use crate::view::headless::UiPass;
 use crate::view::overlay::Drawing;
 use crate::view::typesetting::label_text;
 use crate::view::typesetting::theme;
 use pinhole_exchange::document::Document;
 
-/// Which of the two views.
+/// One of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum View {
-    /// What the edited camera sees.
+    /// The edited camera's picture.
     Camera,
     /// The scene with the camera in it, as the observer sees it.
     World,
@@ -65,10 +64,11 @@ pub fn of_view(
         marks: shown.marks.to_vec(),
         labels: shown.labels.to_vec(),
     });
+    let paths = drawing.paths().map(|path| path.scaled(1.0)).collect();
     let ctx = Context::default();
     theme::install_base(&ctx);
     let size = dots.map(|n| n as usize);
-    let sheet = Sheet::draw(&ctx, size, scale, |ui| {
+    let drawn = UiPass::draw(&ctx, size, scale, |ui| {
         for label in &drawing.labels {
             label_text::write(ui.painter(), Pos2::ZERO, scale, label);
         }
@@ -79,8 +79,8 @@ pub fn of_view(
         size,
         ground: (!transparent).then_some(background),
         picture: shown.map(|shown| Arc::unwrap_or_clone(shown.image)).filter(has_dots),
-        drawing,
-        sheet,
+        paths,
+        drawn,
     })
 }
 
@@ -89,7 +89,7 @@ pub fn scale_of([width, height]: [u32; 2]) -> f32 {
     (width.min(height) as f32 / 720.0).max(1.0)
 }
 
-/// Whether there is anything in a picture at all.
+/// Returns whether there is anything in a picture at all.
 fn has_dots(image: &egui::ColorImage) -> bool {
     image.pixels.iter().any(|dot| *dot != Color32::TRANSPARENT)
 }

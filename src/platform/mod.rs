@@ -13,6 +13,7 @@
 mod cpu;
 mod display;
 pub mod frame_log;
+#[cfg(feature = "wgpu")]
 mod gpu;
 mod open;
 pub mod program;

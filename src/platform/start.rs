@@ -4,6 +4,7 @@ use super::PresentError;
 use super::WindowOptions;
 use super::cpu::Cpu;
 use super::display::cause;
+#[cfg(feature = "wgpu")]
 use super::gpu::Gpu;
 use super::window::Surface;
 use crate::cli::arguments::Renderer;
@@ -72,13 +73,20 @@ pub(super) fn surface(
         let window = egui_winit::create_window(ctx, event_loop, builder);
         window.map(Arc::new).map_err(|error| PresentError::NoWindow(cause(&error)))
     };
+    #[cfg(feature = "wgpu")]
+    let on_adapter = |by_hand| {
+        let window = open()?;
+        let gpu = Gpu::new(ctx, event_loop, &window, by_hand);
+        Ok(gpu.map(|gpu| (window, Box::new(gpu) as Box<dyn Surface>)))
+    };
+    #[cfg(not(feature = "wgpu"))]
+    let on_adapter = |_| Ok(Err("this build has no feature wgpu".to_owned()));
     let reason = if choice == Some(Renderer::Cpu) {
         "chosen by hand".to_owned()
     } else {
-        let window = open()?;
         let by_hand = choice == Some(Renderer::Wgpu);
-        match Gpu::new(ctx, event_loop, &window, by_hand) {
-            Ok(gpu) => return Ok((window, Box::new(gpu))),
+        match on_adapter(by_hand)? {
+            Ok(drawn) => return Ok(drawn),
             Err(error) if by_hand => return Err(PresentError::NoAdapter(error)),
             // Open a new window: this one may keep traces of the failed driver.
             Err(error) => error,

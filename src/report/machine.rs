@@ -1,4 +1,4 @@
-//! Which processor this is.
+//! The processor of this machine.
 
 use std::fs;
 

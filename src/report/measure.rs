@@ -21,10 +21,10 @@ use self::case::CaseRun;
 use super::model::Report;
 use crate::report::machine;
 
-/// How long one slice may go on before the next piece of work is left to the one after it.
+/// Time after which a slice leaves the next piece of work to the one after it.
 const SLICE: Duration = Duration::from_millis(8);
 
-/// What to compare times with.
+/// The method that times are compared with.
 pub(super) const BASELINE: Method = Method::Known(Formula::Textbook, Precision::F32);
 
 /// A measurement under way. It does nothing by itself: [`Run::step`] does.
@@ -56,7 +56,7 @@ impl Run {
     /// Will measure a scene as a camera sees it, in at most 20 seconds on two cores.
     ///
     /// # Errors
-    /// Where the camera sees nothing.
+    /// A camera that sees nothing.
     pub fn of_scene(name: &str, scene: &Scene, camera: &Camera) -> Result<Run, CameraError> {
         let (cases, left_out) = scenes::cases(name, scene, camera)?;
         Ok(Run::new(cases, left_out, "a frame of the scene"))
@@ -75,17 +75,17 @@ impl Run {
         Run { cases, current: 0, left_out, timed_what, one_thread }
     }
 
-    /// How much there is to do, in pieces of work of roughly equal length.
+    /// Amount of work, in pieces of work of roughly equal length.
     pub fn total(&self) -> usize {
         self.cases.iter().map(CaseRun::total).sum()
     }
 
-    /// How much of it is done.
+    /// Amount of it that is done.
     pub fn done(&self) -> usize {
         self.cases.iter().map(CaseRun::done).sum()
     }
 
-    /// Whether there is nothing left to do.
+    /// Returns whether there is nothing left to do.
     pub fn is_done(&self) -> bool {
         self.current == self.cases.len()
     }
@@ -105,8 +105,7 @@ impl Run {
         }
     }
 
-    /// What is known by now: the cases that have begun, each with the decisions that it has made so
-    /// far.
+    /// Reports the cases that have begun, each with the decisions that it has made so far.
     pub fn report(&self) -> Report {
         let begun = self.cases.iter().filter(|case| case.has_begun());
         let mut left_out = self.left_out.clone();

@@ -6,6 +6,7 @@ pub mod columns;
 pub mod csv;
 pub mod json;
 pub mod machine;
+#[cfg(feature = "report")]
 pub mod measure;
 pub mod model;
 pub mod plot;

@@ -1,4 +1,4 @@
-//! What a report says: plain data, in the very shape in which `report --json` writes it.
+//! A report as plain data, in the very shape in which `report --json` writes it.
 //!
 //! Numbers that do not exist, such as the error in t where no hit is in common with the truth, are
 //! `None`, which is `null` in JSON. No number is NaN or infinite: a method that answers so for a ray
@@ -13,9 +13,9 @@ pub struct Report {
     pub reference: String,
     /// The processor, and which of its features were used.
     pub cpu: String,
-    /// What was measured, in order; the cases of a family follow each other.
+    /// The cases measured, in order; the cases of a family follow each other.
     pub cases: Vec<Case>,
-    /// What the cases do not need and so was not run, a sentence each.
+    /// Sentences about what the cases do not need and so was not run.
     pub left_out: Vec<String>,
     /// The method and the loop that times are to be compared with.
     pub baseline: String,
@@ -26,18 +26,18 @@ pub struct Report {
 pub struct Case {
     /// The scene, or the family, whose cases share the name.
     pub name: String,
-    /// What makes the family easier or harder; a scene has none.
+    /// The setting that makes the family easier or harder; a scene has none.
     pub knob: Option<f64>,
     /// The share of rays that hit, 0 to 1.
     pub coverage: f64,
-    /// What each method did.
+    /// Results of each method.
     pub methods: Vec<MethodRow>,
-    /// What the knob is, in words; empty without one.
+    /// Name of the knob; empty without one.
     #[serde(default)]
     pub knob_name: String,
 }
 
-/// What one method did in one case.
+/// Results of one method in one case.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct MethodRow {
     /// Its name, such as `half-b-f32`.
@@ -53,11 +53,11 @@ pub struct MethodRow {
     pub normal_error_max: Option<f64>,
     /// Nanoseconds a pixel.
     pub ns_per_pixel: Times,
-    /// How many decisions each step of the ladder took; the ladder alone has steps.
+    /// Decisions by each step of the ladder; the ladder alone has steps.
     pub steps: Option<Steps>,
 }
 
-/// How errors in t are spread, in ulps.
+/// Spread of the errors in t, in ulps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ulps {
     /// Half of the errors are at most this.
@@ -77,7 +77,7 @@ pub struct Times {
     pub min: Option<f64>,
 }
 
-/// How many decisions each step of the ladder took.
+/// Decisions by each step of the ladder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Steps {
     /// Decided in `f64`.
@@ -124,7 +124,7 @@ impl Case {
 }
 
 impl MethodRow {
-    /// By which step of the ladder the method decided, where it has steps.
+    /// A sentence that says by which steps of the ladder the method decided, where it has steps.
     pub fn decided(&self) -> Option<String> {
         let steps = self.steps?;
         Some(format!(
@@ -138,7 +138,7 @@ impl MethodRow {
         (self.decisions > 0).then(|| self.wrong as f64 / self.decisions as f64)
     }
 
-    /// Whether it computes in single precision.
+    /// Returns whether it computes in single precision.
     pub fn is_single(&self) -> bool {
         self.name.ends_with("-f32")
     }

@@ -6,7 +6,7 @@ use super::model::{Case, MethodRow, Report};
 use crate::model::number::short;
 use crate::report::columns::{aligned, widths, wrapped};
 
-/// As wide as text may be.
+/// Maximum width of a line, in characters.
 const WIDTH: usize = 118;
 
 /// The columns: name, and whether the next one belongs to it in the head above.

@@ -45,19 +45,19 @@ pub fn draw_ui(
 ) {
     let ctx = egui::Context::default();
     fonts::install(&ctx);
-    Sheet::draw(&ctx, size, pixels_per_point, ui).paint(pixels, size);
+    UiPass::draw(&ctx, size, pixels_per_point, ui).paint(pixels, size);
 }
 
 /// One pass of a user interface: the shapes it drew, and the data to paint them into pixels.
 #[derive(Debug)]
-pub struct Sheet {
+pub struct UiPass {
     shapes: Vec<ClippedShape>,
     primitives: Vec<ClippedPrimitive>,
     painter: Painter,
     pixels_per_point: f32,
 }
 
-impl Sheet {
+impl UiPass {
     /// Runs the first pass of a context, on a screen of `size` pixels with `pixels_per_point`
     /// pixels per point. Later passes would lack the glyphs that the first one uploads.
     pub fn draw(
@@ -65,14 +65,19 @@ impl Sheet {
         size: [usize; 2],
         pixels_per_point: f32,
         ui: impl FnMut(&mut egui::Ui),
-    ) -> Sheet {
+    ) -> UiPass {
         let output = ctx.run_ui(input(size, pixels_per_point), ui);
         let (mut delta, pixels_per_point) = (output.textures_delta, output.pixels_per_point);
         let primitives = ctx.tessellate(output.shapes.clone(), pixels_per_point);
         let mut painter = Painter::new();
         painter.set_textures(&mut delta);
         delta.clear();
-        Sheet { shapes: output.shapes, primitives, painter, pixels_per_point }
+        UiPass { shapes: output.shapes, primitives, painter, pixels_per_point }
+    }
+
+    /// Dots to a point.
+    pub fn pixels_per_point(&self) -> f32 {
+        self.pixels_per_point
     }
 
     /// Returns the drawn shapes, in points.

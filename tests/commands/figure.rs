@@ -247,7 +247,7 @@ fn a_camera_without_a_basis() {
     }
     figure(folder.path(), "s.toml --view derivation -o out.svg --pixel 0,0").failed(1, why);
     assert_eq!(entries(folder.path()), ["s.toml"]);
-    // The derivation says where its derivation fails.
+    // The derivation says where it fails.
     figure(folder.path(), "s.toml --view derivation -o out.md").done();
     let text = fs::read_to_string(folder.path().join("out.md")).unwrap();
     assert!(text.contains("is parallel to the view direction"), "{text}");

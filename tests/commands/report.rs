@@ -69,7 +69,7 @@ fn several_scenes_are_several_cases_in_every_file() {
     assert!(csv.starts_with("case,knob_name,knob,coverage,method,wrong,"), "{csv}");
     assert!(csv.contains("\ns.toml,") && csv.contains("\ntwo.toml,"), "{csv}");
     let svg = read("a.svg");
-    assert!(svg.contains(">s.toml</text>") && svg.contains(">two.toml</text>"), "{svg}");
+    assert!(svg.contains(">s.toml</tspan>") && svg.contains(">two.toml</tspan>"), "{svg}");
 }
 
 #[test]

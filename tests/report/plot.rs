@@ -1,13 +1,13 @@
 //! The plot.
 
-use pinhole::chart::PNG_SCALE;
+use pinhole::figures::Format;
 use pinhole::report::model::Report;
 use pinhole::report::plot;
 
 use crate::sample;
 
 fn svg_of(report: &Report) -> String {
-    plot::figure(report).to_svg()
+    String::from_utf8(plot::figure(report, 1.0).to_file(Format::Svg).unwrap()).unwrap()
 }
 
 /// How often an element with this in it is there.
@@ -24,19 +24,19 @@ fn wrong_decisions_are_marked_and_counted_and_in_no_error() {
     let svg = svg_of(&report);
     // One around the mark, one in the table.
     assert_eq!(count(&svg, "<circle"), 2);
-    assert_eq!(count(&svg, ">1,234</text>"), 1);
+    assert_eq!(count(&svg, ">1,234</tspan></text>"), 1);
 }
 
 #[test]
 fn a_family_has_a_curve_a_method() {
     let report = sample::report();
     let svg = svg_of(&report);
-    assert_eq!(count(&svg, ">radius / distance</text>"), 1);
+    assert_eq!(count(&svg, ">radius / distance</tspan></text>"), 1);
     let long_chains =
         svg.lines().filter(|line| line.starts_with("<polyline") && line.matches(',').count() >= 5);
     assert_eq!(long_chains.count(), 16);
-    assert_eq!(count(&svg, ">tiny far sphere</text>"), 1);
-    assert_eq!(count(&svg, ">6 settings, coverage 3.27 to 19.6 %</text>"), 1);
+    assert_eq!(count(&svg, ">tiny far sphere</tspan></text>"), 1);
+    assert_eq!(count(&svg, ">6 settings, coverage 3.27 to 19.6 %</tspan></text>"), 1);
 }
 
 #[test]
@@ -45,7 +45,7 @@ fn what_was_left_out_is_told_without_end() {
     report.left_out = (0..100).map(|k| format!("the rays of case {k}")).collect();
     let svg = svg_of(&report);
     assert!(svg.contains("Left out: the rays of case 0; the rays of case 1;"));
-    assert!(svg.contains(" more, which the table lists</text>"));
+    assert!(svg.contains(" more, which the table lists</tspan></text>"));
     assert!(!svg.contains("case 99"));
 }
 
@@ -53,9 +53,9 @@ fn what_was_left_out_is_told_without_end() {
 fn a_method_without_a_common_hit_has_a_place_of_its_own() {
     let mut report = sample::report();
     report.cases.truncate(1);
-    assert_eq!(count(&svg_of(&report), ">no hit alike</text>"), 0);
+    assert_eq!(count(&svg_of(&report), ">no hit alike</tspan></text>"), 0);
     report.cases[0].methods[2].ulp = Default::default();
-    assert_eq!(count(&svg_of(&report), ">no hit alike</text>"), 1);
+    assert_eq!(count(&svg_of(&report), ">no hit alike</tspan></text>"), 1);
 }
 
 #[test]
@@ -92,12 +92,12 @@ fn nothing_leaves_the_picture_whatever_the_numbers() {
 /// that the pixels are there at all, marks in their colours and text in dark.
 #[test]
 fn pixels_show_what_the_svg_says() {
-    let figure = plot::figure(&sample::report());
-    let raster = figure.to_pixels(PNG_SCALE);
-    assert_eq!(raster.pixels.len(), raster.width as usize * raster.height as usize);
-    assert_eq!(raster.width, 1920);
-    let count = |[r, g, b]: [u8; 3]| raster.pixels.iter().filter(|p| **p == [r, g, b, 255]).count();
-    assert!(count([0xff; 3]) > raster.pixels.len() / 2);
+    let figure = plot::figure(&sample::report(), plot::PNG_SCALE);
+    let ([width, height], pixels) = (figure.size(), figure.to_pixels());
+    assert_eq!((width, pixels.len()), (1920, 1920 * height));
+    let count =
+        |[r, g, b]: [u8; 3]| pixels.iter().filter(|p| p.to_array() == [r, g, b, 255]).count();
+    assert!(count([0xff; 3]) > pixels.len() / 2);
     for ink in [[0, 0, 0], [0xb0, 0, 0x20], [0xd5, 0x5e, 0], [0, 0x72, 0xb2], [0x1a; 3]] {
         assert!(count(ink) > 200, "{ink:?}: {}", count(ink));
     }

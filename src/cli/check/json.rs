@@ -18,13 +18,13 @@ struct Check {
     advice: String,
     /// Other sets of mistakes that give the same answers.
     alternatives: Vec<Vec<&'static str>>,
-    /// How a picture is taken to be shaded.
+    /// Shading that a picture is taken to have.
     shade: Option<&'static str>,
     /// Pixels without an answer, where each counts as a wrong one.
     unanswered: usize,
 }
 
-pub(super) fn of(graded: &Graded) -> Result<String, CommandError> {
+pub(super) fn to_json(graded: &Graded) -> Result<String, CommandError> {
     let grade = &graded.grade;
     let diagnosis = &grade.diagnosis;
     let check = Check {
@@ -49,7 +49,7 @@ pub(super) fn of(graded: &Graded) -> Result<String, CommandError> {
     Ok(text)
 }
 
-/// Where, what was given, what is right, and how far that is apart: `null` where a hit is taken for a
+/// The place, the answer given, the right one, and the distance between them: `null` where a hit is taken for a
 /// miss or for one of another object, which no number measures. A miss is `"miss"`; nothing is right
 /// where there is no such pixel.
 fn worst_of(graded: &Graded, worst: &Worst) -> Value {

@@ -3,4 +3,3 @@
 pub mod color;
 pub mod exr;
 pub mod png;
-pub mod svg;

@@ -17,25 +17,25 @@ pub(super) struct Set {
     pub(super) methods: Vec<Method>,
 }
 
-/// What a case is made of, made when its turn comes.
+/// The parts of a case, made when its turn comes.
 pub(super) struct Made {
     pub(super) sets: Vec<Set>,
     /// The share of rays that hit, where it is known; else that of the rays decided.
     pub(super) coverage: Option<f64>,
-    /// What to say of the rays that were not decided: from the number of those that were.
+    /// A sentence about the rays that were not decided: from the number of those that were.
     pub(super) left_out: Box<dyn Fn(usize) -> Option<String> + Send + Sync>,
 }
 
-/// What a case is, before it is made.
+/// A case before it is made.
 pub(super) struct Plan {
     pub(super) name: String,
     pub(super) knob: Option<f64>,
     pub(super) knob_name: String,
-    /// How often every method is timed.
+    /// Number of times that every method is timed.
     pub(super) rounds: usize,
-    /// When to stop, finished or not.
+    /// Time after which to stop, finished or not.
     pub(super) budget: Duration,
-    /// How many pieces of work it counts as.
+    /// Number of pieces of work that it counts as.
     pub(super) pieces: usize,
     pub(super) make: Box<dyn FnOnce() -> Made + Send>,
 }
@@ -69,9 +69,9 @@ struct SetWork {
     workers: Vec<Worker>,
     decided: usize,
     hits: usize,
-    /// How many rays to decide at a time.
+    /// Number of rays to decide at a time.
     chunk: usize,
-    /// How many measurements of time were made, of all methods together.
+    /// Number of measurements of time made, of all methods together.
     timings: usize,
 }
 
@@ -81,7 +81,7 @@ struct Worker {
     tally: Tally,
 }
 
-/// What a piece of work should take.
+/// Aim for the time of a piece of work.
 const PIECE: Duration = Duration::from_millis(4);
 
 impl CaseRun {
@@ -170,7 +170,7 @@ impl Work {
         }
     }
 
-    /// How much is done, up to 1.
+    /// Share of the work that is done, up to 1.
     fn share(&self, rounds: usize) -> f64 {
         let sum = |of: &dyn Fn(&SetWork) -> usize| self.sets.iter().map(of).sum::<usize>();
         let all = sum(&|set| set.subject.len() + rounds * set.workers.len());
@@ -221,7 +221,7 @@ impl SetWork {
         SetWork { subject, workers, decided: 0, hits: 0, chunk: 4, timings: 0 }
     }
 
-    /// Which round it is in.
+    /// Number of the round that it is in.
     fn round(&self) -> usize {
         self.timings / self.workers.len().max(1)
     }

@@ -18,9 +18,9 @@ use super::subject::{Picture, Subject};
 const RAYS: usize = 1000;
 /// Pictures for each setting of a knob.
 const FRAMES: usize = 6;
-/// At most this many pixels of a picture, a side.
+/// Maximum number of pixels of a picture, a side.
 const SIDE: u32 = 256;
-/// What all cases together may take.
+/// Time that all cases together may take.
 const BUDGET: Duration = Duration::from_secs(150);
 
 /// The cases, and what they leave out.

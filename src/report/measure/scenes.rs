@@ -10,17 +10,18 @@ use pinhole_core::{Camera, CameraError, NO_OBJECT, Outputs, Raster, ResolvedCame
 use super::case::{CaseRun, Made, Plan, Set};
 use super::subject::{Picture, Subject, objects_of};
 
-/// At most this many pixels a side are looked at.
+/// Maximum number of pixels a side that are looked at.
 const SIDE: u32 = 400;
-/// At most this many pixels a side are traced for the time.
+/// Maximum number of pixels a side that are traced for the time.
 const TIMED_SIDE: u32 = 256;
-/// At most this many questions of one object to one ray are timed at once, so that no slice is long.
+/// Maximum number of questions of one object to one ray that are timed at once, so that no slice is
+/// long.
 const TIMED_TESTS: usize = 1 << 17;
-/// At most this many pixels are compared with the truth.
+/// Maximum number of pixels that are compared with the truth.
 const MOST_PIXELS: usize = 60_000;
 const SEED: u64 = 1;
 
-/// What of a scene a case is about.
+/// The part of a scene that a case is about.
 struct Part {
     title: String,
     scene: Scene,
@@ -137,18 +138,18 @@ fn make(title: &str, scene: Scene, camera: &Camera, resolved: &ResolvedCamera) -
     }
 }
 
-/// What is traced for the time: the image, or fewer of its pixels, in rows as long as can be.
+/// Raster that is traced for the time: the image, or fewer of its pixels, in rows as long as can be.
 fn timed_raster(resolved: &ResolvedCamera, objects: usize) -> Raster {
     let pixels = (TIMED_TESTS / objects.max(1)).clamp(1, (TIMED_SIDE * TIMED_SIDE) as usize) as u32;
     let columns = pixels.min(TIMED_SIDE).min(resolved.image().width());
     Raster::shown_on(resolved.image(), columns, (pixels / columns).min(TIMED_SIDE))
 }
 
-/// Which pixels to compare with the truth.
+/// Chooses the pixels to compare with the truth.
 struct Sample {
     /// Rows and columns.
     pixels: Vec<(usize, usize)>,
-    /// How many of them lie beside an outline.
+    /// Number of them that lie beside an outline.
     outline: usize,
 }
 

@@ -1,4 +1,4 @@
-//! What a case is about: rays that the reference and the methods follow alike.
+//! The subject of a case: rays that the reference and the methods follow alike.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -10,7 +10,7 @@ use pinhole_core::{
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
 
-/// What is true, in words.
+/// The reference, in words.
 pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-int): \
      decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
      of pixels from eye, at, up, viewport and image as given, nothing rounded on the way; of the \
@@ -36,7 +36,7 @@ pub(super) struct Picture {
     pub(super) raster: Raster,
     /// Rows and columns of the raster.
     pub(super) pixels: Vec<(usize, usize)>,
-    /// What is traced for the time.
+    /// Raster that is traced for the time.
     timed: Raster,
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Picture {
 pub(super) enum Kernel {
     Rays {
         kernel: Box<dyn RayKernel>,
-        /// How often the list is gone through for one measurement of time.
+        /// Number of times that the list is gone through for one measurement of time.
         repeats: u32,
     },
     Frames {
@@ -53,14 +53,14 @@ pub(super) enum Kernel {
     },
 }
 
-/// What one measurement of the time of rays takes at least, where it can.
+/// Minimum time of one measurement of rays, where it can be had.
 const MEASUREMENT: Duration = Duration::from_micros(300);
 
-/// From this many objects on, those that a ray misses for sure are not shown to the reference.
+/// Number of objects from which on those that a ray misses for sure are not shown to the reference.
 const MANY_OBJECTS: usize = 12;
 
 impl Subject {
-    /// How many rays there are.
+    /// Number of rays.
     pub(super) fn len(&self) -> usize {
         match self {
             Subject::Rays(cases) => cases.len(),
@@ -78,7 +78,7 @@ impl Subject {
         None
     }
 
-    /// What the ray of this number truly hits first.
+    /// The true first hit of the ray of this number.
     pub(super) fn truth(&self, index: usize) -> Option<Hit> {
         match self {
             Subject::Rays(cases) => {
@@ -115,7 +115,7 @@ impl Subject {
         }
     }
 
-    /// What the method finds for the ray of this number.
+    /// The hit that the method finds for the ray of this number.
     pub(super) fn found(&self, kernel: &Kernel, index: usize) -> Option<MethodHit> {
         match (self, kernel) {
             (Subject::Frames(pictures), Kernel::Frames { of_pixels, .. }) => {
@@ -128,7 +128,7 @@ impl Subject {
         }
     }
 
-    /// How long the method takes, in nanoseconds a pixel (or ray).
+    /// Times the method, in nanoseconds a pixel (or ray).
     pub(super) fn time(&self, kernel: &mut Kernel, one_thread: Option<&ThreadPool>) -> f64 {
         let pixels = match (self, &*kernel) {
             (Subject::Rays(cases), Kernel::Rays { repeats, .. }) => cases.len() * *repeats as usize,
@@ -152,7 +152,7 @@ impl Subject {
 }
 
 impl Kernel {
-    /// How far up the ladder the last measurement of time had to go.
+    /// Returns how far up the ladder the last measurement of time had to go.
     pub(super) fn steps(&self) -> Option<Steps> {
         match self {
             Kernel::Rays { kernel, .. } => kernel.steps(),
@@ -202,7 +202,7 @@ impl Picture {
     }
 }
 
-/// Whether the line passes the sphere at a distance that no rounding of the ray can bridge.
+/// Returns whether the line passes the sphere at a distance that no rounding of the ray can bridge.
 ///
 /// The ray at hand is the true one but for some 1e-16 of its direction; 1e-6 of the distance to the
 /// centre is far more than that, and than what this arithmetic rounds. Where it overflows or

@@ -7,7 +7,7 @@ use pinhole_reference::{Hit, angle_between};
 
 use crate::report::model::{MethodRow, Steps, Times, Ulps};
 
-/// What one method did in one case so far.
+/// Results of one method in one case so far.
 #[derive(Default)]
 pub(super) struct Tally {
     decisions: u64,
@@ -57,7 +57,7 @@ impl Tally {
         self.times.push(ns_per_pixel);
     }
 
-    /// How far up the ladder the last round had to go.
+    /// Keeps how far up the ladder the last round had to go.
     pub(super) fn climb(&mut self, steps: Option<pinhole_core::Steps>) {
         self.steps = steps.map(|steps| Steps {
             f64: steps.f64,

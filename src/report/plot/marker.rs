@@ -1,17 +1,35 @@
-//! How a method is told from the others: a shape and a colour each, hollow in single precision,
-//! filled in double.
+//! Marks that tell methods apart: a shape and a colour each, hollow in single precision, filled in
+//! double.
 
-use crate::chart::figure::{Figure, Ink, Place, Shape};
-pub(crate) use crate::chart::marker::Marker;
-use crate::chart::marker::{Outline, RADIUS, marker};
+use egui::Color32;
+
+use crate::figures::chart::{Chart, Point};
+
+/// A shape and a colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Marker {
+    pub(crate) color: Color32,
+    shape: Shape,
+}
+
+/// The shape of a mark.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Shape {
+    /// A polygon of so many equal sides, the first corner so many degrees from straight up.
+    Regular(usize, f64),
+    Star,
+}
+
+/// Half the width of a mark, in points.
+const RADIUS: f64 = 7.0;
 
 /// Wrong decisions, wherever they are shown.
-pub(crate) const WRONG: Ink = [0xb0, 0x00, 0x20];
+pub(crate) const WRONG: Color32 = Color32::from_rgb(0xb0, 0x00, 0x20);
 
 /// Colours after Okabe and Ito, "Color Universal Design" (2008), which readers who do not see red
 /// or green can tell apart; yellow, too light for white paper, is wine instead (Tol 2021).
 const MARKERS: [(&str, Marker); 9] = [
-    ("ladder", Marker { color: [0x00, 0x00, 0x00], outline: Outline::Star }),
+    ("ladder", Marker { color: Color32::BLACK, shape: Shape::Star }),
     ("double-double", marker([0x77, 0x77, 0x77], 6, 0.0)),
     ("textbook", marker([0xd5, 0x5e, 0x00], 24, 0.0)),
     ("half-b", marker([0xe6, 0x9f, 0x00], 4, 45.0)),
@@ -25,14 +43,67 @@ const MARKERS: [(&str, Marker); 9] = [
 /// A method that came later, in grey.
 const STRANGER: Marker = marker([0x44, 0x44, 0x44], 3, 270.0);
 
+const fn marker([r, g, b]: [u8; 3], sides: usize, turned: f64) -> Marker {
+    Marker { color: Color32::from_rgb(r, g, b), shape: Shape::Regular(sides, turned) }
+}
+
 /// The mark of a method, by its name without the precision.
-pub(crate) fn of(family: &str) -> Marker {
+pub(crate) fn marker_of(family: &str) -> Marker {
     MARKERS.iter().find(|(name, _)| *name == family).map_or(STRANGER, |(_, marker)| *marker)
 }
 
-/// The mark of a method that decided wrong: a ring around its own.
-pub(crate) fn ring(figure: &mut Figure, center: Place) {
-    figure.shapes.push(Shape::Ring { center, radius: 1.65 * RADIUS, color: WRONG, width: 2.5 });
+/// Draws the mark of a method that decided wrong: a ring around its own.
+pub(crate) fn ring(chart: &mut Chart, center: Point) {
+    chart.ring(center, 1.65 * RADIUS, WRONG, 2.5);
+}
+
+impl Marker {
+    /// Its colour on light or dark ground: what would be lost on dark is lightened.
+    pub(crate) fn color_on(&self, dark: bool) -> Color32 {
+        if !dark {
+            return self.color;
+        }
+        if self.shape == Shape::Star {
+            return Color32::WHITE;
+        }
+        let [r, g, b, _] = self.color.to_array();
+        let luma: f64 =
+            [0.299, 0.587, 0.114].iter().zip([r, g, b]).map(|(k, c)| k * f64::from(c)).sum();
+        // How far to go to white, so that the darkest are as light as a mid grey at least.
+        let part = ((130.0 - luma) / (255.0 - luma)).max(0.0);
+        let [r, g, b] =
+            [r, g, b].map(|c| (f64::from(c) + part * (255.0 - f64::from(c))).round() as u8);
+        Color32::from_rgb(r, g, b)
+    }
+
+    /// Draws the mark.
+    pub(crate) fn draw(&self, chart: &mut Chart, center: Point, hollow: bool) {
+        let corners = self.corners(center);
+        if hollow {
+            chart.outline(&corners, self.color, 2.5);
+        } else {
+            chart.fill(&corners, self.color);
+            // A line of white keeps a filled mark apart from what lies under it.
+            chart.outline(&corners, Color32::WHITE, 1.0);
+        }
+    }
+
+    /// The corners around a center. Triangles and stars are drawn larger, to look as large.
+    fn corners(&self, [x, y]: Point) -> Vec<Point> {
+        let corner = |degrees: f64, radius: f64| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            [x + radius * sin, y - radius * cos]
+        };
+        match self.shape {
+            Shape::Star => {
+                (0..10_usize).map(|k| corner(36.0 * k as f64, [1.6, 0.7][k % 2] * RADIUS)).collect()
+            }
+            Shape::Regular(sides, turned) => {
+                let size = [1.35, 1.15, 1.1, 1.0][sides.clamp(3, 6) - 3] * RADIUS;
+                (0..sides).map(|k| corner(turned + 360.0 * k as f64 / sides as f64, size)).collect()
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -44,7 +115,7 @@ mod tests {
         for (index, (name, marker)) in MARKERS.iter().enumerate() {
             for (other, later) in &MARKERS[index + 1..] {
                 assert_ne!(marker.color, later.color, "{name} and {other}");
-                assert_ne!(marker.outline, later.outline, "{name} and {other}");
+                assert_ne!(marker.shape, later.shape, "{name} and {other}");
             }
             assert_ne!(*marker, STRANGER, "{name}");
         }

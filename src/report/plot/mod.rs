@@ -5,17 +5,27 @@
 //! A row a scene: error against time, and how many decisions each method got wrong. A family also
 //! shows its error against the knob; its time panel shows the worst of all settings.
 
+mod axis;
+mod frame;
 mod legend;
 pub(crate) mod marker;
 mod panel;
 mod summary;
 
+use egui::Align;
+
+use self::frame::{Frame, GAP, MARGIN, TEXT, WEAK, paragraph};
 use self::panel::Errors;
 use self::summary::Summary;
 pub(crate) use self::summary::{SINGLE, in_ulps_of_f64};
 use super::model::Report;
-use crate::chart::figure::{Align, Figure};
-use crate::chart::frame::{Frame, GAP, MARGIN, TEXT, WEAK, paragraph};
+use crate::figures::Figure;
+use crate::figures::chart::Chart;
+
+const TITLE: &str = "Error against run time";
+
+/// Dots to a point in PNG: as wide as a projector.
+pub const PNG_SCALE: f32 = 1.5;
 
 const WIDTH: f64 = 1280.0;
 
@@ -26,21 +36,21 @@ const NUMBERS: f64 = 104.0;
 const PANEL: f64 = 300.0;
 const ROW: f64 = 440.0;
 
-/// Draws a report.
-pub fn figure(report: &Report) -> Figure {
-    let mut figure = Figure { width: WIDTH, ..Figure::default() };
-    let mut y = head(&mut figure);
-    for summary in summary::of(report) {
-        row(&mut figure, y, &summary);
+/// Draws a report, with so many dots to a point.
+pub fn figure(report: &Report, scale: f32) -> Figure {
+    let mut chart = Chart::new(WIDTH);
+    let mut y = head(&mut chart);
+    for summary in summary::summaries(report) {
+        row(&mut chart, y, &summary);
         y += ROW;
     }
-    figure.height = foot(&mut figure, y, report) + MARGIN;
-    figure
+    chart.height = foot(&mut chart, y, report) + MARGIN;
+    chart.into_figure(TITLE, scale)
 }
 
-/// What is shown and how to read it; returns where it ends.
-fn head(figure: &mut Figure) -> f64 {
-    figure.bold([MARGIN, 40.0], Align::Left, 30.0, TEXT, "Error against run time".to_owned());
+/// Writes the title and how to read what is below; returns where it ends.
+fn head(chart: &mut Chart) -> f64 {
+    chart.bold([MARGIN, 40.0], Align::LEFT, 30.0, TEXT, TITLE);
     let how_to_read = [
         "Down and left is better. Filled: f64; hollow: f32. A mark stands at the largest error in t, \
          its stem ends at the 99th percentile.",
@@ -49,13 +59,13 @@ fn head(figure: &mut Figure) -> f64 {
     ];
     let mut y = 76.0;
     for line in how_to_read {
-        y = paragraph(figure, y, 17.0, line);
+        y = paragraph(chart, y, 17.0, line);
     }
     y + 22.0
 }
 
-/// What the numbers rest on; returns where it ends.
-fn foot(figure: &mut Figure, top: f64, report: &Report) -> f64 {
+/// Writes the reference, the processor and the baseline; returns where it ends.
+fn foot(chart: &mut Chart, top: f64, report: &Report) -> f64 {
     let mut y = top + 4.0;
     for (name, text) in [
         ("Reference", &report.reference),
@@ -63,11 +73,11 @@ fn foot(figure: &mut Figure, top: f64, report: &Report) -> f64 {
         ("Baseline", &report.baseline),
     ] {
         if !text.is_empty() {
-            y = paragraph(figure, y, 16.0, &format!("{name}: {text}"));
+            y = paragraph(chart, y, 16.0, &format!("{name}: {text}"));
         }
     }
     if !report.left_out.is_empty() {
-        y = paragraph(figure, y, 16.0, &format!("Left out: {}", left_out(&report.left_out)));
+        y = paragraph(chart, y, 16.0, &format!("Left out: {}", left_out(&report.left_out)));
     }
     y - 16.0
 }
@@ -88,34 +98,34 @@ fn left_out(lines: &[String]) -> String {
     }
 }
 
-fn row(figure: &mut Figure, top: f64, summary: &Summary) {
+fn row(chart: &mut Chart, top: f64, summary: &Summary) {
     let Some(case) = summary.cases.first() else { return };
     let settings = match summary.cases.len() {
         1 => case.title(),
         _ => case.name.clone(),
     };
-    figure.bold([MARGIN, top + 14.0], Align::Left, 22.0, TEXT, settings);
+    chart.bold([MARGIN, top + 14.0], Align::LEFT, 22.0, TEXT, settings);
     let coverage = format!("coverage {}", summary.coverage());
     let coverage = match summary.cases.len() {
         1 => coverage,
         count => format!("{count} settings, {coverage}"),
     };
-    figure.text([WIDTH - MARGIN, top + 14.0], Align::Right, 17.0, WEAK, coverage);
+    chart.text([WIDTH - MARGIN, top + 14.0], Align::RIGHT, 17.0, WEAK, coverage);
     let (upper, lower) = (top + 62.0, top + 62.0 + PANEL);
     let left = MARGIN + NUMBERS;
     let right = WIDTH - MARGIN - legend::WIDTH - GAP - 14.0;
     let middle = 0.5 * (left + right);
     let whole = Frame { left, top: upper, right, bottom: lower };
-    let errors = Errors::of(summary, whole);
+    let errors = Errors::new(summary, whole);
     let what = "largest error in t, in ulps of f64".to_owned();
-    figure.text([MARGIN, top + 44.0], Align::Left, 17.0, TEXT, what);
+    chart.text([MARGIN, top + 44.0], Align::LEFT, 17.0, TEXT, what);
     if summary.has_knob() {
         let across = Frame { right: middle - 8.0, ..whole };
-        panel::time(figure, across, &errors, summary);
-        panel::knob(figure, Frame { left: middle + 8.0, ..whole }, &errors, summary);
+        panel::time(chart, across, &errors, summary);
+        panel::knob(chart, Frame { left: middle + 8.0, ..whole }, &errors, summary);
     } else {
-        panel::time(figure, whole, &errors, summary);
+        panel::time(chart, whole, &errors, summary);
     }
-    errors.name_ulps(figure, whole);
-    legend::draw(figure, [right + GAP + 14.0, upper + 12.0], summary);
+    errors.name_ulps(chart, whole);
+    legend::draw(chart, [right + GAP + 14.0, upper + 12.0], summary);
 }

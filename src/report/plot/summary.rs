@@ -1,4 +1,4 @@
-//! What a row of panels shows: a scene, or a family over all settings of its knob.
+//! The summary that a row of panels shows: of a scene, or of a family over all settings of its knob.
 
 use crate::report::model::{Case, MethodRow, Report};
 
@@ -29,8 +29,8 @@ pub(crate) struct Worst<'a> {
     pub(crate) decisions: u64,
 }
 
-/// The summaries of a report, in order.
-pub(crate) fn of(report: &Report) -> Vec<Summary<'_>> {
+/// Returns the summaries of a report, in order.
+pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
     report.families().into_iter().map(Summary::new).collect()
 }
 
@@ -53,7 +53,7 @@ impl<'a> Summary<'a> {
         Summary { cases, methods }
     }
 
-    /// Whether there is a curve over a knob to show.
+    /// Returns whether there is a curve over a knob to show.
     pub(crate) fn has_knob(&self) -> bool {
         self.cases.len() > 1
     }

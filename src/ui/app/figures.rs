@@ -70,7 +70,7 @@ impl App {
 
     fn exported(&self, order: &Order, path: &Path, session: &Session) -> Result<(), String> {
         let document = &self.open.document;
-        let bytes = match Content::of(order.subject, path)? {
+        let bytes = match Content::for_path(order.subject, path)? {
             Content::Text(markup) => {
                 derivation_of(document, session).written_in(markup).into_bytes()
             }

@@ -74,7 +74,7 @@ impl ExportForm {
 
     /// Returns the same form for an animation, with all the frames of its duration.
     pub(crate) fn animated(mut self, kind: Kind) -> ExportForm {
-        self.animation = Some((kind, Frames::of(kind)));
+        self.animation = Some((kind, Frames::new(kind)));
         if let Some(folder) = self.field.text.strip_suffix("world.svg") {
             self.field.text = format!("{folder}{}.png", kind.name());
         }
@@ -102,7 +102,7 @@ impl ExportForm {
         if let Some(path) = path {
             let content = match self.animation {
                 Some(_) => check_name(&path),
-                None => Content::of(shown.subject, &path).map(drop),
+                None => Content::for_path(shown.subject, &path).map(drop),
             };
             match content {
                 Ok(()) => {

@@ -7,6 +7,7 @@ use std::time::Duration;
 use egui::Context;
 use pinhole_core::{Camera, Scene};
 
+#[cfg(feature = "report")]
 use crate::report::measure::Run;
 use crate::report::model::Report;
 use crate::view::derive::Derived;
@@ -17,6 +18,37 @@ const REST: f64 = 0.5;
 
 /// Time between two reports while measuring, in seconds.
 const BETWEEN: f64 = 0.3;
+
+/// A run that there is none of, in a build without the feature `report`.
+#[cfg(not(feature = "report"))]
+enum Run {}
+
+#[cfg(not(feature = "report"))]
+impl Run {
+    fn of_scene(_: &str, _: &Scene, _: &Camera) -> Result<Run, ()> {
+        Err(())
+    }
+
+    fn step(&mut self) {
+        match *self {}
+    }
+
+    fn is_done(&self) -> bool {
+        match *self {}
+    }
+
+    fn report(&self) -> Report {
+        match *self {}
+    }
+
+    fn total(&self) -> usize {
+        match *self {}
+    }
+
+    fn done(&self) -> usize {
+        match *self {}
+    }
+}
 
 /// The present measurement and the last report.
 #[derive(Default)]

@@ -44,6 +44,7 @@ pub use handles::{
 };
 pub use highlighted::Highlighted;
 pub use loupe::{Loupe, loupe_window};
+pub use paint::paint_paths;
 pub use path::{Ink, Outline, Path};
 pub use picture::Picture;
 pub use style::{Colors, Style};

@@ -1,5 +1,7 @@
 //! Paints marks with tiny-skia, straight into the picture's bytes.
 
+use std::borrow::Borrow;
+
 use egui::Color32;
 use rayon::prelude::*;
 use tiny_skia::{
@@ -16,21 +18,30 @@ const BAND: usize = 128;
 impl Drawing {
     /// Paints the marks over a picture of `width` dots a row.
     pub fn paint(&self, width: usize, dots: &mut [Color32]) {
-        let height = dots.len().checked_div(width).unwrap_or(0);
-        if height == 0 {
-            return;
-        }
-        let strokes: Vec<_> = self.paths().filter_map(|path| Stroked::of(&path)).collect();
-        let bands = dots[..width * height].par_chunks_mut(BAND * width).enumerate();
-        bands.for_each(|(band, dots)| {
-            let (top, rows) = ((band * BAND) as f32, dots.len() / width);
-            let bytes = bytemuck::cast_slice_mut(dots);
-            let pixmap = PixmapMut::from_bytes(bytes, width as u32, rows as u32);
-            let Some(mut pixmap) = pixmap else { return };
-            let strokes = strokes.iter().filter(|stroke| stroke.reaches(top, rows as f32));
-            strokes.for_each(|stroke| stroke.paint(top, &mut pixmap));
-        });
+        paint_paths(self.paths(), width, dots);
     }
+}
+
+/// Paints paths over a picture of `width` dots a row.
+pub fn paint_paths<'a>(
+    paths: impl Iterator<Item: Borrow<Path<'a>>>,
+    width: usize,
+    dots: &mut [Color32],
+) {
+    let height = dots.len().checked_div(width).unwrap_or(0);
+    if height == 0 {
+        return;
+    }
+    let strokes: Vec<_> = paths.filter_map(|path| Stroked::of(path.borrow())).collect();
+    let bands = dots[..width * height].par_chunks_mut(BAND * width).enumerate();
+    bands.for_each(|(band, dots)| {
+        let (top, rows) = ((band * BAND) as f32, dots.len() / width);
+        let bytes = bytemuck::cast_slice_mut(dots);
+        let pixmap = PixmapMut::from_bytes(bytes, width as u32, rows as u32);
+        let Some(mut pixmap) = pixmap else { return };
+        let strokes = strokes.iter().filter(|stroke| stroke.reaches(top, rows as f32));
+        strokes.for_each(|stroke| stroke.paint(top, &mut pixmap));
+    });
 }
 
 /// A path prepared for tiny-skia: outlined once instead of once for each band.

@@ -59,6 +59,30 @@ pub enum Ink {
     },
 }
 
+impl Path<'_> {
+    /// Returns the path with every length multiplied, dashes and pens too.
+    pub fn scaled(&self, scale: f32) -> Path<'static> {
+        let outline = match &self.outline {
+            Outline::Chain { points, closed } => Outline::Chain {
+                points: points.iter().map(|point| point.map(|x| scale * x)).collect(),
+                closed: *closed,
+            },
+            Outline::Circle { center, radius } => {
+                Outline::Circle { center: center.map(|x| scale * x), radius: scale * radius }
+            }
+        };
+        let ink = match self.ink {
+            Ink::Fill => Ink::Fill,
+            Ink::Stroke { width, round, dash } => Ink::Stroke {
+                width: scale * width,
+                round,
+                dash: dash.map(|dash| dash.map(|length| scale * length)),
+            },
+        };
+        Path { outline, color: self.color, ink }
+    }
+}
+
 impl Drawing {
     /// Returns everything that is painted, in the order of painting.
     pub fn paths(&self) -> impl Iterator<Item = Path<'_>> {

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
 
 use crate::view::typesetting::fonts;
+use crate::view::typesetting::label_text::HaloText;
 use crate::view::typesetting::notation::formula;
 
 /// The look of a label.
@@ -79,12 +80,7 @@ impl LabelLayout {
     }
 
     fn put(&mut self, galley: Arc<Galley>, rect: Rect, color: Color32) {
-        for k in 0..8 {
-            let away = 1.3 * Vec2::angled(k as f32 * std::f32::consts::FRAC_PI_4);
-            let at = rect.min + away;
-            self.painter.galley_with_override_text_color(at, galley.clone(), self.halo);
-        }
-        self.painter.galley(rect.min, galley, color);
+        self.painter.add(HaloText::new(rect.min, galley, color, self.halo).into_shape());
         self.taken.push(rect);
     }
 }

@@ -156,7 +156,9 @@ pub(crate) fn ui(
 
 /// Shows the progress of measuring, or the processor and reference of the numbers.
 fn progress(ui: &mut Ui, measuring: &Measuring, derived: &Derived) {
-    if derived.fault.is_some() {
+    if !cfg!(feature = "report") {
+        ui.label("Nothing is measured: this build has no feature `report`");
+    } else if derived.fault.is_some() {
         ui.weak("nothing is measured while the camera sees nothing; the numbers are from before");
     } else if let Some(why) = derived.too_many {
         ui.label(format!("Nothing is measured: {why}"));

@@ -6,7 +6,7 @@ use pinhole_core::methods::Method;
 use crate::model::number::short;
 use crate::model::session::MethodName;
 use crate::report::model::{Case, MethodRow};
-use crate::report::plot::marker;
+use crate::report::plot::marker::marker_of;
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
 
@@ -85,6 +85,5 @@ fn line(ui: &mut Ui, row: &MethodRow, compared: &mut MethodName) {
 
 /// Returns a method's colour on this window's background.
 pub(super) fn color_of(ui: &Ui, row: &MethodRow) -> Color32 {
-    let [r, g, b] = marker::of(row.family()).ink_on(ui.visuals().dark_mode);
-    theme::finished(ui, Color32::from_rgb(r, g, b))
+    theme::finished(ui, marker_of(row.family()).color_on(ui.visuals().dark_mode))
 }

@@ -7,32 +7,29 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use egui::Color32;
 
-use super::Figure;
-use super::part::{Part, Picture, Run, Text};
+use super::part::{Page, Part, Picture, Run, Text};
 use super::subset::subset;
-use super::typeface::Face;
+use super::typeface::{Face, SANS};
 use crate::view::overlay::{Ink, Outline, Path};
 use pinhole_exchange::images::png;
-use pinhole_exchange::images::svg::{SANS, chain, escaped, hex};
 
 /// The whole file.
-pub(super) fn write(figure: &Figure) -> Result<String, String> {
-    let parts = figure.parts();
-    let ([width, height], title) = (figure.size, escaped(&figure.title));
+pub(in crate::figures) fn write(page: &Page) -> Result<String, String> {
+    let ([width, height], title) = (page.size, escaped(page.title));
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" \
          width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" fill=\"none\" \
          stroke-linejoin=\"round\" font-family=\"{SANS}\">\n<title>{title}</title>\n"
     );
-    out.push_str(&style(&parts)?);
-    if let Some(ground) = figure.ground {
+    out.push_str(&style(&page.parts)?);
+    if let Some(ground) = page.ground {
         // Writing to a string cannot fail.
         let _ =
             writeln!(out, "<rect width=\"{width}\" height=\"{height}\"{}/>", paint("fill", ground));
     }
-    for (k, part) in parts.iter().enumerate() {
+    for (k, part) in page.parts.iter().enumerate() {
         match part {
-            Part::Picture(picture) => out.push_str(&image(picture, figure.size)?),
+            Part::Picture(picture) => out.push_str(&image(picture, page.size)?),
             Part::Path(path) => out.push_str(&element(path)),
             Part::Text(text) => out.push_str(&written(text, k)),
         }
@@ -99,7 +96,7 @@ fn element(Path { outline, color, ink }: &Path) -> String {
     match outline {
         Outline::Chain { points, closed } => {
             let name = if *closed { "polygon" } else { "polyline" };
-            format!("<{name} points=\"{}\"{ink}/>", chain(points, 2))
+            format!("<{name} points=\"{}\"{ink}/>", chain(points))
         }
         Outline::Circle { center: [x, y], radius } => {
             let (x, y, radius) = (short(*x), short(*y), short(*radius));
@@ -157,4 +154,47 @@ fn paint(name: &str, color: Color32) -> String {
 /// A number with three decimals at most.
 fn short(x: f32) -> f64 {
     (f64::from(x) * 1000.0).round() / 1000.0 + 0.0
+}
+
+/// An opaque colour.
+fn hex([r, g, b]: [u8; 3]) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// Points with two decimals.
+fn chain(points: &[[f32; 2]]) -> String {
+    let mut out = String::new();
+    for [x, y] in points {
+        let before = if out.is_empty() { "" } else { " " };
+        // Writing to a string cannot fail.
+        let _ = write!(out, "{before}{x:.2},{y:.2}");
+    }
+    out
+}
+
+/// Text that XML may hold: what marks it up is spelled out, and control characters, which it may
+/// not hold at all, are left out.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c if c.is_control() => {}
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_escaped() {
+        assert_eq!(escaped("a < b & c > \"d\"\u{0}\n"), "a &lt; b &amp; c &gt; &quot;d&quot;");
+    }
 }

@@ -8,7 +8,9 @@ use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, GlyphId, MetadataProvider as _};
 
 use crate::view::typesetting::fonts;
-use pinhole_exchange::images::svg::SANS;
+
+/// The fonts of plain text: the program's own, then what looks much the same.
+pub(super) const SANS: &str = "Noto Sans, DejaVu Sans, Helvetica, Arial, sans-serif";
 
 /// One of the fonts: a number that stands for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -25,7 +27,7 @@ struct Typefaces {
     chains: HashMap<FontFamily, Vec<Face>>,
 }
 
-/// As egui has them.
+/// The typefaces as egui has them.
 static TYPEFACES: LazyLock<Typefaces> = LazyLock::new(|| {
     let definitions = fonts::definitions();
     let mut all: Vec<Typeface> = (definitions.font_data.iter())
@@ -42,7 +44,7 @@ static TYPEFACES: LazyLock<Typefaces> = LazyLock::new(|| {
 
 impl Face {
     /// The font that a letter of this family is taken from, as egui chooses it: the first that has it.
-    pub(super) fn of(family: &FontFamily, letter: char) -> Face {
+    pub(super) fn for_letter(family: &FontFamily, letter: char) -> Face {
         let chain = TYPEFACES.chains.get(family).map(Vec::as_slice).unwrap_or_default();
         let found = chain.iter().find(|face| face.glyph(letter).is_some());
         *found.or(chain.first()).unwrap_or(&Face(0))
@@ -57,7 +59,7 @@ impl Face {
         (*self.typeface().data).as_ref()
     }
 
-    /// The same to share.
+    /// The font's file, to share.
     pub(super) fn shared(self) -> Arc<dyn AsRef<[u8]> + Send + Sync> {
         Arc::clone(&self.typeface().data)
     }
@@ -71,7 +73,7 @@ impl Face {
         self.font()?.charmap().map(letter)
     }
 
-    /// How wide a letter is, in ems.
+    /// Width of a letter, in ems.
     pub(super) fn advance(self, letter: char) -> f32 {
         let width = || {
             let font = self.font()?;
@@ -86,7 +88,7 @@ impl Face {
         self.typeface().name.strip_suffix(" Bold").unwrap_or(&self.typeface().name)
     }
 
-    /// The same with what may stand in for it.
+    /// The family with what may stand in for it.
     pub(super) fn families(self) -> String {
         if SANS.starts_with(&format!("{},", self.family())) {
             return SANS.to_owned();
@@ -94,7 +96,7 @@ impl Face {
         format!("{}, {SANS}", self.family())
     }
 
-    /// Whether it is bold.
+    /// Returns whether it is bold.
     pub(super) fn is_bold(self) -> bool {
         self.typeface().name.ends_with(" Bold")
     }

@@ -32,7 +32,7 @@ impl Decades {
         Decades { low, high, along, zero }
     }
 
-    /// Where a value stands.
+    /// Place of a value along the edge.
     pub(crate) fn place(&self, value: f64) -> f64 {
         if value <= 0.0 {
             return self.zero;
@@ -46,7 +46,7 @@ impl Decades {
         from + part.clamp(0.0, 1.0) * (to - from)
     }
 
-    /// Whether a value lies within.
+    /// Returns whether a value lies within.
     pub(crate) fn holds(&self, value: f64) -> bool {
         value > 0.0 && (f64::from(self.low)..=f64::from(self.high)).contains(&value.log10())
     }
@@ -81,7 +81,7 @@ impl Close {
         Close { low: low - margin, high: high + margin, along }
     }
 
-    /// Where a positive value stands.
+    /// Place of a positive value along the edge.
     pub(crate) fn place(&self, value: f64) -> f64 {
         let [from, to] = self.along;
         from + (value.log10() - self.low) / (self.high - self.low) * (to - from)
@@ -106,7 +106,7 @@ impl Close {
     }
 }
 
-/// Where the settings of a knob stand: true to scale where that keeps them apart, on a logarithmic
+/// Scale of the settings of a knob: true to scale where that keeps them apart, on a logarithmic
 /// scale where that does, else side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Knobs {
@@ -142,14 +142,14 @@ impl Knobs {
         apart.unwrap_or(Knobs { scale: KnobScale::SideBySide, sorted, along })
     }
 
-    /// Whether no two settings stand so close that their marks hide each other.
+    /// Returns whether no two settings stand so close that their marks hide each other.
     fn are_apart(&self) -> bool {
         let [from, to] = self.along;
         let gap = 0.05 * (to - from).abs();
         self.sorted.windows(2).all(|pair| self.place(pair[1]) - self.place(pair[0]) >= gap)
     }
 
-    /// Where a setting stands.
+    /// Place of a setting along the edge.
     pub(crate) fn place(&self, knob: f64) -> f64 {
         let [from, to] = self.along;
         let (low, high) = (self.sorted.first(), self.sorted.last());

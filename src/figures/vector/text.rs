@@ -7,7 +7,7 @@ use egui::{Color32, Galley};
 use super::part::Run;
 use super::typeface::Face;
 
-/// How far egui leans slanted letters to the right, for each unit of height.
+/// Lean of egui's slanted letters to the right, for each unit of height.
 const SLANT: f32 = 0.25;
 
 /// The runs of a text, lengths multiplied by `scale`.
@@ -21,7 +21,7 @@ pub(super) fn runs(shape: &TextShape, scale: f32) -> Vec<Run> {
             let Some((byte, letter)) = letters.next() else { break };
             let Some(section) = section(&galley.job, byte) else { continue };
             let format = &section.format;
-            let face = Face::of(&format.font_id.family, letter);
+            let face = Face::for_letter(&format.font_id.family, letter);
             let color = match shape.override_text_color.unwrap_or(format.color) {
                 Color32::PLACEHOLDER => shape.fallback_color,
                 color => color,
@@ -65,7 +65,7 @@ fn section(job: &LayoutJob, byte: usize) -> Option<&LayoutSection> {
     job.sections.iter().find(|section| section.byte_range.contains(&egui::text::ByteIndex(byte)))
 }
 
-/// Whether a letter belongs to the same run.
+/// Returns whether a letter belongs to the same run.
 fn goes_on(open: &Run, next: &Run) -> bool {
     open.face == next.face
         && open.size == next.size

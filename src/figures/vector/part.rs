@@ -1,24 +1,36 @@
-//! What a figure consists of, in dots from its upper left corner.
+//! The parts of a figure, in dots from its upper left corner.
 
 use egui::{Color32, ColorImage};
 
 use super::typeface::Face;
 use crate::view::overlay::Path;
 
+/// A figure as vector formats are written from it; lengths in dots.
+#[derive(Clone, Debug)]
+pub(in crate::figures) struct Page<'a> {
+    /// The title: what it shows, in words.
+    pub(in crate::figures) title: &'a str,
+    pub(in crate::figures) size: [usize; 2],
+    /// Behind everything, unless it is transparent.
+    pub(in crate::figures) ground: Option<Color32>,
+    /// All that is drawn, from the back to the front.
+    pub(in crate::figures) parts: Vec<Part>,
+}
+
 /// One thing that is drawn.
 #[derive(Clone, Debug)]
-pub(super) enum Part<'a> {
+pub(in crate::figures) enum Part {
     /// Pixels, stretched over the whole figure, nearest-neighbour.
     Picture(Picture),
     /// A fill or a stroke.
-    Path(Path<'a>),
+    Path(Path<'static>),
     /// Text.
     Text(Text),
 }
 
 /// Text that is written in one go.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Text {
+pub(in crate::figures) struct Text {
     pub(super) runs: Vec<Run>,
     /// A casing around all letters: its colour, and how far it reaches.
     pub(super) halo: Option<(Color32, f32)>,
@@ -31,12 +43,12 @@ pub(super) struct Run {
     pub(super) face: Face,
     /// The font's em.
     pub(super) size: f32,
-    /// Where the baseline begins.
+    /// Start of the baseline.
     pub(super) at: [f32; 2],
-    /// How far each letter is from the next.
+    /// Distance of each letter from the next.
     pub(super) advances: Vec<f32>,
     pub(super) color: Color32,
-    /// How far a letter leans to the right, for each unit of height.
+    /// Lean of a letter to the right, for each unit of height.
     pub(super) slant: f32,
 }
 
@@ -48,7 +60,7 @@ impl Run {
 
 /// A picture that is stretched over the figure.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Picture {
+pub(in crate::figures) struct Picture {
     pub(super) size: [usize; 2],
     /// Premultiplied, row by row from the top.
     pub(super) pixels: Vec<Color32>,
@@ -60,7 +72,7 @@ const LEAST_SIDE: usize = 600;
 
 impl Picture {
     /// The picture with as few pixels as show the same: large ones need not be stored dot by dot.
-    pub(super) fn of(image: &ColorImage) -> Picture {
+    pub(in crate::figures) fn new(image: &ColorImage) -> Picture {
         let whole = Picture { size: image.size, pixels: image.pixels.clone() };
         let [width, height] = image.size;
         let [columns, rows] = [Picture::steps(image, false), Picture::steps(image, true)];
@@ -109,11 +121,11 @@ mod tests {
 
     #[test]
     fn large_pixels_are_stored_once_each_where_they_are_many() {
-        let picture = Picture::of(&enlarged([700, 650], [3, 2]));
+        let picture = Picture::new(&enlarged([700, 650], [3, 2]));
         assert_eq!(picture.size, [700, 650]);
         assert_eq!(picture.pixels, enlarged([700, 650], [1, 1]).pixels);
         // Where they are few, as several, so that smoothing does not blur them.
-        let few = Picture::of(&enlarged([4, 3], [300, 400]));
+        let few = Picture::new(&enlarged([4, 3], [300, 400]));
         assert_eq!(few.size, [800, 600]);
         assert_eq!(few.pixels, enlarged([4, 3], [200, 200]).pixels);
     }
@@ -123,7 +135,7 @@ mod tests {
         for image in
             [enlarged([40, 30], [1, 1]), enlarged([40, 30], [1, 5]), enlarged([4, 3], [5, 5])]
         {
-            let picture = Picture::of(&image);
+            let picture = Picture::new(&image);
             assert_eq!((picture.size, picture.pixels), (image.size, image.pixels));
         }
     }

@@ -14,8 +14,7 @@ use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 
-use super::Figure;
-use super::part::{Part, Picture, Run, Text};
+use super::part::{Page, Part, Picture, Run, Text};
 use super::typeface::Face;
 use crate::view::overlay::{Ink, Outline, Path};
 
@@ -23,31 +22,31 @@ use crate::view::overlay::{Ink, Outline, Path};
 const POINTS: f32 = 0.75;
 
 /// The whole file.
-pub(super) fn write(figure: &Figure) -> Result<Vec<u8>, String> {
-    let [width, height] = figure.size.map(|n| n as f32);
-    let page =
+pub(in crate::figures) fn write(page: &Page) -> Result<Vec<u8>, String> {
+    let [width, height] = page.size.map(|n| n as f32);
+    let settings =
         PageSettings::from_wh(POINTS * width, POINTS * height).ok_or("a page without extent")?;
     let mut document = Document::new();
-    let metadata = Metadata::new().title(figure.title.clone()).creator("Pinhole".to_owned());
+    let metadata = Metadata::new().title(page.title.to_owned()).creator("Pinhole".to_owned());
     document.set_metadata(metadata.language("en".to_owned()));
-    let mut page = document.start_page_with(page);
-    let mut writer = Writer { surface: page.surface(), fonts: HashMap::new() };
+    let mut paper = document.start_page_with(settings);
+    let mut writer = Writer { surface: paper.surface(), fonts: HashMap::new() };
     writer.surface.push_transform(&Transform::from_scale(POINTS, POINTS));
-    if let Some(ground) = figure.ground {
+    if let Some(ground) = page.ground {
         let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
         let outline = Outline::Chain { points: corners.as_slice().into(), closed: true };
         writer.path(&Path { outline, color: ground, ink: Ink::Fill });
     }
-    for part in figure.parts() {
+    for part in &page.parts {
         match part {
-            Part::Picture(picture) => writer.picture(&picture, [width, height]),
-            Part::Path(path) => writer.path(&path),
-            Part::Text(text) => writer.text(&text)?,
+            Part::Picture(picture) => writer.picture(picture, [width, height]),
+            Part::Path(path) => writer.path(path),
+            Part::Text(text) => writer.text(text)?,
         }
     }
     writer.surface.pop();
     drop(writer);
-    page.finish();
+    paper.finish();
     document.finish().map_err(|error| error.to_string())
 }
 

@@ -1,38 +1,38 @@
-//! What egui was told to draw, as parts of a figure.
+//! Shapes that egui was told to draw, as parts of a figure.
 
 use std::borrow::Cow;
-use std::sync::Arc;
 
 use egui::epaint::{CircleShape, ClippedShape, ColorMode, PathShape, RectShape, TextShape};
-use egui::{Color32, Galley, Pos2, Rect, Shape, Stroke, StrokeKind};
+use egui::{Color32, Pos2, Rect, Shape, Stroke, StrokeKind};
 
 use super::part::{Part, Text};
 use super::text;
 use crate::view::overlay::{Ink, Outline, Path};
+use crate::view::typesetting::label_text::HaloText;
 
 /// Shapes in points as parts in dots, `scale` to a point.
-pub(super) fn parts(shapes: &[ClippedShape], scale: f32) -> Vec<Part<'static>> {
-    let mut maker = Maker { scale, parts: Vec::new(), casing: None };
+pub(in crate::figures) fn parts(shapes: &[ClippedShape], scale: f32) -> Vec<Part> {
+    let mut maker = Maker { scale, parts: Vec::new() };
     for clipped in shapes {
         maker.shape(&clipped.shape);
     }
-    maker.casing_alone();
     maker.parts
 }
 
 struct Maker {
     scale: f32,
-    parts: Vec<Part<'static>>,
-    /// A text in another colour than its own, which may be drawn all around itself as its casing.
-    casing: Option<TextShape>,
+    parts: Vec<Part>,
 }
 
 impl Maker {
     fn shape(&mut self, shape: &Shape) {
+        if let Some(HaloText { text, halo }) = HaloText::from_shape(shape) {
+            return self.text(&text, Some(halo));
+        }
         match shape {
             Shape::Noop => {}
             Shape::Vec(shapes) => shapes.iter().for_each(|shape| self.shape(shape)),
-            Shape::Text(text) => self.text(text),
+            Shape::Text(text) => self.text(text, None),
             Shape::LineSegment { points, stroke } => {
                 let outline = self.chain(points, false);
                 self.stroke(outline, *stroke);
@@ -50,38 +50,11 @@ impl Maker {
         }
     }
 
-    /// The window cases letters by drawing them eight times around their place; a figure strokes them.
-    fn text(&mut self, shape: &TextShape) {
-        let same = |other: &TextShape| Arc::<Galley>::ptr_eq(&other.galley, &shape.galley);
-        let known = self.casing.as_ref().is_some_and(same);
-        if shape.override_text_color.is_some() {
-            if !known {
-                self.casing_alone();
-                self.casing = Some(shape.clone());
-            }
-            return;
-        }
-        if !known {
-            self.casing_alone();
-        }
-        let halo = self.casing.take().and_then(|casing| {
-            let reach = (casing.pos - shape.pos).length() * self.scale;
-            Some((casing.override_text_color?, reach))
-        });
-        self.write(shape, halo);
-    }
-
-    fn write(&mut self, shape: &TextShape, halo: Option<(Color32, f32)>) {
+    fn text(&mut self, shape: &TextShape, halo: Option<Color32>) {
         let runs = text::runs(shape, self.scale);
         if !runs.is_empty() {
+            let halo = halo.map(|halo| (halo, HaloText::REACH * self.scale));
             self.parts.push(Part::Text(Text { runs, halo }));
-        }
-    }
-
-    /// It was no casing.
-    fn casing_alone(&mut self) {
-        if let Some(shape) = self.casing.take() {
-            self.write(&shape, None);
         }
     }
 
@@ -151,14 +124,14 @@ mod tests {
 
     use super::super::part::Part;
     use super::*;
-    use crate::view::headless::Sheet;
+    use crate::view::headless::UiPass;
     use crate::view::typesetting::{fonts, theme};
 
-    fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Part<'static>> {
+    fn drawn(scale: f32, draw: impl Fn(&Painter)) -> Vec<Part> {
         let ctx = Context::default();
         theme::install_base(&ctx);
-        let sheet = Sheet::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
-        parts(sheet.shapes(), scale)
+        let drawn = UiPass::draw(&ctx, [400, 300], scale, |ui| draw(ui.painter()));
+        parts(drawn.shapes(), scale)
     }
 
     fn text(part: &Part) -> Option<(String, Option<(Color32, f32)>)> {
@@ -181,7 +154,7 @@ mod tests {
         let ctx = Context::default();
         theme::install_base(&ctx);
         let mut width = 0.0;
-        Sheet::draw(&ctx, [400, 300], 2.0, |ui| {
+        UiPass::draw(&ctx, [400, 300], 2.0, |ui| {
             let galley =
                 ui.painter().layout_no_wrap(written.to_owned(), font.clone(), Color32::RED);
             width = 2.0 * galley.size().x;
@@ -197,20 +170,16 @@ mod tests {
     }
 
     #[test]
-    fn text_drawn_around_itself_is_a_casing() {
+    fn text_with_a_halo_is_one_text() {
         let parts = drawn(1.5, |painter| {
             let font = FontId::new(14.0, fonts::bold());
             let galley = painter.layout_no_wrap("cased".to_owned(), font, Color32::BLACK);
-            let at = pos2(20.0, 20.0);
-            for k in 0..8 {
-                let away = 1.3 * Vec2::angled(k as f32);
-                painter.galley_with_override_text_color(at + away, galley.clone(), Color32::WHITE);
-            }
-            painter.galley(at, galley, Color32::BLACK);
+            let text = HaloText::new(pos2(20.0, 20.0), galley, Color32::BLACK, Color32::WHITE);
+            painter.add(text.into_shape());
             let font = FontId::new(14.0, FontFamily::Proportional);
             let galley =
                 painter.layout_no_wrap("in another colour".to_owned(), font, Color32::BLACK);
-            painter.galley_with_override_text_color(at, galley, Color32::BLUE);
+            painter.galley_with_override_text_color(pos2(9.0, 9.0), galley, Color32::BLUE);
         });
         let texts: Vec<_> = parts.iter().filter_map(text).collect();
         let [(cased, Some((color, reach))), (other, None)] = texts.as_slice() else {

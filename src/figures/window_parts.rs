@@ -1,21 +1,20 @@
-//! Figures of what the window's panels draw: the derivation, and the lab of lines.
+//! Figures of what stands in the window's panels: the derivation, and the lab of lines.
 
 use egui::{Context, Pos2, Rect, Theme, Ui, Vec2, vec2};
 
-use super::Figure;
-use super::Look;
+use super::figure::{Figure, Look};
 use crate::model::lines::LinesLab;
 use crate::view::derivation::{Derivation, Section};
-use crate::view::headless::Sheet;
+use crate::view::headless::UiPass;
 use crate::view::lines as lines_lab;
-use crate::view::overlay::{Drawing, Style};
+use crate::view::overlay::Style;
 use crate::view::typesetting::derivation;
 use crate::view::typesetting::theme;
 
 /// Left and right of the derivation, and above and below it, in points.
 pub const MARGIN: f32 = 12.0;
 
-/// Nothing that is set on it is higher, in points.
+/// Height that nothing set on a page reaches, in points.
 const HIGHEST: f32 = 1e6;
 
 /// The derivation, so many points wide with its margins; of a section that `is_folded` only the title.
@@ -30,14 +29,14 @@ pub(super) fn derivation(
     let mut height = 0.0;
     let mut draw = |ui: &mut Ui| height = derivation::draw(ui, derivation, column, &is_folded);
     // How high it is shows when it is drawn.
-    Sheet::draw(&context(look.style), [1, 1], look.scale, &mut draw);
+    UiPass::draw(&context(look.style), [1, 1], look.scale, &mut draw);
     let page = vec2(width, height + 2.0 * MARGIN);
     let (ctx, size) = (context(look.style), dots(page, look.scale));
-    let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
+    let drawn = UiPass::draw(&ctx, size, look.scale, |ui| {
         derivation::draw(ui, derivation, column, &is_folded);
     });
     let ground = ctx.style_of(egui_theme(look.style)).visuals.panel_fill;
-    figure("Derivation", size, look, ground, sheet)
+    figure("Derivation", size, look, ground, drawn)
 }
 
 /// The lab of lines, so many points wide and high.
@@ -45,10 +44,10 @@ pub(super) fn lines(lab: &LinesLab, digits: usize, size: [f32; 2], look: Look) -
     let ctx = context(look.style);
     let page = Rect::from_min_size(Pos2::ZERO, size.into());
     let size = dots(page.size(), look.scale);
-    let sheet = Sheet::draw(&ctx, size, look.scale, |ui| {
+    let drawn = UiPass::draw(&ctx, size, look.scale, |ui| {
         lines_lab::draw(ui, page, lab, digits);
     });
-    figure("Lines", size, look, look.style.colors().background, sheet)
+    figure("Lines", size, look, look.style.colors().background, drawn)
 }
 
 fn context(style: Style) -> Context {
@@ -73,14 +72,14 @@ fn figure(
     size: [usize; 2],
     look: Look,
     ground: egui::Color32,
-    sheet: Sheet,
+    drawn: UiPass,
 ) -> Figure {
     Figure {
         title: title.to_owned(),
         size,
         ground: (!look.transparent).then_some(ground),
         picture: None,
-        drawing: Drawing { scale: look.scale, ..Drawing::default() },
-        sheet,
+        paths: Vec::new(),
+        drawn,
     }
 }

@@ -1,0 +1,65 @@
+//! Loading what most commands begin with: the scene, its camera, and the ray that is asked for.
+
+use std::path::Path;
+
+use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera};
+
+use super::error::{CommandError, scene_fault};
+use crate::model::session::Selection;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scene_file;
+use pinhole_exchange::scenes::SceneSource;
+
+/// Reads the scene that an argument means.
+pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
+    Ok(SceneSource::of(scene)?.load()?)
+}
+
+/// The camera of a scene, ready for its rays.
+///
+/// A fault of it is told at its place in the scene file, as what cannot be read is.
+pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, CommandError> {
+    let place_of = |error: &CameraError| match SceneSource::of(scene) {
+        Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
+        Err(_) => None,
+    };
+    document.camera.resolve().map_err(|error| match place_of(&error) {
+        Some(fault) => fault.into(),
+        None => scene_fault(scene, error),
+    })
+}
+
+/// The ray that is asked for; that through the viewport's centre where none is.
+pub(super) fn selection_of(
+    camera: &ResolvedCamera,
+    pixel: Option<Pixel>,
+    uv: Option<DVec2>,
+) -> Result<Selection, String> {
+    let selection = match (pixel, uv) {
+        (Some(pixel), _) => {
+            inside(camera.image(), pixel)?;
+            Selection::Pixel(pixel)
+        }
+        (None, uv) => Selection::Uv(uv.unwrap_or_default()),
+    };
+    if !camera.ray(selection.uv(camera)).direction.is_finite() {
+        return Err("the ray's direction is beyond the range of numbers: make the viewport, its \
+                    distance or (u, v) smaller"
+            .to_owned());
+    }
+    Ok(selection)
+}
+
+fn inside(image: ImageSize, pixel: Pixel) -> Result<(), String> {
+    if image.contains(pixel) {
+        return Ok(());
+    }
+    let Pixel { row, column } = pixel;
+    let (width, height) = (image.width(), image.height());
+    Err(format!(
+        "pixel {row},{column} is outside the image of {height} rows and {width} columns: rows are \
+         0 to {}, columns 0 to {}",
+        height - 1,
+        width - 1
+    ))
+}

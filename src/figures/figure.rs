@@ -1,0 +1,133 @@
+//! A figure: what it looks like, and the files that it can be written to.
+
+use egui::{Color32, ColorImage};
+
+#[cfg(feature = "figures")]
+use super::vector::{self, Page, Part, Picture};
+use crate::view::headless::UiPass;
+use crate::view::overlay::{Path, Style, paint_paths};
+use pinhole_exchange::images::png;
+
+/// The formats of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Strokes as strokes, text as text.
+    Svg,
+    /// Strokes as strokes, text as text, in points.
+    Pdf,
+    /// Pixels.
+    Png,
+}
+
+impl Format {
+    /// All of them.
+    pub const ALL: [Format; 3] = [Format::Svg, Format::Pdf, Format::Png];
+
+    /// The ending of its files' names.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Pdf => "pdf",
+            Format::Png => "png",
+        }
+    }
+}
+
+#[cfg(not(feature = "figures"))]
+const NO_VECTORS: &str = "this build writes figures as PNG alone: it has no feature `figures`";
+
+/// Scale and colours of a figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Dots per point: how large strokes and letters are.
+    pub scale: f32,
+    /// The colours.
+    pub style: Style,
+    /// Leaves the background out.
+    pub transparent: bool,
+}
+
+/// Something to export.
+#[derive(Debug)]
+pub struct Figure {
+    /// The title: what it shows, in words.
+    pub(super) title: String,
+    /// Width and height in dots.
+    pub(super) size: [usize; 2],
+    /// Behind everything, unless it is transparent.
+    pub(super) ground: Option<Color32>,
+    /// A picture as large as the figure.
+    pub(super) picture: Option<ColorImage>,
+    /// Over the picture, in dots.
+    pub(super) paths: Vec<Path<'static>>,
+    /// Over the paths.
+    pub(super) drawn: UiPass,
+}
+
+impl Figure {
+    /// The title: what it shows, in words.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Width and height in dots.
+    pub fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// The pixels, premultiplied, row by row from the top: painted as the window is.
+    pub fn to_pixels(&self) -> Vec<Color32> {
+        let [width, height] = self.size;
+        let mut pixels = vec![self.ground.unwrap_or(Color32::TRANSPARENT); width * height];
+        if let Some(picture) = &self.picture {
+            pixels.copy_from_slice(&picture.pixels);
+        }
+        paint_paths(self.paths.iter(), width, &mut pixels);
+        self.drawn.paint(&mut pixels, self.size);
+        pixels
+    }
+
+    /// The pixels, not premultiplied.
+    pub(super) fn to_srgba(&self) -> Vec<[u8; 4]> {
+        self.to_pixels().iter().map(Color32::to_srgba_unmultiplied).collect()
+    }
+
+    /// The figure as what vector formats are written from.
+    #[cfg(feature = "figures")]
+    fn page(&self) -> Page<'_> {
+        let mut parts: Vec<Part> =
+            self.picture.iter().map(|picture| Part::Picture(Picture::new(picture))).collect();
+        parts.extend(self.paths.iter().cloned().map(Part::Path));
+        parts.extend(vector::parts(self.drawn.shapes(), self.drawn.pixels_per_point()));
+        Page { title: &self.title, size: self.size, ground: self.ground, parts }
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// A sentence about what the format cannot hold.
+    pub fn to_file(&self, format: Format) -> Result<Vec<u8>, String> {
+        match format {
+            #[cfg(feature = "figures")]
+            Format::Svg => vector::svg(&self.page()).map(String::into_bytes),
+            #[cfg(feature = "figures")]
+            Format::Pdf => vector::pdf(&self.page()),
+            #[cfg(not(feature = "figures"))]
+            Format::Svg | Format::Pdf => Err(NO_VECTORS.to_owned()),
+            Format::Png => self.to_png(),
+        }
+    }
+
+    fn to_png(&self) -> Result<Vec<u8>, String> {
+        let mut bytes = Vec::new();
+        let [width, height] = self.size.map(|n| n as u32);
+        let pixels = self.to_srgba();
+        let written = if self.ground.is_none() {
+            png::encode_transparent(&mut bytes, width, height, &pixels)
+        } else {
+            png::encode(&mut bytes, width, height, &pixels)
+        };
+        written.map_err(|error| error.to_string())?;
+        Ok(bytes)
+    }
+}
