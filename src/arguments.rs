@@ -13,7 +13,8 @@ use crate::overlay::Style;
 use crate::play::Kind;
 use crate::present::Renderer;
 use crate::translator::Target;
-use pinhole_exchange::programs::{FORMATS, IMPORTERS, Importer};
+use pinhole_exchange::format::Importer;
+use pinhole_exchange::programs::{FORMATS, IMPORTERS};
 
 /// See what a pinhole camera sees, and why.
 ///

@@ -105,14 +105,14 @@ fn warn(note: &str) {
 
 /// Reads the scene that an argument means.
 fn load(scene: &Path) -> Result<Document, CommandError> {
-    Ok(SceneSource::of(scene)?.load()?)
+    Ok(SceneSource::from_argument(scene)?.load()?)
 }
 
 /// The camera of a scene, ready for its rays.
 ///
 /// What is wrong with it is told at its place in the scene file, as what cannot be read is.
 fn pose(scene: &Path, document: &Document) -> Result<PosedCamera, CommandError> {
-    let place_of = |error: &CameraError| match SceneSource::of(scene) {
+    let place_of = |error: &CameraError| match SceneSource::from_argument(scene) {
         Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
         Err(_) => None,
     };

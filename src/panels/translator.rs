@@ -15,7 +15,7 @@ use crate::letters::told;
 use crate::session::{Selection, Session};
 use crate::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::Sheet;
+use pinhole_exchange::format::Text;
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
@@ -203,7 +203,7 @@ fn mark_color(ui: &Ui) -> Color32 {
     error_color(ui)
 }
 
-fn marked(ui: &Ui, sheet: &Sheet, size: f32) -> LayoutJob {
+fn marked(ui: &Ui, sheet: &Text, size: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let text = sheet.text.trim_end();
     let mut from = 0;

@@ -3,20 +3,20 @@
 
 use pinhole_core::{Basis, Camera, Orientation, Sphere, Viewport, extent_of_fov};
 
-use super::sheet::{Sheet, commas, light, n, quotable, real};
-use super::subject::square_note;
-use super::terms::{Pixels, Terms};
-use super::{Check, Format, Subject, Unsayable, Written};
+use crate::format::square_note;
+use crate::format::text::{Text, commas, light, n, quotable, real};
+use crate::format::{Check, ExportScene, Exported, Format, Unsupported};
+use crate::format::{Conventions, PixelConvention};
 
 pub(super) const FORMAT: Format = Format {
     name: "blender",
     label: "Blender Python",
     short: "Blender",
     ending: "py",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "matrix_world: u, v, w, eye as columns",
-        pixels: Pixels::Corner,
+        pixels: PixelConvention::Corner,
         view: "angle_x: horizontal, in radians, with sensor_fit HORIZONTAL",
         field: |subject| n(subject.viewport().horizontal_fov()),
         distance: "none: clip_start and clip_end cut, and change no ray",
@@ -27,7 +27,7 @@ pub(super) const FORMAT: Format = Format {
     check: Check::Numbers(camera_of_numbers),
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let (near, far) = subject.clip();
     let viewport = subject.viewport();
@@ -37,7 +37,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let (aspect_x, aspect_y) = pixel_aspects(subject);
     let mut notes = Vec::new();
     if aspect_x.max(aspect_y) > 200.0 {
-        return Err(Unsayable(format!(
+        return Err(Unsupported(format!(
             "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
             n(subject.pixel_shape())
         )));
@@ -61,17 +61,17 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         real(aspect_y),
     );
     text.push_str(&objects(subject, &mut notes));
-    Ok(Written::of("scene.py", Sheet::of(&text), notes))
+    Ok(Exported::one_file("scene.py", Text::from_marked(&text), notes))
 }
 
 /// `pixel_aspect_x` and `pixel_aspect_y`, of which Blender takes neither below 1.
-fn pixel_aspects(subject: &Subject) -> (f64, f64) {
+fn pixel_aspects(subject: &ExportScene) -> (f64, f64) {
     let shape = subject.pixel_shape();
     if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) }
 }
 
 /// The camera that Blender makes of the numbers.
-fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
+fn camera_of_numbers(subject: &ExportScene) -> Result<Camera, Unsupported> {
     let [columns, rows] = subject.size().map(f64::from);
     let (aspect_x, aspect_y) = pixel_aspects(subject);
     let distance = subject.viewport().distance;
@@ -86,7 +86,7 @@ fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
 }
 
 /// Meshes in the objects' places.
-fn objects(subject: &Subject, notes: &mut Vec<String>) -> String {
+fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
     let mut text = String::new();
     let (spheres, planes) = (subject.spheres(), subject.planes());
     if !(spheres.is_empty() && planes.is_empty()) {

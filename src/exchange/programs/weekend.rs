@@ -3,19 +3,19 @@
 
 use pinhole_core::{Camera, Orientation, Sphere, Viewport, extent_of_fov};
 
-use super::sheet::{Sheet, commas, light, n, real};
-use super::terms::{Pixels, Terms};
-use super::{Check, Format, Subject, Unsayable, Written};
+use crate::format::text::{Text, commas, light, n, real};
+use crate::format::{Check, ExportScene, Exported, Format, Unsupported};
+use crate::format::{Conventions, PixelConvention};
 
 pub(super) const FORMAT: Format = Format {
     name: "weekend",
     label: "Ray Tracing in One Weekend",
     short: "One Weekend",
     ending: "cc",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "lookfrom, lookat, vup",
-        pixels: Pixels::ColumnFirst,
+        pixels: PixelConvention::ColumnFirst,
         view: "vfov: vertical, in degrees",
         field: |subject| n(subject.vertical_degrees()),
         distance: "focus_dist: the viewport is there, t = 1 too",
@@ -26,7 +26,7 @@ pub(super) const FORMAT: Format = Format {
     check: Check::Numbers(camera_of_numbers),
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     subject.square_pixels("Ray Tracing in One Weekend")?;
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
@@ -64,11 +64,11 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     notes.extend(subject.planes().iter().map(|plane| {
         format!("{} is left out: the book's first volume has spheres only", plane.title)
     }));
-    Ok(Written::of("main.cc", Sheet::of(&text), notes))
+    Ok(Exported::one_file("main.cc", Text::from_marked(&text), notes))
 }
 
 /// The camera that the book's program makes of the numbers.
-fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
+fn camera_of_numbers(subject: &ExportScene) -> Result<Camera, Unsupported> {
     let [eye, at, up] = subject.look_at()?;
     let image = subject.posed().image();
     let distance = subject.viewport().distance;

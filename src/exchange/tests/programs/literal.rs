@@ -1,7 +1,7 @@
 //! Cameras of pasted text: taken where every number is literal, refused at the line at fault else.
 
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
-use pinhole_exchange::programs::recognised;
+use pinhole_exchange::programs::importer_of;
 
 use super::read;
 
@@ -18,7 +18,7 @@ const K_R_T: &str = "K = [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]]\n\
 
 #[track_caller]
 fn taken(name: &str, text: &str) -> Camera {
-    assert_eq!(recognised(text).map(|importer| importer.name), Some(name), "{text}");
+    assert_eq!(importer_of(text).map(|importer| importer.name), Some(name), "{text}");
     read(name, text).unwrap_or_else(|error| panic!("{error}: {text}")).camera
 }
 
