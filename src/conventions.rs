@@ -141,7 +141,13 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
         false,
         !conventions.shape.starts_with("any"),
     );
-    line("reckons in", "f64, exact where it matters".into(), conventions.lengths.into(), false, false);
+    line(
+        "reckons in",
+        "f64, exact where it matters".into(),
+        conventions.lengths.into(),
+        false,
+        false,
+    );
     table
 }
 

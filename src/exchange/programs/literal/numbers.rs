@@ -11,7 +11,7 @@ use crate::format::viewport::viewport_of_angle;
 use crate::format::{Imported, Importer, Input};
 
 pub(crate) const IMPORTER: Importer =
-    Importer { name: "numbers", label: "numbers alone (eye, at, up, or a matrix)", read, detect };
+    Importer { name: "numbers", label: "eye at up or a matrix in numbers", read, detect };
 
 /// Names of a matrix from camera to world whose camera looks along its own -z with y up.
 const MATRICES: [&str; 6] =
