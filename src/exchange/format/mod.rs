@@ -37,7 +37,8 @@ pub struct Format {
     /// Its conventions.
     pub conventions: Conventions,
     pub(crate) write: fn(&ExportScene) -> Result<Exported, Unsupported>,
-    pub(crate) check: Check,
+    /// Reader of what is written, where there is one.
+    pub(crate) importer: Option<&'static Importer>,
 }
 
 /// A reader of another program's files, or of numbers that are pasted.
@@ -49,15 +50,6 @@ pub struct Importer {
     pub label: &'static str,
     pub(crate) read: fn(&Input, &Camera) -> Result<Imported, FileError>,
     pub(crate) detect: fn(&str) -> bool,
-}
-
-/// A way to a camera from what was written, to see how well the numbers keep it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Check {
-    /// This importer reads it.
-    Import(&'static Importer),
-    /// The numbers that are written make it: no text of the format is read.
-    Numbers(fn(&ExportScene) -> Result<Camera, Unsupported>),
 }
 
 /// An exported scene: one text, or several where the format has several files.
@@ -94,8 +86,8 @@ pub struct Imported {
 impl Format {
     /// The camera, and what else is asked for, in the format's words.
     ///
-    /// Where the rays that its numbers make differ by more than a billionth, be it that the format gives
-    /// a field of view near 180 degrees, a note says by how much.
+    /// What an importer reads is read again: where the rays that come back differ by more than a
+    /// billionth, be it that the format gives a field of view near 180 degrees, a note says by how much.
     ///
     /// # Errors
     /// What the format cannot say.
@@ -161,21 +153,14 @@ impl Input<'_> {
     }
 }
 
-/// Returns a note where the numbers that were written make a camera with other rays, and by how much.
+/// Returns a note where what was written, read again, makes a camera with other rays, and by how much.
 fn difference(format: &Format, written: &Exported, subject: &ExportScene) -> Option<String> {
     const ENOUGH: f64 = 1e-9;
     let posed = subject.posed();
-    let camera = match format.check {
-        Check::Numbers(camera) => camera(subject).ok(),
-        Check::Import(importer) => {
-            let text = written.joined().text;
-            let (viewport, image) = (*posed.viewport(), posed.image());
-            let at_hand = Camera { viewport, image, ..Camera::CANONICAL };
-            let read = (importer.read)(&Input { path: Path::new(""), text: &text }, &at_hand);
-            read.ok().map(|taken| taken.camera)
-        }
-    };
-    let Some(back) = camera.and_then(|camera| camera.posed().ok()) else {
+    let text = written.joined().text;
+    let at_hand = Camera { viewport: *posed.viewport(), image: posed.image(), ..Camera::CANONICAL };
+    let read = (format.importer?.read)(&Input { path: Path::new(""), text: &text }, &at_hand);
+    let Some(back) = read.ok().and_then(|imported| imported.camera.posed().ok()) else {
         return Some("its numbers make no camera any more when they are read again".to_owned());
     };
     let [height, width] = [posed.image().height(), posed.image().width()].map(|n| n - 1);

@@ -1,12 +1,12 @@
 //! Blender by its Python: a camera object with `matrix_world`, whose camera looks along its own -z with
 //! y up. World coordinates are kept: Blender's z up is a habit of its views, not of the camera.
 
-use pinhole_core::{Basis, Camera, Orientation, Sphere, Viewport, extent_of_fov};
+use pinhole_core::{Basis, Sphere};
 
 use crate::format::square_note;
 use crate::format::text::{Text, commas, light, n, quotable, real};
-use crate::format::{Check, ExportScene, Exported, Format, Unsupported};
 use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "blender",
@@ -24,7 +24,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32",
     },
     write,
-    check: Check::Numbers(camera_of_numbers),
+    importer: None,
 };
 
 fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
@@ -34,12 +34,14 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let Basis { u, v, w } = *subject.posed().basis();
     let eye = subject.posed().eye();
     let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
-    let (aspect_x, aspect_y) = pixel_aspects(subject);
+    // Blender takes neither below 1.
+    let shape = subject.pixel_shape();
+    let (aspect_x, aspect_y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
     let mut notes = Vec::new();
     if aspect_x.max(aspect_y) > 200.0 {
         return Err(Unsupported(format!(
             "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
-            n(subject.pixel_shape())
+            n(shape)
         )));
     }
     let mut text = format!(
@@ -62,27 +64,6 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     );
     text.push_str(&objects(subject, &mut notes));
     Ok(Exported::one_file("scene.py", Text::from_marked(&text), notes))
-}
-
-/// `pixel_aspect_x` and `pixel_aspect_y`, of which Blender takes neither below 1.
-fn pixel_aspects(subject: &ExportScene) -> (f64, f64) {
-    let shape = subject.pixel_shape();
-    if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) }
-}
-
-/// The camera that Blender makes of the numbers.
-fn camera_of_numbers(subject: &ExportScene) -> Result<Camera, Unsupported> {
-    let [columns, rows] = subject.size().map(f64::from);
-    let (aspect_x, aspect_y) = pixel_aspects(subject);
-    let distance = subject.viewport().distance;
-    let width = extent_of_fov(subject.viewport().horizontal_fov(), distance);
-    let height = width * (rows * aspect_y) / (columns * aspect_x);
-    Ok(Camera {
-        eye: subject.posed().eye(),
-        orientation: Orientation::Basis(*subject.posed().basis()),
-        viewport: Viewport { width, height, distance },
-        image: subject.posed().image(),
-    })
 }
 
 /// Meshes in the objects' places.

@@ -8,7 +8,7 @@ use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, flipped, n};
 use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{Check, ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
+use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "colmap",
@@ -29,7 +29,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

@@ -7,8 +7,8 @@ use super::literal::{Source, last_part};
 use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, commas, n, real};
-use crate::format::{Check, ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "course",
@@ -26,7 +26,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

@@ -1,11 +1,11 @@
 //! *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set
 //! up its `camera`.
 
-use pinhole_core::{Camera, Orientation, Sphere, Viewport, extent_of_fov};
+use pinhole_core::Sphere;
 
 use crate::format::text::{Text, commas, light, n, real};
-use crate::format::{Check, ExportScene, Exported, Format, Unsupported};
 use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "weekend",
@@ -23,7 +23,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Numbers(camera_of_numbers),
+    importer: None,
 };
 
 fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
@@ -65,20 +65,6 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         format!("{} is left out: the book's first volume has spheres only", plane.title)
     }));
     Ok(Exported::one_file("main.cc", Text::from_marked(&text), notes))
-}
-
-/// The camera that the book's program makes of the numbers.
-fn camera_of_numbers(subject: &ExportScene) -> Result<Camera, Unsupported> {
-    let [eye, at, up] = subject.look_at()?;
-    let image = subject.posed().image();
-    let distance = subject.viewport().distance;
-    let height = extent_of_fov(subject.vertical_degrees().to_radians(), distance);
-    Ok(Camera {
-        eye,
-        orientation: Orientation::At { at, up },
-        viewport: Viewport { width: height * image.aspect(), height, distance },
-        image,
-    })
 }
 
 /// The ratio from which `int(image_width / aspect_ratio)` is the height.

@@ -14,10 +14,10 @@ use crate::format::json::{self, Node};
 use crate::format::pose::Pose;
 use crate::format::text::{Text, n};
 use crate::format::viewport::{in_ratio, shortest_where};
-use crate::format::{
-    Check, ExportScene, Exported, Format, Imported, Importer, Include, Input, Unsupported,
-};
 use crate::format::{Conventions, PixelConvention};
+use crate::format::{
+    ExportScene, Exported, Format, Imported, Importer, Include, Input, Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "gltf",
@@ -35,7 +35,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 in most programs",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

@@ -189,6 +189,7 @@ impl<'t> Reader<'_, 't> {
         if is_literal && ends {
             argument.numbers = Some(numbers);
         } else {
+            self.next = start;
             self.skip();
         }
         argument.text = self.text_between(start, self.next);

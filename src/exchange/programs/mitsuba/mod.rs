@@ -10,7 +10,7 @@ use self::read::read;
 use crate::format::square_note;
 use crate::format::text::{Text, commas, light, n, quotable};
 use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{Check, ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "mitsuba",
@@ -28,7 +28,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 in most variants",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

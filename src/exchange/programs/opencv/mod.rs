@@ -14,7 +14,7 @@ use crate::format::pose::Pose;
 use crate::format::text::{Text, flipped, flipped_all, n};
 use crate::format::viewport::{settled, shortest_where};
 use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{Check, ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "opencv",
@@ -35,7 +35,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer =

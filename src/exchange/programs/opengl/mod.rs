@@ -3,8 +3,8 @@
 mod read;
 
 use crate::format::text::{Text, commas, n, real};
-use crate::format::{Check, ExportScene, Exported, Format, Importer, Unsupported};
 use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "opengl",
@@ -22,7 +22,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64; GLM often f32",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

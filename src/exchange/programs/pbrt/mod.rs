@@ -15,7 +15,7 @@ use self::read::read;
 use crate::format::square_note;
 use crate::format::text::{Text, flipped, light, n, one_line, spaces};
 use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{Check, ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "pbrt",
@@ -33,7 +33,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 as it is usually built",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

@@ -17,7 +17,7 @@ use pinhole_core::{BACKGROUND, Sphere};
 use self::read::read;
 use crate::format::text::{Text, commas, flipped_all, light, n, one_line};
 use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{Check, ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "povray",
@@ -38,7 +38,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {

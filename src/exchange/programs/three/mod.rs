@@ -18,8 +18,8 @@ use crate::format::pose::{Mirrored, Pose};
 use crate::format::square_note;
 use crate::format::text::{Text, n, quotable};
 use crate::format::viewport::viewport_of_angle;
-use crate::format::{Check, ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 use crate::programs::gltf::columns;
 
 pub(super) const FORMAT: Format = Format {
@@ -38,7 +38,7 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64, f32 when drawn",
     },
     write,
-    check: Check::Import(&IMPORTER),
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
