@@ -50,7 +50,7 @@ _pinhole() {
 
     case "${cmd}" in
         pinhole)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export import"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h -V --lesson --renderer --help --version scenes inspect render trace check report figure export import"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 1 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -72,7 +72,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__check)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h --answers --kind --columns --complete --json --tolerance --count-from --map --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --answers --kind --columns --complete --json --tolerance --count-from --map --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -110,7 +110,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__export)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -o -h --to --output --camera-only --meshes --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --to --output --camera-only --meshes --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -136,7 +136,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__figure)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -o -h --view --output --width --height --transparent --theme --play --frames --per-second --numbered --pixel --uv --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --view --output --width --height --transparent --theme --play --frames --per-second --numbered --pixel --uv --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -209,7 +209,7 @@ _pinhole() {
                     return 0
                     ;;
                 --from)
-                    COMPREPLY=($(compgen -W "gltf three mitsuba povray blender weekend opengl course colmap opencv pbrt" -- "${cur}"))
+                    COMPREPLY=($(compgen -W "gltf three mitsuba povray opengl course colmap opencv pbrt numbers" -- "${cur}"))
                     return 0
                     ;;
                 *)
@@ -220,7 +220,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__inspect)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h --pixel --uv --json --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --pixel --uv --json --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -242,7 +242,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__render)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -o -h --output --width --height --view --overlay --shade --aov --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --output --width --height --view --overlay --shade --aov --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -284,7 +284,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__report)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -h --json --csv --plot --seed --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -h --json --csv --plot --seed --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0
@@ -328,7 +328,7 @@ _pinhole() {
             return 0
             ;;
         pinhole__subcmd__trace)
-            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square caffeine -o -h --rays --output --help"
+            opts="canonical distance-two moved-eye forty-five look-at roll almost-parallel-up planet grazing tiny-far inside non-square -o -h --rays --output --help"
             if [[ ${cur} == -* || ${COMP_CWORD} -eq 2 ]] ; then
                 COMPREPLY=( $(compgen -W "${opts}" -- "${cur}") )
                 return 0

@@ -12,7 +12,8 @@ use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::model::translator::Target;
 use crate::view::overlay::Style;
-use pinhole_exchange::programs::{FORMATS, IMPORTERS, Importer};
+use pinhole_exchange::format::Importer;
+use pinhole_exchange::programs::{FORMATS, IMPORTERS};
 
 /// See what a pinhole camera sees, and why.
 ///

@@ -5,18 +5,19 @@ use super::error::{CommandError, scene_fault};
 use super::load::{load, pose};
 use crate::cli::arguments::ExportArguments;
 use crate::model::files::save_written;
-use pinhole_exchange::programs::{Subject, With};
+use pinhole_exchange::format::{ExportScene, Include};
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;
     // What is wrong with the camera is told at its place in the file.
     pose(&arguments.scene, &document)?;
     let with = match (arguments.camera_only, arguments.meshes) {
-        (true, _) => With::CameraAlone,
-        (false, true) => With::Meshes,
-        (false, false) => With::Objects,
+        (true, _) => Include::CameraAlone,
+        (false, true) => Include::Meshes,
+        (false, false) => Include::Objects,
     };
-    let written = Subject::new(&document, with).and_then(|subject| arguments.to.write(&subject));
+    let written =
+        ExportScene::new(&document, with).and_then(|subject| arguments.to.write(&subject));
     let written = written.map_err(|error| scene_fault(&arguments.scene, error))?;
     match &arguments.output {
         None => to_stdout(|out| out.write_all(written.joined().text.as_bytes()))?,

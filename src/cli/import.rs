@@ -10,16 +10,17 @@ use super::console::{to_stdout, warn};
 use super::error::CommandError;
 use crate::cli::arguments::ImportArguments;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::{Text, recognised_file};
+use pinhole_exchange::format::Input;
+use pinhole_exchange::programs::importer_of_file;
 use pinhole_exchange::{FileError, atomic, scene_file};
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;
     let source = read(path)?;
-    let text = Text { path, text: &source.text };
+    let text = Input { path, text: &source.text };
     let importer = match arguments.from {
         Some(importer) => importer,
-        None => recognised_file(&text)?,
+        None => importer_of_file(&text)?,
     };
     let taken =
         importer.read(&text, &Camera::CANONICAL).map_err(|error| source.in_its_file(error))?;

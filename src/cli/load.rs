@@ -12,14 +12,14 @@ use pinhole_exchange::scenes::SceneSource;
 
 /// Reads the scene that an argument means.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {
-    Ok(SceneSource::of(scene)?.load()?)
+    Ok(SceneSource::from_argument(scene)?.load()?)
 }
 
 /// The camera of a scene, ready for its rays.
 ///
 /// A fault of it is told at its place in the scene file, as what cannot be read is.
 pub(super) fn pose(scene: &Path, document: &Document) -> Result<ResolvedCamera, CommandError> {
-    let place_of = |error: &CameraError| match SceneSource::of(scene) {
+    let place_of = |error: &CameraError| match SceneSource::from_argument(scene) {
         Ok(source) => scene_file::camera_fault(source.scene_file()?, error),
         Err(_) => None,
     };

@@ -71,7 +71,7 @@ impl Draft {
     ///
     /// # Errors
     /// Where nothing can be written there.
-    pub fn of(path: &Path) -> Result<Draft, FileError> {
+    pub fn create(path: &Path) -> Result<Draft, FileError> {
         let new = target_of(path).and_then(|(target, _)| temporary_in(folder_of(&target)));
         let new = new.map_err(|error| FileError::unwritable(path, &error))?;
         Ok(Draft { new, path: path.to_owned() })

@@ -7,6 +7,7 @@
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
 //! - [`images`]: PNG, OpenEXR and what every SVG has in common.
+//! - [`format`]: what every other program's format has: conventions, a scene to export, what is imported.
 //! - [`programs`]: other programs' cameras and scenes, written, and read where they are files or literal
 //!   numbers.
 //! - [`code`]: the camera at hand as a short program in six languages.
@@ -21,6 +22,7 @@ pub mod csv;
 pub mod document;
 mod error;
 pub mod fields;
+pub mod format;
 pub mod images;
 pub mod programs;
 pub mod scene_file;

@@ -113,7 +113,7 @@ impl Recorder {
         let Frames { count, per_second, reel } = animation.frames;
         let sink = match reel {
             Reel::Animated => {
-                let draft = Draft::of(&path).map_err(|error| error.to_string())?;
+                let draft = Draft::create(&path).map_err(|error| error.to_string())?;
                 let file = draft.file().map_err(|error| error.to_string())?;
                 let Order { size, transparent, .. } = animation.order;
                 let frames = (count, per_second);

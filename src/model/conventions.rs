@@ -1,7 +1,7 @@
 //! The table of conventions: how a camera is given here, and in another program.
 
 use pinhole_core::{DVec3, Pixel, shortest};
-use pinhole_exchange::programs::{Axis, Format, Pixels, Subject, Terms};
+use pinhole_exchange::format::{Axis, Conventions, ExportScene, Format, PixelConvention};
 
 use crate::model::letters::{bold, italic};
 
@@ -26,59 +26,65 @@ fn letter(axis: Axis) -> String {
 }
 
 /// The rule by which pixels are counted, and which pixel (0, 0) is.
-fn rule(pixels: Pixels) -> String {
+fn rule(pixels: PixelConvention) -> String {
     let (i, j) = (italic('i'), italic('j'));
     match pixels {
-        Pixels::Corner => format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
-        Pixels::AtCentre => format!("x = {j}, y = {i}: from the centre of the first pixel"),
-        Pixels::FromBottom => {
+        PixelConvention::Corner => format!("x = {j} + ½, y = {i} + ½: from the upper left corner"),
+        PixelConvention::AtCentre => {
+            format!("x = {j}, y = {i}: from the centre of the first pixel")
+        }
+        PixelConvention::FromBottom => {
             format!("x = {j} + ½, y = H − {i} − ½: from the lower left corner, up")
         }
-        Pixels::FromOne => format!("{i} + 1, {j} + 1: counted from 1"),
-        Pixels::ColumnFirst => format!("get_ray({j}, {i}): the column first"),
-        Pixels::Device => {
+        PixelConvention::FromOne => format!("{i} + 1, {j} + 1: counted from 1"),
+        PixelConvention::ColumnFirst => format!("get_ray({j}, {i}): the column first"),
+        PixelConvention::Device => {
             format!("x = (2{j} + 1) / W − 1, y = 1 − (2{i} + 1) / H: −1 to 1, up")
         }
     }
 }
 
 /// The centre of a pixel as it is counted of an image of W x H.
-fn centre(pixels: Pixels, Pixel { row, column }: Pixel, [width, height]: [u32; 2]) -> String {
+fn centre(
+    pixels: PixelConvention,
+    Pixel { row, column }: Pixel,
+    [width, height]: [u32; 2],
+) -> String {
     let (i, j) = (f64::from(row), f64::from(column));
     let (w, h) = (f64::from(width), f64::from(height));
     let pair = |a: f64, b: f64| format!("({}, {})", shortest(a), shortest(b));
     match pixels {
-        Pixels::Corner => pair(j + 0.5, i + 0.5),
-        Pixels::AtCentre => pair(j, i),
-        Pixels::FromBottom => pair(j + 0.5, h - i - 0.5),
-        Pixels::FromOne => pair(i + 1.0, j + 1.0),
-        Pixels::ColumnFirst => pair(j, i),
-        Pixels::Device => {
+        PixelConvention::Corner => pair(j + 0.5, i + 0.5),
+        PixelConvention::AtCentre => pair(j, i),
+        PixelConvention::FromBottom => pair(j + 0.5, h - i - 0.5),
+        PixelConvention::FromOne => pair(i + 1.0, j + 1.0),
+        PixelConvention::ColumnFirst => pair(j, i),
+        PixelConvention::Device => {
             let short = |x: f64| (x * 1e4).round() / 1e4;
             pair(short((2.0 * j + 1.0 - w) / w), short((h - 2.0 * i - 1.0) / h))
         }
     }
 }
 
-fn flips(pixels: Pixels) -> bool {
-    matches!(pixels, Pixels::FromBottom | Pixels::Device)
+fn flips(pixels: PixelConvention) -> bool {
+    matches!(pixels, PixelConvention::FromBottom | PixelConvention::Device)
 }
 
 /// Name of the line on the field of view.
 pub(crate) const FIELD_OF_VIEW: &str = "field of view";
 
-/// The table for a camera: the format's terms beside those here. The pixel is what the numbers of the
+/// The table for a camera: the format's conventions beside those here. The pixel is what the numbers of the
 /// line on pixels are about; numbers have that many significant digits.
-pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
-    let terms = &format.terms;
+pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
+    let conventions = &format.conventions;
     let image = subject.resolve().image();
     let size = [image.width(), image.height()];
-    let mut table = axes(terms, subject, digits);
+    let mut table = axes(conventions, subject, digits);
     let hand = |right| if right { "right-handed" } else { "left-handed" };
     let mut line = |about, ours: String, theirs: String, flipped, differs| {
         table.push(Row { about, ours, theirs, flipped, differs });
     };
-    let right_handed = terms.is_right_handed();
+    let right_handed = conventions.is_right_handed();
     line(
         "its axes are",
         hand(true).into(),
@@ -90,29 +96,29 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
         Axis::MinusW => "along +z",
         _ => "along −z",
     };
-    let forward = terms.axes[2] == Axis::MinusW;
-    line("it looks", looks(Axis::W).into(), looks(terms.axes[2]).into(), forward, forward);
+    let forward = conventions.axes[2] == Axis::MinusW;
+    line("it looks", looks(Axis::W).into(), looks(conventions.axes[2]).into(), forward, forward);
     let at_or = match subject.document.camera.orientation {
         pinhole_core::Orientation::At { .. } => "eye, at, up",
         pinhole_core::Orientation::View { .. } => "eye, view, up",
         pinhole_core::Orientation::Basis(_) => "eye and u, v, w",
     };
-    line("given by", at_or.into(), terms.given_by.into(), false, true);
-    let pixels = terms.pixels;
+    line("given by", at_or.into(), conventions.given_by.into(), false, true);
+    let pixels = conventions.pixels;
     line(
         "centre of a pixel",
-        rule(Pixels::Corner),
+        rule(PixelConvention::Corner),
         rule(pixels),
         flips(pixels),
-        pixels != Pixels::Corner,
+        pixels != PixelConvention::Corner,
     );
     let spoken = format!("({}, {})", pixel.row, pixel.column);
     line(
         "in numbers",
-        format!("row, column {spoken}, centre {}", centre(Pixels::Corner, pixel, size)),
+        format!("row, column {spoken}, centre {}", centre(PixelConvention::Corner, pixel, size)),
         centre(pixels, pixel, size),
         flips(pixels),
-        pixels != Pixels::Corner,
+        pixels != PixelConvention::Corner,
     );
     let viewport = subject.resolve().viewport();
     line(
@@ -123,18 +129,30 @@ pub fn rows(format: &Format, subject: &Subject, pixel: Pixel, digits: usize) -> 
             shortest(viewport.height),
             shortest(viewport.distance)
         ),
-        format!("{}: {}", terms.view, terms.field_of_view(subject)),
+        format!("{}: {}", conventions.view, conventions.field_of_view(subject)),
         false,
         true,
     );
-    line("distance", "t = 1 is the viewport".into(), terms.distance.into(), false, true);
-    line("pixels' shape", "any".into(), terms.shape.into(), false, !terms.shape.starts_with("any"));
-    line("reckons in", "f64, exact where it matters".into(), terms.lengths.into(), false, false);
+    line("distance", "t = 1 is the viewport".into(), conventions.distance.into(), false, true);
+    line(
+        "pixels' shape",
+        "any".into(),
+        conventions.shape.into(),
+        false,
+        !conventions.shape.starts_with("any"),
+    );
+    line(
+        "reckons in",
+        "f64, exact where it matters".into(),
+        conventions.lengths.into(),
+        false,
+        false,
+    );
     table
 }
 
 /// The lines on the camera's axes, with their vectors.
-fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
+fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {
         let v = basis.to_world_from_camera(axis.direction());
@@ -144,7 +162,7 @@ fn axes(terms: &Terms, subject: &Subject, digits: usize) -> Vec<Row> {
         format!("{} {} = ({x}, {y}, {z})", axis.meaning(), letter(axis))
     };
     let names = ["x of the camera", "y of the camera", "z of the camera"];
-    let pairs = names.into_iter().zip(Terms::OURS.into_iter().zip(terms.axes));
+    let pairs = names.into_iter().zip(Conventions::OURS.into_iter().zip(conventions.axes));
     pairs
         .map(|(about, (ours, theirs))| Row {
             about,

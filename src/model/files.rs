@@ -5,7 +5,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::{Sheet, Written};
+use pinhole_exchange::format::{Exported, Text};
 use pinhole_exchange::scenes::SceneSource;
 
 use pinhole_exchange::{FileError, atomic, scene_file};
@@ -170,8 +170,8 @@ fn absolute(path: &Path) -> PathBuf {
 ///
 /// # Errors
 /// Returns an error if a file or the folder cannot be written.
-pub(crate) fn save_written(written: &Written, path: &Path) -> Result<(), FileError> {
-    let save = |path: &Path, sheet: &Sheet| {
+pub(crate) fn save_written(written: &Exported, path: &Path) -> Result<(), FileError> {
+    let save = |path: &Path, sheet: &Text| {
         atomic::write(path, |file| file.write_all(sheet.text.as_bytes()))
     };
     if let [(_, sheet)] = &written.files[..] {

@@ -7,9 +7,10 @@ use pinhole_core::{Camera, Pixel, shortest};
 use crate::model::conventions::{FIELD_OF_VIEW, Row, rows};
 use pinhole_exchange::code::{LANGUAGES, Language};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::{
-    FORMATS, Format, MIRRORED, Sheet, Subject, Text, Unsayable, With, Written, recognised, unknown,
+use pinhole_exchange::format::{
+    ExportScene, Exported, Format, Include, Input, MIRRORED, Text, Unsupported,
 };
+use pinhole_exchange::programs::{FORMATS, importer_of, unknown_form};
 use pinhole_exchange::{FileError, scene_file};
 
 /// No more objects than this are written under the drag, and shown.
@@ -72,27 +73,27 @@ impl Target {
     ///
     /// # Errors
     /// What it cannot say.
-    pub fn write(self, subject: &Subject) -> Result<Written, Unsayable> {
+    pub fn write(self, subject: &ExportScene) -> Result<Exported, Unsupported> {
         match self {
             Target::Format(format) => format.write(subject),
             Target::Code(language) => {
                 let text = language
                     .code(subject.resolve())
-                    .map_err(|error| Unsayable(error.to_string()))?;
-                let sheet = Sheet { text, flipped: Vec::new() };
-                Ok(Written { files: vec![(language.file, sheet)], notes: Vec::new() })
+                    .map_err(|error| Unsupported(error.to_string()))?;
+                let sheet = Text { text, flipped: Vec::new() };
+                Ok(Exported { files: vec![(language.file, sheet)], notes: Vec::new() })
             }
         }
     }
 
     /// How its terms differ, with the numbers of a pixel. Code is in the lecture's own.
-    fn rows(self, subject: &Subject, pixel: Pixel, digits: usize) -> Vec<Row> {
+    fn rows(self, subject: &ExportScene, pixel: Pixel, digits: usize) -> Vec<Row> {
         match self {
             Target::Format(format) => {
                 let mut rows = rows(format, subject, pixel, digits);
                 for row in rows.iter_mut().filter(|row| row.about == FIELD_OF_VIEW) {
                     let theirs =
-                        Sheet { text: std::mem::take(&mut row.theirs), flipped: Vec::new() };
+                        Text { text: std::mem::take(&mut row.theirs), flipped: Vec::new() };
                     row.theirs = shortened(&theirs, digits).text;
                 }
                 rows
@@ -165,10 +166,10 @@ pub fn pasted(text: &str, at_hand: &Camera) -> (Option<Camera>, Pasted) {
             Err(error) => failed("Not pasted: this scene cannot be read", error.to_string()),
         };
     }
-    let Some(importer) = recognised(text) else {
-        return failed("This text is no camera: nothing is changed", unknown());
+    let Some(importer) = importer_of(text) else {
+        return failed("This text is no camera: nothing is changed", unknown_form());
     };
-    let text = Text { path: Path::new("pasted"), text };
+    let text = Input { path: Path::new("pasted"), text };
     match importer.read(&text, at_hand) {
         Ok(read) => {
             let objects = read.spheres.len() + read.planes.len();
@@ -204,16 +205,16 @@ fn own_scene(text: &str) -> Option<Result<Document, FileError>> {
 }
 
 /// What goes with the camera: the objects where they are asked for, and not too many.
-pub fn with(document: &Document, objects: bool) -> With {
+pub fn with(document: &Document, objects: bool) -> Include {
     let few = document.object_count() <= MOST_OBJECTS;
-    if objects && few { With::Meshes } else { With::CameraAlone }
+    if objects && few { Include::Meshes } else { Include::CameraAlone }
 }
 
 /// A camera in other terms.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Translation {
     /// As written, or why it cannot be said.
-    pub written: Result<Written, Unsayable>,
+    pub written: Result<Exported, Unsupported>,
     /// How the terms differ; empty where there is no camera.
     pub rows: Vec<Row>,
 }
@@ -227,7 +228,7 @@ impl Translation {
         pixel: Pixel,
         digits: usize,
     ) -> Translation {
-        match Subject::new(document, with(document, objects)) {
+        match ExportScene::new(document, with(document, objects)) {
             Ok(subject) => Translation {
                 written: target.write(&subject),
                 rows: target.rows(&subject, pixel, digits),
@@ -238,8 +239,8 @@ impl Translation {
 }
 
 /// The same text with every long number cut to so many significant digits, to be read.
-pub fn shortened(sheet: &Sheet, digits: usize) -> Sheet {
-    let mut short = Sheet::default();
+pub fn shortened(sheet: &Text, digits: usize) -> Text {
+    let mut short = Text::default();
     let mut marks = sheet.flipped.iter().peekable();
     let mut from = 0;
     let bytes = sheet.text.as_bytes();
@@ -300,7 +301,7 @@ mod tests {
     #[test]
     fn long_numbers_are_cut_and_marks_go_along() {
         let text = "R [0.5812381937190964, -0.8137e-20] v10.123456789 12345678 1.23456789e-7.";
-        let sheet = Sheet { text: text.to_owned(), flipped: vec![3..21, 23..34] };
+        let sheet = Text { text: text.to_owned(), flipped: vec![3..21, 23..34] };
         let short = shortened(&sheet, 4);
         assert_eq!(short.text, "R [0.5812, -0.8137e-20] v10.123456789 12345678 1.235e-7.");
         let marked: Vec<&str> = short.flipped.iter().map(|m| &short.text[m.clone()]).collect();

@@ -141,7 +141,7 @@ struct Start {
 /// Reads the scene to open: the named one, otherwise the last run's, otherwise the lecture's own.
 fn start(scene: Option<&Path>, remembered: Remembered) -> Result<Start, FileError> {
     let load = |argument: &Path| {
-        let source = SceneSource::of(argument)?;
+        let source = SceneSource::from_argument(argument)?;
         Ok::<_, FileError>(OpenDocument::new(source.load()?, source))
     };
     if let Some(argument) = scene {

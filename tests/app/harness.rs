@@ -22,7 +22,7 @@ pub(crate) fn window_with(
     remembered: Remembered,
     store: Option<Store>,
 ) -> Harness<'static, App> {
-    let source = SceneSource::of(scene.as_ref()).unwrap();
+    let source = SceneSource::from_argument(scene.as_ref()).unwrap();
     let settings = remembered.settings.clone();
     let app = App::new(OpenDocument::new(source.load().unwrap(), source), remembered, store);
     let mut harness = support::harness()

@@ -9,7 +9,8 @@ use pinhole::ui::app::App;
 use pinhole_core::{Camera, DVec3, Orientation};
 use pinhole_exchange::code::LANGUAGES;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::{FORMATS, Format, IMPORTERS, Importer, Subject, With};
+use pinhole_exchange::format::{ExportScene, Format, Importer, Include};
+use pinhole_exchange::programs::{FORMATS, IMPORTERS};
 
 use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
 
@@ -26,7 +27,7 @@ fn translating(scene: &str, format: &str) -> Harness<'static, App> {
 }
 
 fn text_of(name: &str, document: &Document) -> String {
-    let subject = Subject::new(document, With::CameraAlone).unwrap();
+    let subject = ExportScene::new(document, Include::CameraAlone).unwrap();
     Format::named(name).unwrap().write(&subject).unwrap().joined().text
 }
 

@@ -44,7 +44,7 @@ fn code_is_exported_like_a_camera() {
         assert_eq!(fs::read_to_string(folder.path().join(&out)).unwrap(), code);
     }
     let julia = run("export look-at --to julia").done();
-    assert_eq!(julia, include_str!("../files/code/look-at.jl"));
+    assert_eq!(julia, include_str!("../../src/exchange/tests/files/code/look-at.jl"));
     run("import a.jl --from julia").refused("possible values: gltf");
 }
 

@@ -1,7 +1,7 @@
 //! C++ with GLM.
 
-use super::numbers::Numbers;
-use super::{Language, Precision};
+use super::language::Language;
+use super::numbers::{Numbers, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "glm",

@@ -1,7 +1,7 @@
 //! GLSL: a fragment shader that shows each pixel's direction as a colour.
 
-use super::numbers::Numbers;
-use super::{Language, Precision};
+use super::language::Language;
+use super::numbers::{Numbers, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "glsl",

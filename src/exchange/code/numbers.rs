@@ -2,7 +2,14 @@
 
 use pinhole_core::{DVec3, ResolvedCamera, shortest};
 
-use super::Precision;
+/// A language's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// `f64`: the numbers read back to the same ones.
+    Double,
+    /// `f32`, as shaders have them: rounded, the shortest decimals that read back to the same `f32`.
+    Single,
+}
 
 /// The sizes of numbers that `f32` has with all its digits, with some room.
 const SINGLE: std::ops::RangeInclusive<f64> = 1e-37..=1e38;
@@ -27,7 +34,7 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// Or the field and the number that has no place in this precision.
-    pub(super) fn of(
+    pub(super) fn new(
         camera: &ResolvedCamera,
         precision: Precision,
     ) -> Result<Numbers, (&'static str, f64)> {

@@ -1,7 +1,7 @@
 //! Rust with glam.
 
-use super::numbers::Numbers;
-use super::{Language, Precision};
+use super::language::Language;
+use super::numbers::{Numbers, Precision};
 
 pub(super) const LANGUAGE: Language = Language {
     name: "glam",

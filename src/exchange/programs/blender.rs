@@ -1,22 +1,22 @@
 //! Blender by its Python: a camera object with `matrix_world`, whose camera looks along its own -z with
 //! y up. World coordinates are kept: Blender's z up is a habit of its views, not of the camera.
 
-use pinhole_core::{Basis, Camera, Orientation, Sphere, Viewport, extent_of_fov};
+use pinhole_core::{Basis, Sphere};
 
-use super::sheet::{Sheet, commas, light, n, quotable, real};
-use super::subject::square_note;
-use super::terms::{Pixels, Terms};
-use super::{Check, Format, Subject, Unsayable, Written};
+use crate::format::square_note;
+use crate::format::text::{Text, commas, light, n, quotable, real};
+use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "blender",
     label: "Blender Python",
     short: "Blender",
     ending: "py",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "matrix_world: u, v, w, eye as columns",
-        pixels: Pixels::Corner,
+        pixels: PixelConvention::Corner,
         view: "angle_x: horizontal, in radians, with sensor_fit HORIZONTAL",
         field: |subject| n(subject.viewport().horizontal_fov()),
         distance: "none: clip_start and clip_end cut, and change no ray",
@@ -24,22 +24,24 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32",
     },
     write,
-    check: Check::Numbers(camera_of_numbers),
+    importer: None,
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let (near, far) = subject.clip();
     let viewport = subject.viewport();
     let Basis { u, v, w } = *subject.resolve().basis();
     let eye = subject.resolve().eye();
     let row = |k: usize| format!("({}, {}, {}, {})", n(u[k]), n(v[k]), n(w[k]), n(eye[k]));
-    let (aspect_x, aspect_y) = pixel_aspects(subject);
+    // Blender takes neither below 1.
+    let shape = subject.pixel_shape();
+    let (aspect_x, aspect_y) = if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) };
     let mut notes = Vec::new();
     if aspect_x.max(aspect_y) > 200.0 {
-        return Err(Unsayable(format!(
+        return Err(Unsupported(format!(
             "pixels are {} times as wide as high: Blender's pixel aspect goes to 200",
-            n(subject.pixel_shape())
+            n(shape)
         )));
     }
     let mut text = format!(
@@ -61,32 +63,11 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         real(aspect_y),
     );
     text.push_str(&objects(subject, &mut notes));
-    Ok(Written::of("scene.py", Sheet::of(&text), notes))
-}
-
-/// `pixel_aspect_x` and `pixel_aspect_y`, of which Blender takes neither below 1.
-fn pixel_aspects(subject: &Subject) -> (f64, f64) {
-    let shape = subject.pixel_shape();
-    if shape >= 1.0 { (shape, 1.0) } else { (1.0, 1.0 / shape) }
-}
-
-/// The camera that Blender makes of the numbers.
-fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
-    let [columns, rows] = subject.size().map(f64::from);
-    let (aspect_x, aspect_y) = pixel_aspects(subject);
-    let distance = subject.viewport().distance;
-    let width = extent_of_fov(subject.viewport().horizontal_fov(), distance);
-    let height = width * (rows * aspect_y) / (columns * aspect_x);
-    Ok(Camera {
-        eye: subject.resolve().eye(),
-        orientation: Orientation::Basis(*subject.resolve().basis()),
-        viewport: Viewport { width, height, distance },
-        image: subject.resolve().image(),
-    })
+    Ok(Exported::one_file("scene.py", Text::from_marked(&text), notes))
 }
 
 /// Meshes in the objects' places.
-fn objects(subject: &Subject, notes: &mut Vec<String>) -> String {
+fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
     let mut text = String::new();
     let (spheres, planes) = (subject.spheres(), subject.planes());
     if !(spheres.is_empty() && planes.is_empty()) {

@@ -3,22 +3,22 @@
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
-use super::back::image_of;
 use super::opencv::{off_centre, stance, translation, viewport_of};
-use super::sheet::{Sheet, flipped, n};
-use super::terms::{Axis, Pixels, Terms};
-use super::{Check, Format, Importer, Subject, Taken, Text, Unsayable, Written};
 use crate::FileError;
+use crate::format::image_size::image_of;
+use crate::format::text::{Text, flipped, n};
+use crate::format::{Axis, Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "colmap",
     label: "COLMAP",
     short: "COLMAP",
     ending: "txt",
-    terms: Terms {
+    conventions: Conventions {
         axes: [Axis::U, Axis::MinusV, Axis::MinusW],
         given_by: "quaternion w x y z from world to camera, t = −R eye",
-        pixels: Pixels::Corner,
+        pixels: PixelConvention::Corner,
         view: "fx, fy: distance / pixel's width and height, in pixels",
         field: |subject| {
             let Intrinsics { fx, fy, .. } = subject.intrinsics();
@@ -29,20 +29,20 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "colmap",
+    label: "COLMAP",
     read,
-    claims: |text| {
-        let lines = Lines::of(text);
+    detect: |text| {
+        let lines = Lines::split(text);
         !(lines.cameras.is_empty() && lines.images.is_empty())
     },
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let Intrinsics { fx, fy, cx, cy } = subject.intrinsics();
     let cameras = format!(
@@ -75,11 +75,11 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let left = "objects are left out: COLMAP has points only";
     let notes = (objects > 0).then(|| left.to_owned()).into_iter().collect();
     let files = vec![
-        ("cameras.txt", Sheet::of(&cameras)),
-        ("images.txt", Sheet::of(&images)),
-        ("points3D.txt", Sheet::of(points)),
+        ("cameras.txt", Text::from_marked(&cameras)),
+        ("images.txt", Text::from_marked(&images)),
+        ("points3D.txt", Text::from_marked(points)),
     ];
-    Ok(Written { files, notes })
+    Ok(Exported { files, notes })
 }
 
 /// Models and their parameters: whether fx and fy differ, and how many numbers follow cx, cy.
@@ -117,7 +117,7 @@ struct Lines<'t> {
 
 impl<'t> Lines<'t> {
     /// Each image's line is followed by one of its points, which may be empty.
-    fn of(text: &'t str) -> Lines<'t> {
+    fn split(text: &'t str) -> Lines<'t> {
         let mut lines = Lines::default();
         let (mut at, mut is_points) = (0, false);
         for line in text.split_inclusive('\n') {
@@ -170,7 +170,7 @@ fn image_line<'t>(line: &'t str, at: usize, cells: &[&'t str]) -> Option<ImageLi
 
 /// The line of a camera.
 fn intrinsics(
-    text: &Text,
+    text: &Input,
     camera: &Line,
     notes: &mut Vec<String>,
 ) -> Result<(Intrinsics, ImageSize), FileError> {
@@ -216,7 +216,7 @@ fn intrinsics(
 
 /// The camera that an image has.
 fn camera_of<'l, 't>(
-    text: &Text,
+    text: &Input,
     cameras: &'l [Line<'t>],
     image: &ImageLine,
 ) -> Result<&'l Line<'t>, FileError> {
@@ -241,10 +241,10 @@ fn camera_of<'l, 't>(
     }
 }
 
-fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let error = |at: usize, problem: String| text.error_at(at, problem);
     let missing = |what: &str| FileError::of_file(text.path, what.to_owned());
-    let lines = Lines::of(text.text);
+    let lines = Lines::split(text.text);
     if lines.cameras.is_empty() {
         let line = "the line of cameras.txt is missing: 1 PINHOLE width height fx fy cx cy";
         return Err(missing(line));
@@ -277,5 +277,5 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         .right_handed(&mut notes)
         .map_err(|right| error(image.at, format!("the pose is no rotation: {right}")))?;
     let viewport = viewport_of(&k, size, at_hand.viewport.distance);
-    Ok(Taken::camera(Camera { eye, orientation, viewport, image: size }, notes))
+    Ok(Imported::camera(Camera { eye, orientation, viewport, image: size }, notes))
 }

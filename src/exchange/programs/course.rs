@@ -3,22 +3,22 @@
 
 use pinhole_core::{Camera, Orientation, Viewport};
 
-use super::back::image_of;
 use super::literal::{Source, last_part};
-use super::sheet::{Sheet, commas, n, real};
-use super::terms::{Pixels, Terms};
-use super::{Check, Format, Importer, Subject, Taken, Text, Unsayable, Written};
 use crate::FileError;
+use crate::format::image_size::image_of;
+use crate::format::text::{Text, commas, n, real};
+use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "course",
     label: "PerspectiveCamera of the course",
     short: "Course",
     ending: "jl",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "eye, view, up",
-        pixels: Pixels::FromOne,
+        pixels: PixelConvention::FromOne,
         view: "focal: distance / width",
         field: |subject| n(focal(subject)),
         distance: "focal; the viewport is 1 wide",
@@ -26,24 +26,24 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "course",
+    label: "PerspectiveCamera of the course",
     read,
-    claims: |text| {
+    detect: |text| {
         text.contains("PerspectiveCamera(")
             && !["THREE.", "\"PerspectiveCamera", "new "].iter().any(|other| text.contains(other))
     },
 };
 
-fn focal(subject: &Subject) -> f64 {
+fn focal(subject: &ExportScene) -> f64 {
     subject.viewport().distance / subject.viewport().width
 }
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     subject.square_pixels("the course's camera")?;
     let camera = subject.camera();
     let [width, height] = subject.size();
@@ -68,13 +68,13 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     if !(subject.spheres().is_empty() && subject.planes().is_empty()) {
         notes.push("objects are left out: the call makes a camera only".to_owned());
     }
-    Ok(Written::of("camera.jl", Sheet::of(&text), notes))
+    Ok(Exported::one_file("camera.jl", Text::from_marked(&text), notes))
 }
 
 const RIGHT: &str = "it must be one call of PerspectiveCamera(eye, view, up, focal, height, width), given by \
                      numbers";
 
-fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
+fn read(text: &Input, _: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
     let [call] = &source.statements[..] else {
         return Err(match source.statements.get(1) {
@@ -103,5 +103,5 @@ fn read(text: &Text, _: &Camera) -> Result<Taken, FileError> {
         viewport: Viewport { width: 1.0, height, distance },
         image,
     };
-    Ok(Taken::camera(camera, Vec::new()))
+    Ok(Imported::camera(camera, Vec::new()))
 }

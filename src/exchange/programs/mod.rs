@@ -1,82 +1,29 @@
 //! Other programs' cameras: the camera and the scene in each one's own words, and back.
 //!
 //! Nothing here knows a window or a disk. A format is a file or a folder, and a row of [`FORMATS`]: how
-//! it is written, how it is read, how a text of it is told from others, and its [`Terms`], which say how
-//! its axes, pixels and field of view differ from those here.
+//! it is written, how it is read, how a text of it is told from others, and its
+//! [`Conventions`](crate::format::Conventions), by which its axes, pixels and field of view differ from
+//! those here.
 //!
 //! World coordinates are never turned: where another program's habit is z up or a left-handed world,
 //! the camera is given so that the same coordinates make the same picture. What a format has no word
 //! for is refused with a reason, or told in a note; nothing is put in its place silently.
 
-mod affine;
-mod back;
 mod blender;
 mod colmap;
 mod course;
 mod gltf;
-mod json;
-mod left_out;
 mod literal;
 mod mitsuba;
 mod opencv;
 mod opengl;
 mod pbrt;
 mod povray;
-mod sheet;
-mod subject;
-mod terms;
 mod three;
 mod weekend;
 
-use std::fmt;
-use std::path::Path;
-
-use pinhole_core::{Camera, DVec3, Plane, Sphere};
-
-use crate::document::Item;
-use crate::{FileError, Place};
-
-pub use back::MIRRORED;
-pub use sheet::Sheet;
-pub use subject::{Subject, With};
-pub use terms::{Axis, Pixels, Terms};
-
-/// A program, or a habit of writing cameras, that Pinhole exchanges them with.
-#[derive(Debug)]
-pub struct Format {
-    /// Name on the command line, after `--to`.
-    pub name: &'static str,
-    /// Name on the screen.
-    pub label: &'static str,
-    /// Name in a word or two.
-    pub short: &'static str,
-    /// Ending of its files, without the dot.
-    pub ending: &'static str,
-    /// Its conventions.
-    pub terms: Terms,
-    write: fn(&Subject) -> Result<Written, Unsayable>,
-    check: Check,
-}
-
-/// A reader of another program's files, or of numbers that are pasted.
-#[derive(Debug)]
-pub struct Importer {
-    /// Name on the command line, after `--from`.
-    pub name: &'static str,
-    /// Name on the screen.
-    pub label: &'static str,
-    read: fn(&Text, &Camera) -> Result<Taken, FileError>,
-    claims: fn(&str) -> bool,
-}
-
-/// A way to a camera from what was written, to see how well the numbers keep it.
-#[derive(Clone, Copy, Debug)]
-enum Check {
-    /// The importer of the same name reads it.
-    Import,
-    /// The numbers that are written make it: no text of the format is read.
-    Numbers(fn(&Subject) -> Result<Camera, Unsayable>),
-}
+use crate::FileError;
+use crate::format::{Format, Importer, Input};
 
 /// Every format that a camera is written in.
 pub static FORMATS: [Format; 11] = [
@@ -104,73 +51,13 @@ pub static IMPORTERS: [Importer; 10] = [
     colmap::IMPORTER,
     opencv::IMPORTER,
     pbrt::IMPORTER,
-    literal::IMPORTER,
+    literal::numbers::IMPORTER,
 ];
-
-/// An exported scene: one text, or several where the format has several files.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Written {
-    /// Each file's name and text; the first one's name is only a proposal where there is but one.
-    pub files: Vec<(&'static str, Sheet)>,
-    /// Notes on what the format cannot say, or says in another way.
-    pub notes: Vec<String>,
-}
-
-/// Why a format cannot say it: with what would have to be otherwise.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unsayable(pub String);
-
-impl fmt::Display for Unsayable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for Unsayable {}
-
-/// A text of another program, and what messages call it.
-#[derive(Clone, Copy, Debug)]
-pub struct Text<'a> {
-    /// The file as the user gave it.
-    pub path: &'a Path,
-    /// Its contents.
-    pub text: &'a str,
-}
-
-/// An imported scene.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Taken {
-    /// The camera.
-    pub camera: Camera,
-    /// The spheres.
-    pub spheres: Vec<Item<Sphere>>,
-    /// The planes.
-    pub planes: Vec<Item<Plane>>,
-    /// Notes on what could not be taken over, and what the text does not say.
-    pub notes: Vec<String>,
-}
 
 impl Format {
     /// The format of this name.
     pub fn named(name: &str) -> Option<&'static Format> {
         FORMATS.iter().find(|format| format.name == name)
-    }
-
-    /// The camera, and what else is asked for, in the format's words.
-    ///
-    /// Where the rays that its numbers make differ by more than a billionth, be it that the format gives
-    /// a field of view near 180 degrees, a note says by how much.
-    ///
-    /// # Errors
-    /// What the format cannot say.
-    pub fn write(&self, subject: &Subject) -> Result<Written, Unsayable> {
-        let mut written = (self.write)(subject)?;
-        let alone = match subject.with {
-            With::CameraAlone => written.clone(),
-            _ => (self.write)(&subject.camera_alone())?,
-        };
-        written.notes.extend(back::difference(self, &alone, subject));
-        Ok(written)
     }
 }
 
@@ -179,61 +66,19 @@ impl Importer {
     pub fn named(name: &str) -> Option<&'static Importer> {
         IMPORTERS.iter().find(|importer| importer.name == name)
     }
-
-    /// Reads the text. What it leaves open, such as the image's size or the viewport's distance,
-    /// is as in the camera `at_hand`.
-    ///
-    /// # Errors
-    /// The first thing that is wrong with the text, at its place.
-    pub fn read(&self, text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-        let mut taken = (self.read)(text, at_hand)?;
-        // No negative zeros.
-        taken.camera.eye += DVec3::ZERO;
-        match taken.camera.resolve() {
-            Ok(_) => Ok(taken),
-            Err(error) => Err(FileError::of_file(text.path, format!("{}: {error}", self.label))),
-        }
-    }
-
-    /// Returns true for a text of this format, as far as its words tell.
-    pub fn claims(&self, text: &str) -> bool {
-        (self.claims)(text)
-    }
-}
-
-impl Written {
-    pub(crate) fn of(name: &'static str, sheet: Sheet, notes: Vec<String>) -> Written {
-        Written { files: vec![(name, sheet)], notes }
-    }
-
-    /// All files in one text.
-    pub fn joined(&self) -> Sheet {
-        self.files.iter().fold(Sheet::default(), |mut joined, (_, sheet)| {
-            joined.append(sheet);
-            joined
-        })
-    }
-}
-
-impl Text<'_> {
-    /// An error at a byte of the text.
-    pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
-        let place = Some(Place::of_byte(self.text.as_bytes(), at));
-        FileError { place, ..FileError::of_file(self.path, problem) }
-    }
 }
 
 /// The importer of a text, by what is in it.
-pub fn recognised(text: &str) -> Option<&'static Importer> {
-    IMPORTERS.iter().find(|importer| importer.claims(text))
+pub fn importer_of(text: &str) -> Option<&'static Importer> {
+    IMPORTERS.iter().find(|importer| importer.detect(text))
 }
 
 /// The importer of a file: by what is in it, else by how its name ends where nothing else ends so.
 ///
 /// # Errors
 /// Where it is none of them; with their names.
-pub fn recognised_file(text: &Text) -> Result<&'static Importer, FileError> {
-    if let Some(importer) = recognised(text.text) {
+pub fn importer_of_file(text: &Input) -> Result<&'static Importer, FileError> {
+    if let Some(importer) = importer_of(text.text) {
         return Ok(importer);
     }
     let ending = text.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
@@ -244,11 +89,11 @@ pub fn recognised_file(text: &Text) -> Result<&'static Importer, FileError> {
         "pbrt" => "pbrt",
         _ => "",
     };
-    Importer::named(name).ok_or_else(|| FileError::of_file(text.path, unknown()))
+    Importer::named(name).ok_or_else(|| FileError::of_file(text.path, unknown_form()))
 }
 
 /// Returns the message on a text that is no camera.
-pub fn unknown() -> String {
+pub fn unknown_form() -> String {
     let labels: Vec<&str> = IMPORTERS.iter().map(|importer| importer.label).collect();
     format!("no camera of a known form: it may be {}", labels.join(", "))
 }

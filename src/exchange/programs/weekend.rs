@@ -1,21 +1,21 @@
 //! *Ray Tracing in One Weekend* (P. Shirley, T. D. Black, S. Hollasch, version 4): the lines that set
 //! up its `camera`.
 
-use pinhole_core::{Camera, Orientation, Sphere, Viewport, extent_of_fov};
+use pinhole_core::Sphere;
 
-use super::sheet::{Sheet, commas, light, n, real};
-use super::terms::{Pixels, Terms};
-use super::{Check, Format, Subject, Unsayable, Written};
+use crate::format::text::{Text, commas, light, n, real};
+use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "weekend",
     label: "Ray Tracing in One Weekend",
     short: "One Weekend",
     ending: "cc",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "lookfrom, lookat, vup",
-        pixels: Pixels::ColumnFirst,
+        pixels: PixelConvention::ColumnFirst,
         view: "vfov: vertical, in degrees",
         field: |subject| n(subject.vertical_degrees()),
         distance: "focus_dist: the viewport is there, t = 1 too",
@@ -23,10 +23,10 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Numbers(camera_of_numbers),
+    importer: None,
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     subject.square_pixels("Ray Tracing in One Weekend")?;
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
@@ -64,21 +64,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     notes.extend(subject.planes().iter().map(|plane| {
         format!("{} is left out: the book's first volume has spheres only", plane.title)
     }));
-    Ok(Written::of("main.cc", Sheet::of(&text), notes))
-}
-
-/// The camera that the book's program makes of the numbers.
-fn camera_of_numbers(subject: &Subject) -> Result<Camera, Unsayable> {
-    let [eye, at, up] = subject.look_at()?;
-    let image = subject.resolve().image();
-    let distance = subject.viewport().distance;
-    let height = extent_of_fov(subject.vertical_degrees().to_radians(), distance);
-    Ok(Camera {
-        eye,
-        orientation: Orientation::At { at, up },
-        viewport: Viewport { width: height * image.aspect(), height, distance },
-        image,
-    })
+    Ok(Exported::one_file("main.cc", Text::from_marked(&text), notes))
 }
 
 /// The ratio from which `int(image_width / aspect_ratio)` is the height.

@@ -21,7 +21,7 @@ impl SceneSource {
     ///
     /// # Errors
     /// Where there is no such scene; with the names that are near.
-    pub fn of(argument: &Path) -> Result<SceneSource, FileError> {
+    pub fn from_argument(argument: &Path) -> Result<SceneSource, FileError> {
         let has_folder = argument.components().count() != 1 || argument.is_absolute();
         let is_toml = argument.extension().is_some_and(|extension| extension == "toml");
         if has_folder || is_toml || argument.is_file() {

@@ -10,7 +10,7 @@ use crate::model::translator::{pasted, with};
 use crate::ui::action::Action;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::tools::translator;
-use pinhole_exchange::programs::{Subject, Written};
+use pinhole_exchange::format::{ExportScene, Exported};
 
 impl App {
     /// A text that was pasted while nothing is typed into.
@@ -57,10 +57,10 @@ impl App {
         translator::notice(ctx, pasted);
     }
 
-    fn translated(&self) -> Option<Written> {
+    fn translated(&self) -> Option<Exported> {
         let translator = &self.session.translator;
         let with = with(&self.open.document, translator.objects);
-        let subject = Subject::new(&self.open.document, with).ok()?;
+        let subject = ExportScene::new(&self.open.document, with).ok()?;
         translator.chosen().write(&subject).ok()
     }
 

@@ -15,7 +15,7 @@ use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Transl
 use crate::ui::action::Action;
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::Sheet;
+use pinhole_exchange::format::Text;
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;
@@ -204,7 +204,7 @@ fn mark_color(ui: &Ui) -> Color32 {
     error_color(ui)
 }
 
-fn marked(ui: &Ui, sheet: &Sheet, size: f32) -> LayoutJob {
+fn marked(ui: &Ui, sheet: &Text, size: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let text = sheet.text.trim_end();
     let mut from = 0;

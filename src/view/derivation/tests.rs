@@ -6,7 +6,7 @@ use pinhole_exchange::scenes::SceneSource;
 
 /// Returns the document of a built-in scene.
 fn document(scene: &str) -> Document {
-    SceneSource::of(scene.as_ref()).expect("a scene").load().expect("a document")
+    SceneSource::from_argument(scene.as_ref()).expect("a scene").load().expect("a document")
 }
 
 fn of(document: &Document, selection: Selection, digits: usize, from_one: bool) -> Derivation {

@@ -6,9 +6,9 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use pinhole_core::{DVec3, Rgb};
 
-use crate::programs::Subject;
-use crate::programs::sheet::{light, n, quotable};
-use crate::programs::subject::square_note;
+use crate::format::ExportScene;
+use crate::format::square_note;
+use crate::format::text::{light, n, quotable};
 
 /// Steps from pole to pole, and twice as many round.
 const STEPS: u16 = 32;
@@ -27,7 +27,7 @@ struct Shape {
 }
 
 impl Meshes {
-    pub(super) fn of(subject: &Subject, notes: &mut Vec<String>) -> Meshes {
+    pub(super) fn new(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
         let (spheres, planes) = (subject.spheres(), subject.planes());
         if spheres.is_empty() && planes.is_empty() {
             return Meshes::default();

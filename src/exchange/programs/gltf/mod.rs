@@ -8,22 +8,26 @@ use serde_json::Value;
 
 use self::mesh::Meshes;
 use crate::FileError;
-use crate::programs::affine::Affine;
-use crate::programs::back::{Stance, image_of, image_of_aspect, in_ratio, shortest_where};
-use crate::programs::json::{self, Node};
-use crate::programs::sheet::{Sheet, n};
-use crate::programs::terms::{Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Taken, Text, Unsayable, With, Written};
+use crate::format::affine::Affine;
+use crate::format::image_size::{image_of, image_of_ratio};
+use crate::format::json::{self, Node};
+use crate::format::pose::Pose;
+use crate::format::text::{Text, n};
+use crate::format::viewport::{in_ratio, shortest_where};
+use crate::format::{Conventions, PixelConvention};
+use crate::format::{
+    ExportScene, Exported, Format, Imported, Importer, Include, Input, Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "gltf",
     label: "glTF 2.0",
     short: "glTF",
     ending: "gltf",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "the node's matrix: u, v, w, eye as columns",
-        pixels: Pixels::Device,
+        pixels: PixelConvention::Device,
         view: "yfov: vertical, in radians, and aspectRatio = width / height",
         field: |subject| n(subject.viewport().vertical_fov()),
         distance: "none: znear and zfar cut, and change no ray",
@@ -31,20 +35,20 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 in most programs",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "gltf",
+    label: "glTF 2.0",
     read,
-    claims: |text| {
+    detect: |text| {
         json::looks_like(text) && text.contains("\"asset\"") && text.contains("\"cameras\"")
     },
 };
 
 /// u, v, w and eye, column after column.
-pub(super) fn columns(subject: &Subject) -> String {
+pub(super) fn columns(subject: &ExportScene) -> String {
     let basis = subject.resolve().basis();
     let column = |v: DVec3, last: &str| {
         let [x, y, z] = v.to_array().map(n);
@@ -59,16 +63,16 @@ pub(super) fn columns(subject: &Subject) -> String {
     .join(",\n        ")
 }
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let viewport = subject.viewport();
     let (near, far) = subject.clip();
     let mut notes = Vec::new();
-    let meshes = match subject.with {
-        With::Meshes => Meshes::of(subject, &mut notes),
+    let meshes = match subject.include {
+        Include::Meshes => Meshes::new(subject, &mut notes),
         _ => Meshes::default(),
     };
-    if subject.with == With::Objects
+    if subject.include == Include::Objects
         && !(subject.spheres().is_empty() && subject.planes().is_empty())
     {
         notes.push(
@@ -95,10 +99,10 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         meshes.nodes.iter().map(|node| format!(",\n    {node}")).collect::<String>(),
         meshes.tables,
     );
-    Ok(Written::of("scene.gltf", Sheet::of(&text), notes))
+    Ok(Exported::one_file("scene.gltf", Text::from_marked(&text), notes))
 }
 
-fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let value = json::parse(text)?;
     let root = Node::root(text, &value);
     let mut notes = Vec::new();
@@ -131,7 +135,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         }
         None => {
             let aspect = aspect.unwrap_or(at_hand.image.aspect());
-            image_of_aspect(at_hand.image, aspect, "glTF", &mut notes)
+            image_of_ratio(at_hand.image, aspect, "glTF", &mut notes)
         }
     };
     let distance = extra("distance").map(|d| d.positive()).transpose()?;
@@ -144,7 +148,7 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     if nodes.iter().any(|node| node.value.get("mesh").is_some()) {
         notes.push("meshes are left out: Pinhole has spheres and planes".to_owned());
     }
-    Ok(Taken::camera(Camera { eye, orientation, viewport, image }, notes))
+    Ok(Imported::camera(Camera { eye, orientation, viewport, image }, notes))
 }
 
 fn upright_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
@@ -158,7 +162,7 @@ pub(super) fn placed(
     world: &Affine,
     notes: &mut Vec<String>,
 ) -> Result<(pinhole_core::Orientation, DVec3), String> {
-    let (orientation, eye, _) = Stance::of(world).right_handed(notes)?;
+    let (orientation, eye, _) = Pose::from_frame(world).right_handed(notes)?;
     Ok((orientation, eye))
 }
 
@@ -175,7 +179,7 @@ fn world_of(nodes: &[Node], index: usize) -> Result<Affine, FileError> {
     let mut passed = vec![false; nodes.len()];
     let (mut above, mut world) = (index, Affine::IDENTITY);
     loop {
-        world = local(&nodes[above])?.of(&world);
+        world = local(&nodes[above])?.after(&world);
         passed[above] = true;
         above = match parents[above][..] {
             [] => return Ok(world),
@@ -256,7 +260,7 @@ fn shown(root: &Node, nodes: &[Node]) -> Result<Vec<bool>, FileError> {
 fn local(node: &Node) -> Result<Affine, FileError> {
     if let Some(matrix) = node.get("matrix") {
         let numbers = matrix.numbers_of::<16>()?;
-        return Affine::of_columns(&numbers)
+        return Affine::from_columns(&numbers)
             .ok_or_else(|| matrix.fault("it must be affine, column after column"));
     }
     let translation = node.get("translation").map(|t| t.numbers_of::<3>()).transpose()?;
@@ -266,7 +270,7 @@ fn local(node: &Node) -> Result<Affine, FileError> {
         let [x, y, z, w] = rotation.numbers_of::<4>()?;
         let turn = pinhole_core::Basis::of_quaternion([w, x, y, z])
             .ok_or_else(|| rotation.fault("it must be a unit quaternion x, y, z, w"))?;
-        local = local.of(&Affine { x: turn.u, y: turn.v, z: turn.w, at: DVec3::ZERO });
+        local = local.after(&Affine { x: turn.u, y: turn.v, z: turn.w, at: DVec3::ZERO });
     }
-    Ok(local.of(&Affine::scaling(scale.map_or(DVec3::ONE, DVec3::from))))
+    Ok(local.after(&Affine::scaling(scale.map_or(DVec3::ONE, DVec3::from))))
 }

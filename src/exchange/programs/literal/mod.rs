@@ -4,21 +4,20 @@
 //! `radians(45)`. A text is understood to its end or refused at the line at fault: each statement must be
 //! one that gives the camera.
 
-mod numbers;
+pub(super) mod numbers;
 mod statements;
 mod tokens;
 
 use pinhole_core::DVec3;
 
-use super::Text;
 use crate::FileError;
+use crate::format::Input;
 
-pub(super) use numbers::IMPORTER;
 pub(crate) use statements::{Argument, Statement, last_part};
 
 /// The statements of a text, and how its faults are told.
 pub(crate) struct Source<'a, 't> {
-    text: &'a Text<'t>,
+    text: &'a Input<'t>,
     pub(crate) statements: Vec<Statement<'t>>,
 }
 
@@ -27,7 +26,7 @@ impl<'a, 't> Source<'a, 't> {
     ///
     /// # Errors
     /// The first place that is no statement.
-    pub(crate) fn new(text: &'a Text<'t>, right: &str) -> Result<Self, FileError> {
+    pub(crate) fn new(text: &'a Input<'t>, right: &str) -> Result<Self, FileError> {
         let tokens = tokens::tokens(text.text).map_err(|(at, right)| {
             let shown: String =
                 text.text[at..].chars().take_while(|c| *c != '\n').take(40).collect();

@@ -4,13 +4,14 @@ use pinhole_core::{Camera, Orientation, fov_of_extent};
 
 use super::{Source, last_part, three};
 use crate::FileError;
-use crate::programs::affine::Affine;
-use crate::programs::back::{Stance, upright};
-use crate::programs::sheet::n;
-use crate::programs::{Importer, Taken, Text};
+use crate::format::affine::Affine;
+use crate::format::pose::Pose;
+use crate::format::text::n;
+use crate::format::viewport::viewport_of_angle;
+use crate::format::{Imported, Importer, Input};
 
 pub(crate) const IMPORTER: Importer =
-    Importer { name: "numbers", label: "numbers alone (eye, at, up, or a matrix)", read, claims };
+    Importer { name: "numbers", label: "eye at up or a matrix in numbers", read, detect };
 
 /// Names of a matrix from camera to world whose camera looks along its own -z with y up.
 const MATRICES: [&str; 6] =
@@ -19,7 +20,7 @@ const MATRICES: [&str; 6] =
 const RIGHT: &str = "it must be nine numbers (eye, at, up), ten (and the vertical angle in degrees), or a \
                      3 × 4 or 4 × 4 matrix from camera to world";
 
-fn claims(text: &str) -> bool {
+fn detect(text: &str) -> bool {
     let text = text.trim_start();
     let is_named = MATRICES.iter().any(|name| {
         let places = text.match_indices(name);
@@ -32,7 +33,7 @@ fn claims(text: &str) -> bool {
     is_named || is_numbers
 }
 
-fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
     let mut numbers = Vec::new();
     for statement in &source.statements {
@@ -74,8 +75,8 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         }
         ref m => {
             let is_of_columns = m.len() == 16 && [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
-            let affine = match Affine::of_rows(m) {
-                None if is_of_columns => Affine::of_columns(m),
+            let affine = match Affine::from_rows(m) {
+                None if is_of_columns => Affine::from_columns(m),
                 affine => affine,
             };
             let affine = affine.ok_or_else(|| source.refused(first, RIGHT))?;
@@ -84,11 +85,11 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     }
 }
 
-fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Taken {
+fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Imported {
     let [eye, at, up] = three(points);
     let orientation = Orientation::At { at, up };
     let viewport = match degrees {
-        Some(degrees) => upright(
+        Some(degrees) => viewport_of_angle(
             degrees,
             at_hand.viewport.width / at_hand.viewport.height,
             at_hand.viewport.distance,
@@ -99,19 +100,19 @@ fn look_at(points: [f64; 9], degrees: Option<f64>, at_hand: &Camera) -> Taken {
     if degrees.is_none() {
         notes.push(unsaid(at_hand));
     }
-    Taken::camera(Camera { eye, orientation, viewport, image: at_hand.image }, notes)
+    Imported::camera(Camera { eye, orientation, viewport, image: at_hand.image }, notes)
 }
 
-fn matrix(affine: &Affine, at_hand: &Camera) -> Result<Taken, String> {
+fn matrix(affine: &Affine, at_hand: &Camera) -> Result<Imported, String> {
     let mut notes = vec![
         "taken as the matrix from camera to world: its columns are right, up, backwards and eye"
             .to_owned(),
         unsaid(at_hand),
     ];
-    let (orientation, eye, _) = Stance::of(affine)
+    let (orientation, eye, _) = Pose::from_frame(affine)
         .right_handed(&mut notes)
         .map_err(|right| format!("it is no rotation: {right}"))?;
-    Ok(Taken::camera(Camera { eye, orientation, ..*at_hand }, notes))
+    Ok(Imported::camera(Camera { eye, orientation, ..*at_hand }, notes))
 }
 
 /// Note on a field of view that no number gives.

@@ -95,7 +95,7 @@ impl<'t> Reader<'_, 't> {
         self.tokens.get(index).map_or(self.text.len(), |token| token.at)
     }
 
-    /// Text from one token to before another, without blanks and comments behind it.
+    /// Input from one token to before another, without blanks and comments behind it.
     fn text_between(&self, from: usize, to: usize) -> &'t str {
         let start = self.at(from);
         let Some(last) = self.tokens.get(from..to).and_then(<[Token]>::last) else { return "" };
@@ -189,6 +189,7 @@ impl<'t> Reader<'_, 't> {
         if is_literal && ends {
             argument.numbers = Some(numbers);
         } else {
+            self.next = start;
             self.skip();
         }
         argument.text = self.text_between(start, self.next);

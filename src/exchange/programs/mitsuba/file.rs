@@ -7,11 +7,11 @@ use pinhole_core::DVec3;
 use roxmltree::{Document as Xml, Node};
 
 use crate::FileError;
-use crate::programs::Text;
-use crate::programs::affine::Affine;
+use crate::format::Input;
+use crate::format::affine::Affine;
 
 pub(super) struct File<'a, 'x> {
-    text: &'a Text<'a>,
+    text: &'a Input<'a>,
     /// Values of `$name`.
     defaults: HashMap<&'x str, String>,
     /// Elements by their id.
@@ -38,7 +38,7 @@ const RESPELT: [&str; 9] = [
 ];
 
 impl<'a, 'x> File<'a, 'x> {
-    pub(super) fn of(text: &'a Text<'a>, xml: &'x Xml) -> Result<File<'a, 'x>, FileError> {
+    pub(super) fn new(text: &'a Input<'a>, xml: &'x Xml) -> Result<File<'a, 'x>, FileError> {
         let version = xml.root_element().attribute("version");
         let major = version.and_then(|version| version.split('.').next()?.trim().parse().ok());
         let is_old = major.is_none_or(|major: u32| major < 2);
@@ -190,7 +190,7 @@ impl<'a, 'x> File<'a, 'x> {
                 }
                 "matrix" => {
                     let numbers = self.numbers(step, "value")?;
-                    Some(numbers).filter(|n| n.len() == 16).and_then(|n| Affine::of_rows(&n))
+                    Some(numbers).filter(|n| n.len() == 16).and_then(|n| Affine::from_rows(&n))
                 }
                 _ => None,
             };
@@ -198,7 +198,7 @@ impl<'a, 'x> File<'a, 'x> {
             let right =
                 "it must be translate, scale, rotate, lookat, or an affine matrix of 16 numbers";
             let one = one.ok_or_else(|| self.fault(step, "to_world", name, right))?;
-            whole = one.of(&whole);
+            whole = one.after(&whole);
         }
         Ok(whole)
     }

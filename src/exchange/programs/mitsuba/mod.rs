@@ -7,20 +7,20 @@ mod shapes;
 use pinhole_core::{DVec3, Sphere};
 
 use self::read::read;
-use crate::programs::sheet::{Sheet, commas, light, n, quotable};
-use crate::programs::subject::square_note;
-use crate::programs::terms::{Axis, Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Unsayable, Written};
+use crate::format::square_note;
+use crate::format::text::{Text, commas, light, n, quotable};
+use crate::format::{Axis, Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "mitsuba",
     label: "Mitsuba 3",
     short: "Mitsuba",
     ending: "xml",
-    terms: Terms {
+    conventions: Conventions {
         axes: [Axis::MinusU, Axis::V, Axis::MinusW],
         given_by: "lookat: origin, target, up",
-        pixels: Pixels::Corner,
+        pixels: PixelConvention::Corner,
         view: "fov: in degrees, along fov_axis (x: horizontal)",
         field: |subject| n(subject.viewport().horizontal_fov().to_degrees()),
         distance: "none: near_clip and far_clip cut, and change no ray",
@@ -28,17 +28,17 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 in most variants",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "mitsuba",
+    label: "Mitsuba 3",
     read,
-    claims: |text| text.contains("<sensor") || (text.contains("<scene") && text.contains("<shape")),
+    detect: |text| text.contains("<sensor") || (text.contains("<scene") && text.contains("<shape")),
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     subject.square_pixels("Mitsuba")?;
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
@@ -62,11 +62,11 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     );
     text.push_str(&objects(subject, &mut notes));
     text.push_str("</scene>\n");
-    Ok(Written::of("scene.xml", Sheet::of(&text), notes))
+    Ok(Exported::one_file("scene.xml", Text::from_marked(&text), notes))
 }
 
 /// A light, the spheres, and squares in the planes' places.
-fn objects(subject: &Subject, notes: &mut Vec<String>) -> String {
+fn objects(subject: &ExportScene, notes: &mut Vec<String>) -> String {
     let mut text = String::new();
     let (spheres, planes) = (subject.spheres(), subject.planes());
     if !(spheres.is_empty() && planes.is_empty()) {

@@ -6,18 +6,20 @@ use roxmltree::{Document as Xml, Node};
 use super::file::File;
 use super::shapes::{Shapes, shapes};
 use crate::FileError;
-use crate::programs::back::{Mirrored, Stance, extent, image_of, in_ratio};
-use crate::programs::sheet::n;
-use crate::programs::{Taken, Text};
+use crate::format::image_size::image_of;
+use crate::format::pose::{Mirrored, Pose};
+use crate::format::text::n;
+use crate::format::viewport::{extent, in_ratio};
+use crate::format::{Imported, Input};
 
-pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let xml = Xml::parse(text.text).map_err(|error| {
         let pos = error.pos();
         let place = crate::Place { line: pos.row as usize, column: pos.col as usize };
         let problem = format!("no XML: {error}");
         FileError { place: Some(place), ..FileError::of_file(text.path, problem) }
     })?;
-    let file = File::of(text, &xml)?;
+    let file = File::new(text, &xml)?;
     let mut notes = Vec::new();
     let mut sensors = xml.descendants().filter(|node| node.has_tag_name("sensor"));
     let sensor = sensors.next().ok_or_else(|| {
@@ -48,7 +50,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     if mirrored {
         (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
-    Ok(Taken { camera: Camera { eye, orientation, viewport, image }, spheres, planes, notes })
+    Ok(Imported { camera: Camera { eye, orientation, viewport, image }, spheres, planes, notes })
 }
 
 /// The film's size; a part of it that is rendered alone is told in a note.
@@ -94,7 +96,7 @@ fn pose<'x>(
     }
     let to_world = file.transform(transform)?;
     let stance =
-        Stance { eye: to_world.at, right: -to_world.x, up: to_world.y, backwards: -to_world.z };
+        Pose { eye: to_world.at, right: -to_world.x, up: to_world.y, backwards: -to_world.z };
     let node = transform.unwrap_or(sensor);
     stance.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
 }

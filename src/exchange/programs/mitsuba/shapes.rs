@@ -6,10 +6,10 @@ use roxmltree::{Document as Xml, Node};
 use super::file::{File, cells, number};
 use crate::FileError;
 use crate::document::Item;
+use crate::format::left_out::LeftOut;
+use crate::format::left_out::readable;
+use crate::format::text::{byte_of_light, n};
 use crate::images::color;
-use crate::programs::back::readable;
-use crate::programs::left_out::LeftOut;
-use crate::programs::sheet::{byte_of_light, n};
 
 #[derive(Default)]
 pub(super) struct Shapes {

@@ -4,8 +4,8 @@
 use serde_json::Value;
 
 use crate::FileError;
-use crate::programs::Text;
-use crate::programs::json;
+use crate::format::Input;
+use crate::format::json;
 use crate::programs::literal::{Source, one_line};
 
 /// A name and what it is given.
@@ -28,7 +28,7 @@ const RIGHT: &str = "only K, R (or rvec) and t, the image's width and height and
 /// # Errors
 /// What is no JSON, or a statement that gives none of these names.
 pub(super) fn fields(
-    text: &Text,
+    text: &Input,
     is_known: impl Fn(&str) -> bool,
 ) -> Result<Vec<Field>, FileError> {
     let mut found = Vec::new();
@@ -58,7 +58,7 @@ pub(super) fn fields(
 }
 
 /// Every object's fields, however deep. JSON that is read has no more than 128 brackets in each other.
-fn collect(text: &Text, value: &Value, is_known: &impl Fn(&str) -> bool, into: &mut Vec<Field>) {
+fn collect(text: &Input, value: &Value, is_known: &impl Fn(&str) -> bool, into: &mut Vec<Field>) {
     match value {
         Value::Object(map) => {
             for (name, value) in map {

@@ -10,20 +10,21 @@ mod read;
 
 use pinhole_core::{DVec3, Intrinsics, Viewport};
 
-use crate::programs::back::{Stance, settled, shortest_where};
-use crate::programs::sheet::{Sheet, flipped, flipped_all, n};
-use crate::programs::terms::{Axis, Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Unsayable, Written};
+use crate::format::pose::Pose;
+use crate::format::text::{Text, flipped, flipped_all, n};
+use crate::format::viewport::{settled, shortest_where};
+use crate::format::{Axis, Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "opencv",
     label: "OpenCV K [R|t]",
     short: "OpenCV",
     ending: "json",
-    terms: Terms {
+    conventions: Conventions {
         axes: [Axis::U, Axis::MinusV, Axis::MinusW],
         given_by: "R from world to camera, t = −R eye",
-        pixels: Pixels::AtCentre,
+        pixels: PixelConvention::AtCentre,
         view: "fx, fy: distance / pixel's width and height, in pixels",
         field: |subject| {
             let Intrinsics { fx, fy, .. } = subject.intrinsics();
@@ -34,13 +35,13 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer =
-    Importer { name: FORMAT.name, label: FORMAT.label, read: read::read, claims: read::claims };
+    Importer { name: "opencv", label: "OpenCV K [R|t]", read: read::read, detect: read::detect };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let Intrinsics { fx, fy, cx, cy } = subject.intrinsics();
     let basis = *subject.resolve().basis();
@@ -64,11 +65,11 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     let objects = subject.spheres().len() + subject.planes().len();
     let left = "objects are left out: K and [R|t] are a camera only";
     let notes = (objects > 0).then(|| left.to_owned()).into_iter().collect();
-    Ok(Written::of("camera.json", Sheet::of(&text), notes))
+    Ok(Exported::one_file("camera.json", Text::from_marked(&text), notes))
 }
 
 /// t = -R eye.
-pub(super) fn translation(subject: &Subject) -> DVec3 {
+pub(super) fn translation(subject: &ExportScene) -> DVec3 {
     let eye = subject.resolve().basis().to_camera_from_world(subject.resolve().eye());
     DVec3::new(-eye.x, eye.y, eye.z)
 }
@@ -100,11 +101,11 @@ pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: 
 }
 
 /// Returns the pose by R's rows and t, in OpenCV's axes.
-pub(super) fn stance([x, y, z]: [DVec3; 3], t: DVec3) -> Stance {
+pub(super) fn stance([x, y, z]: [DVec3; 3], t: DVec3) -> Pose {
     // eye = -R^T t
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
     // Nine products and six sums; the digits that they add are not the camera's.
     let roundings = 4.0 * f64::EPSILON * t.length();
     let eye = DVec3::from_array(eye.to_array().map(|x| settled(x, roundings)));
-    Stance { eye, right: x, up: -y, backwards: -z }
+    Pose { eye, right: x, up: -y, backwards: -z }
 }

@@ -6,10 +6,10 @@ use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics};
 use super::fields::{Field, fields};
 use super::{off_centre, stance, viewport_of};
 use crate::FileError;
-use crate::programs::affine::Affine;
-use crate::programs::back::{image_of, size_taken};
-use crate::programs::sheet::n;
-use crate::programs::{Taken, Text};
+use crate::format::affine::Affine;
+use crate::format::image_size::{image_of, size_note};
+use crate::format::text::n;
+use crate::format::{Imported, Input};
 
 const K_NAMES: [&str; 7] = [
     "K",
@@ -38,7 +38,7 @@ fn is_known(name: &str) -> bool {
 }
 
 /// A text with K and a rotation, or with a K that is more than a number.
-pub(super) fn claims(text: &str) -> bool {
+pub(super) fn detect(text: &str) -> bool {
     let any = |names: &[&str], fits: &dyn Fn(&str) -> bool| {
         names.iter().any(|name| given(text, name).any(fits))
     };
@@ -62,7 +62,7 @@ fn given<'t>(text: &'t str, name: &str) -> impl Iterator<Item = &'t str> {
 
 /// The fields of a text, and how their faults are told.
 struct Reader<'a, 't> {
-    text: &'a Text<'t>,
+    text: &'a Input<'t>,
     fields: Vec<Field>,
 }
 
@@ -123,7 +123,7 @@ fn alike(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-6 * size)
 }
 
-pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let reader = Reader { text, fields: fields(text, is_known)? };
     let mut notes = Vec::new();
     let intrinsics = intrinsics(&reader)?;
@@ -144,7 +144,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         .right_handed(&mut notes)
         .map_err(|right| FileError::of_file(text.path, format!("R is no rotation: {right}")))?;
     let viewport = viewport_of(&intrinsics, image, at_hand.viewport.distance);
-    Ok(Taken::camera(Camera { eye, orientation, viewport, image }, notes))
+    Ok(Imported::camera(Camera { eye, orientation, viewport, image }, notes))
 }
 
 fn intrinsics(reader: &Reader) -> Result<Intrinsics, FileError> {
@@ -196,14 +196,14 @@ fn size(
     if doubled.iter().all(|size| size % 2.0 == 0.0)
         && let Ok(image) = image_of(doubled[0], doubled[1])
     {
-        notes.push(size_taken(unsaid, image, ", twice cx and cy, taken"));
+        notes.push(size_note(unsaid, image, ", twice cx and cy, taken"));
         return Ok(image);
     }
     if let Ok(image) = image_of(around_x, around_y) {
-        notes.push(size_taken(unsaid, image, ", whose middle is the principal point, taken"));
+        notes.push(size_note(unsaid, image, ", whose middle is the principal point, taken"));
         return Ok(image);
     }
-    notes.push(size_taken(unsaid, at_hand.image, ", the one at hand, taken"));
+    notes.push(size_note(unsaid, at_hand.image, ", the one at hand, taken"));
     Ok(at_hand.image)
 }
 
@@ -218,7 +218,7 @@ fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3),
             let right = format!("{} is given too: only one of them may be", whole.field.name);
             return Err(reader.fault(other.field, &right));
         }
-        let affine = Affine::of_rows(whole.numbers)
+        let affine = Affine::from_rows(whole.numbers)
             .ok_or_else(|| reader.fault(whole.field, "its last row must be 0 0 0 1"))?;
         return Ok((rows(&affine), affine.at));
     }

@@ -2,19 +2,19 @@
 
 mod read;
 
-use crate::programs::sheet::{Sheet, commas, n, real};
-use crate::programs::terms::{Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Unsayable, Written};
+use crate::format::text::{Text, commas, n, real};
+use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "opengl",
     label: "gluLookAt + gluPerspective",
     short: "gluLookAt",
     ending: "c",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "eye, center (our at), up",
-        pixels: Pixels::FromBottom,
+        pixels: PixelConvention::FromBottom,
         view: "fovy: vertical, in degrees, and aspect = width / height",
         field: |subject| n(subject.vertical_degrees()),
         distance: "none: zNear and zFar cut, and change no ray",
@@ -22,14 +22,14 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64; GLM often f32",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "opengl",
+    label: "gluLookAt + gluPerspective",
     read: self::read::read,
-    claims: |text| {
+    detect: |text| {
         text.contains("gluLookAt")
             || text.contains("gluPerspective")
             || text.contains("glm::lookAt")
@@ -38,7 +38,7 @@ pub(super) const IMPORTER: Importer = Importer {
     },
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
     let (near, far) = subject.clip();
@@ -68,5 +68,5 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
     if objects > 0 {
         notes.push("objects are left out: OpenGL has triangles only".to_owned());
     }
-    Ok(Written::of("camera.c", Sheet::of(&text), notes))
+    Ok(Exported::one_file("camera.c", Text::from_marked(&text), notes))
 }

@@ -3,10 +3,11 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
 
 use crate::FileError;
-use crate::programs::back::{image_of, image_of_aspect, upright};
+use crate::format::image_size::{image_of, image_of_ratio};
+use crate::format::text::n;
+use crate::format::viewport::viewport_of_angle;
+use crate::format::{Imported, Input};
 use crate::programs::literal::{Argument, Source, Statement, one_line, three};
-use crate::programs::sheet::n;
-use crate::programs::{Taken, Text};
 
 const RIGHT: &str = "only gluLookAt, gluPerspective, glViewport, glMatrixMode and glLoadIdentity, or \
                      glm::lookAt and glm::perspective, may stand beside the camera's, each given by numbers";
@@ -29,7 +30,7 @@ enum Matrix {
     ModelView,
 }
 
-pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
     let mut calls = Calls::default();
     for statement in &source.statements {
@@ -44,14 +45,14 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let mut notes = Vec::new();
     let image = calls
         .size
-        .unwrap_or_else(|| image_of_aspect(at_hand.image, aspect, calls.lens_name, &mut notes));
+        .unwrap_or_else(|| image_of_ratio(at_hand.image, aspect, calls.lens_name, &mut notes));
     let camera = Camera {
         eye,
         orientation: Orientation::At { at, up },
-        viewport: upright(fovy, aspect, at_hand.viewport.distance),
+        viewport: viewport_of_angle(fovy, aspect, at_hand.viewport.distance),
         image,
     };
-    Ok(Taken::camera(camera, notes))
+    Ok(Imported::camera(camera, notes))
 }
 
 impl Calls {

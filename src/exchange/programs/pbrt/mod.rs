@@ -12,20 +12,20 @@ mod tokens;
 use pinhole_core::Sphere;
 
 use self::read::read;
-use crate::programs::sheet::{Sheet, flipped, light, n, one_line, spaces};
-use crate::programs::subject::square_note;
-use crate::programs::terms::{Axis, Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Unsayable, Written};
+use crate::format::square_note;
+use crate::format::text::{Text, flipped, light, n, one_line, spaces};
+use crate::format::{Axis, Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "pbrt",
     label: "pbrt-v4",
     short: "pbrt",
     ending: "pbrt",
-    terms: Terms {
+    conventions: Conventions {
         axes: [Axis::U, Axis::V, Axis::MinusW],
         given_by: "LookAt eye at up, after Scale −1 1 1",
-        pixels: Pixels::Corner,
+        pixels: PixelConvention::Corner,
         view: "fov: of the shorter side, in degrees",
         field: |subject| n(shorter_degrees(subject)),
         distance: "focaldistance, which a pinhole's rays do not depend on",
@@ -33,25 +33,25 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f32 as it is usually built",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "pbrt",
+    label: "pbrt-v4",
     read,
-    claims: |text| {
+    detect: |text| {
         let has = |word: &str| text.lines().any(|line| line.trim_start().starts_with(word));
         has("Camera \"") || has("LookAt ")
     },
 };
 
-fn shorter_degrees(subject: &Subject) -> f64 {
+fn shorter_degrees(subject: &ExportScene) -> f64 {
     let viewport = subject.viewport();
     viewport.horizontal_fov().min(viewport.vertical_fov()).to_degrees()
 }
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [eye, at, up] = subject.look_at()?;
     let [width, height] = subject.size();
     let viewport = subject.viewport();
@@ -102,5 +102,5 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         ));
         notes.push(square_note(&plane.title, "pbrt", half));
     }
-    Ok(Written::of("scene.pbrt", Sheet::of(&text), notes))
+    Ok(Exported::one_file("scene.pbrt", Text::from_marked(&text), notes))
 }

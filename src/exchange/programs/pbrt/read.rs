@@ -7,10 +7,12 @@ use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
 use super::shapes::{Paint, Shapes};
 use super::tokens::{Parameters, Reader, Token};
 use crate::FileError;
-use crate::programs::affine::Affine;
-use crate::programs::back::{MIRRORED, Mirrored, Stance, extent, image_of, in_ratio};
-use crate::programs::sheet::n;
-use crate::programs::{Taken, Text};
+use crate::format::affine::Affine;
+use crate::format::image_size::image_of;
+use crate::format::pose::{MIRRORED, Mirrored, Pose};
+use crate::format::text::n;
+use crate::format::viewport::{extent, in_ratio};
+use crate::format::{Imported, Input};
 
 /// Directives with strings and parameters behind them, or nothing, in all versions of pbrt.
 const WITH_PARAMETERS: [&str; 27] = [
@@ -70,7 +72,7 @@ impl State {
         self.look_at = step.look_at.filter(|_| alone);
         self.transform = match step.is_whole {
             true => step.map,
-            false => self.transform.of(&step.map),
+            false => self.transform.after(&step.map),
         };
     }
 }
@@ -94,8 +96,8 @@ struct Found<'t> {
     notes: Vec<String>,
 }
 
-pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    let mut reader = Reader::of(text)?;
+pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
+    let mut reader = Reader::new(text)?;
     let mut found = Found::default();
     let mut state = State::INITIAL;
     while let Some((token, at)) = reader.take() {
@@ -147,7 +149,7 @@ impl<'t> Found<'t> {
             }
             "Transform" | "ConcatTransform" => {
                 let m: [f64; 16] = reader.numbers(word, at)?;
-                (Affine::of_columns(&m), "the matrix must be affine")
+                (Affine::from_columns(&m), "the matrix must be affine")
             }
             "CoordSysTransform" => {
                 let name = reader.name(word, at)?;
@@ -247,7 +249,7 @@ impl<'t> Found<'t> {
                 self.camera = Some(parameters);
             }
             "Film" => self.film = Some(parameters),
-            "Material" => state.paint = Paint::of(&parameters),
+            "Material" => state.paint = Paint::from_parameters(&parameters),
             "MakeNamedMaterial" => self.shapes.name_material(&parameters),
             "NamedMaterial" => state.paint = self.shapes.material(parameters.kind),
             "Attribute" => {
@@ -315,7 +317,7 @@ impl<'t> Found<'t> {
         Ok(image)
     }
 
-    fn finish(mut self, text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+    fn finish(mut self, text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         let at = self.at;
         let error = |problem: String| text.error_at(at, problem);
         let (Some(transform), Some(camera)) = (self.camera_from_world, self.camera.take()) else {
@@ -330,13 +332,13 @@ impl<'t> Found<'t> {
         let world_from_camera = transform
             .inverse()
             .ok_or_else(|| error("the camera's transformation has no inverse".to_owned()))?;
-        let stance = Stance {
+        let stance = Pose {
             eye: world_from_camera.at,
             right: world_from_camera.x,
             up: world_from_camera.y,
             backwards: -world_from_camera.z,
         };
-        let Stance { right, up, backwards, .. } = stance;
+        let Pose { right, up, backwards, .. } = stance;
         let mirrored = pinhole_core::Basis::is_left_handed(right, up, backwards);
         let turn = |v: DVec3| if mirrored { v.mirrored() } else { v };
         let (eye, orientation) = match self.look_at {
@@ -356,6 +358,6 @@ impl<'t> Found<'t> {
             spheres = spheres.mirrored();
         }
         let camera = Camera { eye, orientation, viewport, image };
-        Ok(Taken { spheres, ..Taken::camera(camera, self.notes) })
+        Ok(Imported { spheres, ..Imported::camera(camera, self.notes) })
     }
 }

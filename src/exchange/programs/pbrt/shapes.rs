@@ -6,9 +6,9 @@ use pinhole_core::Sphere;
 
 use super::tokens::{Parameters, Reader};
 use crate::document::Item;
-use crate::programs::affine::Affine;
-use crate::programs::left_out::LeftOut;
-use crate::programs::sheet::{byte_of_light, n};
+use crate::format::affine::Affine;
+use crate::format::left_out::LeftOut;
+use crate::format::text::{byte_of_light, n};
 
 /// A material's colour, as far as it gives one.
 #[derive(Clone, Copy, PartialEq)]
@@ -21,7 +21,7 @@ pub(super) enum Paint {
 }
 
 impl Paint {
-    pub(super) fn of(parameters: &Parameters) -> Paint {
+    pub(super) fn from_parameters(parameters: &Parameters) -> Paint {
         // Kd is what pbrt-v3 calls it.
         let light = parameters.color("reflectance").or_else(|| parameters.color("Kd"));
         light.map_or(Paint::Unread, |light| Paint::Plain(light.map(byte_of_light)))
@@ -41,7 +41,7 @@ pub(super) struct Shapes<'t> {
 impl<'t> Shapes<'t> {
     pub(super) fn name_material(&mut self, parameters: &Parameters<'t>) {
         if let Some(name) = parameters.kind {
-            self.materials.insert(name, Paint::of(parameters));
+            self.materials.insert(name, Paint::from_parameters(parameters));
         }
     }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use pinhole_core::DVec3;
 
 use crate::FileError;
-use crate::programs::Text;
+use crate::format::Input;
 
 /// A word, a string without its quotes, a number, or a bracket.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,13 +51,13 @@ impl<'t> Parameters<'t> {
 
 /// Goes through a text, token after token.
 pub(super) struct Reader<'t> {
-    text: &'t Text<'t>,
+    text: &'t Input<'t>,
     tokens: Vec<(Token<'t>, usize)>,
     next: usize,
 }
 
 impl<'t> Reader<'t> {
-    pub(super) fn of(text: &'t Text<'t>) -> Result<Reader<'t>, FileError> {
+    pub(super) fn new(text: &'t Input<'t>) -> Result<Reader<'t>, FileError> {
         Ok(Reader { text, tokens: tokens(text)?, next: 0 })
     }
 
@@ -143,7 +143,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-fn tokens<'t>(text: &Text<'t>) -> Result<Vec<(Token<'t>, usize)>, FileError> {
+fn tokens<'t>(text: &Input<'t>) -> Result<Vec<(Token<'t>, usize)>, FileError> {
     let mut tokens = Vec::new();
     let source = text.text;
     let mut at = 0;

@@ -4,7 +4,7 @@ use super::branches::{Branch, Branches};
 use super::source::{Code, Piece, after_spaces, is_of_word, trimmed};
 use super::values::{Values, word_of};
 use crate::FileError;
-use crate::programs::left_out::LeftOut;
+use crate::format::left_out::LeftOut;
 
 /// Other objects.
 const OTHERS: [&str; 27] = [
@@ -91,7 +91,7 @@ pub(super) struct Blocks<'t> {
 
 impl<'t> Blocks<'t> {
     /// One pass over the text; it ends at the first block that is not closed.
-    pub(super) fn of(code: &'t Code, values: &Values) -> Blocks<'t> {
+    pub(super) fn find(code: &'t Code, values: &Values) -> Blocks<'t> {
         let (mut blocks, mut branches) = (Blocks::default(), Branches::default());
         let mut rest = code.whole();
         while let Some(c) = rest.text.chars().next() {

@@ -6,7 +6,7 @@ use super::values::{OPENING, Values};
 /// State of a branch of `#if` and the like.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Branch {
-    Taken,
+    Imported,
     Skipped,
     /// Depends on a condition that is not worked out here.
     Open,
@@ -17,7 +17,7 @@ struct Begun<'t> {
     branch: Branch,
     /// True once this branch or one before it is taken.
     was_taken: bool,
-    /// Text in its brackets, or its word where it has none.
+    /// Input in its brackets, or its word where it has none.
     condition: Piece<'t>,
     /// Value of a `#switch`, where it is one.
     switch: Option<Option<f64>>,
@@ -36,7 +36,7 @@ pub(super) struct Branches<'t> {
 impl<'t> Branches<'t> {
     pub(super) fn now(&self) -> Branch {
         match (self.skipped, self.open.is_empty()) {
-            (0, true) => Branch::Taken,
+            (0, true) => Branch::Imported,
             (0, false) => Branch::Open,
             _ => Branch::Skipped,
         }
@@ -49,18 +49,18 @@ impl<'t> Branches<'t> {
 
     fn begin(&mut self, begun: Begun<'t>) {
         match begun.branch {
-            Branch::Taken => (),
+            Branch::Imported => (),
             Branch::Skipped => self.skipped += 1,
             Branch::Open => self.open.push(begun.condition),
         }
-        let was_taken = begun.was_taken || begun.branch == Branch::Taken;
+        let was_taken = begun.was_taken || begun.branch == Branch::Imported;
         self.begun.push(Begun { was_taken, ..begun });
     }
 
     fn end(&mut self) -> Option<Begun<'t>> {
         let ended = self.begun.pop()?;
         match ended.branch {
-            Branch::Taken => (),
+            Branch::Imported => (),
             Branch::Skipped => self.skipped = self.skipped.saturating_sub(1),
             Branch::Open => drop(self.open.pop()),
         }
@@ -73,7 +73,7 @@ impl<'t> Branches<'t> {
             let branch = match begun.branch {
                 Branch::Open => Branch::Open,
                 // A case goes on into the next one.
-                Branch::Taken if begun.switch.is_some() => Branch::Taken,
+                Branch::Imported if begun.switch.is_some() => Branch::Imported,
                 _ if begun.was_taken => Branch::Skipped,
                 _ => next,
             };
@@ -93,13 +93,13 @@ impl<'t> Branches<'t> {
         if left == last {
             if let Some(begun) = self.end() {
                 let branch = match begun.branch {
-                    Branch::Taken => Branch::Skipped,
+                    Branch::Imported => Branch::Skipped,
                     other => other,
                 };
                 self.begin(Begun { branch, ..begun });
             }
         } else if let Some(begun) = left.and_then(|left| self.begun.get_mut(left))
-            && begun.branch == Branch::Taken
+            && begun.branch == Branch::Imported
         {
             begun.branch = Branch::Open;
             self.open.push(begun.condition);
@@ -118,7 +118,7 @@ impl<'t> Branches<'t> {
         let condition = inside.unwrap_or(word);
         let begun = |branch| Begun { branch, was_taken: false, condition, switch: None };
         let of = |holds: Option<bool>| match holds {
-            Some(true) => Branch::Taken,
+            Some(true) => Branch::Imported,
             Some(false) => Branch::Skipped,
             None => Branch::Open,
         };
@@ -126,7 +126,7 @@ impl<'t> Branches<'t> {
         match word.text {
             "if" => self.begin(begun(decided())),
             "elseif" => self.turn(decided(), Some(condition)),
-            "else" => self.turn(Branch::Taken, None),
+            "else" => self.turn(Branch::Imported, None),
             "switch" => {
                 let on = inside.and_then(|inside| values.number(inside));
                 self.left_by_break.push(self.begun.len());
@@ -144,7 +144,7 @@ impl<'t> Branches<'t> {
                     }
                 };
                 match word.text {
-                    "default" => self.turn(Branch::Taken, None),
+                    "default" => self.turn(Branch::Imported, None),
                     _ => self.turn(of(among()), Some(condition)),
                 }
             }

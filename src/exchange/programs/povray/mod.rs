@@ -15,19 +15,19 @@ mod values;
 use pinhole_core::{BACKGROUND, Sphere};
 
 use self::read::read;
-use crate::programs::sheet::{Sheet, commas, flipped_all, light, n, one_line};
-use crate::programs::terms::{Axis, Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Unsayable, Written};
+use crate::format::text::{Text, commas, flipped_all, light, n, one_line};
+use crate::format::{Axis, Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "povray",
     label: "POV-Ray",
     short: "POV-Ray",
     ending: "pov",
-    terms: Terms {
+    conventions: Conventions {
         axes: [Axis::U, Axis::V, Axis::MinusW],
         given_by: "location, right = width u, up = height v, direction = −distance w",
-        pixels: Pixels::Corner,
+        pixels: PixelConvention::Corner,
         view: "length of right and up against that of direction",
         field: |subject| {
             let viewport = subject.viewport();
@@ -38,20 +38,20 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "povray",
+    label: "POV-Ray",
     read,
-    claims: |text| {
+    detect: |text| {
         let mut places = text.match_indices("camera");
         places.any(|(at, word)| text[at + word.len()..].trim_start().starts_with('{'))
     },
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let viewport = *subject.viewport();
     let basis = *subject.resolve().basis();
@@ -95,5 +95,5 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
             one_line(&plane.title)
         ));
     }
-    Ok(Written::of("scene.pov", Sheet::of(&text), Vec::new()))
+    Ok(Exported::one_file("scene.pov", Text::from_marked(&text), Vec::new()))
 }

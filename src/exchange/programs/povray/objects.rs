@@ -7,9 +7,10 @@ use super::source::{Code, Piece, after_spaces, is_of_word, trimmed, words};
 use super::values::{Value, Values, vector, word_of};
 use crate::FileError;
 use crate::document::Item;
-use crate::programs::affine::Affine;
-use crate::programs::back::{readable, settled};
-use crate::programs::sheet::byte_of_light;
+use crate::format::affine::Affine;
+use crate::format::left_out::readable;
+use crate::format::text::byte_of_light;
+use crate::format::viewport::settled;
 
 /// Reader of a scene's objects.
 pub(super) struct Objects<'c, 't> {
@@ -20,7 +21,7 @@ pub(super) struct Objects<'c, 't> {
 }
 
 impl<'c, 't> Objects<'c, 't> {
-    pub(super) fn of(code: &'c Code<'c>, values: &'c Values<'t>) -> Objects<'c, 't> {
+    pub(super) fn new(code: &'c Code<'c>, values: &'c Values<'t>) -> Objects<'c, 't> {
         Objects { code, values, unpainted: 0 }
     }
 
@@ -182,7 +183,7 @@ impl<'c, 't> Objects<'c, 't> {
                     continue;
                 }
             };
-            placed = step.of(&placed);
+            placed = step.after(&placed);
             rest = after;
         }
         Ok(placed)
@@ -235,7 +236,7 @@ fn rotation(degrees: DVec3) -> Affine {
     [(degrees.x, DVec3::X), (degrees.y, DVec3::Y), (degrees.z, DVec3::Z)]
         .into_iter()
         .filter_map(|(degrees, axis)| Affine::rotation(degrees, axis))
-        .fold(Affine::IDENTITY, |before, turn| turn.of(&before))
+        .fold(Affine::IDENTITY, |before, turn| turn.after(&before))
 }
 
 /// Returns the map that takes x, y, z and the origin to these places.

@@ -7,8 +7,10 @@ use super::objects::Objects;
 use super::source::{Code, Piece, trimmed, words};
 use super::values::{Values, has, word_of};
 use crate::FileError;
-use crate::programs::back::{Mirrored, Stance, image_of, image_of_aspect, settled, size_taken};
-use crate::programs::{Taken, Text};
+use crate::format::image_size::{image_of, image_of_ratio, size_note};
+use crate::format::pose::{Mirrored, Pose};
+use crate::format::viewport::settled;
+use crate::format::{Imported, Input};
 
 /// Words of a pinhole camera.
 const OWN: [&str; 8] =
@@ -41,12 +43,12 @@ fn camera_words() -> impl Iterator<Item = &'static str> {
     lists.into_iter().flatten().copied()
 }
 
-pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let code = Code::new(text);
     let mut notes = Vec::new();
     let given = size(text);
-    let values = Values::of(&code, given.unwrap_or(at_hand.image));
-    let blocks = Blocks::of(&code, &values);
+    let values = Values::new(&code, given.unwrap_or(at_hand.image));
+    let blocks = Blocks::find(&code, &values);
     let camera = blocks.camera(&code, &mut notes)?;
     let (view, image, values) = match given {
         Some(image) => (View::read(&code, &values, camera)?, image, values),
@@ -64,11 +66,11 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     if value(camera, BENT).is_some() {
         notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
-    let stance = Stance { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
+    let stance = Pose { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
     let (orientation, eye, mirrored) =
         stance.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
     blocks.left_out(&mut notes);
-    let mut objects = Objects::of(&code, &values);
+    let mut objects = Objects::new(&code, &values);
     let mut spheres = objects.spheres(&blocks, &mut notes);
     let mut planes = objects.planes(&blocks, &mut notes);
     objects.colors(&mut notes);
@@ -76,7 +78,7 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
         (spheres, planes) = (spheres.mirrored(), planes.mirrored());
     }
     let camera = Camera { eye, orientation, viewport, image };
-    Ok(Taken { camera, spheres, planes, notes })
+    Ok(Imported { camera, spheres, planes, notes })
 }
 
 /// A length without the digits that a square root adds to a short number.
@@ -85,7 +87,7 @@ fn tidy(length: f64) -> f64 {
 }
 
 /// `+W400 +H300` wherever it stands, the comment at the head included.
-fn size(text: &Text) -> Option<ImageSize> {
+fn size(text: &Input) -> Option<ImageSize> {
     let option = |name: &str| {
         let mut words = text.text.split_whitespace();
         words.find_map(|word| word.strip_prefix(name)?.parse::<f64>().ok())
@@ -105,7 +107,7 @@ fn by_ratio<'t>(
     let view = View::read(code, &values, camera)?;
     let (aspect, mut said) = (view.aspect(), Vec::new());
     if aspect.is_finite() && aspect > 0.0 {
-        let image = image_of_aspect(at_hand, aspect, "the scene", &mut said);
+        let image = image_of_ratio(at_hand, aspect, "the scene", &mut said);
         let values = values.with_image(image);
         let other = View::read(code, &values, camera)?;
         if image == at_hand || other.aspect() == aspect {
@@ -114,8 +116,8 @@ fn by_ratio<'t>(
         }
     }
     let unsaid = "the scene does not say how many pixels there are";
-    notes.push(size_taken(unsaid, at_hand, " taken"));
-    let values = Values::of(code, at_hand);
+    notes.push(size_note(unsaid, at_hand, " taken"));
+    let values = Values::new(code, at_hand);
     Ok((view, at_hand, values))
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use pinhole_core::DVec3;
 
 use super::comments::without_comments;
-use crate::programs::Text;
+use crate::format::Input;
 use crate::{FileError, Place};
 
 /// A text whose comments are blanked and whose angle brackets are square, so that places stay.
@@ -25,7 +25,7 @@ pub(super) struct Piece<'t> {
 }
 
 impl<'a> Code<'a> {
-    pub(super) fn new(text: &Text<'a>) -> Code<'a> {
+    pub(super) fn new(text: &Input<'a>) -> Code<'a> {
         let plain = without_comments(text.text).replace('<', "[").replace('>', "]");
         let brackets = matched(&plain);
         Code { path: text.path, text: text.text, plain, brackets }

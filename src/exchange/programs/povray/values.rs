@@ -51,7 +51,7 @@ pub(super) struct Values<'t> {
 pub(super) const OPENING: [&str; 7] = ["if", "ifdef", "ifndef", "while", "for", "switch", "macro"];
 
 impl<'t> Values<'t> {
-    pub(super) fn of(code: &'t Code, image: ImageSize) -> Values<'t> {
+    pub(super) fn new(code: &'t Code, image: ImageSize) -> Values<'t> {
         let mut names = HashMap::new();
         let mut depth = 0_usize;
         for directive in directives(code) {

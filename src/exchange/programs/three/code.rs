@@ -3,14 +3,15 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
 
 use crate::FileError;
-use crate::programs::back::{image_of, image_of_aspect, upright};
+use crate::format::image_size::{image_of, image_of_ratio};
+use crate::format::viewport::viewport_of_angle;
+use crate::format::{Imported, Input};
 use crate::programs::literal::{Source, Statement};
-use crate::programs::{Taken, Text};
 
 const RIGHT: &str = "only new THREE.PerspectiveCamera, position.set, position.x =, up.set, lookAt and \
                      setSize may stand beside the camera's, each given by numbers";
 
-pub(super) fn claims(text: &str) -> bool {
+pub(super) fn detect(text: &str) -> bool {
     let is_made = |at: usize| {
         let before = text[..at].trim_end();
         before.ends_with("THREE.") || before.ends_with("new")
@@ -32,7 +33,7 @@ struct Given<'t> {
     size: Option<ImageSize>,
 }
 
-pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
+pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
     let mut given = Given::default();
     for statement in &source.statements {
@@ -47,14 +48,14 @@ pub(super) fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let mut notes = Vec::new();
     let image = given
         .size
-        .unwrap_or_else(|| image_of_aspect(at_hand.image, aspect, "this code", &mut notes));
+        .unwrap_or_else(|| image_of_ratio(at_hand.image, aspect, "this code", &mut notes));
     let up = given.up.unwrap_or(DVec3::Y);
     let orientation = match given.at {
         Some(at) => Orientation::At { at, up },
         None => Orientation::View { view: DVec3::NEG_Z, up: DVec3::Y },
     };
-    let viewport: Viewport = upright(fov, aspect, at_hand.viewport.distance);
-    Ok(Taken::camera(Camera { eye: given.position, orientation, viewport, image }, notes))
+    let viewport: Viewport = viewport_of_angle(fov, aspect, at_hand.viewport.distance);
+    Ok(Imported::camera(Camera { eye: given.position, orientation, viewport, image }, notes))
 }
 
 impl<'t> Given<'t> {

@@ -10,24 +10,27 @@ use pinhole_core::{Camera, DVec3, Plane, Sphere, Viewport};
 
 use crate::FileError;
 use crate::document::Item;
-use crate::programs::affine::Affine;
-use crate::programs::back::{Mirrored, Stance, image_of, image_of_aspect, readable, upright};
+use crate::format::affine::Affine;
+use crate::format::image_size::{image_of, image_of_ratio};
+use crate::format::json::{self, Node};
+use crate::format::left_out::readable;
+use crate::format::pose::{Mirrored, Pose};
+use crate::format::square_note;
+use crate::format::text::{Text, n, quotable};
+use crate::format::viewport::viewport_of_angle;
+use crate::format::{Conventions, PixelConvention};
+use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
 use crate::programs::gltf::columns;
-use crate::programs::json::{self, Node};
-use crate::programs::sheet::{Sheet, n, quotable};
-use crate::programs::subject::square_note;
-use crate::programs::terms::{Pixels, Terms};
-use crate::programs::{Check, Format, Importer, Subject, Taken, Text, Unsayable, Written};
 
 pub(super) const FORMAT: Format = Format {
     name: "three",
     label: "three.js",
     short: "three.js",
     ending: "json",
-    terms: Terms {
-        axes: Terms::OURS,
+    conventions: Conventions {
+        axes: Conventions::OURS,
         given_by: "the object's matrix: u, v, w, eye as columns",
-        pixels: Pixels::Device,
+        pixels: PixelConvention::Device,
         view: "fov: vertical, in degrees, and aspect = width / height",
         field: |subject| n(subject.vertical_degrees()),
         distance: "none: near and far cut, and change no ray",
@@ -35,19 +38,19 @@ pub(super) const FORMAT: Format = Format {
         lengths: "f64, f32 when drawn",
     },
     write,
-    check: Check::Import,
+    importer: Some(&IMPORTER),
 };
 
 pub(super) const IMPORTER: Importer = Importer {
-    name: FORMAT.name,
-    label: FORMAT.label,
+    name: "three",
+    label: "three.js",
     read,
-    claims: |text| {
-        (json::looks_like(text) && text.contains("\"PerspectiveCamera\"")) || code::claims(text)
+    detect: |text| {
+        (json::looks_like(text) && text.contains("\"PerspectiveCamera\"")) || code::detect(text)
     },
 };
 
-fn write(subject: &Subject) -> Result<Written, Unsayable> {
+fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let [width, height] = subject.size();
     let Viewport { width: across, height: up, distance } = *subject.viewport();
     let (near, far) = subject.clip();
@@ -65,7 +68,7 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         columns(subject),
         n(distance)
     )];
-    let Things { geometries, materials, meshes } = things(subject, &mut notes);
+    let Meshes { geometries, materials, meshes } = things(subject, &mut notes);
     children.extend(meshes);
     let list = |name: &str, items: Vec<String>| match items.is_empty() {
         true => String::new(),
@@ -80,19 +83,19 @@ fn write(subject: &Subject) -> Result<Written, Unsayable> {
         uuid(0),
         children.join(", ")
     );
-    Ok(Written::of("scene.json", Sheet::of(&text), notes))
+    Ok(Exported::one_file("scene.json", Text::from_marked(&text), notes))
 }
 
 /// Meshes that stand for the objects.
 #[derive(Default)]
-struct Things {
+struct Meshes {
     geometries: Vec<String>,
     materials: Vec<String>,
     meshes: Vec<String>,
 }
 
-fn things(subject: &Subject, notes: &mut Vec<String>) -> Things {
-    let mut things = Things::default();
+fn things(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
+    let mut things = Meshes::default();
     let mut add = |title: &str, color: [u8; 3], geometry: &str, matrix: String| {
         let k = 10 + 3 * things.geometries.len();
         let (own, shape, looks) = (uuid(k), uuid(k + 1), uuid(k + 2));
@@ -137,8 +140,8 @@ fn uuid(k: usize) -> String {
     format!("00000000-0000-4000-8000-{k:012x}")
 }
 
-fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
-    if code::claims(text.text) {
+fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
+    if code::detect(text.text) {
         return code::read(text, at_hand);
     }
     let value = json::parse(text)?;
@@ -160,10 +163,11 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     let extra = |name: &str| camera.get("userData").and_then(|data| data.get(name));
     let image = match extra("imageWidth").zip(extra("imageHeight")) {
         Some((w, h)) => image_of(w.number()?, h.number()?).map_err(|right| w.fault(&right))?,
-        None => image_of_aspect(at_hand.image, aspect, "three.js", &mut notes),
+        None => image_of_ratio(at_hand.image, aspect, "three.js", &mut notes),
     };
     let distance = extra("distance").map(|d| d.positive()).transpose()?;
-    let mut viewport = upright(fov, aspect, distance.unwrap_or(at_hand.viewport.distance));
+    let mut viewport =
+        viewport_of_angle(fov, aspect, distance.unwrap_or(at_hand.viewport.distance));
     let zoom = or("zoom", 1.0)?;
     if zoom != 1.0 {
         viewport =
@@ -174,10 +178,10 @@ fn read(text: &Text, at_hand: &Camera) -> Result<Taken, FileError> {
     if offset != 0.0 || view.is_some_and(|on| on.value == &serde_json::Value::Bool(true)) {
         notes.push("the offset of the view is left out: the middle is the middle here".to_owned());
     }
-    let (orientation, eye, mirrored) = Stance::of(world)
+    let (orientation, eye, mirrored) = Pose::from_frame(world)
         .right_handed(&mut notes)
         .map_err(|right| camera.fault(&format!("its matrix is no rotation: {right}")))?;
-    let mut taken = Taken::camera(Camera { eye, orientation, viewport, image }, notes);
+    let mut taken = Imported::camera(Camera { eye, orientation, viewport, image }, notes);
     objects(&root, &all, &mut taken);
     if mirrored {
         taken.spheres = std::mem::take(&mut taken.spheres).mirrored();
@@ -194,11 +198,11 @@ fn collect<'a>(
     all: &mut Vec<(Node<'a>, Affine)>,
 ) -> Result<(), FileError> {
     let own = match node.get("matrix") {
-        Some(matrix) => Affine::of_columns(&matrix.numbers_of::<16>()?)
+        Some(matrix) => Affine::from_columns(&matrix.numbers_of::<16>()?)
             .ok_or_else(|| matrix.fault("it must be affine, column after column"))?,
         None => Affine::IDENTITY,
     };
-    let world = around.of(&own);
+    let world = around.after(&own);
     all.push((node.clone(), world));
     for child in node.get("children").map_or_else(Vec::new, |children| children.items()) {
         collect(&child, world, all)?;
@@ -215,7 +219,7 @@ fn by_uuid<'a>(root: &Node<'a>, list: &str) -> HashMap<&'a str, Node<'a>> {
     named.rev().collect()
 }
 
-fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Taken) {
+fn objects(root: &Node, all: &[(Node, Affine)], taken: &mut Imported) {
     let (geometries, materials) = (by_uuid(root, "geometries"), by_uuid(root, "materials"));
     let (mut left, mut squares) = (0, false);
     let mut spheres = Vec::new();

@@ -32,7 +32,7 @@ mod glam_extreme {
 }
 
 fn camera(scene: &str) -> ResolvedCamera {
-    let source = SceneSource::of(Path::new(scene)).unwrap();
+    let source = SceneSource::from_argument(Path::new(scene)).unwrap();
     source.load().unwrap().camera.resolve().unwrap()
 }
 

@@ -2,11 +2,9 @@
 //! camera's way.
 
 use pinhole_core::{Camera, DVec3};
-use pinhole_exchange::programs::With;
+use pinhole_exchange::format::Include;
 
-use super::format;
-use super::read;
-use super::scene_of;
+use super::{format, read, scene_of};
 
 /// A right-handed camera, so that no z is turned.
 const CAMERA: &str = "camera { location <0, 0, 9> right <1, 0, 0> up <0, 1, 0> direction <0, 0, -1> } \
@@ -165,6 +163,6 @@ fn a_ratio_alone_makes_square_pixels() {
     }
     let text = "gluPerspective(45, 4.0f / 3.0f, 0.1, 100);\ngluLookAt(4, 3, 3, 0, 0, 0, 0, 1, 0);";
     let scene = scene_of(read("opengl", text).unwrap().camera);
-    let subject = pinhole_exchange::programs::Subject::new(&scene, With::CameraAlone).unwrap();
+    let subject = pinhole_exchange::format::ExportScene::new(&scene, Include::CameraAlone).unwrap();
     assert!(format("weekend").write(&subject).is_ok());
 }

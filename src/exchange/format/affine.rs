@@ -39,7 +39,7 @@ impl Affine {
 
     /// Makes a map of 16 numbers, column after column; `None` of any other count, or where the last row is not
     /// 0 0 0 1.
-    pub(crate) fn of_columns(m: &[f64]) -> Option<Affine> {
+    pub(crate) fn from_columns(m: &[f64]) -> Option<Affine> {
         let column = |k: usize| DVec3::new(m[4 * k], m[4 * k + 1], m[4 * k + 2]);
         let is_affine = m.len() == 16 && [m[3], m[7], m[11]] == [0.0; 3] && m[15] == 1.0;
         is_affine.then(|| Affine { x: column(0), y: column(1), z: column(2), at: column(3) })
@@ -47,7 +47,7 @@ impl Affine {
 
     /// Makes a map of 12 or 16 numbers, row after row; `None` of any other count, or where the last row is not
     /// 0 0 0 1.
-    pub(crate) fn of_rows(m: &[f64]) -> Option<Affine> {
+    pub(crate) fn from_rows(m: &[f64]) -> Option<Affine> {
         let is_affine = match m.len() {
             12 => true,
             16 => m[12..] == [0.0, 0.0, 0.0, 1.0],
@@ -66,7 +66,7 @@ impl Affine {
     }
 
     /// First the other one, then this.
-    pub(crate) fn of(&self, inner: &Affine) -> Affine {
+    pub(crate) fn after(&self, inner: &Affine) -> Affine {
         Affine {
             x: self.direction(inner.x),
             y: self.direction(inner.y),

@@ -2,13 +2,13 @@
 
 use serde_json::Value;
 
-use super::Text;
+use super::Input;
 use crate::{FileError, Place};
 
 /// A value, and its path: `cameras[0].perspective.yfov`.
 #[derive(Clone)]
 pub(crate) struct Node<'a> {
-    text: &'a Text<'a>,
+    text: &'a Input<'a>,
     pub(crate) path: String,
     pub(crate) value: &'a Value,
 }
@@ -17,7 +17,7 @@ pub(crate) struct Node<'a> {
 ///
 /// # Errors
 /// Where it is no JSON.
-pub(crate) fn parse(text: &Text) -> Result<Value, FileError> {
+pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
     serde_json::from_str(text.text).map_err(|error| {
         let said = error.to_string();
         let problem = said.split(" at line ").next().unwrap_or_default();
@@ -41,7 +41,7 @@ pub(crate) fn looks_like(text: &str) -> bool {
 }
 
 impl<'a> Node<'a> {
-    pub(crate) fn root(text: &'a Text<'a>, value: &'a Value) -> Node<'a> {
+    pub(crate) fn root(text: &'a Input<'a>, value: &'a Value) -> Node<'a> {
         Node { text, path: String::new(), value }
     }
 

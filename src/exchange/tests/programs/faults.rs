@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use pinhole_core::Camera;
-use pinhole_exchange::programs::{
-    Axis, FORMATS, IMPORTERS, Importer, Text, recognised, recognised_file,
-};
+use pinhole_exchange::format::{Axis, Importer, Input};
+use pinhole_exchange::programs::{FORMATS, IMPORTERS, importer_of, importer_of_file};
 
 use super::read;
 
@@ -126,11 +125,11 @@ fn faults_name_place_field_and_what_would_be_right() {
 #[test]
 fn what_is_no_camera_is_recognised_as_none() {
     for text in ["", "hello", "{}", "<html/>", "[1, 2, 3]", "K = 3", "eye = [0, 0, 0]"] {
-        assert!(recognised(text).is_none(), "{text}");
+        assert!(importer_of(text).is_none(), "{text}");
     }
     let of = |name: &str| {
-        let text = Text { path: Path::new(name), text: "nothing" };
-        recognised_file(&text).map(|format| format.name).map_err(|error| error.to_string())
+        let text = Input { path: Path::new(name), text: "nothing" };
+        importer_of_file(&text).map(|format| format.name).map_err(|error| error.to_string())
     };
     // What may be anything is not told by its ending.
     for ending in ["py", "json", "txt", "cc", "c", "xml", "jl"] {
@@ -155,7 +154,7 @@ fn broken_texts_are_errors() {
     for (_, document) in super::proofs() {
         for format in &FORMATS {
             let subject =
-                pinhole_exchange::programs::Subject::new(&document, Default::default()).unwrap();
+                pinhole_exchange::format::ExportScene::new(&document, Default::default()).unwrap();
             let Ok(written) = format.write(&subject) else { continue };
             let text = written.joined().text;
             for end in (0..text.len()).filter(|end| text.is_char_boundary(*end)).step_by(5) {
@@ -169,9 +168,9 @@ fn broken_texts_are_errors() {
                     format!("{head}1e308{}", after(1)),
                     format!("{head} -0 {}", after(1)),
                 ] {
-                    let text = Text { path: Path::new("in"), text: &broken };
+                    let text = Input { path: Path::new("in"), text: &broken };
                     for reader in
-                        [Importer::named(format.name), recognised(&broken)].into_iter().flatten()
+                        [Importer::named(format.name), importer_of(&broken)].into_iter().flatten()
                     {
                         if let Ok(taken) = reader.read(&text, &Camera::CANONICAL) {
                             assert!(taken.camera.resolve().is_ok());
@@ -186,10 +185,10 @@ fn broken_texts_are_errors() {
 /// README's table has a row for each format, with its axes.
 #[test]
 fn the_readme_s_table_is_the_table() {
-    let readme = include_str!("../../README.md");
+    let readme = include_str!("../../../../README.md");
     for format in &FORMATS {
         let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` | ", format.name)));
-        let axes = format.terms.axes.map(Axis::name);
+        let axes = format.conventions.axes.map(Axis::name);
         let axes = format!("| {} |", axes.join(", "));
         assert!(row.is_some_and(|row| row.contains(&axes)), "{}: {row:?} {axes}", format.name);
     }

@@ -1,7 +1,7 @@
 //! OpenCV's K, R and t in JSON and in YAML.
 
 use pinhole_core::{Camera, DVec3, ImageSize};
-use pinhole_exchange::programs::recognised;
+use pinhole_exchange::programs::importer_of;
 
 use super::read;
 
@@ -10,7 +10,7 @@ const JSON: &str = "{\"K\": [[500, 0, 319.5], [0, 510, 239.5], [0, 0, 1]],\n\
 
 #[track_caller]
 fn camera(text: &str) -> (Camera, Vec<String>) {
-    assert_eq!(recognised(text).map(|importer| importer.name), Some("opencv"), "{text}");
+    assert_eq!(importer_of(text).map(|importer| importer.name), Some("opencv"), "{text}");
     let taken = read("opencv", text).unwrap_or_else(|error| panic!("{error}: {text}"));
     (taken.camera, taken.notes)
 }

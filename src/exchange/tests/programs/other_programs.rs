@@ -14,10 +14,9 @@ use std::process::Command;
 
 use pinhole_core::{DVec2, DVec3, Pixel, ResolvedCamera, Scene};
 use pinhole_exchange::document::Document;
-use pinhole_exchange::programs::With;
+use pinhole_exchange::format::Include;
 
-use super::proofs;
-use super::written;
+use super::{proofs, written};
 
 /// Whether a program is there; where it must be and is not, that is an error.
 pub(super) fn there(name: &str, probe: &mut Command) -> bool {
@@ -39,7 +38,7 @@ pub(super) fn python_with(name: &str, module: &str) -> bool {
 }
 
 pub(super) fn script(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/exchange/programs").join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs/other_programs").join(name)
 }
 
 pub(super) fn output(command: &mut Command) -> String {
@@ -98,7 +97,7 @@ fn assert_agrees(program: &str, scene: &str, document: &Document, table: &str) {
 }
 
 /// A folder with the exported files and the spheres, as JSON and as lines.
-fn folder_of(format: &str, document: &Document, with: With) -> tempfile::TempDir {
+fn folder_of(format: &str, document: &Document, with: Include) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     for (name, sheet) in &written(format, document, with).files {
         fs::write(folder.path().join(name), &sheet.text).unwrap();
@@ -127,7 +126,7 @@ fn pov_ray_renders_the_same_picture() {
         return;
     }
     for (name, document) in proofs() {
-        let folder = folder_of("povray", &document, With::Objects);
+        let folder = folder_of("povray", &document, Include::Objects);
         // Each object in its own colour, whatever the light.
         let file = folder.path().join("scene.pov");
         let text = fs::read_to_string(&file).unwrap();
@@ -165,7 +164,7 @@ fn mitsuba_has_the_same_objects() {
         return;
     }
     for (name, document) in proofs().into_iter().filter(|(name, _)| *name != "not-square") {
-        let folder = folder_of("mitsuba", &document, With::Objects);
+        let folder = folder_of("mitsuba", &document, Include::Objects);
         let scene = folder.path().join("scene.xml");
         let table =
             output(python().arg(script("mitsuba_rays.py")).arg(scene).args(size(&document)));
@@ -184,7 +183,7 @@ fn numpy_has_the_same_rays() {
             if form == "course" && name == "not-square" {
                 continue;
             }
-            let folder = folder_of(form, &document, With::Objects);
+            let folder = folder_of(form, &document, Include::Objects);
             let mut run = python();
             run.arg(script("numpy_rays.py")).arg(form).arg(folder.path().join(file));
             run.args(size(&document)).arg(folder.path().join("spheres.json"));
@@ -199,7 +198,7 @@ fn blender_has_the_same_rays() {
         return;
     }
     for (name, document) in proofs() {
-        let folder = folder_of("blender", &document, With::Objects);
+        let folder = folder_of("blender", &document, Include::Objects);
         let mut run = python();
         run.arg(script("blender_rays.py")).arg(folder.path().join("scene.py"));
         run.args(size(&document)).arg(folder.path().join("spheres.json"));
@@ -259,7 +258,7 @@ fn opencv_sees_points_in_the_same_places() {
         return;
     }
     for (name, document) in proofs() {
-        let folder = folder_of("opencv", &document, With::CameraAlone);
+        let folder = folder_of("opencv", &document, Include::CameraAlone);
         let (text, seen) = points(&document);
         fs::write(folder.path().join("points.json"), text).unwrap();
         let mut run = python();
@@ -276,7 +275,7 @@ fn colmap_sees_points_in_the_same_places() {
         return;
     }
     for (name, document) in proofs() {
-        let folder = folder_of("colmap", &document, With::CameraAlone);
+        let folder = folder_of("colmap", &document, Include::CameraAlone);
         let (text, seen) = points(&document);
         fs::write(folder.path().join("points.json"), text).unwrap();
         let mut run = python();
@@ -295,8 +294,8 @@ fn three_js_and_gltf_have_the_same_objects() {
     let modules = node_modules();
     let has = |name: &str| format!("require('{}/{name}')", modules.display());
     let forms = [
-        ("three", "three", "scene.json", With::Objects),
-        ("gltf", "gltf-validator", "scene.gltf", With::Meshes),
+        ("three", "three", "scene.json", Include::Objects),
+        ("gltf", "gltf-validator", "scene.gltf", Include::Meshes),
     ];
     for (format, module, file, with) in forms {
         let three = has("three/package.json");
@@ -341,7 +340,7 @@ fn c_plus_plus_has_the_same_rays() {
             if form == "weekend" && scene == "not-square" {
                 continue;
             }
-            let with = if form == "weekend" { With::Objects } else { With::CameraAlone };
+            let with = if form == "weekend" { Include::Objects } else { Include::CameraAlone };
             let folder = folder_of(form, &document, with);
             let table = compiled(&format!("{form}_rays.cpp"), folder.path());
             assert_agrees(&format!("C++ ({form})"), scene, &document, &table);

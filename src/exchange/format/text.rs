@@ -6,7 +6,7 @@ use pinhole_core::{DVec3, Rgb, shortest};
 
 /// A text, and which parts of it have another sign than here.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Sheet {
+pub struct Text {
     /// The text.
     pub text: String,
     /// Bytes of the text, in order.
@@ -18,10 +18,10 @@ pub struct Sheet {
 const OPEN: char = '\u{e000}';
 const CLOSE: char = '\u{e001}';
 
-impl Sheet {
+impl Text {
     /// The text of parts some of which went through [`flipped`].
-    pub(crate) fn of(marked: &str) -> Sheet {
-        let mut sheet = Sheet::default();
+    pub(crate) fn from_marked(marked: &str) -> Text {
+        let mut sheet = Text::default();
         let mut from = 0;
         for c in marked.chars() {
             match c {
@@ -33,7 +33,7 @@ impl Sheet {
         sheet
     }
 
-    pub(crate) fn append(&mut self, other: &Sheet) {
+    pub(crate) fn append(&mut self, other: &Text) {
         let by = self.text.len();
         self.text.push_str(&other.text);
         self.flipped.extend(other.flipped.iter().map(|part| part.start + by..part.end + by));

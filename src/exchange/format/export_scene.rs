@@ -1,15 +1,28 @@
 //! What is exported: the camera, and the scene's objects where they are asked for.
 
+use std::fmt;
+
 use pinhole_core::{Camera, OrientationKind, Plane, ResolvedCamera, Rgb, Sphere, Viewport};
 use pinhole_core::{DVec3, Intrinsics, Orientation};
 
-use super::Unsayable;
-use super::sheet::n;
+use super::text::n;
 use crate::document::Document;
+
+/// A reason why a format cannot say it, with what would have to be otherwise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unsupported(pub String);
+
+impl fmt::Display for Unsupported {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Unsupported {}
 
 /// Objects that go with the camera.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum With {
+pub enum Include {
     /// None.
     CameraAlone,
     /// The objects that the format has.
@@ -21,16 +34,16 @@ pub enum With {
 
 /// A scene that is exported.
 #[derive(Clone, Debug)]
-pub struct Subject<'a> {
+pub struct ExportScene<'a> {
     /// The scene.
     pub document: &'a Document,
     /// Objects that go with the camera.
-    pub with: With,
+    pub include: Include,
     resolved: ResolvedCamera,
 }
 
 /// A sphere or plane with its looks.
-pub(crate) struct Thing<S> {
+pub(crate) struct ExportObject<S> {
     pub(crate) shape: S,
     pub(crate) color: Rgb,
     pub(crate) title: String,
@@ -39,21 +52,21 @@ pub(crate) struct Thing<S> {
 /// Maximum distance from 1 of a ratio of sides that counts as square: a few roundings.
 const SQUARE: f64 = 1e-14;
 
-impl<'a> Subject<'a> {
+impl<'a> ExportScene<'a> {
     /// A document whose camera has a basis.
     ///
     /// # Errors
     /// What is wrong with the camera, or with an object that is asked for.
-    pub fn new(document: &'a Document, with: With) -> Result<Subject<'a>, Unsayable> {
-        let resolved = document.camera.resolve().map_err(|error| Unsayable(error.to_string()))?;
-        if with != With::CameraAlone {
-            document.scene().map_err(|error| Unsayable(error.to_string()))?;
+    pub fn new(document: &'a Document, include: Include) -> Result<ExportScene<'a>, Unsupported> {
+        let resolved = document.camera.resolve().map_err(|error| Unsupported(error.to_string()))?;
+        if include != Include::CameraAlone {
+            document.scene().map_err(|error| Unsupported(error.to_string()))?;
         }
-        Ok(Subject { document, with, resolved })
+        Ok(ExportScene { document, include, resolved })
     }
 
-    pub(crate) fn camera_alone(&self) -> Subject<'a> {
-        Subject { with: With::CameraAlone, ..self.clone() }
+    pub(crate) fn camera_alone(&self) -> ExportScene<'a> {
+        ExportScene { include: Include::CameraAlone, ..self.clone() }
     }
 
     /// The camera with its basis.
@@ -84,11 +97,11 @@ impl<'a> Subject<'a> {
     }
 
     /// Eye, at and up.
-    pub(crate) fn look_at(&self) -> Result<[DVec3; 3], Unsayable> {
+    pub(crate) fn look_at(&self) -> Result<[DVec3; 3], Unsupported> {
         let camera = self.camera().given_by(OrientationKind::At);
         match camera.map(|camera| (camera.eye, camera.orientation)) {
             Ok((eye, Orientation::At { at, up })) => Ok([eye, at, up]),
-            _ => Err(Unsayable(
+            _ => Err(Unsupported(
                 "eye is so far out that no point ahead of it keeps the direction: move the scene \
                  nearer to the origin"
                     .to_owned(),
@@ -105,14 +118,14 @@ impl<'a> Subject<'a> {
     }
 
     /// Refuses pixels that are not square.
-    pub(crate) fn square_pixels(&self, program: &str) -> Result<(), Unsayable> {
+    pub(crate) fn square_pixels(&self, program: &str) -> Result<(), Unsupported> {
         let shape = self.pixel_shape();
         if shape == 1.0 {
             return Ok(());
         }
         let [width, height] = self.size();
         let viewport = self.viewport();
-        Err(Unsayable(format!(
+        Err(Unsupported(format!(
             "pixels are {} times as wide as high, and {program} has square ones only: make the \
              viewport's width / height, {} / {}, the image's {width} / {height}",
             n((shape * 1e6).round() / 1e6),
@@ -122,14 +135,14 @@ impl<'a> Subject<'a> {
     }
 
     /// The spheres, where objects are asked for.
-    pub(crate) fn spheres(&self) -> Vec<Thing<Sphere>> {
+    pub(crate) fn spheres(&self) -> Vec<ExportObject<Sphere>> {
         let scene = self.scene();
         let things = scene.spheres().iter().enumerate();
         things.map(|(index, shape)| self.thing(index, *shape)).collect()
     }
 
     /// The planes, where objects are asked for.
-    pub(crate) fn planes(&self) -> Vec<Thing<Plane>> {
+    pub(crate) fn planes(&self) -> Vec<ExportObject<Plane>> {
         let scene = self.scene();
         let first = scene.spheres().len();
         let things = scene.planes().iter().enumerate();
@@ -137,24 +150,25 @@ impl<'a> Subject<'a> {
     }
 
     fn scene(&self) -> pinhole_core::Scene {
-        match self.with {
-            With::CameraAlone => pinhole_core::Scene::default(),
+        match self.include {
+            Include::CameraAlone => pinhole_core::Scene::default(),
             _ => self.document.scene().unwrap_or_default(),
         }
     }
 
-    fn thing<S>(&self, index: usize, shape: S) -> Thing<S> {
+    fn thing<S>(&self, index: usize, shape: S) -> ExportObject<S> {
         let color = self.document.color_of(index as u32);
-        Thing { shape, color, title: self.document.title_of(index) }
+        ExportObject { shape, color, title: self.document.title_of(index) }
     }
 
     /// Returns the nearest and the farthest distance for a program that cannot look everywhere.
     pub(crate) fn clip(&self) -> (f64, f64) {
         let eye = self.resolved.eye();
         let spheres = self.spheres();
-        let reach = |s: &Thing<Sphere>| (s.shape.center - eye).length() + s.shape.radius;
+        let reach = |s: &ExportObject<Sphere>| (s.shape.center - eye).length() + s.shape.radius;
         let far = spheres.iter().map(reach).fold(1e4, f64::max);
-        let gap = |s: &Thing<Sphere>| ((s.shape.center - eye).length() - s.shape.radius).abs();
+        let gap =
+            |s: &ExportObject<Sphere>| ((s.shape.center - eye).length() - s.shape.radius).abs();
         let gaps = spheres.iter().map(gap).filter(|gap| *gap > 0.0);
         let near = gaps.map(|gap| 0.25 * gap).fold(0.01, f64::min).max(1e-6 * far.min(1e4));
         (near, if far > 1e4 { 2.0 * far } else { far })

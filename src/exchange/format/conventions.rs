@@ -2,7 +2,7 @@
 
 use pinhole_core::DVec3;
 
-use super::Subject;
+use super::export_scene::ExportScene;
 
 /// Direction of an axis of a format's camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +18,7 @@ pub enum Axis {
 
 /// A format's count of pixels, and the place of their centres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pixels {
+pub enum PixelConvention {
     /// x right, y down from the image's corner: centres at halves. As here.
     Corner,
     /// x right, y down, centres at whole numbers.
@@ -35,17 +35,17 @@ pub enum Pixels {
 
 /// A format's conventions.
 #[derive(Debug)]
-pub struct Terms {
+pub struct Conventions {
     /// Directions of its camera's x, y and z.
     pub axes: [Axis; 3],
     /// Numbers that the camera is given by.
     pub given_by: &'static str,
     /// Places of its pixels.
-    pub pixels: Pixels,
+    pub pixels: PixelConvention,
     /// Measure of the field of view.
     pub view: &'static str,
     /// Its number for a camera.
-    pub(super) field: fn(&Subject) -> String,
+    pub(crate) field: fn(&ExportScene) -> String,
     /// Counterpart of the viewport's distance.
     pub distance: &'static str,
     /// Shapes of pixels that it can have.
@@ -97,7 +97,7 @@ impl Axis {
     }
 }
 
-impl Terms {
+impl Conventions {
     /// The axes of a camera here.
     pub const OURS: [Axis; 3] = [Axis::U, Axis::V, Axis::W];
 
@@ -108,7 +108,7 @@ impl Terms {
     }
 
     /// The number of the field of view for a camera, or several.
-    pub fn field_of_view(&self, subject: &Subject) -> String {
+    pub fn field_of_view(&self, subject: &ExportScene) -> String {
         (self.field)(subject)
     }
 }

@@ -1,7 +1,5 @@
 //! Other programs' cameras: there and back, what is wrong with a text, and the other programs
 //! themselves.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
-#![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
 
 mod colmap;
 mod faults;
@@ -9,8 +7,8 @@ mod habits;
 mod literal;
 mod objects;
 mod opencv;
+mod other_programs;
 mod povray_scenes;
-mod programs;
 mod round_trip;
 mod scenes;
 mod trees;
@@ -20,23 +18,23 @@ use std::path::Path;
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Sphere, Viewport};
 use pinhole_exchange::FileError;
 use pinhole_exchange::document::{Document, Item};
-use pinhole_exchange::programs::{Format, Importer, Subject, Taken, Text, With, Written};
+use pinhole_exchange::format::{ExportScene, Exported, Format, Imported, Importer, Include, Input};
 
 fn format(name: &str) -> &'static Format {
     Format::named(name).unwrap()
 }
 
-fn written(name: &str, document: &Document, with: With) -> Written {
-    format(name).write(&Subject::new(document, with).unwrap()).unwrap()
+fn written(name: &str, document: &Document, with: Include) -> Exported {
+    format(name).write(&ExportScene::new(document, with).unwrap()).unwrap()
 }
 
 fn text_of(name: &str, document: &Document) -> String {
-    written(name, document, With::Objects).joined().text
+    written(name, document, Include::Objects).joined().text
 }
 
-fn read(name: &str, text: &str) -> Result<Taken, FileError> {
+fn read(name: &str, text: &str) -> Result<Imported, FileError> {
     let importer = Importer::named(name).unwrap();
-    importer.read(&Text { path: Path::new("in"), text }, &Camera::CANONICAL)
+    importer.read(&Input { path: Path::new("in"), text }, &Camera::CANONICAL)
 }
 
 fn scene_of(camera: Camera) -> Document {

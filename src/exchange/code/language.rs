@@ -1,0 +1,64 @@
+//! A language: its name, and its function from a camera's numbers to a program.
+
+use std::fmt;
+
+use pinhole_core::ResolvedCamera;
+
+use super::numbers::{Numbers, Precision};
+
+/// A language, or a library for vectors in one.
+#[derive(Debug)]
+pub struct Language {
+    /// Name on the command line, after `--to`.
+    pub name: &'static str,
+    /// Name on the screen.
+    pub label: &'static str,
+    /// Proposed name of its file.
+    pub file: &'static str,
+    /// Precision of its numbers.
+    pub precision: Precision,
+    pub(super) write: fn(&Numbers) -> String,
+}
+
+/// A number that a language's precision has no place for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutOfRange {
+    /// Name of the language.
+    pub language: &'static str,
+    /// Name of the number, as `eye` or `distance`.
+    pub field: &'static str,
+    /// The number.
+    pub value: f64,
+}
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let OutOfRange { language, field, value } = self;
+        let value = pinhole_core::shortest(*value);
+        write!(
+            f,
+            "{field} has the number {value}, and {language} calculates in f32: it must be between \
+             1e-37 and 1e38 in size"
+        )
+    }
+}
+
+impl std::error::Error for OutOfRange {}
+
+impl Language {
+    /// Returns the ending of its files, without the dot.
+    pub fn ending(&self) -> &'static str {
+        self.file.rsplit('.').next().unwrap_or_default()
+    }
+
+    /// The function from (i, j) to the ray of this camera, as a whole program or shader.
+    ///
+    /// # Errors
+    /// A number beyond the language's precision.
+    pub fn code(&self, camera: &ResolvedCamera) -> Result<String, OutOfRange> {
+        let numbers = Numbers::new(camera, self.precision);
+        let numbers =
+            numbers.map_err(|(field, value)| OutOfRange { language: self.label, field, value })?;
+        Ok((self.write)(&numbers))
+    }
+}

@@ -1,0 +1,6 @@
+//! Scene files, tables, code and other programs' cameras: read, refused, written, and read again.
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+#![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
+
+mod files;
+mod programs;
