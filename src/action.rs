@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use pinhole_core::DVec2;
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::mistakes::Mistake;
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::mistakes::Mistake;
 
 use crate::document::Document;
 use crate::figures::{Frames, Order};

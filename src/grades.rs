@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole_core::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
+use pinhole_lecture::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
 
 use crate::number::{grouped, significant};
 

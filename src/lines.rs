@@ -1,8 +1,8 @@
 //! The lab of lines in two dimensions: what it holds, and what dragging in it does. The arithmetic of
-//! the lines is [`pinhole_core::lecture::lines`].
+//! the lines is [`pinhole_lecture::lines`].
 
 use pinhole_core::DVec2;
-use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
+use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 
 /// Numbers in the lab's fields are not larger than this, so that all that follows from them is a
 /// number.
@@ -234,7 +234,7 @@ impl LinesLab {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pinhole_core::lecture::lines::{Meeting, Substitution};
+    use pinhole_lecture::lines::{Meeting, Substitution};
 
     fn meeting(lab: &LinesLab) -> Meeting {
         Substitution::of(lab.line(), lab.ray).expect("two lines").meeting

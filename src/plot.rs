@@ -1,13 +1,11 @@
 //! What the plot of f(p + t d) shows: which objects, over which t, each in its own unit, and what is
-//! said of each. Pure; the arithmetic is [`pinhole_core::lecture`]'s.
+//! said of each. Pure; the arithmetic is [`pinhole_lecture`]'s.
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use pinhole_core::lecture::{
-    AlongRay, ObjectDerivation, PlaneMeeting, SphereMeeting, Unit, UnitOf, Vertex,
-};
-use pinhole_core::{ExactRay, Rgb, Root, Scene};
+use pinhole_core::{AlongRay, ExactRay, ParabolaVertex, Rgb, Root, Scene};
+use pinhole_lecture::{ImplicitUnit, ObjectDerivation, PlaneMeeting, SphereMeeting, UnitOrigin};
 
 use crate::inspection::Inspection;
 use crate::number::written;
@@ -70,11 +68,11 @@ pub struct Curve {
     /// Where its zeros are, and why.
     pub derivation: ObjectDerivation,
     /// f is drawn in multiples of this.
-    unit: Unit,
+    unit: ImplicitUnit,
     /// f at the eye.
     at_eye: f64,
     /// Where a sphere's parabola turns, and a, its curvature.
-    vertex: Option<(Vertex, f64)>,
+    vertex: Option<(ParabolaVertex, f64)>,
 }
 
 /// An object with a curve.
@@ -120,7 +118,8 @@ pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
         let shape = scene.object(named.object)?;
         let derivation = ObjectDerivation::of(&shape, named.object, ray).ok()?;
         let vertex = along.vertex().map(|v| (v, (along.slope(v.t + 1.0) / 2.0).abs()));
-        let (unit, at_eye) = (along.unit(), along.value(0.0));
+        let unit = ImplicitUnit::new(&scene.object(named.object)?, &along);
+        let at_eye = along.value(0.0);
         Some(Curve { named: named.clone(), place, derivation, unit, at_eye, vertex })
     };
     named.iter().enumerate().filter_map(of).collect()
@@ -180,11 +179,11 @@ impl Curve {
     /// What f is drawn in multiples of, in words.
     pub(crate) fn unit_words(&self, digits: usize) -> String {
         let unit = number(self.unit.value, digits);
-        match self.unit.of {
-            UnitOf::SquaredRadius => format!("unit r² = {unit}"),
-            UnitOf::Origin => format!("unit |f(p)| = {unit}"),
-            UnitOf::OneStep => format!("unit |f(p + d)| = {unit}"),
-            UnitOf::One => "unit 1".to_owned(),
+        match self.unit.origin {
+            UnitOrigin::SquaredRadius => format!("unit r² = {unit}"),
+            UnitOrigin::RayOrigin => format!("unit |f(p)| = {unit}"),
+            UnitOrigin::OneStep => format!("unit |f(p + d)| = {unit}"),
+            UnitOrigin::One => "unit 1".to_owned(),
         }
     }
 

@@ -8,7 +8,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use pinhole_core::ImageSize;
-use pinhole_core::grading::{Grade, Kind, Truth, grade};
+use pinhole_lecture::grading::{Grade, Kind, Truth, grade};
 
 use super::{CommandError, load, named, of_scene, pose, to_stdout};
 use crate::arguments::CheckArguments;

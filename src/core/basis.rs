@@ -300,7 +300,7 @@ const ROUNDING: f64 = 1e-15;
 
 /// Whether `| |v| - 1 | <= tolerance`, exactly: where rounding could decide, as
 /// `(1 - tolerance)^2 <= |v|^2 <= (1 + tolerance)^2`.
-pub(crate) fn is_unit(v: DVec3) -> bool {
+pub fn is_unit(v: DVec3) -> bool {
     let off = (length(v) - 1.0).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
         return off < ORTHONORMAL_TOLERANCE;
@@ -314,7 +314,7 @@ pub(crate) fn is_unit(v: DVec3) -> bool {
 }
 
 /// Whether `|a . b| <= tolerance`, exactly.
-pub(crate) fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
+pub fn is_orthogonal(a: DVec3, b: DVec3) -> bool {
     let off = a.dot(b).abs();
     if (off - ORTHONORMAL_TOLERANCE).abs() > ROUNDING {
         return off < ORTHONORMAL_TOLERANCE;

@@ -11,7 +11,7 @@ use crate::scale::ldexp;
 
 /// `mantissa * 2^exponent`. Every finite `f64` is one, and so are their sums and products.
 #[derive(Clone, Debug)]
-pub(crate) struct Dyadic {
+pub struct Dyadic {
     mantissa: BigInt,
     exponent: i32,
 }
@@ -40,7 +40,7 @@ impl Dyadic {
     }
 
     /// Less, equal or greater than 0.
-    pub(crate) fn sign(&self) -> Ordering {
+    pub fn sign(&self) -> Ordering {
         match self.mantissa.sign() {
             Sign::Minus => Ordering::Less,
             Sign::NoSign => Ordering::Equal,
@@ -48,7 +48,8 @@ impl Dyadic {
         }
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    /// Whether the number is 0.
+    pub fn is_zero(&self) -> bool {
         self.mantissa.sign() == Sign::NoSign
     }
 
@@ -62,7 +63,8 @@ impl Dyadic {
         &self.mantissa << (self.exponent - exponent) as u32
     }
 
-    pub(crate) fn square(&self) -> Dyadic {
+    /// The number times itself.
+    pub fn square(&self) -> Dyadic {
         self * self
     }
 
@@ -92,7 +94,7 @@ impl Dyadic {
     }
 
     /// `self * 2^k` as the nearest `f64`; halves to even.
-    pub(crate) fn rounded_times(&self, k: i32) -> f64 {
+    pub fn rounded_times(&self, k: i32) -> f64 {
         round(&self.mantissa, self.exponent + k)
     }
 }
@@ -152,7 +154,7 @@ fn round_to_odd(m: u64, k: i32) -> f64 {
 }
 
 /// `numerator / denominator` as the nearest `f64`, halves to even; the denominator is not 0.
-pub(crate) fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
+pub fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
     // Enough for a result's 53 bits; the bit below them stands for all that is left over.
     let widen = (64 + denominator.mantissa.bits()).saturating_sub(numerator.mantissa.bits());
     let widened = &numerator.mantissa << widen;
@@ -161,6 +163,23 @@ pub(crate) fn rounded_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 
     let sign = if widened.sign() == denominator.mantissa.sign() { 1 } else { -1 };
     let quotient = (quotient << 1_u32) + BigInt::from(sign * i32::from(is_rest));
     round(&quotient, numerator.exponent - denominator.exponent - widen as i32 - 1)
+}
+
+/// `sqrt(numerator / denominator)` of numbers that are not negative, within an ulp; infinite where
+/// the denominator is 0.
+pub fn root_of_quotient(numerator: &Dyadic, denominator: &Dyadic) -> f64 {
+    if numerator.is_zero() {
+        return 0.0;
+    }
+    if denominator.is_zero() {
+        return f64::INFINITY;
+    }
+    let ((n, n_scale), (d, d_scale)) =
+        (numerator.to_double_double(), denominator.to_double_double());
+    let (quotient, k) = (n / d, n_scale - d_scale);
+    // An even power of two goes through the root.
+    let odd = k.rem_euclid(2);
+    ldexp(quotient.scaled(odd).square_root().hi, (k - odd) / 2)
 }
 
 /// `numerator / denominator * 2^k` as a double-double times a power of two: relative error at most
@@ -234,25 +253,25 @@ pub(crate) fn big_of(x: f64) -> Dyadic {
 }
 
 /// A vector of exact numbers.
-pub(crate) type Exact3 = [Dyadic; 3];
+pub type Exact3 = [Dyadic; 3];
 
 /// The vector as given.
-pub(crate) fn exact3(v: DVec3) -> Exact3 {
+pub fn exact3(v: DVec3) -> Exact3 {
     v.to_array().map(Dyadic::from)
 }
 
 /// `a - b`
-pub(crate) fn minus(a: &Exact3, b: &Exact3) -> Exact3 {
+pub fn minus(a: &Exact3, b: &Exact3) -> Exact3 {
     std::array::from_fn(|i| &a[i] - &b[i])
 }
 
 /// `a . b`
-pub(crate) fn dot(a: &Exact3, b: &Exact3) -> Dyadic {
+pub fn dot(a: &Exact3, b: &Exact3) -> Dyadic {
     &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }
 
 /// `a x b`
-pub(crate) fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
+pub fn cross(a: &Exact3, b: &Exact3) -> Exact3 {
     let of = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
     [of(1, 2), of(2, 0), of(0, 1)]
 }

@@ -216,6 +216,12 @@ pub(crate) fn over_root(v: &Exact3, square: &Dyadic) -> Vector<DoubleDouble> {
     })
 }
 
+/// `v / sqrt square`, each coordinate rounded once.
+pub fn over_root_rounded(v: &Exact3, square: &Dyadic) -> DVec3 {
+    // Added to 0, a negative zero is 0.
+    DVec3::from_array(over_root(v, square).map(|x| x.hi + 0.0))
+}
+
 /// The basis of a view direction and up, both finite and not zero.
 ///
 /// # Errors

@@ -103,7 +103,7 @@ impl Raster {
     }
 
     /// These rows and columns, ascending.
-    pub(crate) fn of(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
+    pub fn of(rows: Vec<u32>, columns: Vec<u32>) -> Raster {
         Raster { rows, columns }
     }
 

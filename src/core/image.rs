@@ -57,7 +57,8 @@ impl ImageSize {
 
     /// An image of which only some rows and columns are ever traced, [`ImageSize::MAX`] of each at
     /// most: it may be up to four times as large. The margins of [`crate::bounds`] allow for that.
-    pub(crate) const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
+    #[doc(hidden)]
+    pub const fn partly_traced(width: u32, height: u32) -> Result<ImageSize, ImageError> {
         if width == 0 || width > 4 * ImageSize::MAX {
             return Err(ImageError { field: "width", value: width });
         }

@@ -1,5 +1,5 @@
 //! What a pinhole camera sees: camera bases, view rays, ray-object intersection, and whole pictures,
-//! every decision exact. It knows no window, no file and no command line.
+//! every decision exact. It knows no window, no file, no command line and no teaching.
 //!
 //! # A picture in ten lines
 //!
@@ -28,9 +28,8 @@
 //! | pictures | [`trace`], [`trace_as`] and [`retrace`] into a [`Frame`]; [`Raster`] and [`Outputs`] say of which pixels and what |
 //! | colours | [`trace_painted`], [`shade`](fn@shade), [`Shade`], [`Paint`], [`Rgb`] |
 //! | certainty | [`ExactRay`], [`Step`], [`Steps`]; [`Counts`]: what a frame left out |
+//! | a curve to plot | [`AlongRay`]: an object's implicit function along a ray |
 //! | other methods | [`methods`]: the known formulas beside it, to compare |
-//! | students' answers | [`grading`]: against the truth, and the mistakes that explain them |
-//! | teaching | [`lecture`]: every step with its numbers, the classic mistakes, exercises |
 //! | interaction | [`steering`]: a camera taken in the hand |
 //! | vectors | [`DVec2`], [`DVec3`] of [glam](https://docs.rs/glam), which is re-exported as a whole |
 //!
@@ -173,13 +172,11 @@
 //! Until 1.0, a minor version may change names. Within one:
 //!
 //! - What may grow is `#[non_exhaustive]`: errors; what a frame tells ([`Frame`], [`Counts`],
-//!   [`Steps`], [`Step`], [`Stage`]); [`Mistake`](lecture::mistakes::Mistake),
-//!   [`Check`](lecture::mistakes::Check) and [`Slip`](lecture::exercises::Slip); derivations.
+//!   [`Steps`], [`Step`], [`Stage`]); [`LineRoots`].
 //! - What is built from numbers stays so: [`Camera`], [`Viewport`], [`Sphere`], [`Plane`], [`Ray`],
 //!   [`Outputs`] by their fields.
-//! - [`Shade`], [`Orientation`], [`Roots`], [`Object`], [`methods::Formula`] and the
-//!   [exercises](lecture::exercises) with their verdicts are complete: whoever shows them all wants to
-//!   be told of a new one by the compiler.
+//! - [`Shade`], [`Orientation`], [`Roots`], [`Object`] and [`methods::Formula`] are complete: whoever
+//!   shows them all wants to be told of a new one by the compiler.
 //! - [`Depth`], [`methods::FrameKernel`] and [`methods::RayKernel`] can be used, not implemented.
 //! - The bits of every result are part of the interface: the same input gives the same picture, on
 //!   any processor and any number of threads.
@@ -188,6 +185,7 @@
 //!   major version of either is one of this crate.
 //! - What the documentation does not show is nobody's to use.
 
+mod along;
 mod band;
 mod basis;
 mod big_conic;
@@ -212,13 +210,11 @@ mod extent;
 mod fine_basis;
 mod frame;
 mod frame_rays;
-pub mod grading;
 mod image;
 mod intrinsics;
 mod kernel;
 mod lane;
 mod lanes;
-pub mod lecture;
 mod line;
 mod method_kernel;
 mod method_real;
@@ -288,21 +284,6 @@ struct Readme;
 ///     match step { F64 => 0, DoubleDouble => 1, Exact => 2 }
 /// }
 /// ```
-/// ```compile_fail,E0004
-/// fn of(error: pinhole_core::lecture::lines::LineError) -> u8 {
-///     use pinhole_core::lecture::lines::LineError::*;
-///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } => 0 }
-/// }
-/// ```
-/// ```compile_fail,E0004
-/// fn of(error: pinhole_core::lecture::mistakes::NoWrongCamera) -> u8 {
-///     use pinhole_core::lecture::mistakes::NoWrongCamera::*;
-///     match error {
-///         Camera(_) | GivenByHand(_) | NotGivenByAt | ChangesNothing(_) | Conflict(..) => 0,
-///         OutOfRange(_) => 1,
-///     }
-/// }
-/// ```
 /// ```compile_fail,E0277
 /// struct Rays;
 /// impl pinhole_core::methods::RayKernel for Rays {
@@ -322,8 +303,20 @@ mod arithmetic_tests;
 #[path = "tests/unit/sphere_index.rs"]
 mod sphere_index_tests;
 
+/// Arithmetic that derivations in other crates write the parts of, and nobody else's to use.
+#[doc(hidden)]
+pub mod arithmetic {
+    pub use crate::basis::{is_orthogonal, is_unit};
+    pub use crate::exact::{
+        Dyadic, Exact3, cross, dot, exact3, minus, root_of_quotient, rounded_quotient,
+    };
+    pub use crate::fine_basis::over_root_rounded;
+    pub use crate::scale::{length, unit};
+}
+
 pub use fearless_simd::Level;
 
+pub use along::{AlongRay, ParabolaVertex};
 pub use basis::{Basis, BasisError, BasisVector, ORTHONORMAL_TOLERANCE, UpAngle};
 pub use camera::{Camera, CameraError, Orientation, OrientationKind};
 pub use checks::{ObjectError, SceneError};
@@ -345,8 +338,10 @@ pub use plane::{Plane, PlaneTerms};
 pub use posed::{PixelOfUv, PosedCamera, Projection};
 pub use ray::{Ray, RayError};
 pub use roots::Roots;
-pub use scene::{Object, Root, Scene};
-pub use shade::{BACKGROUND, Paint, Rgb, Shade, shade, shade_at_level, shade_pixel};
+pub use scene::{LineRoots, Object, Root, Scene};
+pub use shade::{
+    BACKGROUND, HitShader, Paint, Rgb, Shade, lambert, shade, shade_at_level, shade_pixel,
+};
 pub use sphere::{Sphere, SphereQuadratic};
 pub use steps::{Step, Steps};
 pub use trace::{

@@ -257,8 +257,19 @@ impl PosedCamera {
         (self.fine_basis.direction(coordinates), k)
     }
 
-    /// `u U`, `v V` and `-distance W`, each coordinate rounded once.
-    pub(crate) fn direction_parts(&self, place: ViewPlace) -> [DVec3; 3] {
+    /// `u U`, `v V` and `-distance W` of a pixel's view ray, each coordinate rounded once: what its
+    /// direction is the sum of.
+    pub fn direction_parts_of_pixel(&self, pixel: Pixel) -> [DVec3; 3] {
+        self.direction_parts(ViewPlace::Pixel(pixel))
+    }
+
+    /// `u U`, `v V` and `-distance W` of the view ray through a finite (u, v), each coordinate rounded
+    /// once.
+    pub fn direction_parts_at(&self, uv: DVec2) -> [DVec3; 3] {
+        self.direction_parts(ViewPlace::Uv(uv))
+    }
+
+    fn direction_parts(&self, place: ViewPlace) -> [DVec3; 3] {
         let FineBasis { u, v, w, .. } = self.fine_basis;
         let [along_u, along_v, along_w] = self.coordinates(place);
         let stretch = DoubleDouble::from(place.stretch(self.image));

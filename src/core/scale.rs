@@ -60,7 +60,7 @@ pub(crate) fn split(v: DVec3) -> (DVec3, i32) {
 }
 
 /// `v / |v|` for any finite, non-zero `v`, of length 1e-300 or 1e300 alike.
-pub(crate) fn unit(v: DVec3) -> DVec3 {
+pub fn unit(v: DVec3) -> DVec3 {
     if PLAIN_LENGTH_SQUARED.contains(&v.length_squared()) {
         // The same bits as below: powers of two cancel in the quotient.
         return v / v.length();
@@ -70,7 +70,7 @@ pub(crate) fn unit(v: DVec3) -> DVec3 {
 }
 
 /// `|v|`, free of intermediate overflow and underflow.
-pub(crate) fn length(v: DVec3) -> f64 {
+pub fn length(v: DVec3) -> f64 {
     let squared = v.length_squared();
     if PLAIN_LENGTH_SQUARED.contains(&squared) || v == DVec3::ZERO || !v.is_finite() {
         return squared.sqrt();

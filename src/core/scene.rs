@@ -1,5 +1,6 @@
 //! A scene: spheres, then planes, and what a ray meets of them.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -47,6 +48,19 @@ pub struct Root {
     pub point: DVec3,
     /// The outward unit normal there.
     pub normal: DVec3,
+}
+
+/// How a ray's line meets one object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LineRoots {
+    /// The sign of the object's implicit function at the ray's origin: inside a sphere it is less than
+    /// 0, on a plane's or sphere's surface equal to it.
+    pub side: Ordering,
+    /// Where the line meets the object, by ascending `t`. A tangent stands once.
+    pub roots: [Option<Root>; 2],
+    /// The hit: which of `roots` is the smallest `t > 0`.
+    pub first: Option<usize>,
 }
 
 impl Scene {
@@ -137,6 +151,23 @@ impl Scene {
         });
         around.retain(|index| self.spheres()[*index as usize].implicit(point) < 0.0);
         around
+    }
+
+    /// The spheres that the ray's line comes near, ascending, and few others: nearer than `share` times
+    /// the sum of the coordinates of the ray's origin, of the way to the sphere, and of its radius.
+    pub fn spheres_near(&self, ray: &ExactRay, share: f64) -> Vec<u32> {
+        let (line, origin) = (Line::of(ray), ray.origin().to_array());
+        self.spheres_where(|middle, half| {
+            let reach: f64 =
+                (0..3).map(|i| (middle[i] - origin[i]).abs() + half[i] + origin[i].abs()).sum();
+            line.may_meet(middle, half.map(|half| half + 2.0 * share * reach))
+        })
+    }
+
+    /// Makes the index over many spheres, which the first question makes otherwise: called before
+    /// parallel work in which each part asks, as a part that waits for it would ask again.
+    pub fn make_index(&self) {
+        let _ = self.index();
     }
 
     /// The planes, the objects after the spheres.
@@ -275,6 +306,23 @@ impl Object {
         let seen = ObjectSeen::by(self, ray);
         let end = seen.first_end(ray, &mut Steps::default())?;
         Some(seen.root(index, ray, end))
+    }
+
+    /// How the ray's line meets the object, which is given `index` in the roots; decided exactly.
+    ///
+    /// # Errors
+    /// Where the object is none, see [`Object::check`].
+    pub fn line_roots(&self, index: u32, ray: &ExactRay) -> Result<LineRoots, ObjectError> {
+        self.check()?;
+        let (seen, steps) = (ObjectSeen::by(self, ray), &mut Steps::default());
+        let side = match &seen {
+            ObjectSeen::Sphere(sphere) => sphere.side,
+            ObjectSeen::Plane(plane) => plane.side.reverse(),
+        };
+        let (ends, hit) = (seen.ends(ray, steps), seen.first_end(ray, steps));
+        let root = |n: usize| ends.get(n).map(|end| seen.root(index, ray, *end));
+        let first = hit.and_then(|hit| ends.iter().position(|end| *end == hit));
+        Ok(LineRoots { side, roots: [root(0), root(1)], first })
     }
 
     /// The implicit function, see [`Sphere::implicit`] and [`Plane::implicit`].

@@ -8,7 +8,8 @@ use crate::frame::Frame;
 use crate::painter::Painter;
 use crate::ray::Ray;
 use crate::scene::Scene;
-use crate::tones::Toner;
+use crate::srgb::Srgb;
+use crate::tones::{AMBIENT, FROM_EYE, Toner};
 
 /// sRGB bytes.
 pub type Rgb = [u8; 3];
@@ -119,6 +120,28 @@ pub(crate) fn paint_frame<T: Depth, P: Send>(
     });
 }
 
+/// Colours of single hits, as [`shade`](fn@shade) gives them: of rays that make no frame.
+pub struct HitShader<'a>(Toner<'a>);
+
+impl<'a> HitShader<'a> {
+    /// Of hits with this scene; `nearest` is the `t` that [`Shade::T`] shows white.
+    pub fn new(scene: &'a Scene, shade: Shade, nearest: f64) -> HitShader<'a> {
+        HitShader(Toner::new(scene, shade, nearest))
+    }
+
+    /// The colour of the ray's first hit, which is this object at this `t`; `own` is the object's
+    /// colour.
+    pub fn color(&self, ray: &Ray, object: u32, t: f64, own: Rgb) -> Rgb {
+        self.0.color(self.0.tones(ray, object, t, own))
+    }
+}
+
+/// A colour lit from the eye, as [`Shade::Lambert`] has it; `cosine` is `|n.d| / |d|`.
+pub fn lambert(color: Rgb, cosine: f64) -> Rgb {
+    let (light, srgb) = ((AMBIENT + FROM_EYE * cosine) as f32, Srgb::get());
+    color.map(|byte| srgb.byte_of((light * srgb.parts_of(byte) + 0.5) as u32))
+}
+
 /// The colour of one ray's first hit. `nearest` is the `t` that [`Shade::T`] shows white.
 pub fn shade_pixel(
     scene: &Scene,
@@ -127,9 +150,9 @@ pub fn shade_pixel(
     nearest: f64,
     color_of: impl Fn(u32) -> Rgb,
 ) -> Rgb {
-    let toner = Toner::new(scene, shade, nearest);
+    let shader = HitShader::new(scene, shade, nearest);
     match scene.first_hit(ray) {
         None => BACKGROUND,
-        Some(hit) => toner.color(toner.tones(ray, hit.object, hit.t, color_of(hit.object))),
+        Some(hit) => shader.color(ray, hit.object, hit.t, color_of(hit.object)),
     }
 }

@@ -84,6 +84,16 @@ impl Sphere {
         }
     }
 
+    /// `sqrt D` of [`Sphere::quadratic_of`], also where D itself is out of range; `None` where D is
+    /// negative, and of a sphere that is none. Infinite where it overflows.
+    pub fn root_of_discriminant_of(&self, ray: &ExactRay) -> Option<f64> {
+        self.check().ok()?;
+        let seen = SphereSeen::up_to(self, ray.origin(), ray.last);
+        let (.., discriminant) = seen.quadratic(ray);
+        (discriminant >= 0.0)
+            .then(|| ldexp(discriminant.sqrt() / ray.stretch, ray.scale + seen.scale))
+    }
+
     /// Where the ray's line meets the sphere, decided exactly for the numbers as given; nowhere for
     /// a ray that does not pass [`Ray::check`], or a sphere that does not pass [`Sphere::check`]. Each
     /// `t` is within half an ulp, and 2^-40 of one.

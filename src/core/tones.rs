@@ -16,8 +16,8 @@ use crate::surface::{Ball, PLAIN_T, far_normal, near_normal, plane_cosine, spher
 pub(crate) const PADDING: usize = 16;
 
 /// The share of light that is everywhere, and the share that comes from the eye.
-const AMBIENT: f64 = 0.15;
-const FROM_EYE: f64 = 0.85;
+pub(crate) const AMBIENT: f64 = 0.15;
+pub(crate) const FROM_EYE: f64 = 0.85;
 
 /// Three numbers a pixel: light in parts for [`Shade::Lambert`], bytes for all others.
 pub(crate) type Tones = [u32; 3];

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use egui::Color32;
-use pinhole_core::grading::{Truth, grade};
 use pinhole_core::{Camera, ImageSize, Raster};
+use pinhole_lecture::grading::{Truth, grade};
 
 use super::beside::shown_beside;
 use super::memo::Memo;

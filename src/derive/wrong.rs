@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::{Camera, PosedCamera, Raster, Shade};
+use pinhole_lecture::mistakes::Mistake;
 
 use super::beside::shown_beside;
 use super::memo::Memo;

@@ -1,8 +1,8 @@
 //! Right answers and single numbers, exactly where they are recognised.
 
-use pinhole_core::lecture::exercises::{Answer, Part};
-use pinhole_core::lecture::{NumberForm, VectorForm};
 use pinhole_core::{DVec3, shortest};
+use pinhole_lecture::exercises::{Answer, Part};
+use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::number::written;
 

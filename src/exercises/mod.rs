@@ -5,7 +5,7 @@ mod answers;
 mod texts;
 mod verdicts;
 
-use pinhole_core::lecture::exercises::{Answer, Asked, Exercise, Part, Question, Verdict};
+use pinhole_lecture::exercises::{Answer, Asked, Exercise, Part, Question, Verdict};
 
 pub use answers::solution;
 pub use texts::{asked, question, title};

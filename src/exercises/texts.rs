@@ -1,7 +1,7 @@
 //! The questions in words. `**p**` marks a vector, `*t*` a scalar.
 
-use pinhole_core::lecture::exercises::{Asked, Exercise, Given, Part};
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
+use pinhole_lecture::exercises::{Asked, Exercise, Given, Part};
 
 use super::answers::number;
 

@@ -1,6 +1,6 @@
 //! What is said of an answer, in words.
 
-use pinhole_core::lecture::exercises::{Asked, Finding, Part, Slip, Verdict};
+use pinhole_lecture::exercises::{Asked, Finding, Part, Slip, Verdict};
 
 use super::Said;
 use super::answers::short;

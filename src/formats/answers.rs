@@ -14,8 +14,8 @@ mod pixels;
 use std::borrow::Cow;
 use std::path::Path;
 
-use pinhole_core::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
 use pinhole_core::{DVec3, ImageSize};
+use pinhole_lecture::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
 
 use self::pixels::Pixels;
 use super::csv_table::{CsvTable, Row};

@@ -1,7 +1,7 @@
 //! From view and up to u, v, w; or the checks of a basis that is set by hand.
 
-use pinhole_core::lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross};
 use pinhole_core::{BasisError, BasisVector, Camera, DVec3};
+use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross};
 
 use super::Line;
 use super::names::{AT, EYE, U, UP, V, VIEW, W, dot, equation, joined, minus, normalize, times};

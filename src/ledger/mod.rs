@@ -2,7 +2,7 @@
 //! symbols, the numbers put in, and the result.
 //!
 //! Pure: from the document, how it is looked at and what was derived of it to [`Section`]s of
-//! [`Line`]s. All that is calculated here comes from [`pinhole_core::lecture`].
+//! [`Line`]s. All that is calculated here comes from [`pinhole_lecture`].
 
 mod basis;
 mod export;
@@ -17,8 +17,8 @@ mod tests;
 
 use std::fmt;
 
-use pinhole_core::lecture::{ObjectDerivation, RayDerivation};
 use pinhole_core::{ExactRay, PosedCamera, Scene};
+use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use self::numbers::Numbers;
 use crate::derive::Fault;

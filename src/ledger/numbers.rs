@@ -1,8 +1,8 @@
 //! Numbers and vectors as formulas: exact where their form is recognised, to so many digits
 //! otherwise, or both.
 
-use pinhole_core::lecture::{NumberForm, VectorForm};
 use pinhole_core::{DVec3, Pixel};
+use pinhole_lecture::{NumberForm, VectorForm};
 
 use crate::formula::{Formula, Operator, fraction, number, root, rounded, row, tuple};
 use crate::number::significant;

@@ -1,9 +1,9 @@
 //! Where the selected ray meets one object: the numbers that decide, the roots, the hit, the normal.
 
-use pinhole_core::lecture::{
+use pinhole_core::{Ray, Root};
+use pinhole_lecture::{
     ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
 };
-use pinhole_core::{Ray, Root};
 
 use super::Line;
 use super::names::{CENTRE, D, HIT, N, P, POINT, T, dot, equation, minus};

@@ -1,7 +1,7 @@
 //! From a pixel, or a place (u, v), to its view ray.
 
-use pinhole_core::lecture::{PixelShares, RayDerivation};
 use pinhole_core::{PixelOfUv, PosedCamera};
+use pinhole_lecture::{PixelShares, RayDerivation};
 
 use super::Line;
 use super::names::{D, DISTANCE, P, T, U, V, W, equation, joined, minus};

@@ -1,7 +1,7 @@
 //! What a lesson's file says, read.
 
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::mistakes::Mistake;
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::mistakes::Mistake;
 
 use crate::document::Document;
 use crate::ledger::LedgerSections;

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::lines::{ImplicitLine, ParametricLine};
-use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
+use pinhole_lecture::mistakes::Mistake;
 use toml_edit::Document as Toml;
 
 use super::lesson::{AskedExercise, Lesson, Looks, Step};

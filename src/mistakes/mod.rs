@@ -1,10 +1,10 @@
 //! The gallery of wrong cameras: which one is looked at, and which one is to be guessed. Pure.
 
 use egui::Color32;
-use pinhole_core::lecture::mistakes::{Checked, Mistake, NoWrongCamera, WrongCamera, WrongPicture};
 use pinhole_core::{
     Camera, CameraError, Outputs, PosedCamera, Raster, Rgb, Scene, Shade, trace_as,
 };
+use pinhole_lecture::mistakes::{Checked, Mistake, NoWrongCamera, WrongCamera, WrongPicture};
 
 /// What the mistakes view shows. A lesson's step sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! What is lit, in the camera view: there, w points at whoever looks, and all of a ray is one point.
 
 use egui::Color32;
-use pinhole_core::lecture::{BasisDerivation, Cross};
 use pinhole_core::{
     DVec2, DVec3, Frame, NO_OBJECT, Object, Orientation, Outputs, Pixel, PosedCamera, Raster,
     Scene, trace,
 };
+use pinhole_lecture::{BasisDerivation, Cross};
 
 use crate::overlay::camera_in_space::{POINT_TEXT, VECTOR_TEXT};
 use crate::overlay::camera_view::{Sheet, place_of};
@@ -165,7 +165,7 @@ impl Sheet<'_> {
         &mut self,
         lit: Lit,
         cross: &Cross,
-        factor: pinhole_core::lecture::Measured,
+        factor: pinhole_lecture::Measured,
         (name, color): (&str, Color32),
         (product, product_color): (&str, Color32),
     ) {

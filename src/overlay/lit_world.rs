@@ -1,8 +1,8 @@
 //! What is lit, in the world view.
 
 use egui::Color32;
-use pinhole_core::lecture::{BasisDerivation, Cross, RayDerivation};
 use pinhole_core::{DVec2, DVec3, Object, Orientation, PosedCamera};
+use pinhole_lecture::{BasisDerivation, Cross, RayDerivation};
 
 use crate::overlay::camera_in_space::{
     ARROW_POINTS, NORMAL_POINTS, POINT_TEXT, UP_LENGTH, VECTOR_TEXT, VIEW_LENGTH, corners,

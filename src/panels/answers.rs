@@ -5,7 +5,7 @@ use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
     pos2, vec2,
 };
-use pinhole_core::lecture::mistakes::Mistake;
+use pinhole_lecture::mistakes::Mistake;
 
 use super::number::error_color;
 use super::places::STRIP;

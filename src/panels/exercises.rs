@@ -3,7 +3,7 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_core::lecture::exercises::{Exercise, Part};
+use pinhole_lecture::exercises::{Exercise, Part};
 
 use super::marked_text;
 use super::number::{error_color, vector_color};

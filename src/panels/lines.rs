@@ -7,7 +7,7 @@ mod sheet;
 mod steps;
 
 use egui::{Context, Grid, Id, Rect, RichText, ScrollArea, Slider, Ui, UiBuilder, Vec2, pos2};
-use pinhole_core::lecture::lines::{LineError, Substitution};
+use pinhole_lecture::lines::{LineError, Substitution};
 
 pub(super) use self::sheet::round_step;
 pub(super) use self::steps::number;

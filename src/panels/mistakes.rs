@@ -5,7 +5,7 @@ mod checks;
 mod guess;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
 use super::number::{error_color, vector_color};
 use super::places::STRIP;

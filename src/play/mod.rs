@@ -5,7 +5,6 @@ mod player;
 
 use std::fmt;
 
-use pinhole_core::lecture::VerbError;
 use pinhole_core::steering::SteerError;
 use pinhole_core::{Camera, Pixel};
 
@@ -136,7 +135,7 @@ pub struct Still {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PlayError {
     /// Up cannot be swung.
-    Swing(VerbError),
+    Swing(SteerError),
     /// The camera cannot orbit.
     Orbit(SteerError),
 }

@@ -19,9 +19,9 @@ use std::borrow::Cow;
 
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::mistakes::Mistake;
 use pinhole_core::methods::Method;
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::mistakes::Mistake;
 
 use super::{Group, Keys, Verb, When};
 use crate::action::{Action, GhostMove, PlayMove, Switch};

@@ -6,8 +6,8 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
 use pinhole::exercises::{LARGEST_SEED, title};
 use pinhole::session::{Selection, ViewLayout};
-use pinhole_core::lecture::exercises::{Exercise, Given, Question};
 use pinhole_core::{DVec2, Orientation};
+use pinhole_lecture::exercises::{Exercise, Given, Question};
 
 use super::harness::{assert_reads, assert_says, texts_with, type_into, window};
 

@@ -4,7 +4,7 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
-use pinhole_core::lecture::mistakes::{Mistake, NoWrongCamera};
+use pinhole_lecture::mistakes::{Mistake, NoWrongCamera};
 
 use super::harness::{assert_says, click_at, texts_with, type_into, window};
 
@@ -160,7 +160,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     // Wrong first: one that gives another picture.
     let other = Mistake::ALL.iter().copied().find(|m| {
         let camera = window.state().document().camera;
-        let wrong = |mistake| pinhole_core::lecture::mistakes::WrongCamera::new(&camera, mistake);
+        let wrong = |mistake| pinhole_lecture::mistakes::WrongCamera::new(&camera, mistake);
         wrong(*m).is_ok_and(|m| !m.sees_the_same(&wrong(guess.mistake).unwrap()))
     });
     let other = other.unwrap();

@@ -8,8 +8,8 @@ use pinhole::app::App;
 use pinhole::overlay::{Item, Scheme};
 use pinhole::session::{ShadeName, ViewLayout};
 use pinhole::verbs;
-use pinhole_core::lecture::exercises::Exercise;
-use pinhole_core::lecture::mistakes::Mistake;
+use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::mistakes::Mistake;
 
 use crate::harness::{type_into, window};
 

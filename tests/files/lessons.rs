@@ -8,8 +8,8 @@ use pinhole::lessons::{AskedExercise, LessonArgument, Place, Which, builtin, loa
 use pinhole::overlay::{Item, OverlayItems};
 use pinhole::session::{Selection, ViewLayout};
 use pinhole::thing::Thing;
-use pinhole_core::lecture::exercises::Exercise;
 use pinhole_core::{DVec2, DVec3, Pixel, Sphere};
+use pinhole_lecture::exercises::Exercise;
 
 #[test]
 fn every_lesson_is_read_and_says_how_it_begins() {

@@ -1,6 +1,6 @@
 //! A grade as one JSON object.
 
-use pinhole_core::grading::{Answers, GivenHit, Right, Worst};
+use pinhole_lecture::grading::{Answers, GivenHit, Right, Worst};
 use serde::Serialize;
 use serde_json::{Value, json};
 

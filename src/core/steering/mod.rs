@@ -4,8 +4,9 @@
 //! - *Turns*: [`Camera::orbited`], [`Camera::looked_round`]: a turntable about up and u;
 //!   [`Viewport::orbit_of_drag`](crate::Viewport::orbit_of_drag) and
 //!   [`Viewport::look_of_drag`](crate::Viewport::look_of_drag) say by how much.
-//! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`]; [`Camera::swung`] rolls,
-//!   [`Camera::scaled_picture`] is the d-lock.
+//! - *Moves*: [`Camera::dollied`], [`Camera::zoomed`], [`Camera::travelled`].
+//! - *One thing alone*: [`Camera::swung`] rolls, [`Camera::up_tilted`] and [`Camera::up_tipped`] change
+//!   up, [`Camera::scaled_picture`] is the d-lock.
 //! - *Handles*: [`Camera::with_eye_at`], [`Camera::with_at`], [`Camera::with_up_tip`],
 //!   [`Camera::with_viewport_corner`], [`Camera::with_viewport_through`]; spheres and planes have their
 //!   own.
@@ -35,6 +36,7 @@
 mod handles;
 mod moves;
 mod objects;
+mod one_thing;
 mod pointer;
 mod pole;
 mod snap;
@@ -83,7 +85,7 @@ pub enum SteerError {
     Camera(CameraError),
     /// A number that is NaN or infinite.
     NotFinite {
-        /// What it stands for: `yaw`, `pitch`, `forward`, `value`.
+        /// What it stands for: `yaw`, `pitch`, `forward`, `value`, `the angle`.
         field: &'static str,
         /// The value.
         value: f64,
@@ -95,7 +97,7 @@ pub enum SteerError {
         /// The value.
         value: f64,
     },
-    /// The camera's basis is set by hand: it has no up to drag.
+    /// The camera's basis is set by hand: it has no up to change.
     NoUp,
     /// Rounding eye, at or up would turn the camera by more than [`ROUNDING_TURN`].
     Unsteady {
@@ -114,7 +116,7 @@ impl fmt::Display for SteerError {
             SteerError::NotPositive { field, value } => {
                 write!(f, "{field} is {}: it must be finite and greater than 0", shortest(*value))
             }
-            SteerError::NoUp => write!(f, "the basis is set by hand: there is no up to drag"),
+            SteerError::NoUp => write!(f, "the basis is set by hand: there is no up to change"),
             SteerError::Unsteady { turn } => write!(
                 f,
                 "rounded, eye, at and up would turn the camera by {turn:.1e} radians: move eye and at \

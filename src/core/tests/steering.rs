@@ -2,10 +2,13 @@
 //! did, or a typed error.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod common;
 #[path = "steering/handles.rs"]
 mod handles;
 #[path = "steering/moves.rs"]
 mod moves;
+#[path = "steering/one_thing.rs"]
+mod one_thing;
 #[path = "steering/pointer.rs"]
 mod pointer;
 #[path = "steering/poles.rs"]

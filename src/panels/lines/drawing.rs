@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use egui::{Align2, Color32, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, vec2};
 use pinhole_core::DVec2;
-use pinhole_core::lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substitution};
+use pinhole_lecture::lines::{ImplicitLine, Meeting, ParametricLine, Substitution};
 
 use super::handles;
 use super::sheet::{Sheet, round_step};

@@ -2,7 +2,7 @@
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use pinhole_core::DVec2;
-use pinhole_core::lecture::lines::ImplicitLine;
+use pinhole_lecture::lines::ImplicitLine;
 
 use crate::lines::Window;
 

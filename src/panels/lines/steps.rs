@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use pinhole_core::lecture::lines::{Crossing, Meeting, Substitution};
+use pinhole_lecture::lines::{Crossing, Meeting, Substitution};
 
 use crate::number::written;
 

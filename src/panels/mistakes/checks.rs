@@ -1,7 +1,7 @@
 //! What each check says of the wrong camera: which ones find the mistake, and which do not.
 
 use egui::{RichText, Ui};
-use pinhole_core::lecture::mistakes::{Checked, Value, Wanted};
+use pinhole_lecture::mistakes::{Checked, Value, Wanted};
 
 use super::super::number::error_color;
 use super::super::readouts::NumberStyle;

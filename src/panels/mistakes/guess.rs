@@ -1,8 +1,8 @@
 //! "Guess which": a wrong camera without its name, the class's answer, and what would have told.
 
 use egui::{RichText, Ui};
-use pinhole_core::lecture::mistakes::{Mistake, WrongCamera};
 use pinhole_core::{Camera, PosedCamera, Scene};
+use pinhole_lecture::mistakes::{Mistake, WrongCamera};
 
 use super::super::number::error_color;
 use super::super::sign::sign;

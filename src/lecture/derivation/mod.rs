@@ -1,0 +1,16 @@
+//! Every number on the way from a camera to a hit, step by step.
+
+mod basis;
+mod implicit_unit;
+mod objects;
+mod ray;
+
+pub use basis::{
+    BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, LengthCheck,
+    Measured,
+};
+pub use implicit_unit::{ImplicitUnit, UnitOrigin};
+pub use objects::{
+    ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,
+};
+pub use ray::{PixelShares, RayDerivation};

@@ -1,0 +1,190 @@
+//! The derivation of where a ray meets a sphere or a plane.
+
+use std::cmp::Ordering;
+
+use pinhole_core::{
+    DVec3, ExactRay, LineRoots, Object, ObjectError, Plane, PlaneTerms, Root, Sphere,
+    SphereQuadratic,
+};
+
+/// How one ray meets one object, with every value on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ObjectDerivation {
+    /// A sphere.
+    Sphere(SphereDerivation),
+    /// A plane.
+    Plane(PlaneDerivation),
+}
+
+/// A ray and a sphere: `|p + t d - c|^2 - r^2 = 0` is a quadratic in t,
+///
+/// ```text
+/// a t^2 + 2 b t + c = 0     t = (-b -+ sqrt D) / a     normal = (point - center) / r
+/// ```
+///
+/// with a, b, c and D as in [`SphereQuadratic`] (b is half the linear coefficient). (Marschner,
+/// Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.4.1.)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct SphereDerivation {
+    /// The sphere.
+    pub sphere: Sphere,
+    /// `p - center`, each coordinate rounded once.
+    pub from_center: DVec3,
+    /// a, b, c and D.
+    pub quadratic: SphereQuadratic,
+    /// `sqrt D`; `None` where D is negative. Infinite where D is.
+    pub root_of_discriminant: Option<f64>,
+    /// What becomes of the ray, decided exactly.
+    pub meeting: SphereMeeting,
+    /// Where the ray's line meets the sphere: the nearer point, then the farther one. A tangent
+    /// stands once, as the nearer. Each `t` is within half an ulp and 2^-40 of one.
+    pub roots: [Option<Root>; 2],
+    /// The hit: which of `roots` is the smallest `t > 0`.
+    pub first: Option<usize>,
+}
+
+/// What becomes of a ray near a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SphereMeeting {
+    /// D < 0: the line passes by.
+    Missed,
+    /// D = 0 and t > 0: the ray touches the sphere in one point, which is a hit.
+    Tangent,
+    /// D > 0 and both t > 0: in at one point, out at another.
+    Through,
+    /// The ray starts inside: one t is negative, the other one is the hit.
+    FromInside,
+    /// The ray starts on the sphere and goes through it: one t is 0, the other one is the hit.
+    FromSurface,
+    /// The line meets the sphere, the ray does not: no t is greater than 0.
+    Behind,
+}
+
+/// A ray and a plane: `n . (p + t d - point) = 0` gives
+///
+/// ```text
+/// t = n . (point - p) / n . d
+/// ```
+///
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., sections 2.5.5 and 4.4.)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct PlaneDerivation {
+    /// The plane.
+    pub plane: Plane,
+    /// `point - p`, each coordinate rounded once.
+    pub to_point: DVec3,
+    /// `n . d` and `n . (point - p)`.
+    pub terms: PlaneTerms,
+    /// What becomes of the ray, decided exactly.
+    pub meeting: PlaneMeeting,
+    /// Where the ray's line meets the plane, at whatever `t`; the normal is of length 1.
+    pub root: Option<Root>,
+}
+
+/// What becomes of a ray near a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PlaneMeeting {
+    /// t > 0: a hit.
+    Ahead,
+    /// t < 0: the line meets the plane, the ray does not.
+    Behind,
+    /// t = 0: the ray starts in the plane and leaves it, which is no hit.
+    AtOrigin,
+    /// `n . d = 0`: the line never meets the plane.
+    Parallel,
+    /// `n . d = 0`, and the line lies in the plane: every t solves the equation, none is a hit.
+    Within,
+}
+
+impl ObjectDerivation {
+    /// The derivation for one ray and one object, which is given `index` in its roots.
+    ///
+    /// # Errors
+    /// Where the object is none, see [`Object::check`].
+    pub fn of(
+        object: &Object,
+        index: u32,
+        ray: &ExactRay,
+    ) -> Result<ObjectDerivation, ObjectError> {
+        let meeting = object.line_roots(index, ray)?;
+        Ok(match object {
+            Object::Sphere(sphere) => {
+                ObjectDerivation::Sphere(SphereDerivation::new(sphere, &meeting, ray))
+            }
+            Object::Plane(plane) => {
+                ObjectDerivation::Plane(PlaneDerivation::new(plane, &meeting, ray))
+            }
+        })
+    }
+
+    /// The hit, the smallest `t > 0`, if there is one.
+    pub fn hit(&self) -> Option<&Root> {
+        match self {
+            ObjectDerivation::Sphere(sphere) => sphere.hit(),
+            ObjectDerivation::Plane(plane) => plane.hit(),
+        }
+    }
+
+    /// Where the ray's line meets the object, by ascending `t`.
+    pub fn roots(&self) -> impl Iterator<Item = &Root> {
+        let [near, far] = match self {
+            ObjectDerivation::Sphere(sphere) => sphere.roots.each_ref(),
+            ObjectDerivation::Plane(plane) => [&plane.root, &None],
+        };
+        near.iter().chain(far)
+    }
+}
+
+impl SphereDerivation {
+    fn new(sphere: &Sphere, line: &LineRoots, ray: &ExactRay) -> SphereDerivation {
+        let meeting = match (line.roots, line.first, line.side) {
+            ([None, _], ..) => SphereMeeting::Missed,
+            (_, None, _) => SphereMeeting::Behind,
+            ([_, None], ..) => SphereMeeting::Tangent,
+            (.., Ordering::Less) => SphereMeeting::FromInside,
+            (.., Ordering::Equal) => SphereMeeting::FromSurface,
+            (.., Ordering::Greater) => SphereMeeting::Through,
+        };
+        SphereDerivation {
+            sphere: *sphere,
+            from_center: ray.origin() - sphere.center,
+            quadratic: sphere.quadratic_of(ray),
+            root_of_discriminant: sphere.root_of_discriminant_of(ray),
+            meeting,
+            roots: line.roots,
+            first: line.first,
+        }
+    }
+
+    /// The hit, the smallest `t > 0`, if there is one.
+    pub fn hit(&self) -> Option<&Root> {
+        self.roots[self.first?].as_ref()
+    }
+}
+
+impl PlaneDerivation {
+    fn new(plane: &Plane, line: &LineRoots, ray: &ExactRay) -> PlaneDerivation {
+        let root = line.roots[0];
+        let meeting = match (root, line.first, line.side) {
+            (None, _, Ordering::Equal) => PlaneMeeting::Within,
+            (None, ..) => PlaneMeeting::Parallel,
+            (_, _, Ordering::Equal) => PlaneMeeting::AtOrigin,
+            (_, Some(_), _) => PlaneMeeting::Ahead,
+            (_, None, _) => PlaneMeeting::Behind,
+        };
+        PlaneDerivation {
+            plane: *plane,
+            to_point: plane.point - ray.origin(),
+            terms: plane.terms_of(ray),
+            meeting,
+            root,
+        }
+    }
+
+    /// The hit, if `t > 0`.
+    pub fn hit(&self) -> Option<&Root> {
+        self.root.as_ref().filter(|_| self.meeting == PlaneMeeting::Ahead)
+    }
+}

@@ -1,0 +1,282 @@
+//! What is to be said of an answer.
+
+use pinhole_core::{DVec3, shortest};
+
+use super::{Answer, Finding, Part, Slip};
+
+/// How far an answer may be from the truth, relative to it.
+pub(super) const TOLERANCE: f64 = 1e-9;
+
+/// What is to be said of an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It is right.
+    Right,
+    /// It is right: so many times ours, which is allowed here.
+    Multiple {
+        /// Above 0.
+        times: f64,
+    },
+    /// It is the right one, rounded.
+    Rounded {
+        /// To so many significant digits.
+        digits: usize,
+    },
+    /// It is on the right line and points backwards.
+    Backwards {
+        /// Below 0: how many times ours.
+        times: f64,
+    },
+    /// It points where it should, and its length matters here.
+    OtherLength {
+        /// Above 0: how many times ours.
+        times: f64,
+    },
+    /// Each of these mistakes gives the answer, and agrees with the answers to the other parts.
+    Slips(Vec<Slip>),
+    /// No mistake that is known gives it; what is wrong with it.
+    Wrong(Vec<Finding>),
+}
+
+impl Verdict {
+    /// Whether the answer counts as right.
+    pub fn is_right(&self) -> bool {
+        matches!(self, Verdict::Right | Verdict::Multiple { .. })
+    }
+}
+
+/// What is to be said of each answer. The answers are looked at together: a mistake that would have
+/// spoilt a part which is right was not made, and of the mistakes that give an answer, those that
+/// explain most of the wrong parts are named; of two that explain as much, not the one that holds
+/// the other and more.
+pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
+    let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
+    let plain: Vec<Option<Verdict>> =
+        (0..parts.len()).map(|k| Some(without_slips(&parts[k], answer(k)?))).collect();
+    let right: Vec<&Part> = parts
+        .iter()
+        .zip(&plain)
+        .filter(|(_, plain)| plain.as_ref().is_some_and(is_the_truth))
+        .map(|(part, _)| part)
+        .collect();
+    let named: Vec<Vec<Slip>> = (0..parts.len())
+        .map(|k| match (answer(k), &plain[k]) {
+            (Some(answer), Some(plain)) if !is_settled(plain, &parts[k]) => {
+                fitting(&parts[k], answer, &right)
+            }
+            _ => Vec::new(),
+        })
+        .collect();
+    let explains = |slip: &Slip| named.iter().filter(|slips| slips.contains(slip)).count();
+    let most = |slips: &[Slip]| {
+        let most = slips.iter().map(explains).max().unwrap_or_default();
+        let mut best: Vec<Slip> = slips.iter().copied().filter(|s| explains(s) == most).collect();
+        let all = best.clone();
+        best.retain(|slip| !all.iter().any(|other| other.is_part_of(*slip)));
+        best
+    };
+    plain
+        .into_iter()
+        .zip(&named)
+        .map(
+            |(plain, slips)| {
+                if slips.is_empty() { plain } else { Some(Verdict::Slips(most(slips))) }
+            },
+        )
+        .collect()
+}
+
+/// Whether the answer shows that the part was understood.
+fn is_the_truth(verdict: &Verdict) -> bool {
+    verdict.is_right() || matches!(verdict, Verdict::Rounded { .. })
+}
+
+/// Whether no mistake has to be looked for.
+fn is_settled(verdict: &Verdict, part: &Part) -> bool {
+    // Where only the line counts, that it points backwards says all.
+    is_the_truth(verdict) || part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. })
+}
+
+/// What is said where no known mistake gives the answer.
+fn without_slips(part: &Part, answer: &Answer) -> Verdict {
+    let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
+        let another = || Verdict::Wrong(vec![Finding::Another]);
+        return if part.truth == *answer { Verdict::Right } else { another() };
+    };
+    if truth.len() != given.len() || !given.iter().all(|x| x.is_finite()) {
+        return Verdict::Wrong(vec![Finding::Another]);
+    }
+    if is_near(given, truth) {
+        return Verdict::Right;
+    }
+    let times = multiple(given, truth);
+    if let Some(times) = times.filter(|times| part.may_be_scaled && *times > 0.0) {
+        return Verdict::Multiple { times };
+    }
+    if let Some(digits) = rounded(given, truth, part.may_be_scaled) {
+        return Verdict::Rounded { digits };
+    }
+    match times.filter(|_| part.asked.is_vector()) {
+        Some(times) if times > 0.0 => Verdict::OtherLength { times },
+        Some(times) => Verdict::Backwards { times },
+        None => Verdict::Wrong(findings(part, truth, given)),
+    }
+}
+
+/// The mistakes that give the answer and agree with what is right; where none does, those that
+/// are told by this answer alone.
+fn fitting(part: &Part, answer: &Answer, right: &[&Part]) -> Vec<Slip> {
+    let all = giving(part, answer);
+    let spoils = |slip: &Slip, part: &&Part| part.slips.iter().any(|(other, _)| other == slip);
+    let agrees = |slip: &Slip| !right.iter().any(|part| spoils(slip, part));
+    let agreeing: Vec<Slip> = all.iter().copied().filter(agrees).collect();
+    if agreeing.is_empty() {
+        return all.into_iter().filter(|slip| slip.is_told_by(part.asked)).collect();
+    }
+    agreeing
+}
+
+/// The mistakes that give the answer, each alone.
+fn giving(part: &Part, answer: &Answer) -> Vec<Slip> {
+    let gives = |wrong: &Answer| match (wrong, answer) {
+        (Answer::Numbers(wrong), Answer::Numbers(given)) => {
+            wrong.len() == given.len()
+                && given.iter().all(|x| x.is_finite())
+                && (is_near(given, wrong)
+                    || (part.may_be_scaled && multiple(given, wrong).is_some_and(|n| n > 0.0))
+                    || rounded(given, wrong, part.may_be_scaled).is_some())
+        }
+        (wrong, answer) => wrong == answer,
+    };
+    let mut slips: Vec<Slip> = Vec::new();
+    for (slip, wrong) in &part.slips {
+        if gives(wrong) && !slips.contains(slip) {
+            slips.push(*slip);
+        }
+    }
+    slips
+}
+
+fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+    if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
+        return vec![Finding::Zero];
+    }
+    let size = size(truth);
+    let is_off = |k: &usize| (given[*k] - truth[*k]).abs() > TOLERANCE * size;
+    let off: Vec<usize> = (0..truth.len()).filter(is_off).collect();
+    let mut findings = Vec::new();
+    if off.len() < truth.len() {
+        findings.extend(off.into_iter().map(Finding::Coordinate));
+    }
+    findings.extend(part.wanted.iter().filter_map(|wanted| wanted.missed_by(given)));
+    findings.extend(of_direction(part, truth, given));
+    if findings.is_empty() { vec![Finding::Another] } else { findings }
+}
+
+/// What is wrong with the length and the direction of a vector that should be of length 1.
+fn of_direction(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+    let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
+    let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
+    else {
+        return Vec::new();
+    };
+    let length = given.length();
+    let mut findings = Vec::new();
+    if (length - 1.0).abs() > TOLERANCE {
+        findings.push(Finding::Length(length));
+    }
+    let others = part.orthogonal_to.iter().filter_map(|(to, vector)| {
+        let dot = given.dot(*vector);
+        let is_off = dot.abs() > TOLERANCE * length * vector.length();
+        is_off.then_some(Finding::NotOrthogonal { to, dot })
+    });
+    let count = findings.len();
+    findings.extend(others);
+    // That it is not orthogonal says where to look; without that, at least how far off it is.
+    if findings.len() == count {
+        let degrees = truth.cross(given).length().atan2(truth.dot(given)).to_degrees();
+        findings.push(Finding::Angle { degrees });
+    }
+    findings
+}
+
+fn size(numbers: &[f64]) -> f64 {
+    let size = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if size == 0.0 { 1.0 } else { size }
+}
+
+/// Whether these are the true numbers, but for rounding in what was calculated.
+pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
+    let size = size(truth);
+    given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)
+}
+
+/// How many times the truth a vector is, if it is a multiple of it at all, but not 0.
+fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
+    if given.len() < 2 {
+        return None;
+    }
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let times = dot(given, truth) / dot(truth, truth);
+    let near =
+        given.iter().zip(truth).all(|(x, y)| (x - times * y).abs() <= TOLERANCE * size(given));
+    (near && times.is_finite() && times != 0.0).then_some(times)
+}
+
+/// To how many significant digits, two at least, these are the true numbers, rounded or cut off; any
+/// multiple of them where that is allowed.
+fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
+    let largest = (0..truth.len()).max_by(|a, b| truth[*a].abs().total_cmp(&truth[*b].abs()))?;
+    let times = if may_be_scaled { given[largest] / truth[largest] } else { 1.0 };
+    if !(times.is_finite() && times > 0.0) {
+        return None;
+    }
+    let mut least = None;
+    for (x, y) in given.iter().zip(truth) {
+        let y = times * y;
+        if (x - y).abs() <= TOLERANCE * size(truth) * times {
+            continue;
+        }
+        let (digits, place) = precision(*x);
+        // The multiple is known no better than the number that it comes from.
+        let slack = if may_be_scaled {
+            0.5 * unit(precision(given[largest]).1) * (y / given[largest]).abs()
+        } else {
+            0.0
+        };
+        let is_rounded = (x - y).abs() <= 0.5 * unit(place) * (1.0 + TOLERANCE) + slack;
+        let is_cut_off = x * y > 0.0 && cut_off(y, place) == Some(x.abs());
+        if digits < 2 || !(is_rounded || is_cut_off) {
+            return None;
+        }
+        least = Some(least.map_or(digits, |least: usize| least.min(digits)));
+    }
+    least
+}
+
+/// How many significant digits a number is written with, and the power of ten of its last place.
+fn precision(x: f64) -> (usize, i32) {
+    let text = shortest(x.abs());
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let digits = mantissa.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
+    let exponent: i32 = exponent.parse().unwrap_or_default();
+    (digits, exponent - decimals as i32)
+}
+
+fn unit(place: i32) -> f64 {
+    10f64.powi(place)
+}
+
+/// |y| with the digits behind a place left out. In digits: 4 - 3.99 is below 0.01 by the luck of
+/// binary rounding, and yet 4 cut off is never 3.99.
+fn cut_off(y: f64, place: i32) -> Option<f64> {
+    // Rounded to as many digits as can be trusted: what should be 6 may be 5.999999999999999.
+    let text = format!("{:.11e}", y.abs());
+    let (mantissa, exponent) = text.split_once('e')?;
+    let first: i32 = exponent.parse().ok()?;
+    let kept = usize::try_from(first - place + 1).ok().filter(|kept| *kept > 0)?;
+    // The point stands behind the first digit.
+    let cut: String = mantissa.chars().take(if kept == 1 { 1 } else { kept + 1 }).collect();
+    format!("{cut}e{exponent}").parse().ok()
+}

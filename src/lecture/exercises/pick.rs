@@ -1,0 +1,169 @@
+//! The numbers of the questions: the lecture's, and others whose answers are as recognisable.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use pinhole_core::{DVec2, DVec3, Ray, Sphere};
+
+use super::{Exercise, Given};
+
+/// The lecture's numbers. Its view and up are twice as long here, which changes no answer, so that
+/// it shows who normalizes.
+pub(super) fn lecture(exercise: Exercise) -> Given {
+    let uv = DVec2::new(0.2, -0.1);
+    let z = -6.0;
+    match exercise {
+        Exercise::WarmUpRay => Given::Uv(uv),
+        Exercise::WarmUpPlane => Given::UvAndWall { uv, z },
+        Exercise::Distance => Given::Distance { uv, distance: 2.0, z },
+        Exercise::Turned => Given::Turned { right: midway(1.0, -1.0), uv, z },
+        Exercise::ViewUp => {
+            Given::ViewUp { view: 2.0 * DVec3::NEG_Y, up: DVec3::new(2.0, 2.0, 0.0) }
+        }
+        Exercise::EyeAtUp => Given::EyeAtUp {
+            eye: DVec3::new(20.0, 4.0, 10.0),
+            at: DVec3::new(-1.0, 0.0, -5.0),
+            up: DVec3::Y,
+        },
+        Exercise::Sphere => Given::Sphere {
+            ray: Ray { origin: DVec3::ZERO, direction: DVec3::NEG_Z },
+            sphere: Sphere { center: DVec3::new(0.0, 0.0, -5.0), radius: 1.0 },
+        },
+        Exercise::Lines => Given::Lines {
+            line: DVec3::new(1.0, 1.0, -2.0),
+            origin: DVec2::ZERO,
+            direction: DVec2::ONE,
+        },
+    }
+}
+
+/// Other numbers, the same ones for the same seed.
+pub(super) fn seeded(exercise: Exercise, seed: u64) -> Given {
+    // One seed gives unrelated numbers in every exercise.
+    let mut dice = Dice(seed ^ ((exercise as u64) << 56));
+    match exercise {
+        Exercise::WarmUpRay => Given::Uv(dice.uv()),
+        Exercise::WarmUpPlane => Given::UvAndWall { uv: dice.uv(), z: -dice.whole(2, 9) },
+        Exercise::Distance => {
+            let distance = dice.one_of(&[0.5, 1.5, 2.0, 2.5, 3.0, 4.0]);
+            Given::Distance { uv: dice.uv(), distance, z: -distance * dice.whole(2, 6) }
+        }
+        Exercise::Turned => {
+            let (x, z) = (dice.sign(), dice.sign());
+            Given::Turned { right: midway(x, z), uv: dice.uv(), z: -x * dice.whole(2, 9) }
+        }
+        Exercise::ViewUp => dice.view_up(),
+        Exercise::EyeAtUp => dice.eye_at_up(),
+        Exercise::Sphere => dice.sphere(),
+        Exercise::Lines => dice.lines(),
+    }
+}
+
+/// The unit vector midway between the x and z axes of these signs.
+fn midway(x: f64, z: f64) -> DVec3 {
+    FRAC_1_SQRT_2 * DVec3::new(x, 0.0, z)
+}
+
+/// SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+struct Dice(u64);
+
+impl Dice {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        ((u128::from(self.bits()) * count as u128) >> 64) as usize
+    }
+
+    fn one_of<T: Copy>(&mut self, of: &[T]) -> T {
+        of[self.below(of.len())]
+    }
+
+    /// A whole number, both ends included.
+    fn whole(&mut self, low: i32, high: i32) -> f64 {
+        f64::from(low) + self.below((high - low + 1) as usize) as f64
+    }
+
+    fn sign(&mut self) -> f64 {
+        self.one_of(&[-1.0, 1.0])
+    }
+
+    /// Tenths inside the canonical viewport, two different ones, neither 0.
+    fn uv(&mut self) -> DVec2 {
+        const TENTHS: [f64; 4] = [0.1, 0.2, 0.3, 0.4];
+        let u = self.below(4);
+        let v = (u + 1 + self.below(3)) % 4;
+        DVec2::new(self.sign() * TENTHS[u], self.sign() * TENTHS[v])
+    }
+
+    /// The axes in another order and with other signs.
+    fn axes(&mut self) -> [DVec3; 3] {
+        let [a, b, c] = self.one_of(&[
+            [DVec3::X, DVec3::Y, DVec3::Z],
+            [DVec3::Y, DVec3::Z, DVec3::X],
+            [DVec3::Z, DVec3::X, DVec3::Y],
+            [DVec3::X, DVec3::Z, DVec3::Y],
+        ]);
+        [self.sign() * a, self.sign() * b, self.sign() * c]
+    }
+
+    fn view_up(&mut self) -> Given {
+        let [along, across, other] = self.axes();
+        let view = self.one_of(&[1.0, 2.0, 3.0]) * along;
+        let (a, b) = self.one_of(&[(1.0, 0.0), (2.0, 0.0), (1.0, 1.0), (3.0, 4.0), (4.0, 3.0)]);
+        let leaning = self.sign() * self.whole(1, 2);
+        Given::ViewUp { view, up: a * across + b * other + leaning * along }
+    }
+
+    fn eye_at_up(&mut self) -> Given {
+        const SIDES: [(f64, f64); 7] =
+            [(3.0, 4.0), (4.0, 3.0), (6.0, 8.0), (8.0, 6.0), (1.0, 1.0), (1.0, 2.0), (2.0, 1.0)];
+        let (x, z) = self.one_of(&SIDES);
+        let back = DVec3::new(
+            self.sign() * x,
+            self.sign() * self.one_of(&[1.0, 2.0, 3.0, 5.0]),
+            self.sign() * z,
+        );
+        let at = DVec3::new(self.whole(-3, 3), self.whole(1, 3), self.whole(-5, -1));
+        Given::EyeAtUp { eye: at + back, at, up: DVec3::Y }
+    }
+
+    /// From a right triangle of whole numbers: how far the line passes the centre, half the chord,
+    /// and the radius.
+    fn sphere(&mut self) -> Given {
+        const TRIANGLES: [(f64, f64, f64); 6] = [
+            (3.0, 4.0, 5.0),
+            (4.0, 3.0, 5.0),
+            (0.0, 2.0, 2.0),
+            (0.0, 3.0, 3.0),
+            (6.0, 8.0, 10.0),
+            (5.0, 12.0, 13.0),
+        ];
+        let (aside, half, radius) = self.one_of(&TRIANGLES);
+        let [along, across, _] = self.axes();
+        let origin = DVec3::new(self.whole(-2, 2), self.whole(-2, 2), self.whole(-2, 2));
+        let (t, length) = (self.whole(2, 6), self.one_of(&[1.0, 2.0, 2.0]));
+        let center = origin + (t * length + half) * along + aside * across;
+        Given::Sphere {
+            ray: Ray { origin, direction: length * along },
+            sphere: Sphere { center, radius },
+        }
+    }
+
+    fn lines(&mut self) -> Given {
+        loop {
+            let normal = DVec2::new(self.whole(-3, 3), self.whole(-3, 3));
+            let direction = DVec2::new(self.whole(-3, 3), self.whole(-3, 3));
+            let origin = DVec2::new(self.whole(-4, 4), self.whole(-4, 4));
+            let t = self.one_of(&[-3.0, -2.0, -1.0, 1.0, 2.0, 3.0, 0.5, 1.5]);
+            if normal.dot(direction) != 0.0 && normal.x * normal.y != 0.0 {
+                let c = -normal.dot(origin + t * direction);
+                return Given::Lines { line: normal.extend(c), origin, direction };
+            }
+        }
+    }
+}

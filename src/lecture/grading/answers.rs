@@ -1,0 +1,154 @@
+//! What a student answers.
+
+use pinhole_core::{DVec3, Pixel, Rgb};
+/// A student's answers, of one kind.
+///
+/// Rows and columns count from 0 here. A row of H or a column of W is none of the image, and stands
+/// for what a student who counts from 1 without saying so calls the last one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answers {
+    /// u, v and w.
+    Basis([Measured; 3]),
+    /// The view rays of pixels.
+    Rays(Vec<RayAnswer>),
+    /// What the view rays of pixels hit first.
+    Hits(Vec<HitAnswer>),
+    /// The whole picture, row by row from the top.
+    Picture(Vec<Rgb>),
+}
+
+/// What kind of answers they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// u, v and w.
+    Basis,
+    /// The view rays of pixels.
+    Rays,
+    /// What the view rays of pixels hit first.
+    Hits,
+    /// The whole picture.
+    Picture,
+}
+
+/// A number or vector as it was written, to so many digits.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Written<T> {
+    /// What was read.
+    pub value: T,
+    /// How far the number that was meant may be from it, in each coordinate: half a unit of the last
+    /// digit. 0 of numbers with all their digits.
+    pub rounding: f64,
+}
+
+/// A vector as it was written.
+pub type Measured = Written<DVec3>;
+
+/// A pixel's view ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayAnswer {
+    /// Whose.
+    pub pixel: Pixel,
+    /// Where it starts.
+    pub origin: Measured,
+    /// Where it goes, of any length above 0.
+    pub direction: Measured,
+}
+
+/// What a pixel's view ray hits first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HitAnswer {
+    /// Whose.
+    pub pixel: Pixel,
+    /// The hit; `None` for a miss.
+    pub hit: Option<GivenHit>,
+}
+
+/// A hit, in as many parts as the student gave.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct GivenHit {
+    /// Where on the ray.
+    pub t: Option<Written<f64>>,
+    /// Where in the world.
+    pub point: Option<Measured>,
+    /// Which object.
+    pub object: Option<u32>,
+}
+
+impl<T> Written<T> {
+    /// With all its digits.
+    pub fn exactly(value: T) -> Written<T> {
+        Written { value, rounding: 0.0 }
+    }
+}
+
+impl Kind {
+    /// `basis`, `rays`, `hits`, `picture`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Basis => "basis",
+            Kind::Rays => "rays",
+            Kind::Hits => "hits",
+            Kind::Picture => "picture",
+        }
+    }
+}
+
+impl Answers {
+    /// What kind they are.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Answers::Basis(_) => Kind::Basis,
+            Answers::Rays(_) => Kind::Rays,
+            Answers::Hits(_) => Kind::Hits,
+            Answers::Picture(_) => Kind::Picture,
+        }
+    }
+
+    /// How many there are: vectors, rays, hits or pixels.
+    pub fn len(&self) -> usize {
+        match self {
+            Answers::Basis(vectors) => vectors.len(),
+            Answers::Rays(rays) => rays.len(),
+            Answers::Hits(hits) => hits.len(),
+            Answers::Picture(pixels) => pixels.len(),
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether a program that computes in `f32` may have written them: each number that is looked
+    /// at is an `f32` to as many digits as it was written.
+    pub(super) fn may_be_single(&self) -> bool {
+        /// So many answers from all over tell: one number in full double precision is enough.
+        const LOOKED_AT: usize = 2000;
+        let step = self.len().div_ceil(LOOKED_AT).max(1);
+        let vector = |vector: &Measured| {
+            let rounding = vector.rounding;
+            vector.value.to_array().into_iter().all(|value| is_single(Written { value, rounding }))
+        };
+        match self {
+            Answers::Basis(vectors) => vectors.iter().all(vector),
+            Answers::Rays(rays) => {
+                let mut rays = rays.iter().step_by(step);
+                rays.all(|ray| vector(&ray.origin) && vector(&ray.direction))
+            }
+            Answers::Hits(hits) => {
+                let mut hits = hits.iter().step_by(step).filter_map(|answer| answer.hit);
+                hits.all(|hit| hit.t.is_none_or(is_single) && hit.point.as_ref().is_none_or(vector))
+            }
+            // Eight bits do not tell.
+            Answers::Picture(_) => false,
+        }
+    }
+}
+
+/// Whether a number is an `f32`, or an `f32`'s shortest decimal, to its digits.
+fn is_single(number: Written<f64>) -> bool {
+    let single = number.value as f32;
+    let off = (f64::from(single) - number.value).abs();
+    // At half a unit, where C rounds to even, a little more.
+    off <= number.rounding * (1.0 + 1e-9) || format!("{single:?}").parse() == Ok(number.value)
+}

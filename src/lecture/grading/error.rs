@@ -1,0 +1,54 @@
+//! Why there is no grade.
+
+use std::fmt;
+
+use pinhole_core::{CameraError, ImageSize};
+/// Why answers cannot be graded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum GradeError {
+    /// The camera sees nothing.
+    Camera(CameraError),
+    /// There is no answer.
+    NoAnswer,
+    /// A picture has so many pixels, and the camera's image is of another size.
+    PictureSize {
+        /// Pixels of the picture.
+        pixels: usize,
+        /// What the camera makes.
+        image: ImageSize,
+    },
+    /// The tolerance is no number of at least 0.
+    Tolerance(f64),
+}
+
+impl fmt::Display for GradeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            GradeError::Camera(error) => error.fmt(f),
+            GradeError::NoAnswer => f.write_str("there is no answer to grade"),
+            GradeError::PictureSize { pixels, image } => {
+                let (w, h) = (image.width(), image.height());
+                write!(f, "the picture has {pixels} pixels: it must have {w} x {h}, as the image")
+            }
+            GradeError::Tolerance(tolerance) => {
+                write!(f, "the tolerance is {tolerance}: it must be a number of at least 0")
+            }
+        }
+    }
+}
+
+impl std::error::Error for GradeError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            GradeError::Camera(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<CameraError> for GradeError {
+    fn from(error: CameraError) -> GradeError {
+        GradeError::Camera(error)
+    }
+}

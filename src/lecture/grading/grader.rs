@@ -1,0 +1,296 @@
+//! Grading answers of every kind.
+
+use std::cmp::Reverse;
+
+use pinhole_core::{Pixel, Rgb, Shade};
+
+use super::answers::{Answers, HitAnswer, Kind, Measured, RayAnswer};
+use super::diagnosis::{Diagnosis, Fits, diagnose};
+use super::digits::Precision;
+use super::error::GradeError;
+use super::given::Given;
+use super::hits::{Hits, truth_of};
+use super::picture::{Picture, brightest, off, right_pictures};
+use super::vectors::{Rays, Vectors};
+use super::{
+    Digits, Grade, Hit, Judged, KnownMistake, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth,
+    Worst, digits_wanted,
+};
+
+/// Answers, and what they are graded by.
+pub(super) struct Grader<'a> {
+    truth: &'a Truth<'a>,
+    answers: &'a Answers,
+    given: Given,
+    tolerance: f64,
+    digits: Digits,
+    /// The answers may be those of a program in `f32`.
+    may_be_single: bool,
+}
+
+impl<'a> Grader<'a> {
+    pub(super) fn new(
+        truth: &'a Truth<'a>,
+        answers: &'a Answers,
+        tolerance: Option<f64>,
+    ) -> Result<Grader<'a>, GradeError> {
+        let given = Given::new(truth.camera)?;
+        let image = given.posed.image();
+        match answers {
+            Answers::Picture(pixels) if pixels.len() as u64 != image.pixel_count() => {
+                return Err(GradeError::PictureSize { pixels: pixels.len(), image });
+            }
+            Answers::Rays(rays) if rays.is_empty() => return Err(GradeError::NoAnswer),
+            Answers::Hits(hits) if hits.is_empty() => return Err(GradeError::NoAnswer),
+            _ => (),
+        }
+        // Made here, and not within the parallel work that asks for it.
+        truth.scene.make_index();
+        let usual = match answers.kind() {
+            Kind::Picture => LEVELS_TOLERANCE,
+            _ => RELATIVE_TOLERANCE,
+        };
+        let tolerance = tolerance.unwrap_or(usual);
+        if tolerance.is_nan() || tolerance < 0.0 {
+            return Err(GradeError::Tolerance(tolerance));
+        }
+        let digits = Digits::for_tolerance(tolerance);
+        let may_be_single = answers.may_be_single();
+        Ok(Grader { truth, answers, given, tolerance, digits, may_be_single })
+    }
+
+    pub(super) fn grade(&self) -> Grade {
+        let grade = self.graded_as_given();
+        match self.answers {
+            Answers::Hits(hits) if !grade.all_agree() && !grade.is_explained() => {
+                self.with_sentinel(hits, grade)
+            }
+            _ => grade,
+        }
+    }
+
+    /// The grade with what is found where one number that stands for misses is taken as such.
+    fn with_sentinel(&self, hits: &[HitAnswer], grade: Grade) -> Grade {
+        let Some(sentinel) = sentinel(hits, &self.first_of(hits)) else { return grade };
+        let taken = hits.iter().map(|answer| {
+            let stands = answer.hit.and_then(|hit| hit.t).is_some_and(|t| t.value == sentinel);
+            HitAnswer { hit: answer.hit.filter(|_| !stands), ..*answer }
+        });
+        let answers = Answers::Hits(taken.collect());
+        let found = Grader { answers: &answers, ..*self }.graded_as_given();
+        if !found.all_agree() && !found.is_explained() {
+            return grade;
+        }
+        let Grade { diagnosis, right_digits, .. } = found;
+        Grade { diagnosis, right_digits, sentinel: Some(sentinel), ..grade }
+    }
+
+    fn graded_as_given(&self) -> Grade {
+        let grade = match self.answers {
+            Answers::Basis(vectors) => self.basis(vectors),
+            Answers::Rays(rays) => self.rays(rays),
+            Answers::Hits(hits) => self.hits(hits),
+            Answers::Picture(pixels) => self.picture(pixels),
+        };
+        // Few digits fit pairs of mistakes by chance, and say nothing of `f32`.
+        let least = match grade.diagnosis.mistakes[..] {
+            _ if grade.all_agree() => return grade,
+            [] => 1,
+            [mistake] if mistake != KnownMistake::SinglePrecision => return grade,
+            _ => 3,
+        };
+        let Some((answers, digits)) = self.few_digits() else { return grade };
+        let diagnosis = match digits >= least && self.are_right_as_written(&answers) {
+            true => Some(Diagnosis::default()),
+            false => self.mistake_in_few_digits(&answers, digits, &grade.is_right),
+        };
+        match diagnosis {
+            Some(diagnosis) => Grade { right_digits: Some(digits), diagnosis, ..grade },
+            None => grade,
+        }
+    }
+
+    /// The answers with what their digits leave open, and how many those are; `None` where they are as
+    /// many as wanted.
+    fn few_digits(&self) -> Option<(Answers, u32)> {
+        let (answers, digits) = Precision::of(self.answers)?.allowed(self.answers);
+        let too_few = 1..digits_wanted(self.tolerance) as i32;
+        too_few.contains(&digits).then_some((answers, digits as u32))
+    }
+
+    /// Whether the answers, with what their digits leave open, are all right.
+    fn are_right_as_written(&self, answers: &Answers) -> bool {
+        let judged = match answers {
+            Answers::Basis(answers) => self.as_written(answers).judged(&self.given),
+            Answers::Rays(rays) => self.of_rays(rays, Digits::as_written()).judged(&self.given),
+            Answers::Hits(hits) => {
+                self.of_hits(hits, Digits::as_written()).judged(&self.given, &self.first_of(hits))
+            }
+            Answers::Picture(_) => return false,
+        };
+        judged.iter().all(|judged| judged.is_right)
+    }
+
+    /// The one mistake that explains the answers as far as they are written, where that is to too few
+    /// digits: what they lack is not put down to `f32`.
+    fn mistake_in_few_digits(
+        &self,
+        answers: &Answers,
+        digits: u32,
+        is_right: &[bool],
+    ) -> Option<Diagnosis> {
+        const LEAST: u32 = 3;
+        if digits < LEAST {
+            return None;
+        }
+        let explained = |fits: &dyn Fits| diagnose(&self.given, fits, is_right, false);
+        let diagnosis = match answers {
+            Answers::Basis(answers) => explained(&self.as_written(answers)),
+            Answers::Rays(rays) => explained(&self.of_rays(rays, Digits::as_written())),
+            Answers::Hits(hits) => explained(&self.of_hits(hits, Digits::as_written())),
+            Answers::Picture(_) => return None,
+        };
+        (diagnosis.mistakes.len() == 1).then_some(diagnosis)
+    }
+
+    fn as_written<'b>(&self, answers: &'b [Measured; 3]) -> Vectors<'b> {
+        Vectors { answers, tolerance: self.tolerance, digits: Digits::as_written() }
+    }
+
+    fn of_hits<'b>(&'b self, answers: &'b [HitAnswer], digits: Digits) -> Hits<'b> {
+        Hits { answers, scene: self.truth.scene, tolerance: self.tolerance, digits }
+    }
+
+    fn of_rays<'b>(&self, answers: &'b [RayAnswer], digits: Digits) -> Rays<'b> {
+        let posed = &self.given.posed;
+        let (size, image) = (posed.viewport().distance, posed.image());
+        Rays { answers, tolerance: self.tolerance, digits, size, image }
+    }
+
+    /// What the rays of these answers hit first.
+    fn first_of(&self, hits: &[HitAnswer]) -> Vec<Option<Hit>> {
+        let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
+        truth_of(self.truth, &self.given.posed, &pixels)
+    }
+
+    fn basis(&self, vectors: &[Measured; 3]) -> Grade {
+        let Grader { tolerance, digits, .. } = *self;
+        let fits = Vectors { answers: vectors, tolerance, digits };
+        let basis = self.given.posed.basis();
+        let right = |index: usize| Right::Vector([basis.u, basis.v, basis.w][index]);
+        self.graded(&fits.judged(&self.given), &fits, &right)
+    }
+
+    fn rays(&self, rays: &[RayAnswer]) -> Grade {
+        let posed = &self.given.posed;
+        let image = posed.image();
+        let fits = self.of_rays(rays, self.digits);
+        let right = |index: usize| match rays[index].pixel {
+            pixel if image.contains(pixel) => Right::Ray(posed.ray_of_pixel(pixel)),
+            _ => Right::NoPixel,
+        };
+        self.graded(&fits.judged(&self.given), &fits, &right)
+    }
+
+    fn hits(&self, hits: &[HitAnswer]) -> Grade {
+        let image = self.given.posed.image();
+        let fits = self.of_hits(hits, self.digits);
+        let first = self.first_of(hits);
+        let right = |index: usize| match hits[index].pixel {
+            pixel if image.contains(pixel) => Right::Hit(first[index]),
+            _ => Right::NoPixel,
+        };
+        self.graded(&fits.judged(&self.given, &first), &fits, &right)
+    }
+
+    /// A picture in the shading that fits best: that in which most pixels agree, or, where no mistake
+    /// explains it in that, the one in which the fewest do.
+    fn picture(&self, pixels: &[Rgb]) -> Grade {
+        let (pictures, nearest) = right_pictures(self.truth, &self.given);
+        let brightest = brightest(pixels);
+        let agree = |right: &[Rgb]| {
+            pixels.iter().zip(right).filter(|(a, b)| off(**a, **b) <= self.tolerance).count()
+        };
+        let mut order: Vec<usize> = (0..Shade::ALL.len()).collect();
+        order.sort_by_key(|place| Reverse(agree(&pictures[*place])));
+        let grade = |place: usize| {
+            let fits = Picture {
+                pixels,
+                image: self.given.posed.image(),
+                scene: self.truth.scene,
+                color_of: self.truth.color_of,
+                shade: Shade::ALL[place],
+                tolerance: self.tolerance,
+                brightest,
+            };
+            let right = &pictures[place];
+            let judged = fits.judged(&self.given, right, nearest);
+            let grade = self.graded(&judged, &fits, &|index| Right::Color(right[index]));
+            Grade { shade: Some(fits.shade), ..grade }
+        };
+        let mut best = grade(order[0]);
+        for place in &order[1..] {
+            if best.all_agree() || best.diagnosis.mistakes.len() == 1 {
+                break;
+            }
+            let other = grade(*place);
+            let fewer = other.diagnosis.mistakes.len() < best.diagnosis.mistakes.len()
+                || best.diagnosis.mistakes.is_empty();
+            if other.all_agree() || fewer && !other.diagnosis.mistakes.is_empty() {
+                best = other;
+            }
+        }
+        best
+    }
+
+    fn graded(&self, judged: &[Judged], fits: &dyn Fits, right: &dyn Fn(usize) -> Right) -> Grade {
+        let is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
+        let diagnosis = if is_right.iter().all(|is_right| *is_right) {
+            Diagnosis::default()
+        } else {
+            diagnose(&self.given, fits, &is_right, self.may_be_single)
+        };
+        let worst =
+            worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
+        let (kind, tolerance) = (self.answers.kind(), self.tolerance);
+        Grade {
+            kind,
+            tolerance,
+            is_right,
+            worst,
+            shade: None,
+            diagnosis,
+            right_digits: None,
+            sentinel: None,
+            unanswered: 0,
+        }
+    }
+}
+
+/// What stands for a miss: of the numbers that no hit has, 0 and less or beyond all hits, the one that
+/// most answers have where a miss would be right.
+fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
+    let farthest = first.iter().flatten().map(|hit| hit.t).fold(0.0, f64::max);
+    let misses = hits.iter().zip(first).filter(|(_, first)| first.is_none());
+    let t = misses.filter_map(|(answer, _)| Some(answer.hit?.t?.value));
+    let mut given: Vec<f64> = t.filter(|t| *t <= 0.0 || *t > farthest).collect();
+    given.sort_unstable_by(f64::total_cmp);
+    let known = *given.get(given.len() / 2)?;
+    let count = given.iter().filter(|t| **t == known).count();
+    (2 * count > given.len()).then_some(known)
+}
+
+/// The wrong answer that is farthest off, the first among equals; the right one where none is wrong.
+fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
+    let any_wrong = judged.iter().any(|judged| !judged.is_right);
+    let mut worst: Option<(usize, f64)> = None;
+    for (index, judged) in judged.iter().enumerate() {
+        if judged.is_right == any_wrong {
+            continue;
+        }
+        if worst.is_none_or(|(_, error)| judged.error > error) {
+            worst = Some((index, judged.error));
+        }
+    }
+    worst
+}

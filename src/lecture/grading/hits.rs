@@ -1,0 +1,167 @@
+//! Hits against what programs hit.
+
+use pinhole_core::arithmetic::length;
+use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, Scene, trace};
+use rayon::prelude::*;
+
+use super::answers::{GivenHit, HitAnswer, Measured};
+use super::diagnosis::Fits;
+use super::given::{Given, ProgramCamera};
+use super::meetings::{FirstMeetings, Meeting, work};
+use super::program::{Measure, Program};
+use super::{Digits, Hit, Judged, Truth};
+
+pub(super) struct Hits<'a> {
+    pub(super) answers: &'a [HitAnswer],
+    pub(super) scene: &'a Scene,
+    pub(super) tolerance: f64,
+    pub(super) digits: Digits,
+}
+
+impl Fits for Hits<'_> {
+    fn len(&self) -> usize {
+        self.answers.len()
+    }
+
+    fn work(&self, program: &Program) -> usize {
+        work(self.scene, program)
+    }
+
+    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
+        let HitAnswer { pixel, hit } = self.answers[index];
+        if !camera.answers_for(pixel) {
+            return false;
+        }
+        let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
+        let first = FirstMeetings::of(self.scene, camera, direction, self.tolerance);
+        match hit {
+            None => first.may_miss,
+            Some(hit) => {
+                first.meetings.iter().any(|meeting| self.is(camera, direction, meeting, &hit))
+            }
+        }
+    }
+}
+
+impl Hits<'_> {
+    /// Whether the hit that is given is this one.
+    fn is(
+        &self,
+        camera: &ProgramCamera,
+        direction: DVec3,
+        meeting: &Meeting,
+        given: &GivenHit,
+    ) -> bool {
+        let Program { measure, objects_from_one, .. } = camera.program;
+        let length = length(direction);
+        let (t_unit, step) = match measure {
+            Measure::Right => (1.0, direction),
+            Measure::Distance => (length, direction),
+            Measure::PointOfUnit => (1.0, direction / length),
+            Measure::PointOfDistance => (length, length * direction),
+        };
+        let Meeting { object, t, least, most, .. } = *meeting;
+        let is_object =
+            given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
+        let is_t = given.t.is_none_or(|given| {
+            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits.of(given.rounding);
+            given.value >= t_unit * least - off && given.value <= t_unit * most + off
+        });
+        let is_point = |given: Measured| {
+            let from_eye = given.value - camera.eye;
+            let reach = least.abs().max(most.abs()) * step.length();
+            let off = (self.tolerance + camera.off) * reach
+                + self.digits.of(given.rounding)
+                + 16.0 * camera.epsilon * (camera.eye.length() + reach);
+            // A point of the ray, as far along as allowed, within this of each coordinate.
+            let mut along = [least, most];
+            for axis in 0..3 {
+                let ends = [from_eye[axis] - off, from_eye[axis] + off].map(|x| x / step[axis]);
+                if step[axis] == 0.0 && from_eye[axis].abs() > off {
+                    return false;
+                } else if step[axis] != 0.0 {
+                    along[0] = along[0].max(ends[0].min(ends[1]));
+                    along[1] = along[1].min(ends[0].max(ends[1]));
+                }
+            }
+            along[0] <= along[1]
+        };
+        is_object && is_t && given.point.is_none_or(is_point)
+    }
+
+    /// How far each answer is from the truth.
+    pub(super) fn judged(&self, given: &Given, truth: &[Option<Hit>]) -> Vec<Judged> {
+        let right = given.camera_of(Program::RIGHT);
+        let image = given.posed.image();
+        let judge = |index: usize| {
+            let HitAnswer { pixel, hit } = self.answers[index];
+            if !image.contains(pixel) {
+                return Judged { is_right: false, error: f64::INFINITY };
+            }
+            let error = error_of(hit.as_ref(), truth[index].as_ref(), given.posed.eye());
+            let is_right = error <= self.tolerance || self.fits(&right, index);
+            Judged { is_right, error }
+        };
+        (0..self.answers.len()).into_par_iter().map(judge).collect()
+    }
+}
+
+/// How far a hit is from the true one, as a share of its distance; infinite where one is a miss and
+/// the other is not, or where they are of two objects.
+fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
+    let (given, truth) = match (given, truth) {
+        (None, None) => return 0.0,
+        (Some(given), Some(truth)) => (given, truth),
+        _ => return f64::INFINITY,
+    };
+    if given.object.is_some_and(|object| object != truth.object) {
+        return f64::INFINITY;
+    }
+    let of_t = given.t.map_or(0.0, |t| (t.value - truth.t).abs() / truth.t);
+    let distance = (truth.point - eye).length();
+    let of_point = given.point.map_or(0.0, |p| (p.value - truth.point).length() / distance);
+    // What is no number is off by any.
+    if of_t.is_nan() || of_point.is_nan() { f64::INFINITY } else { of_t.max(of_point) }
+}
+
+/// The first hits of these pixels' rays; `None` for a miss, or for what is no pixel.
+pub(super) fn truth_of(truth: &Truth, posed: &PosedCamera, pixels: &[Pixel]) -> Vec<Option<Hit>> {
+    /// Rows that are traced at a time: those of a large image do not fit into memory at once.
+    const ROWS: usize = 256;
+    let image = posed.image();
+    let own = |pixel: &&Pixel| image.contains(**pixel);
+    let mut rows: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.row).collect();
+    let mut columns: Vec<u32> = pixels.iter().filter(own).map(|pixel| pixel.column).collect();
+    for places in [&mut rows, &mut columns] {
+        places.sort_unstable();
+        places.dedup();
+    }
+    let mut hits = vec![None; pixels.len()];
+    let mut by_row: Vec<usize> = (0..pixels.len()).filter(|i| image.contains(pixels[*i])).collect();
+    by_row.sort_by_key(|index| pixels[*index].row);
+    let mut rest = &by_row[..];
+    for rows in rows.chunks(ROWS) {
+        let last = rows.last().copied().unwrap_or_default();
+        let (here, after) = rest.split_at(rest.partition_point(|i| pixels[*i].row <= last));
+        rest = after;
+        if here.len() * 16 < rows.len() * columns.len() {
+            // Few pixels, far apart.
+            for index in here {
+                let hit = truth.scene.first_hit_of(&posed.exact_ray(pixels[*index]));
+                hits[*index] = hit.map(|r| Hit { t: r.t, point: r.point, object: r.object });
+            }
+            continue;
+        }
+        let raster = Raster::of(rows.to_vec(), columns.clone());
+        let frame = trace(truth.scene, posed, &raster, Outputs::default());
+        for index in here {
+            let pixel = pixels[*index];
+            let row = rows.partition_point(|row| *row < pixel.row);
+            let place = row * columns.len() + columns.partition_point(|c| *c < pixel.column);
+            let (t, object) = (frame.t[place], frame.object[place]);
+            let point = posed.ray_of_pixel(pixel).at(t);
+            hits[*index] = (object != NO_OBJECT).then_some(Hit { t, point, object });
+        }
+    }
+    hits
+}

@@ -1,0 +1,239 @@
+//! What a program's ray may be said to hit first, given how far its numbers may be off.
+//!
+//! An answer is right where it is the right one for objects that are larger or smaller by less than
+//! the tolerance allows at that distance. At a sphere's edge, where a hair's breadth decides between
+//! hit and miss, both are right, and so is whatever lies behind; where a ray grazes, t may be off by
+//! more than where it meets head-on. So a right program is not wrong for rounding, however it rounds.
+
+use pinhole_core::arithmetic::{length, unit};
+use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
+
+use super::given::ProgramCamera;
+use super::program::{Program, Quadratic, Sign, WhichRoot};
+
+/// A place where a ray may be said to meet an object first.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meeting {
+    pub(super) object: u32,
+    /// Where exactly, by the program.
+    pub(super) t: f64,
+    /// From where on to where it may be said to be.
+    pub(super) least: f64,
+    pub(super) most: f64,
+    /// Whether a program that does not see it is wrong.
+    is_sure: bool,
+}
+
+/// All that a ray may be said to hit first.
+#[derive(Clone, Debug, Default)]
+pub(super) struct FirstMeetings {
+    pub(super) meetings: Vec<Meeting>,
+    /// It may be said to hit nothing.
+    pub(super) may_miss: bool,
+}
+
+/// Whether a program's rays meet what is not near them, so that each must be held against every sphere:
+/// those of wrong formulas do, and those of coarse numbers.
+fn meets_far_off(program: &Program) -> bool {
+    !program.quadratic.is_right() || program.single
+}
+
+/// How many spheres a program's ray is held against, about: few where the index finds those near it.
+pub(super) fn work(scene: &Scene, program: &Program) -> usize {
+    if meets_far_off(program) { scene.spheres().len() } else { 1 }
+}
+
+/// Roots of one sphere, the smaller first.
+type Roots = Option<[f64; 2]>;
+
+/// A ray of a program's camera among objects.
+struct Sight<'a> {
+    camera: &'a ProgramCamera,
+    tolerance: f64,
+    direction: DVec3,
+    length: f64,
+}
+
+impl FirstMeetings {
+    /// Of the ray with this direction.
+    pub(super) fn of(
+        scene: &Scene,
+        camera: &ProgramCamera,
+        direction: DVec3,
+        tolerance: f64,
+    ) -> FirstMeetings {
+        let length = length(direction);
+        if !(direction.is_finite() && length > 0.0 && camera.eye.is_finite()) {
+            return FirstMeetings::default();
+        }
+        let sight = Sight { camera, tolerance, direction, length };
+        let mut all = Vec::new();
+        sight.for_each_sphere(scene, |index, sphere| sight.sphere(index, sphere, &mut all));
+        for (index, plane) in (scene.spheres().len() as u32..).zip(scene.planes()) {
+            sight.plane(index, plane, &mut all);
+        }
+        sight.first_of(all)
+    }
+}
+
+impl Sight<'_> {
+    /// Every sphere that the ray's line may be said to meet.
+    fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
+        let ray = Ray { origin: self.camera.eye, direction: self.direction };
+        match ExactRay::of(&ray) {
+            Ok(ray) if !meets_far_off(&self.camera.program) => {
+                let share = self.tolerance + self.camera.off + 64.0 * self.camera.epsilon;
+                for index in scene.spheres_near(&ray, share) {
+                    each(index, &scene.spheres()[index as usize]);
+                }
+            }
+            _ => (0..).zip(scene.spheres()).for_each(|(index, sphere)| each(index, sphere)),
+        }
+    }
+
+    /// How much larger or smaller an object may be taken that is so far away, in world units.
+    fn slack(&self, reach: f64) -> f64 {
+        (self.tolerance + self.camera.off) * reach
+    }
+
+    fn sphere(&self, index: u32, sphere: &Sphere, all: &mut Vec<Meeting>) {
+        let Sphere { center, radius } = *sphere;
+        let offset = self.camera.eye - center;
+        let away = length(offset);
+        // Rounding of the given numbers, and in |p - center|^2 - r^2, whose terms cancel in part.
+        let rounding = self.camera.epsilon
+            * (16.0 * (length(self.camera.eye) + length(center) + radius + away)
+                + 8.0 * away * (away / radius));
+        let quadratic = Terms::of(self.camera.program.quadratic, self.direction, offset);
+        let exact = quadratic.roots(radius);
+        let at = |end: usize| {
+            let t = exact.map_or(quadratic.vertex, |roots| roots[end]);
+            let slack = self.slack(t.abs() * self.length) + rounding;
+            let wide = quadratic.roots(radius + slack)?;
+            let narrow = (radius > slack).then(|| quadratic.roots(radius - slack)).flatten();
+            // Missed, it is touched: both roots are there, but for the rounding of t itself.
+            let touched = quadratic.vertex;
+            let along = self.slack(touched.abs());
+            let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
+            let (least, most) = (wide[end].min(inner[0]), wide[end].max(inner[1]));
+            Some(Meeting { object: index, t, least, most, is_sure: narrow.is_some() })
+        };
+        let (Some(near), Some(far)) = (at(0), at(1)) else { return };
+        match (self.camera.program.sign, self.camera.program.root) {
+            (Sign::Positive, WhichRoot::Near | WhichRoot::Last) if near.least > 0.0 => {
+                all.push(near)
+            }
+            (Sign::Positive, WhichRoot::Near | WhichRoot::Last | WhichRoot::Farthest) => {
+                all.extend([near, far].into_iter().filter_map(Meeting::in_front));
+            }
+            (Sign::Positive, WhichRoot::Far) => all.extend(far.in_front()),
+            (_, WhichRoot::Near | WhichRoot::Last) => all.push(near),
+            (_, WhichRoot::Far) => all.push(far),
+            (_, WhichRoot::Farthest) => all.extend([near, far]),
+        }
+    }
+
+    fn plane(&self, index: u32, plane: &Plane, all: &mut Vec<Meeting>) {
+        let normal = unit(plane.normal);
+        let (rate, offset) =
+            (normal.dot(self.direction), normal.dot(plane.point - self.camera.eye));
+        let t = offset / rate;
+        if !t.is_finite() {
+            return;
+        }
+        let reach = t.abs() * self.length;
+        let rounding = 16.0
+            * self.camera.epsilon
+            * (length(self.camera.eye) + length(plane.point) + offset.abs());
+        let off = (self.slack(reach) + rounding) / rate.abs();
+        // Nearly parallel: it is met far out, or behind.
+        let is_sure = (self.tolerance + self.camera.off) * self.length < 0.5 * rate.abs();
+        let most = if is_sure { t + off } else { f64::INFINITY };
+        let least = if is_sure { t - off } else { (t.abs() - off).min(t) };
+        let meeting = Meeting { object: index, t, least, most, is_sure };
+        match self.camera.program.sign {
+            Sign::Positive => all.extend(meeting.in_front()),
+            Sign::Any | Sign::Nearest => all.push(meeting),
+        }
+    }
+
+    /// Those of which none is surely passed before.
+    fn first_of(&self, mut all: Vec<Meeting>) -> FirstMeetings {
+        let program = &self.camera.program;
+        // From how near on to how far it may be, in the order in which the program chooses.
+        let order = |meeting: &Meeting| {
+            let Meeting { least, most, .. } = *meeting;
+            match (program.root, program.sign) {
+                (WhichRoot::Farthest, _) => (-most, -least),
+                (WhichRoot::Last, _) => (-f64::from(meeting.object), -f64::from(meeting.object)),
+                (_, Sign::Nearest) if most < 0.0 => (-most, -least),
+                (_, Sign::Nearest) if least < 0.0 => (0.0, most.max(-least)),
+                _ => (least, most),
+            }
+        };
+        let sure = all.iter().filter(|meeting| meeting.is_sure);
+        let end = sure.map(|meeting| order(meeting).1).fold(f64::INFINITY, f64::min);
+        let may_miss = end == f64::INFINITY;
+        all.retain(|meeting| order(meeting).0 <= end);
+        FirstMeetings { meetings: all, may_miss }
+    }
+}
+
+impl Meeting {
+    /// What of it is in front of the eye.
+    fn in_front(self) -> Option<Meeting> {
+        let is_sure = self.is_sure && self.least > 0.0;
+        (self.most > 0.0).then_some(Meeting { is_sure, ..self })
+    }
+}
+
+/// A sphere's quadratic, but for its radius.
+struct Terms {
+    quadratic: Quadratic,
+    a: f64,
+    b: f64,
+    /// `|p - center|^2`
+    away_squared: f64,
+    /// From the centre to where the line is nearest to it.
+    beside: f64,
+    /// t where both roots meet.
+    vertex: f64,
+}
+
+impl Terms {
+    fn of(quadratic: Quadratic, direction: DVec3, offset: DVec3) -> Terms {
+        let a = if quadratic.a_left_out { 1.0 } else { direction.length_squared() };
+        let b = direction.dot(offset);
+        let middle = -b / direction.length_squared();
+        Terms {
+            quadratic,
+            a,
+            b,
+            away_squared: offset.length_squared(),
+            beside: (offset + middle * direction).length(),
+            vertex: -quadratic.numerator * b / (quadratic.denominator * a),
+        }
+    }
+
+    fn roots(&self, radius: f64) -> Roots {
+        let Quadratic { square, product, denominator, .. } = self.quadratic;
+        if self.quadratic.is_right() {
+            // By the chord: nothing cancels but where the ray grazes.
+            let squared = (radius - self.beside) * (radius + self.beside);
+            let half = (squared / self.a).sqrt();
+            return (squared >= 0.0).then_some([self.vertex - half, self.vertex + half]);
+        }
+        let c = self.away_squared - radius * radius;
+        let discriminant = square * self.b * self.b - product * self.a * c;
+        let half = discriminant.sqrt() / (denominator * self.a);
+        (discriminant >= 0.0).then_some([self.vertex - half, self.vertex + half])
+    }
+}
+
+/// The unit normal that a program finds at a point, outwards.
+pub(super) fn normal_at(scene: &Scene, object: u32, point: DVec3) -> Option<DVec3> {
+    Some(match scene.object(object)? {
+        Object::Sphere(sphere) => unit(point - sphere.center),
+        Object::Plane(plane) => unit(plane.normal),
+    })
+}

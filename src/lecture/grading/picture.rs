@@ -1,0 +1,137 @@
+//! Whole pictures against those of programs.
+
+use std::array;
+
+use pinhole_core::arithmetic::length;
+use pinhole_core::{
+    BACKGROUND, DVec3, ImageSize, Outputs, Pixel, Raster, Rgb, Scene, Shade, lambert, shade,
+    trace_as,
+};
+use rayon::prelude::*;
+
+use super::diagnosis::Fits;
+use super::given::{Given, ProgramCamera};
+use super::meetings::{FirstMeetings, normal_at, work};
+use super::program::Program;
+use super::{Judged, RELATIVE_TOLERANCE, Truth};
+
+/// A picture that is taken to be shaded in one way.
+pub(super) struct Picture<'a> {
+    pub(super) pixels: &'a [Rgb],
+    pub(super) image: ImageSize,
+    pub(super) scene: &'a Scene,
+    pub(super) color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
+    pub(super) shade: Shade,
+    /// In levels of 255.
+    pub(super) tolerance: f64,
+    /// The brightest grey pixel: where a picture by t shows the nearest hit.
+    pub(super) brightest: Option<usize>,
+}
+
+/// The right picture in every shading, as [`Shade::ALL`] lists them, and the nearest hit's t.
+pub(super) fn right_pictures(truth: &Truth, given: &Given) -> ([Vec<Rgb>; 4], f64) {
+    let raster = Raster::full(given.posed.image());
+    let frame = trace_as::<f32>(truth.scene, &given.posed, &raster, Outputs::default());
+    let nearest = frame.t.iter().copied().fold(f32::INFINITY, f32::min);
+    let pictures = Shade::ALL.map(|mode| shade(&frame, truth.scene, mode, truth.color_of, |c| c));
+    (pictures, f64::from(nearest))
+}
+
+/// The brightest grey pixel, the first among equals.
+pub(super) fn brightest(pixels: &[Rgb]) -> Option<usize> {
+    let greys = pixels.iter().enumerate().filter(|(_, [r, g, b])| r == g && g == b);
+    greys.rev().max_by_key(|(_, color)| color[0]).map(|(index, _)| index)
+}
+
+impl Fits for Picture<'_> {
+    fn len(&self) -> usize {
+        self.pixels.len()
+    }
+
+    fn prepare(&self, camera: &mut ProgramCamera) {
+        if self.shade == Shade::T
+            && let Some(brightest) = self.brightest
+        {
+            let first = self.meetings(camera, brightest).0;
+            camera.nearest = first.meetings.first().map_or(f64::NAN, |meeting| meeting.t);
+        }
+    }
+
+    fn work(&self, program: &Program) -> usize {
+        work(self.scene, program)
+    }
+
+    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
+        let (first, direction) = self.meetings(camera, index);
+        if first.may_miss && self.is_near(self.pixels[index], [BACKGROUND; 2]) {
+            return true;
+        }
+        first.meetings.iter().any(|meeting| {
+            let color = |t: f64| self.color(camera, direction, meeting.object, t);
+            // On the eye's other side lies another colour.
+            let same_side = |t: f64| if t * meeting.t > 0.0 { t } else { meeting.t };
+            let around = [same_side(meeting.least), meeting.t, same_side(meeting.most)];
+            let [a, b, c] = around.map(color);
+            let least = array::from_fn(|k| a[k].min(b[k]).min(c[k]));
+            let most = array::from_fn(|k| a[k].max(b[k]).max(c[k]));
+            self.is_near(self.pixels[index], [least, most])
+        })
+    }
+}
+
+impl Picture<'_> {
+    fn pixel(&self, index: usize) -> Pixel {
+        let width = self.image.width() as usize;
+        Pixel { row: (index / width) as u32, column: (index % width) as u32 }
+    }
+
+    fn meetings(&self, camera: &ProgramCamera, index: usize) -> (FirstMeetings, DVec3) {
+        let Pixel { row, column } = self.pixel(index);
+        let direction = camera.direction(f64::from(row), f64::from(column));
+        let first = FirstMeetings::of(self.scene, camera, direction, RELATIVE_TOLERANCE);
+        (first, direction)
+    }
+
+    /// The colour of a hit, as [`shade`] makes it.
+    fn color(&self, camera: &ProgramCamera, direction: DVec3, object: u32, t: f64) -> Rgb {
+        let byte = |x: f64| (x + 0.5) as u8;
+        let own = (self.color_of)(object);
+        let point = camera.eye + t * direction;
+        let Some(normal) = normal_at(self.scene, object, point) else { return BACKGROUND };
+        match self.shade {
+            Shade::Object => own,
+            Shade::T => [byte(255.0 * camera.nearest / t); 3],
+            Shade::Normal => normal.to_array().map(|x| byte(127.5 * (x + 1.0))),
+            Shade::Lambert => {
+                let cosine = normal.dot(direction).abs() / length(direction);
+                lambert(own, cosine)
+            }
+        }
+    }
+
+    fn is_near(&self, pixel: Rgb, [least, most]: [Rgb; 2]) -> bool {
+        (0..3).all(|k| {
+            let value = f64::from(pixel[k]);
+            value >= f64::from(least[k]) - self.tolerance
+                && value <= f64::from(most[k]) + self.tolerance
+        })
+    }
+
+    /// How far each pixel is from the right picture, in levels of its worst channel.
+    pub(super) fn judged(&self, given: &Given, right: &[Rgb], nearest: f64) -> Vec<Judged> {
+        let mut camera = given.camera_of(Program::RIGHT);
+        camera.nearest = nearest;
+        let judge = |index: usize| {
+            let error = off(self.pixels[index], right[index]);
+            let is_right = error <= self.tolerance || self.fits(&camera, index);
+            Judged { is_right, error }
+        };
+        (0..self.pixels.len()).into_par_iter().map(judge).collect()
+    }
+}
+
+/// How many levels two colours differ by in their worst channel.
+pub(super) fn off(a: Rgb, b: Rgb) -> f64 {
+    let worst = (0..3).map(|k| a[k].abs_diff(b[k])).max().unwrap_or_default();
+    f64::from(worst)
+}

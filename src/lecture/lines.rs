@@ -1,0 +1,341 @@
+//! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the one put
+//! into the other.
+//!
+//! What depends on whether a number is 0 or which sign it has (parallel, coincident, before or behind
+//! `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown is
+//! rounded once.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use pinhole_core::arithmetic::{Dyadic, rounded_quotient};
+use pinhole_core::{DVec2, shortest};
+/// `a x + b y + c = 0`: all points at which `f(x, y) = a x + b y + c` is 0.
+///
+/// Any values may stand here; [`ImplicitLine::check`] says whether they make a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ImplicitLine {
+    /// What x is multiplied by.
+    pub a: f64,
+    /// What y is multiplied by.
+    pub b: f64,
+    /// What stands alone.
+    pub c: f64,
+}
+
+/// `p + t d`: a point for every `t`, ahead of `p` for `t > 0`.
+///
+/// Any values may stand here; [`ParametricLine::check`] says whether they make a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ParametricLine {
+    /// The point at `t = 0`.
+    pub p: DVec2,
+    /// From the point at `t = 0` to the one at `t = 1`; not normalized.
+    pub d: DVec2,
+}
+
+/// Why numbers make no line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum LineError {
+    /// The named number is NaN or infinite.
+    NotFinite {
+        /// `a`, `b`, `c`, `p x`, `p y`, `d x` or `d y`.
+        field: &'static str,
+        /// The value.
+        value: f64,
+    },
+    /// `a = b = 0`: f is `c` at every point.
+    NoNormal {
+        /// What f is everywhere.
+        c: f64,
+    },
+    /// `d = (0, 0)`: every t gives `p`.
+    NoDirection {
+        /// The one point.
+        p: DVec2,
+    },
+    /// Two points that are the same one: many lines go through it.
+    SamePoint {
+        /// The point.
+        point: DVec2,
+    },
+}
+
+/// A parametric line put into an implicit one, with every part:
+/// `a (px + t dx) + b (py + t dy) + c = (a dx + b dy) t + (a px + b py + c)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Substitution {
+    /// The implicit line.
+    pub line: ImplicitLine,
+    /// The parametric line.
+    pub ray: ParametricLine,
+    /// `a dx`.
+    pub a_dx: f64,
+    /// `b dy`.
+    pub b_dy: f64,
+    /// `a px`.
+    pub a_px: f64,
+    /// `b py`.
+    pub b_py: f64,
+    /// `a dx + b dy`, rounded once: how much f grows where t grows by 1.
+    pub rate: f64,
+    /// `a px + b py + c`, rounded once: f at `t = 0`.
+    pub offset: f64,
+    /// Where both lines meet.
+    pub meeting: Meeting,
+}
+
+/// Where a parametric line meets an implicit one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Meeting {
+    /// For no t: f is the same at every t, and not 0.
+    Parallel,
+    /// For every t: both are the same line.
+    Coincident,
+    /// For one t.
+    At(Crossing),
+    /// For one t, which is, or at which x or y is, beyond the range of `f64`.
+    TooFar {
+        /// Whether `t > 0`.
+        ray_hits: bool,
+    },
+}
+
+/// The one point that two lines have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// `-(a px + b py + c) / (a dx + b dy)`, the nearest `f64`.
+    pub t: f64,
+    /// `p + t d` of the t before rounding, each coordinate the nearest `f64`.
+    pub point: DVec2,
+    /// Whether the ray from p along d hits: `t > 0`. Otherwise only the line does.
+    pub ray_hits: bool,
+}
+
+impl fmt::Display for LineError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LineError::NotFinite { field, value } => {
+                write!(f, "{field} is {value}: it must be a finite number")
+            }
+            LineError::NoNormal { c } => {
+                let c = shortest(*c);
+                write!(f, "a and b are both 0: f is {c} at every point, and no line is left")
+            }
+            LineError::NoDirection { p } => {
+                let (x, y) = (shortest(p.x), shortest(p.y));
+                write!(f, "d is (0, 0): every t gives the one point ({x}, {y})")
+            }
+            LineError::SamePoint { point } => {
+                let (x, y) = (shortest(point.x), shortest(point.y));
+                write!(f, "both points are ({x}, {y}): many lines go through one point")
+            }
+        }
+    }
+}
+
+impl std::error::Error for LineError {}
+
+impl ImplicitLine {
+    /// The line through two points, directed from the first to the second: f is positive on its
+    /// left. `a = y1 - y2`, `b = x2 - x1`, `c = x1 y2 - x2 y1`, each rounded once.
+    ///
+    /// # Errors
+    /// Where a coordinate is not finite or both points are the same.
+    pub fn through(first: DVec2, second: DVec2) -> Result<ImplicitLine, LineError> {
+        for (field, value) in [("x1", first.x), ("y1", first.y), ("x2", second.x), ("y2", second.y)]
+        {
+            finite(field, value)?;
+        }
+        if first == second {
+            return Err(LineError::SamePoint { point: first });
+        }
+        let [x1, y1, x2, y2] = [first.x, first.y, second.x, second.y].map(Dyadic::from);
+        let c = (&(&x1 * &y2) - &(&x2 * &y1)).rounded_times(0);
+        let line = ImplicitLine { a: first.y - second.y, b: second.x - first.x, c };
+        line.check().map(|()| line)
+    }
+
+    /// The familiar `y = slope x + intercept`, all on one side: `slope x - y + intercept = 0`.
+    pub fn from_slope(slope: f64, intercept: f64) -> ImplicitLine {
+        ImplicitLine { a: slope, b: -1.0, c: intercept }
+    }
+
+    /// `(m, q)` of `y = m x + q`: `m = -a / b`, `q = -c / b`. `None` for a vertical line, which has
+    /// no such form, and where a quotient is beyond the range of `f64`.
+    pub fn slope_form(&self) -> Option<(f64, f64)> {
+        let (m, q) = (-self.a / self.b, -self.c / self.b);
+        (m.is_finite() && q.is_finite()).then_some((m + 0.0, q + 0.0))
+    }
+
+    /// Checks that the numbers make a line.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), LineError> {
+        for (field, value) in [("a", self.a), ("b", self.b), ("c", self.c)] {
+            finite(field, value)?;
+        }
+        let none = self.a == 0.0 && self.b == 0.0;
+        if none { Err(LineError::NoNormal { c: self.c }) } else { Ok(()) }
+    }
+
+    /// `f(x, y) = a x + b y + c`, rounded once. Of finite numbers; infinite where it overflows.
+    pub fn f(&self, point: DVec2) -> f64 {
+        self.exact_f(point).rounded_times(0)
+    }
+
+    /// Whether f is negative, 0 or positive at a point: decided exactly, of finite numbers.
+    pub fn side(&self, point: DVec2) -> Ordering {
+        self.exact_f(point).sign()
+    }
+
+    fn exact_f(&self, point: DVec2) -> Dyadic {
+        let ([a, b, c], [x, y]) = (self.exact(), point.to_array().map(Dyadic::from));
+        &(&(&a * &x) + &(&b * &y)) + &c
+    }
+
+    fn exact(&self) -> [Dyadic; 3] {
+        [self.a, self.b, self.c].map(Dyadic::from)
+    }
+
+    /// `(b, -a)`: along the line, with f positive on the left.
+    pub fn direction(&self) -> DVec2 {
+        DVec2::new(self.b, -self.a)
+    }
+
+    /// The line with this [direction](ImplicitLine::direction) through a point: a and b as they are,
+    /// c rounded once.
+    pub fn along(direction: DVec2, point: DVec2) -> ImplicitLine {
+        let line = ImplicitLine { a: -direction.y + 0.0, b: direction.x, c: 0.0 };
+        ImplicitLine { c: -line.f(point) + 0.0, ..line }
+    }
+
+    /// The point of the line that is nearest to a point, up to rounding.
+    pub fn nearest_to(&self, point: DVec2) -> DVec2 {
+        // In a size in which no square leaves the range of numbers.
+        let size = self.a.abs().max(self.b.abs());
+        let normal = DVec2::new(self.a / size, self.b / size);
+        point - (self.f(point) / size) / normal.length_squared() * normal
+    }
+}
+
+impl ParametricLine {
+    /// Checks that the numbers make a line.
+    ///
+    /// # Errors
+    /// What is wrong.
+    pub fn check(&self) -> Result<(), LineError> {
+        let ParametricLine { p, d } = *self;
+        for (field, value) in [("p x", p.x), ("p y", p.y), ("d x", d.x), ("d y", d.y)] {
+            finite(field, value)?;
+        }
+        if d == DVec2::ZERO { Err(LineError::NoDirection { p }) } else { Ok(()) }
+    }
+
+    /// `p + t d`.
+    pub fn at(&self, t: f64) -> DVec2 {
+        self.p + t * self.d
+    }
+
+    /// The t of the line's point nearest to a point, up to rounding:
+    /// `((point - p) . d) / (d . d)`.
+    pub fn nearest_t(&self, point: DVec2) -> f64 {
+        let size = self.d.abs().max_element();
+        let d = self.d / size;
+        (point - self.p).dot(d) / d.length_squared() / size
+    }
+
+    /// The points that t generates on its way from `first` to `last` in equal steps, each with its
+    /// t: the multiples of `step` in between, at most `most` of them.
+    pub fn generated(
+        &self,
+        step: f64,
+        first: f64,
+        last: f64,
+        most: usize,
+    ) -> impl Iterator<Item = (f64, DVec2)> {
+        let line = *self;
+        let (from, to) = ((first / step).ceil(), (last / step).floor());
+        let count = if to >= from { (to - from).min(most as f64) as usize + 1 } else { 0 };
+        (0..count.min(most)).map(move |k| {
+            let t = (from + k as f64) * step;
+            (t, line.at(t))
+        })
+    }
+}
+
+impl Substitution {
+    /// Puts the parametric line into the implicit one.
+    ///
+    /// # Errors
+    /// Where either is no line.
+    ///
+    /// ```
+    /// use pinhole_core::DVec2;
+    /// use pinhole_lecture::lines::*;
+    /// let line = ImplicitLine { a: 2.0, b: -1.0, c: 1.0 };
+    /// let ray = ParametricLine { p: DVec2::ZERO, d: DVec2::ONE };
+    /// let Meeting::At(crossing) = Substitution::of(line, ray)?.meeting else { panic!() };
+    /// assert_eq!((crossing.t, crossing.ray_hits), (-1.0, false));
+    /// # Ok::<(), LineError>(())
+    /// ```
+    pub fn of(line: ImplicitLine, ray: ParametricLine) -> Result<Substitution, LineError> {
+        line.check()?;
+        ray.check()?;
+        let (rate, offset) = terms(&line, &ray);
+        let ImplicitLine { a, b, .. } = line;
+        let ParametricLine { p, d } = ray;
+        Ok(Substitution {
+            line,
+            ray,
+            a_dx: a * d.x,
+            b_dy: b * d.y,
+            a_px: a * p.x,
+            b_py: b * p.y,
+            rate: rate.rounded_times(0),
+            offset: offset.rounded_times(0),
+            meeting: Meeting::of(&ray, &rate, &offset),
+        })
+    }
+
+    /// `f(p + t d)`, rounded once, with its sign before rounding.
+    pub fn f(&self, t: f64) -> (f64, Ordering) {
+        let (rate, offset) = terms(&self.line, &self.ray);
+        let f = &(&rate * &Dyadic::from(t)) + &offset;
+        (f.rounded_times(0), f.sign())
+    }
+}
+
+impl Meeting {
+    fn of(ray: &ParametricLine, rate: &Dyadic, offset: &Dyadic) -> Meeting {
+        if rate.is_zero() {
+            return if offset.is_zero() { Meeting::Coincident } else { Meeting::Parallel };
+        }
+        // t = -offset / rate, and p + t d = (p rate - offset d) / rate.
+        let numerator = -offset;
+        let ray_hits = numerator.sign() != Ordering::Equal && numerator.sign() == rate.sign();
+        let coordinate = |p: f64, d: f64| {
+            let on_line = &(&Dyadic::from(p) * rate) + &(&numerator * &Dyadic::from(d));
+            rounded_quotient(&on_line, rate)
+        };
+        let t = rounded_quotient(&numerator, rate);
+        let point = DVec2::new(coordinate(ray.p.x, ray.d.x), coordinate(ray.p.y, ray.d.y));
+        if !t.is_finite() || !point.is_finite() {
+            return Meeting::TooFar { ray_hits };
+        }
+        Meeting::At(Crossing { t, point, ray_hits })
+    }
+}
+
+/// `(a dx + b dy, a px + b py + c)`.
+fn terms(line: &ImplicitLine, ray: &ParametricLine) -> (Dyadic, Dyadic) {
+    let [a, b, _] = line.exact();
+    let [x, y] = ray.d.to_array().map(Dyadic::from);
+    (&(&a * &x) + &(&b * &y), line.exact_f(ray.p))
+}
+
+fn finite(field: &'static str, value: f64) -> Result<(), LineError> {
+    if value.is_finite() { Ok(()) } else { Err(LineError::NotFinite { field, value }) }
+}

@@ -1,0 +1,215 @@
+//! What one can check of a camera, and what each check says of a wrong one.
+
+use pinhole_core::arithmetic::{length, unit};
+use pinhole_core::{DVec2, DVec3, ORTHONORMAL_TOLERANCE};
+
+use super::WrongCamera;
+
+/// Something that is so of every right camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Check {
+    /// `|u| = 1`.
+    LengthU,
+    /// `|v| = 1`.
+    LengthV,
+    /// `|w| = 1`.
+    LengthW,
+    /// `u . v = 0`.
+    UDotV,
+    /// `v . w = 0`.
+    VDotW,
+    /// `w . u = 0`.
+    WDotU,
+    /// `(u x v) . w > 0`.
+    RightHanded,
+    /// `w . view / |view| < 0`: w is backwards.
+    LooksForwards,
+    /// `v . up / |up| > 0`.
+    UpIsUp,
+    /// `-direction . w = distance` of the middle ray: t = 1 is the viewport.
+    ViewportAtDistance,
+    /// (u, v) of pixel (0, 0): left of the middle and above it.
+    TopLeft,
+    /// One column to the right: (u, v) moves by `(width/W, 0)`.
+    StepRight,
+    /// One row down: (u, v) moves by `(0, -height/H)`.
+    StepDown,
+    /// The four corner pixels lie evenly around the middle: the mean of their (u, v) is (0, 0).
+    CornersBalance,
+}
+
+/// A number that a check looks at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    /// One number.
+    Number(f64),
+    /// A place in the viewport, or a step there.
+    Uv(DVec2),
+}
+
+/// What it should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Wanted {
+    /// This, but for rounding.
+    Equal(Value),
+    /// Below 0.
+    Negative,
+    /// Above 0.
+    Positive,
+    /// u not above 0 and v not below it.
+    LeftAndUp,
+}
+
+/// A check, carried out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Checked {
+    /// Which one.
+    pub check: Check,
+    /// What the camera has; exactly 0 where it is 0 but for rounding.
+    pub value: Value,
+    /// What a right camera has.
+    pub wanted: Wanted,
+    /// Whether that is the same.
+    pub passes: bool,
+}
+
+impl Check {
+    /// All of them.
+    pub const ALL: &'static [Check] = &[
+        Check::LengthU,
+        Check::LengthV,
+        Check::LengthW,
+        Check::UDotV,
+        Check::VDotW,
+        Check::WDotU,
+        Check::RightHanded,
+        Check::LooksForwards,
+        Check::UpIsUp,
+        Check::ViewportAtDistance,
+        Check::TopLeft,
+        Check::StepRight,
+        Check::StepDown,
+        Check::CornersBalance,
+    ];
+
+    /// What it looks at, as a formula.
+    pub fn formula(self) -> &'static str {
+        match self {
+            Check::LengthU => "|𝐮|",
+            Check::LengthV => "|𝐯|",
+            Check::LengthW => "|𝐰|",
+            Check::UDotV => "𝐮 · 𝐯",
+            Check::VDotW => "𝐯 · 𝐰",
+            Check::WDotU => "𝐰 · 𝐮",
+            Check::RightHanded => "(𝐮 × 𝐯) · 𝐰",
+            Check::LooksForwards => "𝐰 · view / |view|",
+            Check::UpIsUp => "𝐯 · up / |up|",
+            Check::ViewportAtDistance => "−𝐝 · 𝐰, middle ray",
+            Check::TopLeft => "(𝑢, 𝑣) of pixel (0, 0)",
+            Check::StepRight => "a column on, (𝑢, 𝑣) moves",
+            Check::StepDown => "a row on, (𝑢, 𝑣) moves",
+            Check::CornersBalance => "four corners, mean (𝑢, 𝑣)",
+        }
+    }
+
+    /// What it means when it passes.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Check::LengthU => "𝐮 is a unit vector",
+            Check::LengthV => "𝐯 is a unit vector",
+            Check::LengthW => "𝐰 is a unit vector",
+            Check::UDotV => "𝐮 and 𝐯 are orthogonal",
+            Check::VDotW => "𝐯 and 𝐰 are orthogonal",
+            Check::WDotU => "𝐰 and 𝐮 are orthogonal",
+            Check::RightHanded => "𝐮 × 𝐯 points along 𝐰: right-handed",
+            Check::LooksForwards => "𝐰 points backwards, so the camera looks along view",
+            Check::UpIsUp => "𝐯 is on up's side, so up is up in the image",
+            Check::ViewportAtDistance => "t = 1 is the viewport, at its distance",
+            Check::TopLeft => "row 0, column 0 is at the top left",
+            Check::StepRight => "columns go right, by width/𝑊",
+            Check::StepDown => "rows go down, by height/𝐻",
+            Check::CornersBalance => "pixels lie evenly around the middle: their centres are taken",
+        }
+    }
+}
+
+impl WrongCamera {
+    /// Every check, with this camera's numbers.
+    pub fn checks(&self) -> Vec<Checked> {
+        Check::ALL.iter().copied().map(|check| self.check(check)).collect()
+    }
+
+    /// One check, with this camera's numbers.
+    pub fn check(&self, check: Check) -> Checked {
+        let (value, wanted) = self.value_and_wanted(check);
+        let size = self.right.viewport().width.max(self.right.viewport().height);
+        let passes = match (value, wanted) {
+            (Value::Number(x), Wanted::Equal(Value::Number(y))) => {
+                (x - y).abs() <= ORTHONORMAL_TOLERANCE * y.abs().max(1.0)
+            }
+            (Value::Uv(x), Wanted::Equal(Value::Uv(y))) => {
+                // A pixel of a large image is small beside the viewport: its own size counts.
+                let pixels = self.image().width().max(self.image().height());
+                (x - y).abs().max_element() <= ORTHONORMAL_TOLERANCE * size / f64::from(pixels)
+            }
+            (Value::Number(x), Wanted::Negative) => x < 0.0,
+            (Value::Number(x), Wanted::Positive) => x > 0.0,
+            (Value::Uv(uv), Wanted::LeftAndUp) => uv.x <= 0.0 && uv.y >= 0.0,
+            _ => false,
+        };
+        Checked { check, value, wanted, passes }
+    }
+
+    fn value_and_wanted(&self, check: Check) -> (Value, Wanted) {
+        let (u, v, w) = (self.u(), self.v(), self.w());
+        let number = |x: f64, wanted: f64| (Value::Number(x), equal(wanted));
+        let uv = |x: DVec2, wanted: DVec2| (Value::Uv(x), Wanted::Equal(Value::Uv(wanted)));
+        let viewport = self.right.viewport();
+        let (columns, rows) = (f64::from(self.image().width()), f64::from(self.image().height()));
+        let first = self.uv_at(0.0, 0.0);
+        match check {
+            Check::LengthU => number(length(u), 1.0),
+            Check::LengthV => number(length(v), 1.0),
+            Check::LengthW => number(length(w), 1.0),
+            Check::UDotV => number(dot(u, v), 0.0),
+            Check::VDotW => number(dot(v, w), 0.0),
+            Check::WDotU => number(dot(w, u), 0.0),
+            Check::RightHanded => (Value::Number(u.cross(v).dot(w)), Wanted::Positive),
+            Check::LooksForwards => (Value::Number(w.dot(unit(self.view))), Wanted::Negative),
+            Check::UpIsUp => (Value::Number(v.dot(unit(self.up))), Wanted::Positive),
+            Check::ViewportAtDistance => {
+                number(-self.direction_at(DVec2::ZERO).dot(w), viewport.distance)
+            }
+            Check::TopLeft => (Value::Uv(first), Wanted::LeftAndUp),
+            Check::StepRight => {
+                uv(self.uv_at(0.0, 1.0) - first, DVec2::new(viewport.width / columns, 0.0))
+            }
+            Check::StepDown => {
+                uv(self.uv_at(1.0, 0.0) - first, DVec2::new(0.0, -viewport.height / rows))
+            }
+            Check::CornersBalance => {
+                let (row, column) = (rows - 1.0, columns - 1.0);
+                let corners = [(0.0, 0.0), (0.0, column), (row, 0.0), (row, column)];
+                let sum: DVec2 =
+                    corners.iter().map(|(row, column)| self.uv_at(*row, *column)).sum();
+                uv(0.25 * sum, DVec2::ZERO)
+            }
+        }
+    }
+}
+
+fn equal(x: f64) -> Wanted {
+    Wanted::Equal(Value::Number(x))
+}
+
+/// `a . b`; 0 where it is nothing but rounding, however long the vectors are.
+fn dot(a: DVec3, b: DVec3) -> f64 {
+    let cosine = unit(a).dot(unit(b));
+    if cosine.abs() <= ROUNDING { 0.0 } else { length(a) * length(b) * cosine }
+}
+
+/// More than rounding makes of the cosine between two vectors of a basis, which is a few times
+/// 1e-16; mistakes that tilt a vector by less than this change no pixel.
+const ROUNDING: f64 = 1e-12;

@@ -1,0 +1,219 @@
+//! What a wrong camera sees.
+//!
+//! A wrong camera's rays are those of a right one: with the viewport mirrored, scaled, shifted by a
+//! part of a pixel, or facing backwards. So the tracer draws its picture as fast as any. Where up
+//! stands for v, that is so row by row.
+
+use pinhole_core::{
+    BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageError, ImageSize,
+    NO_OBJECT, Orientation, Outputs, Pixel, PosedCamera, Raster, Rgb, Scene, Shade, Viewport,
+    trace_as,
+};
+use rayon::prelude::*;
+
+use super::WrongCamera;
+
+/// The first hits of a wrong camera's rays.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct WrongPicture {
+    camera: WrongCamera,
+    raster: Raster,
+    /// `t` of the first hit of every pixel of the raster, row by row; infinite where there is none.
+    pub t: Vec<f32>,
+    /// The object hit, or [`NO_OBJECT`].
+    pub object: Vec<u32>,
+}
+
+/// Which places of a stand-in camera's image the wrong camera's columns (or rows) are.
+struct Line {
+    /// How many pixels the stand-in has, so that all places lie in it: where rows stand for columns
+    /// that can be almost three times as many as the image has.
+    count: u32,
+    /// Its extent, of the same pixels.
+    extent: f64,
+    /// Ascending, without repetition.
+    places: Vec<u32>,
+    is_reversed: bool,
+}
+
+impl Line {
+    /// `indices`: which pixels of the wrong camera's, ascending. `pixels`: how many the right one's
+    /// extent is divided by. `half`: what is added to an index.
+    fn new(indices: &[u32], pixels: u32, extent: f64, half: f64, is_reversed: bool) -> Line {
+        // A pixel more for half of one, and room for indices beyond the last.
+        let shift = (2.0 * (0.5 - half)) as u32;
+        let last = indices.last().copied().unwrap_or_default();
+        let beyond = (last + 1).saturating_sub(pixels);
+        let count = pixels + shift + 2 * beyond;
+        let place = |index: u32| {
+            if is_reversed { pixels + beyond + shift - 1 - index } else { index + beyond }
+        };
+        let mut places: Vec<u32> = indices.iter().map(|index| place(*index)).collect();
+        places.sort_unstable();
+        let extent = extent.abs() * (f64::from(count) / f64::from(pixels));
+        Line { count, extent, places, is_reversed }
+    }
+
+    /// Where the `k`th of the indices is among the places.
+    fn at(&self, k: usize) -> usize {
+        if self.is_reversed { self.places.len() - 1 - k } else { k }
+    }
+}
+
+impl WrongPicture {
+    /// Traces the pixels of `raster`, which is one of the camera's image.
+    ///
+    /// # Errors
+    /// Where the wrong camera's numbers make no camera at all.
+    pub fn trace(
+        scene: &Scene,
+        camera: &WrongCamera,
+        raster: &Raster,
+    ) -> Result<WrongPicture, CameraError> {
+        let mut picture = WrongPicture {
+            camera: camera.clone(),
+            raster: raster.clone(),
+            t: vec![f32::INFINITY; raster.len()],
+            object: vec![NO_OBJECT; raster.len()],
+        };
+        if raster.is_empty() {
+            return Ok(picture);
+        }
+        let swapped = camera.mapping.swapped;
+        let (along_u, along_v) = if swapped {
+            (raster.rows(), raster.columns())
+        } else {
+            (raster.columns(), raster.rows())
+        };
+        let (image, viewport) = (camera.image(), camera.right.viewport());
+        let (half, facing) = (camera.mapping.half, camera.scale.z.signum());
+        let width = viewport.width * camera.scale.x;
+        let columns = Line::new(along_u, image.width(), width, half, width * facing < 0.0);
+        if let Some(up) = camera.up_as_v {
+            for (k, index) in along_v.iter().enumerate() {
+                let uv = if swapped {
+                    camera.uv_at(0.0, f64::from(*index))
+                } else {
+                    camera.uv_at(f64::from(*index), 0.0)
+                };
+                let stand_in = camera.row_camera(uv.y * up, &columns)?;
+                let frame = traced(scene, &stand_in, vec![0], columns.places.clone());
+                picture.take(&frame, &columns, k..k + 1, |_| 0);
+            }
+            return Ok(picture);
+        }
+        let side = if camera.mapping.from_bottom { -1.0 } else { 1.0 };
+        let height = camera.height() * camera.scale.y;
+        let rows = Line::new(along_v, image.height(), height, half, side * height < 0.0);
+        let stand_in = camera.stand_in(&columns, &rows)?;
+        let frame = traced(scene, &stand_in, rows.places.clone(), columns.places.clone());
+        picture.take(&frame, &columns, 0..along_v.len(), |k| rows.at(k));
+        Ok(picture)
+    }
+
+    /// Puts a frame's pixels where the wrong camera has them: of the lines `ks` along v, each of
+    /// which is the frame's `row_of`th.
+    fn take(
+        &mut self,
+        frame: &Frame<f32>,
+        columns: &Line,
+        ks: std::ops::Range<usize>,
+        row_of: impl Fn(usize) -> usize,
+    ) {
+        let width = self.raster.columns().len();
+        let swapped = self.camera.mapping.swapped;
+        for k in ks {
+            let row = row_of(k) * columns.places.len();
+            for c in 0..columns.places.len() {
+                let from = row + columns.at(c);
+                let to = if swapped { c * width + k } else { k * width + c };
+                (self.t[to], self.object[to]) = (frame.t[from], frame.object[from]);
+            }
+        }
+    }
+
+    /// The rows and columns that were traced.
+    pub fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
+    /// The colours, row by row, as those of a right camera's picture are made.
+    pub fn shaded<P: Clone + Send + Sync>(
+        &self,
+        scene: &Scene,
+        shade: Shade,
+        color_of: impl Fn(u32) -> Rgb + Sync,
+        to_pixel: impl Fn(Rgb) -> P + Sync,
+    ) -> Vec<P> {
+        let nearest = self.t.iter().copied().fold(f32::INFINITY, f32::min);
+        let shader = HitShader::new(scene, shade, f64::from(nearest));
+        let width = self.raster.columns().len().max(1);
+        let color = |index: usize| {
+            let object = self.object[index];
+            let pixel = Pixel {
+                row: self.raster.rows()[index / width],
+                column: self.raster.columns()[index % width],
+            };
+            match self.camera.ray(pixel) {
+                Ok(ray) if object != NO_OBJECT => {
+                    shader.color(&ray, object, f64::from(self.t[index]), color_of(object))
+                }
+                _ => BACKGROUND,
+            }
+        };
+        (0..self.object.len()).into_par_iter().map(|index| to_pixel(color(index))).collect()
+    }
+
+    /// How many pixels see another object than those of a frame of the same raster, or nothing
+    /// where that sees something, or something where that sees nothing.
+    pub fn differing(&self, object: &[u32]) -> usize {
+        self.object.iter().zip(object).filter(|(wrong, right)| wrong != right).count()
+    }
+}
+
+impl WrongCamera {
+    /// The right camera whose rays, in other pixels, are this one's.
+    fn stand_in(&self, columns: &Line, rows: &Line) -> Result<PosedCamera, CameraError> {
+        let Basis { u, v, w } = *self.right.basis();
+        let facing = self.scale.z.signum();
+        let basis = Basis { u: facing * u, v, w: facing * w };
+        let viewport = Viewport {
+            width: columns.extent,
+            height: rows.extent,
+            distance: self.distance() * self.scale.z.abs(),
+        };
+        posed(
+            self.right.eye(),
+            basis,
+            viewport,
+            ImageSize::partly_traced(columns.count, rows.count),
+        )
+    }
+
+    /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
+    fn row_camera(&self, upward: DVec3, columns: &Line) -> Result<PosedCamera, CameraError> {
+        let facing = self.scale.z.signum();
+        let forward = upward - self.distance() * self.w();
+        // At right angles to u, as up and w are, but for rounding.
+        let u = facing * self.right.basis().u;
+        let w = -(forward - forward.dot(u) * u).normalize();
+        let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
+        let basis = Basis { u, v: w.cross(u), w };
+        posed(self.right.eye(), basis, viewport, ImageSize::partly_traced(columns.count, 1))
+    }
+}
+
+fn posed(
+    eye: DVec3,
+    basis: Basis,
+    viewport: Viewport,
+    image: Result<ImageSize, ImageError>,
+) -> Result<PosedCamera, CameraError> {
+    let image = image.map_err(CameraError::Image)?;
+    Camera { eye, orientation: Orientation::Basis(basis), viewport, image }.posed()
+}
+
+fn traced(scene: &Scene, camera: &PosedCamera, rows: Vec<u32>, columns: Vec<u32>) -> Frame<f32> {
+    trace_as(scene, camera, &Raster::of(rows, columns), Outputs::default())
+}

@@ -1,0 +1,332 @@
+//! Every exercise answered rightly, and with each classic mistake.
+#![allow(clippy::approx_constant, reason = "answers that are rounded are what is tested")]
+
+use std::collections::HashSet;
+use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
+
+use pinhole_lecture::exercises::{Answer, Asked, Exercise, Finding, Part, Question, Slip, Verdict};
+
+mod classic;
+mod left_over;
+
+fn numbers(x: &[f64]) -> Answer {
+    Answer::Numbers(x.to_vec())
+}
+
+fn judged(exercise: Exercise, asked: Asked, answer: Answer) -> Verdict {
+    let question = Question::new(exercise, None);
+    let part = question.parts.iter().position(|part| part.asked == asked).unwrap();
+    alone(&question, part, answer)
+}
+
+/// What is said of one answer while the other parts are not answered.
+fn alone(question: &Question, part: usize, answer: Answer) -> Verdict {
+    let mut answers = vec![None; question.parts.len()];
+    answers[part] = Some(answer);
+    let mut verdicts = question.judge(&answers);
+    assert_eq!(verdicts.iter().flatten().count(), 1, "nothing is said of what was not answered");
+    verdicts.swap_remove(part).unwrap()
+}
+
+#[test]
+fn the_lectures_answers_are_right() {
+    let (r74, r682) = (74f64.sqrt(), 682f64.sqrt());
+    let r = 666f64.sqrt() * r682;
+    let cases: Vec<(Exercise, Asked, Vec<f64>)> = vec![
+        (Exercise::WarmUpRay, Asked::Origin, vec![0.0, 0.0, 0.0]),
+        (Exercise::WarmUpRay, Asked::Direction, vec![0.2, -0.1, -1.0]),
+        (Exercise::WarmUpPlane, Asked::T, vec![6.0]),
+        (Exercise::WarmUpPlane, Asked::Point, vec![1.2, -0.6, -6.0]),
+        (Exercise::Distance, Asked::Direction, vec![0.2, -0.1, -2.0]),
+        (Exercise::Distance, Asked::T, vec![3.0]),
+        (Exercise::Turned, Asked::U, vec![S, 0.0, -S]),
+        (Exercise::Turned, Asked::V, vec![0.0, 1.0, 0.0]),
+        (Exercise::Turned, Asked::W, vec![S, 0.0, S]),
+        (Exercise::Turned, Asked::Direction, vec![-0.8 * S, -0.1, -1.2 * S]),
+        (Exercise::Turned, Asked::T, vec![5.0 * SQRT_2]),
+        (Exercise::ViewUp, Asked::U, vec![0.0, 0.0, 1.0]),
+        (Exercise::ViewUp, Asked::V, vec![1.0, 0.0, 0.0]),
+        (Exercise::ViewUp, Asked::W, vec![0.0, 1.0, 0.0]),
+        (Exercise::EyeAtUp, Asked::U, vec![5.0 / r74, 0.0, -7.0 / r74]),
+        (Exercise::EyeAtUp, Asked::W, vec![21.0 / r682, 4.0 / r682, 15.0 / r682]),
+        // w x u, with 9 (5, 0, -7) / sqrt 74 = 9 (5, 0, -7) 3 / sqrt 666.
+        (Exercise::EyeAtUp, Asked::V, vec![-84.0 / r, 666.0 / r, -60.0 / r]),
+        (Exercise::Sphere, Asked::T, vec![4.0]),
+        (Exercise::Sphere, Asked::Point, vec![0.0, 0.0, -4.0]),
+        (Exercise::Sphere, Asked::Normal, vec![0.0, 0.0, 1.0]),
+        (Exercise::Lines, Asked::T, vec![1.0]),
+        (Exercise::Lines, Asked::Point, vec![1.0, 1.0]),
+    ];
+    for (exercise, asked, answer) in cases {
+        let verdict = judged(exercise, asked, numbers(&answer));
+        assert_eq!(verdict, Verdict::Right, "{exercise:?} {asked:?} {answer:?}");
+    }
+    assert_eq!(judged(Exercise::Lines, Asked::Hits, Answer::Yes(true)), Verdict::Right);
+    let no = judged(Exercise::Lines, Asked::Hits, Answer::Yes(false));
+    assert_eq!(no, Verdict::Slips(vec![Slip::LineForRay]));
+}
+
+/// All questions of many seeds, the lecture's among them.
+fn questions() -> impl Iterator<Item = Question> {
+    Exercise::ALL.iter().copied().flat_map(|exercise| {
+        (0..200).map(Some).chain([None]).map(move |seed| Question::new(exercise, seed))
+    })
+}
+
+#[test]
+fn right_answers_are_never_blamed() {
+    for question in questions() {
+        let mut answers: Vec<_> =
+            question.parts.iter().map(|part| Some(part.truth.clone())).collect();
+        for verdict in question.judge(&answers) {
+            assert_eq!(verdict, Some(Verdict::Right), "{question:?}");
+        }
+        for (part, answer) in question.parts.iter().zip(&mut answers) {
+            let Some(Answer::Numbers(truth)) = answer else { continue };
+            assert!(truth.iter().all(|x| x.is_finite()), "{question:?}");
+            if part.may_be_scaled {
+                truth.iter_mut().for_each(|x| *x *= 1.7);
+            }
+        }
+        let verdicts = question.judge(&answers);
+        assert!(verdicts.iter().flatten().all(Verdict::is_right), "{question:?}");
+    }
+}
+
+#[test]
+fn every_mistake_that_gives_an_answer_is_named() {
+    for question in questions() {
+        for (index, part) in question.parts.iter().enumerate() {
+            for (slip, answer) in &part.slips {
+                let verdict = alone(&question, index, answer.clone());
+                let tells = |named: &Slip| named == slip || named.is_part_of(*slip);
+                let named = matches!(&verdict, Verdict::Slips(slips) if slips.iter().any(tells));
+                // The same line, backwards, is told so first.
+                let backwards = part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. });
+                let given = question.given;
+                assert!(named || backwards, "{given:?}: {slip:?} {answer:?}: {verdict:?}");
+            }
+        }
+    }
+}
+
+/// A whole sheet with one mistake in it: no other is named, unless it gives all the same answers.
+#[test]
+fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
+    for question in questions() {
+        let slips: HashSet<Slip> =
+            question.parts.iter().flat_map(|part| &part.slips).map(|(slip, _)| *slip).collect();
+        let gives = |slip: Slip, k: usize| {
+            question.parts[k].slips.iter().filter(move |(other, _)| *other == slip).map(|(_, a)| a)
+        };
+        for slip in slips {
+            let parts = 0..question.parts.len();
+            let answer = |k| gives(slip, k).next().unwrap_or(&question.parts[k].truth).clone();
+            let answers: Vec<_> = parts.clone().map(|k| Some(answer(k))).collect();
+            let verdicts = question.judge(&answers);
+            for k in parts.clone() {
+                let verdict = verdicts[k].as_ref().unwrap();
+                match gives(slip, k).next() {
+                    None => assert_eq!(*verdict, Verdict::Right, "{question:?} {slip:?}"),
+                    Some(_) if matches!(verdict, Verdict::Backwards { .. }) => (),
+                    Some(_) => {
+                        let Verdict::Slips(named) = verdict else { panic!("{verdict:?}") };
+                        assert!(named.contains(&slip), "{question:?} {slip:?}: {named:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_seed_gives_a_question_that_can_be_solved() {
+    for &exercise in Exercise::ALL {
+        let asked = |question: &Question| -> Vec<Asked> {
+            question.parts.iter().map(|part| part.asked).collect()
+        };
+        let known = asked(&Question::new(exercise, None));
+        assert!(!known.is_empty(), "{exercise:?}");
+        for seed in (0..3000).chain(1_000_000_000 - 100..=1_000_000_000) {
+            let question = Question::new(exercise, Some(seed));
+            assert_eq!(asked(&question), known, "{exercise:?} {seed}");
+            let is_finite = |part: &Part| match &part.truth {
+                Answer::Numbers(truth) => truth.iter().all(|x| x.is_finite()),
+                Answer::Yes(_) => true,
+            };
+            assert!(question.parts.iter().all(is_finite), "{question:?}");
+        }
+    }
+}
+
+#[test]
+fn seeds_are_kept_and_differ() {
+    for &exercise in Exercise::ALL {
+        assert_eq!(Question::new(exercise, Some(7)), Question::new(exercise, Some(7)));
+        let all: Vec<_> = (0..20).map(|seed| Question::new(exercise, Some(seed)).given).collect();
+        let others = all.iter().filter(|given| **given != all[0]).count();
+        assert!(others >= 12, "{exercise:?}: {all:?}");
+        assert_eq!(Exercise::from_id(exercise.id()), Some(exercise));
+    }
+}
+
+#[test]
+fn lessons_name_exercises_by_ids_that_stay() {
+    let ids: Vec<_> = Exercise::ALL.iter().map(|exercise| exercise.id()).collect();
+    let known = [
+        "warm-up-ray",
+        "warm-up-plane",
+        "distance",
+        "turned-basis",
+        "view-up",
+        "eye-at-up",
+        "sphere",
+        "lines",
+    ];
+    assert_eq!(ids, known);
+    let named: Vec<_> = ids.into_iter().filter_map(Exercise::from_id).collect();
+    assert_eq!(named, Exercise::ALL);
+    assert_eq!(Exercise::from_id("circle"), None);
+}
+
+#[test]
+fn a_direction_may_be_any_positive_multiple_where_the_question_allows_it() {
+    let of = |exercise, d: [f64; 3]| judged(exercise, Asked::Direction, numbers(&d));
+    let ray = Exercise::WarmUpRay;
+    assert_eq!(of(ray, [0.4, -0.2, -2.0]), Verdict::Multiple { times: 2.0 });
+    assert!(of(ray, [0.4, -0.2, -2.0]).is_right());
+    let Verdict::Backwards { times } = of(ray, [-0.2, 0.1, 1.0]) else { panic!() };
+    assert_eq!(times, -1.0);
+    let length = 1.05f64.sqrt();
+    let Verdict::Multiple { times } = of(ray, [0.2 / length, -0.1 / length, -1.0 / length]) else {
+        panic!()
+    };
+    assert!((times * length - 1.0).abs() < 1e-15);
+    assert_eq!(of(ray, [0.195, -0.0976, -0.976]), Verdict::Rounded { digits: 3 });
+    // Where t is asked for too, the length matters.
+    let Verdict::OtherLength { times } = of(Exercise::Turned, [-1.6 * S, -0.2, -2.4 * S]) else {
+        panic!()
+    };
+    assert!((times - 2.0).abs() < 1e-15);
+    assert!(matches!(of(Exercise::Turned, [0.8 * S, 0.1, 1.2 * S]), Verdict::Backwards { .. }));
+}
+
+#[test]
+fn a_rounded_answer_is_told_apart_from_a_wrong_one() {
+    let u = |x: f64, z: f64| judged(Exercise::Turned, Asked::U, numbers(&[x, 0.0, z]));
+    assert_eq!(u(0.707, -0.707), Verdict::Rounded { digits: 3 });
+    assert_eq!(u(0.71, -0.70711), Verdict::Rounded { digits: 2 });
+    // One digit is too few to be called rounded.
+    assert!(matches!(u(0.7, -0.70711), Verdict::Wrong(_)));
+    assert!(matches!(u(0.7, -0.7), Verdict::OtherLength { .. }));
+    assert_eq!(u(0.7071067811865, -S), Verdict::Right, "all the digits that matter");
+    assert!(matches!(u(0.708, -0.707), Verdict::Wrong(_)));
+    let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));
+    assert_eq!(t(7.07), Verdict::Rounded { digits: 3 });
+    assert_eq!(t(7.0710678), Verdict::Rounded { digits: 8 });
+    assert!(matches!(t(7.08), Verdict::Wrong(_)));
+    assert!(matches!(t(7.0), Verdict::Wrong(_)));
+}
+
+/// The truth less 1 in the last place typed is no cut-off truth, whatever binary subtraction gives.
+#[test]
+fn a_number_just_below_a_short_one_is_wrong() {
+    for (exercise, asked, answer) in [
+        (Exercise::Sphere, Asked::T, vec![3.99]),
+        (Exercise::WarmUpPlane, Asked::T, vec![5.9]),
+        (Exercise::WarmUpPlane, Asked::T, vec![5.99]),
+        (Exercise::Distance, Asked::T, vec![2.99]),
+        (Exercise::WarmUpPlane, Asked::Point, vec![1.1, -0.6, -6.0]),
+        // Nor are these the mistakes that give 6, 8 and 5.
+        (Exercise::Sphere, Asked::T, vec![5.99]),
+        (Exercise::Sphere, Asked::T, vec![7.9]),
+        (Exercise::WarmUpPlane, Asked::T, vec![4.9]),
+    ] {
+        let verdict = judged(exercise, asked, numbers(&answer));
+        assert!(matches!(verdict, Verdict::Wrong(_)), "{exercise:?} {answer:?}: {verdict:?}");
+    }
+}
+
+#[test]
+fn digits_cut_off_are_told_like_rounded_ones() {
+    let t = |t: f64| judged(Exercise::Turned, Asked::T, numbers(&[t]));
+    // 7.0710678...
+    assert_eq!(t(7.071067), Verdict::Rounded { digits: 7 });
+    assert!(matches!(t(7.071066), Verdict::Wrong(_)));
+    let u = |x: f64, z: f64| judged(Exercise::EyeAtUp, Asked::U, numbers(&[x, 0.0, z]));
+    // 0.581238..., -0.813733...
+    assert_eq!(u(0.5812, -0.8137), Verdict::Rounded { digits: 4 });
+    assert_eq!(u(0.58123, -0.81373), Verdict::Rounded { digits: 5 });
+    assert!(matches!(u(0.58122, -0.81373), Verdict::Wrong(_)));
+    // The mistakes' numbers may be cut off, too: 6 |d| = 6.1481...
+    let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[6.14]));
+    assert_eq!(t, Verdict::Slips(vec![Slip::TForDistance]));
+}
+
+#[test]
+fn otherwise_it_says_what_is_wrong() {
+    let of = |asked, v: [f64; 3]| match judged(Exercise::ViewUp, asked, numbers(&v)) {
+        Verdict::Wrong(findings) => findings,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(of(Asked::U, [0.0; 3]), [Finding::Zero]);
+    assert_eq!(
+        of(Asked::U, [0.0, 3.0, 1.0]),
+        [
+            Finding::Coordinate(1),
+            Finding::Length(10f64.sqrt()),
+            Finding::NotOrthogonal { to: "up", dot: 6.0 },
+            Finding::NotOrthogonal { to: "w", dot: 3.0 }
+        ]
+    );
+    assert_eq!(
+        of(Asked::V, [0.6, 0.0, 0.8]),
+        [
+            Finding::Coordinate(0),
+            Finding::Coordinate(2),
+            Finding::NotOrthogonal { to: "u", dot: 0.8 }
+        ]
+    );
+    // A point has no length and does not point anywhere.
+    let of_point = |v: [f64; 3]| judged(Exercise::WarmUpPlane, Asked::Point, numbers(&v));
+    for v in [[0.2, -0.1, -1.0], [0.0; 3]] {
+        let Verdict::Wrong(findings) = of_point(v) else { panic!("{:?}", of_point(v)) };
+        assert!(!findings.contains(&Finding::Zero), "{v:?}");
+    }
+    let none = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[f64::NAN]));
+    assert_eq!(none, Verdict::Wrong(vec![Finding::Another]));
+}
+
+#[test]
+fn the_questions_camera_sends_the_questions_ray() {
+    for question in questions() {
+        let Some(camera) = question.camera() else {
+            assert_eq!(question.exercise, Exercise::Lines);
+            continue;
+        };
+        let posed = camera.posed().unwrap();
+        let ray = question.uv().map(|uv| posed.ray(uv));
+        for part in &question.parts {
+            let Answer::Numbers(truth) = &part.truth else { continue };
+            let basis = posed.basis();
+            let known = match part.asked {
+                Asked::U => basis.u.to_array().to_vec(),
+                Asked::V => basis.v.to_array().to_vec(),
+                Asked::W => basis.w.to_array().to_vec(),
+                Asked::Direction => ray.unwrap().direction.to_array().to_vec(),
+                Asked::Origin => posed.eye().to_array().to_vec(),
+                Asked::T => {
+                    let scene = pinhole_core::Scene::new(
+                        question.sphere().into_iter().collect(),
+                        question.plane().into_iter().collect(),
+                    );
+                    vec![scene.unwrap().first_hit(&ray.unwrap()).unwrap().t]
+                }
+                _ => continue,
+            };
+            let near =
+                known.iter().zip(truth).all(|(x, y)| (x - y).abs() < 1e-13 * y.abs().max(1.0));
+            assert!(near, "{question:?}: {known:?}");
+        }
+    }
+}

@@ -1,0 +1,344 @@
+//! The classic wrong cameras against numbers found by hand, and the checks that find them.
+
+use std::f64::consts::FRAC_1_SQRT_2 as S;
+
+use pinhole_core::*;
+use pinhole_lecture::mistakes::{Check, Mistake, NoWrongCamera, Value, WrongCamera, WrongPicture};
+use proptest::prelude::*;
+
+fn vec3(x: f64, y: f64, z: f64) -> DVec3 {
+    DVec3::new(x, y, z)
+}
+
+#[track_caller]
+fn assert_near(a: DVec3, b: DVec3) {
+    assert!((a - b).length() <= 1e-14 * b.length().max(1.0), "{a} is not {b}");
+}
+
+/// Eye (20, 4, 10), at (-1, 0, -5), up (0, 1, 0): u = (5, 0, -7)/sqrt 74, w = (21, 4, 15)/sqrt 682.
+fn exercise() -> Camera {
+    let (eye, at) = (vec3(20.0, 4.0, 10.0), vec3(-1.0, 0.0, -5.0));
+    Camera { eye, orientation: Orientation::At { at, up: DVec3::Y }, ..Camera::CANONICAL }
+}
+
+fn exercise_basis() -> Basis {
+    let u = vec3(5.0, 0.0, -7.0) / 74f64.sqrt();
+    let w = vec3(21.0, 4.0, 15.0) / 682f64.sqrt();
+    Basis { u, v: w.cross(u), w }
+}
+
+/// As general as a camera gets: every mistake shows on it.
+fn general() -> Camera {
+    Camera {
+        eye: vec3(1.0, 2.0, 3.0),
+        orientation: Orientation::At { at: vec3(-2.0, 0.5, -4.0), up: vec3(0.5, 2.0, 0.25) },
+        viewport: Viewport { width: 1.5, height: 1.0, distance: 2.0 },
+        image: ImageSize::new(30, 20).unwrap(),
+    }
+}
+
+fn failing(camera: &WrongCamera) -> Vec<Check> {
+    camera.checks().into_iter().filter(|c| !c.passes).map(|c| c.check).collect()
+}
+
+fn wrong(camera: &Camera, mistake: Mistake) -> WrongCamera {
+    WrongCamera::new(camera, mistake).unwrap()
+}
+
+#[test]
+fn as_printed_is_orthonormal_right_handed_and_looks_backwards() {
+    let Basis { u, v, w } = exercise_basis();
+    for mistake in [Mistake::WAsPrinted, Mistake::WIsAtMinusEye] {
+        let camera = wrong(&exercise(), mistake);
+        assert_near(camera.u(), -u);
+        assert_near(camera.v(), v);
+        assert_near(camera.w(), -w);
+        assert_eq!(failing(&camera), [Check::LooksForwards]);
+        let Value::Number(x) = camera.check(Check::LooksForwards).value else { panic!() };
+        assert!((x - 1.0).abs() < 1e-15, "w . view / |view| = {x}, and is -1 of a right camera");
+    }
+}
+
+#[test]
+fn the_construction_mistakes_have_the_vectors_found_by_hand() {
+    let Basis { u, v, w } = exercise_basis();
+    // |up x w| is the sine of up's angle: sqrt 666 / sqrt 682. |view| is sqrt 682.
+    let (sine, far) = ((666.0f64 / 682.0).sqrt(), 682f64.sqrt());
+    for (mistake, wu, wv, ww) in [
+        (Mistake::VIsUCrossW, u, -v, w),
+        (Mistake::UIsWCrossUp, -u, -v, w),
+        (Mistake::LeftHanded, -u, v, w),
+        (Mistake::NotNormalized, sine * u, sine * v, w),
+        (Mistake::WNotNormalized, u, far * v, far * w),
+        (Mistake::UpAsV, u, DVec3::Y, w),
+    ] {
+        let camera = wrong(&exercise(), mistake);
+        assert_near(camera.u(), wu);
+        assert_near(camera.v(), wv);
+        let is_wrong = [wu != u, wv != v, ww != w];
+        assert_eq!(camera.wrong_vectors(), is_wrong, "{mistake}");
+        assert!((camera.w() - ww).length() < 1e-13 * ww.length(), "{mistake}");
+        let uv = DVec2::new(0.2, -0.1);
+        assert_near(camera.direction_at(uv) / far, (0.2 * wu - 0.1 * wv - ww) / far);
+    }
+}
+
+#[test]
+fn the_lectures_view_down_as_printed() {
+    // View (0, -1, 0), up (1, 1, 0): right is u = (0, 0, 1), v = (1, 0, 0), w = (0, 1, 0).
+    let (view, up) = (DVec3::NEG_Y, vec3(1.0, 1.0, 0.0));
+    let camera = Camera { orientation: Orientation::View { view, up }, ..Camera::CANONICAL };
+    let printed = wrong(&camera, Mistake::WAsPrinted);
+    assert_near(printed.u(), vec3(0.0, 0.0, -1.0));
+    assert_near(printed.v(), vec3(1.0, 0.0, 0.0));
+    assert_near(printed.w(), vec3(0.0, -1.0, 0.0));
+    // up x w = (1, 1, 0) x (0, 1, 0) = (0, 0, 1): a unit vector without normalizing it.
+    let none = WrongCamera::new(&camera, Mistake::NotNormalized);
+    assert_eq!(none, Err(NoWrongCamera::ChangesNothing(Mistake::NotNormalized)));
+    assert_eq!(wrong(&camera, Mistake::UpAsV).v(), up);
+    let none = WrongCamera::new(&camera, Mistake::WIsAtMinusEye);
+    assert_eq!(none, Err(NoWrongCamera::NotGivenByAt));
+}
+
+#[test]
+fn the_mapping_mistakes_have_the_uv_found_by_hand() {
+    // Row 99, column 199 of 400 x 400: (u, v) = (-1/800, 201/800).
+    let pixel = Pixel { row: 99, column: 199 };
+    let wide = Viewport { width: 2.0, ..Viewport::CANONICAL };
+    for (mistake, viewport, u, v) in [
+        (Mistake::PixelCorner, Viewport::CANONICAL, -2.0 / 800.0, 202.0 / 800.0),
+        (Mistake::CountedFromOne, Viewport::CANONICAL, -3.0 / 800.0, 203.0 / 800.0),
+        (Mistake::RowsFromBottom, Viewport::CANONICAL, -1.0 / 800.0, -201.0 / 800.0),
+        (Mistake::RowsColumnsSwapped, Viewport::CANONICAL, -201.0 / 800.0, 1.0 / 800.0),
+        (Mistake::AspectDropped, wide, -2.0 / 800.0, 402.0 / 800.0),
+    ] {
+        let camera = wrong(&Camera { viewport, ..Camera::CANONICAL }, mistake);
+        let uv = camera.uv_of_pixel(pixel);
+        assert!((uv - DVec2::new(u, v)).length() < 1e-15, "{mistake}: {uv}");
+        assert_near(camera.ray(pixel).unwrap().direction, vec3(u, v, -1.0));
+    }
+    let viewport = Viewport { distance: 2.0, ..Viewport::CANONICAL };
+    let camera = wrong(&Camera { viewport, ..Camera::CANONICAL }, Mistake::DistanceDropped);
+    assert_eq!(camera.ray_at(DVec2::new(0.2, -0.1)).unwrap().direction, vec3(0.2, -0.1, -1.0));
+}
+
+#[test]
+fn what_changes_nothing_says_so_and_what_to_change() {
+    let mut nothing: Vec<&str> = Vec::new();
+    for &mistake in Mistake::ALL {
+        if let Err(why) = WrongCamera::new(&Camera::CANONICAL, mistake) {
+            assert_eq!(why, NoWrongCamera::ChangesNothing(mistake));
+            assert!(why.to_string().ends_with(mistake.hint()), "{why}");
+            nothing.push(mistake.id());
+        }
+    }
+    let known =
+        ["not-normalized", "w-not-normalized", "distance-dropped", "up-as-v", "aspect-dropped"];
+    assert_eq!(nothing, known);
+    let basis = Basis { u: vec3(S, 0.0, -S), v: DVec3::Y, w: vec3(S, 0.0, S) };
+    let by_hand = Camera { orientation: Orientation::Basis(basis), ..Camera::CANONICAL };
+    let given = WrongCamera::new(&by_hand, Mistake::WAsPrinted);
+    assert_eq!(given, Err(NoWrongCamera::GivenByHand(Mistake::WAsPrinted)));
+    assert!(WrongCamera::new(&by_hand, Mistake::PixelCorner).is_ok());
+    let none = Camera { eye: DVec3::NEG_Z, ..Camera::CANONICAL };
+    assert!(matches!(
+        WrongCamera::new(&none, Mistake::WAsPrinted),
+        Err(NoWrongCamera::Camera(CameraError::Basis(BasisError::EyeIsAt { .. })))
+    ));
+}
+
+#[test]
+fn each_mistake_is_found_by_the_checks_that_it_names_and_no_other() {
+    for &mistake in Mistake::ALL {
+        assert_eq!(failing(&wrong(&general(), mistake)), mistake.found_by(), "{mistake}");
+    }
+}
+
+#[test]
+fn pairs_add_up_or_say_that_they_cannot_be_made_together() {
+    let camera = general();
+    let mut conflicts = 0;
+    for &first in Mistake::ALL {
+        for &second in Mistake::ALL {
+            match WrongCamera::with(&camera, &[first, second]) {
+                Ok(pair) => assert_eq!(pair.mistakes(), [first, second]),
+                Err(NoWrongCamera::Conflict(a, b)) => {
+                    assert_eq!((a, b), (first, second));
+                    conflicts += 1;
+                }
+                // Upside down twice is right again; rows, or v, or both from the other side.
+                Err(NoWrongCamera::ChangesNothing(_)) => panic!("{first} and {second}"),
+                Err(other) => panic!("{first} and {second}: {other}"),
+            }
+        }
+    }
+    assert!(conflicts >= Mistake::ALL.len(), "each conflicts with itself");
+    let flipped = WrongCamera::with(&camera, &[Mistake::VIsUCrossW, Mistake::RowsFromBottom]);
+    let flipped = flipped.unwrap();
+    let right = camera.posed().unwrap();
+    for (row, column) in [(0, 0), (7, 21), (19, 29)] {
+        let pixel = Pixel { row, column };
+        let direction = flipped.ray(pixel).unwrap().direction;
+        assert_near(direction, right.ray_of_pixel(pixel).direction);
+    }
+}
+
+#[test]
+fn some_mistakes_are_told_apart_by_no_picture() {
+    let camera = general();
+    let same = |a, b| wrong(&camera, a).sees_the_same(&wrong(&camera, b));
+    assert!(same(Mistake::WAsPrinted, Mistake::WIsAtMinusEye));
+    assert!(same(Mistake::VIsUCrossW, Mistake::RowsFromBottom));
+    let pairs = Mistake::ALL.iter().flat_map(|&a| Mistake::ALL.iter().map(move |&b| (a, b)));
+    assert_eq!(pairs.filter(|(a, b)| a < b && same(*a, *b)).count(), 2);
+}
+
+fn balls() -> Scene {
+    let ball = |x, y, z, radius| Sphere { center: vec3(x, y, z), radius };
+    let spheres = vec![
+        ball(-2.0, 0.5, -4.0, 1.2),
+        ball(-0.2, 2.3, -0.5, 0.5),
+        ball(-1.5, -0.8, -1.0, 0.8),
+        ball(4.0, 4.0, 9.0, 2.0),
+    ];
+    let floor = Plane { point: vec3(0.0, -1.5, 0.0), normal: DVec3::Y };
+    Scene::new(spheres, vec![floor]).unwrap()
+}
+
+/// Each pixel of the wrong picture against its own ray.
+fn assert_picture(scene: &Scene, camera: &WrongCamera, raster: &Raster) {
+    let picture = WrongPicture::trace(scene, camera, raster).unwrap();
+    let mut differing = 0;
+    let (mut index, mut hits) = (0, 0);
+    for &row in raster.rows() {
+        for &column in raster.columns() {
+            let hit = scene.first_hit(&camera.ray(Pixel { row, column }).unwrap());
+            let object = hit.map_or(NO_OBJECT, |hit| hit.object);
+            differing += usize::from(object != picture.object[index]);
+            if let (Some(hit), true) = (hit, object == picture.object[index]) {
+                hits += 1;
+                let off = (hit.t - f64::from(picture.t[index])).abs();
+                // On an outline a direction's last digit moves t by far more.
+                assert!(off <= 1e-6 * hit.t, "{:?}: {row}, {column}", camera.mistakes());
+            }
+            index += 1;
+        }
+    }
+    assert!(differing <= 2, "{:?}: {differing} pixels are not their rays'", camera.mistakes());
+    assert!(hits > 0);
+}
+
+#[test]
+fn the_picture_is_what_the_wrong_rays_meet() {
+    let scene = balls();
+    let tall = Camera { image: ImageSize::new(16, 27).unwrap(), ..general() };
+    for camera in [general(), tall] {
+        let rasters = [Raster::full(camera.image), Raster::shown_on(camera.image, 11, 13)];
+        for &mistake in Mistake::ALL {
+            for raster in &rasters {
+                assert_picture(&scene, &wrong(&camera, mistake), raster);
+            }
+            for &other in Mistake::ALL {
+                if let Ok(pair) = WrongCamera::with(&camera, &[mistake, other]) {
+                    assert_picture(&scene, &pair, &rasters[1]);
+                }
+            }
+        }
+    }
+}
+
+/// Rows for columns of a tall image, and a pixel more than the widest one: far outside of it, and
+/// wider than any image may be.
+#[test]
+fn the_largest_images_have_wrong_pictures_too() {
+    let scene = balls();
+    for (width, height) in [(400, 9000), (16_384, 40), (1, 16_384)] {
+        let image = ImageSize::new(width, height).unwrap();
+        let camera = Camera { image, ..general() };
+        let raster = Raster::shown_on(image, 61, 67);
+        for &mistake in Mistake::ALL {
+            let wrong = wrong(&camera, mistake);
+            let picture = WrongPicture::trace(&scene, &wrong, &raster).unwrap();
+            let mut pixels = raster
+                .rows()
+                .iter()
+                .flat_map(|&row| raster.columns().iter().map(move |&column| Pixel { row, column }));
+            let ray_meets = |pixel: Pixel| {
+                scene.first_hit(&wrong.ray(pixel).unwrap()).map_or(NO_OBJECT, |hit| hit.object)
+            };
+            let is_other = |object: &&u32| pixels.next().map(ray_meets) != Some(**object);
+            let differing = picture.object.iter().filter(is_other).count();
+            assert!(differing <= 2, "{width} x {height}, {mistake}: {differing}");
+        }
+    }
+}
+
+#[test]
+fn a_wrong_picture_is_coloured_as_a_right_one_is() {
+    let (scene, camera) = (balls(), general());
+    let raster = Raster::full(camera.image);
+    let color_of = |i: u32| [50 * i as u8, 200, 255 - 40 * i as u8];
+    // Half a turn, so that row and column count from the other end of the right picture.
+    let turned = wrong(&camera, Mistake::UIsWCrossUp);
+    let picture = WrongPicture::trace(&scene, &turned, &raster).unwrap();
+    let right = trace(&scene, &camera.posed().unwrap(), &raster, Outputs::default());
+    for mode in Shade::ALL {
+        let mut pixels = picture.shaded(&scene, mode, color_of, |rgb| rgb);
+        pixels.reverse();
+        let known = shade(&right, &scene, mode, color_of, |rgb| rgb);
+        let near = |(a, b): (&Rgb, &Rgb)| a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) <= 1);
+        assert!(pixels.iter().zip(&known).all(near), "{mode:?}");
+    }
+    let same = picture.differing(&right.object);
+    assert!(same > 0 && same < raster.len(), "{same}");
+}
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    -10.0..10.0
+}
+
+fn point() -> impl Strategy<Value = DVec3> {
+    (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| vec3(x, y, z))
+}
+
+proptest! {
+    #[test]
+    fn a_right_camera_passes_every_check(
+        eye in point(), at in point(), up in point(),
+        (width, height, distance) in (0.01..10.0, 0.01..10.0, 0.01..10.0),
+        (columns, rows) in (1..2000u32, 1..2000u32),
+    ) {
+        let camera = Camera {
+            eye,
+            orientation: Orientation::At { at, up },
+            viewport: Viewport { width, height, distance },
+            image: ImageSize::new(columns, rows).unwrap(),
+        };
+        prop_assume!(camera.up_angle().is_ok_and(|angle| angle.conditioning < 1e6));
+        let right = WrongCamera::right(&camera).unwrap();
+        prop_assert_eq!(failing(&right), Vec::<Check>::new());
+        prop_assert_eq!(right.wrong_vectors(), [false; 3]);
+        for check in [Check::UDotV, Check::VDotW, Check::WDotU] {
+            prop_assert_eq!(right.check(check).value, Value::Number(0.0), "no rounding is shown");
+        }
+        prop_assert_eq!(right.check(Check::CornersBalance).value, Value::Uv(DVec2::ZERO));
+        let pixel = Pixel { row: rows / 2, column: columns / 3 };
+        let known = camera.posed().unwrap().ray_of_pixel(pixel).direction;
+        prop_assert!((right.ray(pixel).unwrap().direction - known).length() < 1e-14 * known.length());
+    }
+
+    #[test]
+    fn what_a_mistake_changes_some_check_finds(
+        eye in point(), at in point(), up in point(), distance in 0.1..5.0,
+    ) {
+        let viewport = Viewport { width: 1.5, height: 1.0, distance };
+        let image = ImageSize::new(30, 20).unwrap();
+        let camera = Camera { eye, orientation: Orientation::At { at, up }, viewport, image };
+        prop_assume!(camera.up_angle().is_ok_and(|angle| angle.conditioning < 1e3));
+        for &mistake in Mistake::ALL {
+            if let Ok(wrong) = WrongCamera::new(&camera, mistake) {
+                prop_assert_ne!(failing(&wrong), Vec::<Check>::new(), "{}", mistake);
+            }
+        }
+    }
+}
