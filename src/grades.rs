@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
-use pinhole_lecture::grading::{Answers, GivenHit, Grade, Kind, KnownMistake, Right, Worst};
+use pinhole_lecture::grading::{Answers, GivenHit, Grade, Kind, Right, Worst};
+use pinhole_lecture::mistakes::Mistake;
 
 use crate::number::{grouped, significant};
 
@@ -312,7 +313,7 @@ fn off(error: f64, kind: Kind) -> String {
     }
 }
 
-fn ids(mistakes: &[KnownMistake], between: &str) -> String {
+fn ids(mistakes: &[Mistake], between: &str) -> String {
     mistakes.iter().map(|mistake| mistake.id()).collect::<Vec<_>>().join(between)
 }
 

@@ -128,14 +128,14 @@ impl Exercises {
 /// The part that is told every mistake that this part is told, where all of them are about that one's
 /// answer and none is about this one's.
 fn source_of(k: usize, parts: &[Part], verdicts: &[Option<Verdict>]) -> Option<Asked> {
-    let Some(Verdict::Slips(slips)) = &verdicts[k] else { return None };
+    let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
     let tells = |asked, verdict: &Option<Verdict>| match verdict {
-        Some(Verdict::Slips(told)) => {
-            slips.iter().all(|slip| slip.is_told_by(asked) && told.contains(slip))
+        Some(Verdict::Mistakes(told)) => {
+            mistakes.iter().all(|mistake| asked.tells(*mistake) && told.contains(mistake))
         }
         _ => false,
     };
-    if slips.iter().any(|slip| slip.is_told_by(parts[k].asked)) {
+    if mistakes.iter().any(|mistake| parts[k].asked.tells(*mistake)) {
         return None;
     }
     parts.iter().zip(verdicts).find(|(part, told)| tells(part.asked, told)).map(|(p, _)| p.asked)

@@ -1,6 +1,7 @@
 //! What is said of an answer, in words.
 
-use pinhole_lecture::exercises::{Asked, Finding, Part, Slip, Verdict};
+use pinhole_lecture::exercises::{Asked, Finding, Part, Verdict};
+use pinhole_lecture::mistakes::Mistake;
 
 use super::Said;
 use super::answers::short;
@@ -49,7 +50,7 @@ fn judged(verdict: &Verdict, part: &Part) -> String {
              counts in it.",
             short(*times)
         ),
-        Verdict::Slips(slips) => format!("Wrong: {}", named(slips)),
+        Verdict::Mistakes(mistakes) => format!("Wrong: {}", named(mistakes)),
         Verdict::Wrong(findings) => {
             let texts: Vec<String> = findings.iter().map(|finding| found(finding, part)).collect();
             format!("Wrong: {}.", texts.join("; "))
@@ -57,8 +58,8 @@ fn judged(verdict: &Verdict, part: &Part) -> String {
     }
 }
 
-fn named(slips: &[Slip]) -> String {
-    let texts: Vec<&str> = slips.iter().map(|slip| slip.look_at()).collect();
+fn named(mistakes: &[Mistake]) -> String {
+    let texts: Vec<&str> = mistakes.iter().map(|mistake| mistake.told()).collect();
     texts.join(" Or: ")
 }
 

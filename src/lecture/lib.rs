@@ -21,7 +21,7 @@
 //! # What stays
 //!
 //! As in [`pinhole_core`]. [`Mistake`](mistakes::Mistake), [`Check`](mistakes::Check),
-//! [`Slip`](exercises::Slip), errors and derivations may grow; the [`exercises`] with their verdicts are
+//! errors and derivations may grow; the [`exercises`] with their verdicts are
 //! complete: whoever shows them all wants to be told of a new one by the compiler.
 
 mod derivation;
@@ -50,7 +50,7 @@ pub use forms::{NumberForm, VectorForm};
 /// fn number_of(error: pinhole_lecture::mistakes::NoWrongCamera) -> u8 {
 ///     use pinhole_lecture::mistakes::NoWrongCamera::*;
 ///     match error {
-///         Camera(_) | GivenByHand(_) | NotGivenByAt | ChangesNothing(_) | Conflict(..) => 0,
+///         Camera(_) | GivenByHand(_) | NotGivenByAt | ChangesNothing(_) => 0,
 ///         OutOfRange(_) => 1,
 ///     }
 /// }

@@ -257,7 +257,7 @@ fn read_looks(section: &Section, looks: &mut Looks, objects: usize) -> Result<()
     say(section, "ledger", &mut looks.ledger, ledger)?;
     say(section, "lit", &mut looks.lit, |field| lit(field, objects))?;
     say(section, "mistake", &mut looks.mistake, |field| {
-        let ids: Vec<_> = Mistake::ALL.iter().map(|mistake| mistake.id()).collect();
+        let ids: Vec<_> = Mistake::GALLERY.iter().map(|mistake| mistake.id()).collect();
         let id = field.one_of(&ids)?;
         Mistake::from_id(id).ok_or_else(|| field.error("it must be a mistake of the gallery"))
     })?;

@@ -84,7 +84,7 @@ pub fn visible(camera: &Camera, posed: &PosedCamera, scene: &Scene) -> Vec<Mista
         let picture = wrong.and_then(|wrong| WrongPicture::trace(scene, &wrong, &raster).ok());
         picture.is_some_and(|picture| picture.differing(&right) * SHOWS_FROM >= right.len())
     };
-    Mistake::ALL.iter().copied().filter(shows).collect()
+    Mistake::GALLERY.iter().copied().filter(shows).collect()
 }
 
 fn right_objects(posed: &PosedCamera, scene: &Scene, raster: &Raster) -> Vec<u32> {

@@ -5,7 +5,6 @@ use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
     pos2, vec2,
 };
-use pinhole_lecture::mistakes::Mistake;
 
 use super::number::error_color;
 use super::places::STRIP;
@@ -175,11 +174,8 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
         ui.label(told(mistake.advice()));
-        let shown = Mistake::from_id(mistake.id());
-        if let Some(shown) = shown
-            && ui.button(format!("See it: {}", shown.name())).clicked()
-        {
-            actions.push(Action::Mistake(shown));
+        if mistake.is_in_gallery() && ui.button(format!("See it: {}", mistake.name())).clicked() {
+            actions.push(Action::Mistake(*mistake));
         }
     }
     for remark in graded.remarks() {

@@ -140,7 +140,7 @@ fn list(ui: &mut Ui, gallery: &mut Gallery) {
         None => Some(gallery.chosen),
     };
     ui.spacing_mut().item_spacing.y = 1.0;
-    for &mistake in Mistake::ALL {
+    for &mistake in Mistake::GALLERY {
         let text = RichText::new(mistake.name()).size(TEXT);
         let response = ui.selectable_label(chosen == Some(mistake), text);
         if response.clicked() {

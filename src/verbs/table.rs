@@ -308,7 +308,7 @@ fn places() -> Vec<Verb> {
         let name = exercises::title(exercise);
         verbs.push(verb(Group::Exercise, name, "Asks this.", Action::Exercise(exercise)));
     }
-    for &mistake in Mistake::ALL {
+    for &mistake in Mistake::GALLERY {
         let action = Action::Mistake(mistake);
         verbs.push(verb(Group::Mistake, mistake.name(), mistake.shows(), action));
     }

@@ -42,7 +42,7 @@ fn a_closed_gallery_makes_no_wrong_picture() {
 #[test]
 fn every_mistake_is_one_click_and_shows_or_says_why_not() {
     let mut window = open("look-at");
-    for &mistake in Mistake::ALL {
+    for &mistake in Mistake::GALLERY {
         click(&mut window, mistake.name());
         assert_says(&window, &format!("Wrong camera: {}", mistake.name()));
         assert_says(&window, mistake.formula());
@@ -158,7 +158,7 @@ fn guess_which_hides_the_name_checks_the_answer_and_goes_on() {
     assert!(!wrong_says(&window).contains(guess.mistake.name()), "{}", wrong_says(&window));
     assert!(!texts_with(&window, guess.mistake.formula()).iter().any(|_| true));
     // Wrong first: one that gives another picture.
-    let other = Mistake::ALL.iter().copied().find(|m| {
+    let other = Mistake::GALLERY.iter().copied().find(|m| {
         let camera = window.state().document().camera;
         let wrong = |mistake| pinhole_lecture::mistakes::WrongCamera::new(&camera, mistake);
         wrong(*m).is_ok_and(|m| !m.sees_the_same(&wrong(guess.mistake).unwrap()))

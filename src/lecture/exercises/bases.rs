@@ -5,8 +5,8 @@ use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation};
 use super::rays::wrong_t_of_wall;
 use super::solve::{Parts, Wrong, camera, number, part, t_of_wall, vector, view_ray, wanting};
 use super::wanted::{Surface, Wanted};
-use super::{Asked, Given, Part, Slip, turned};
-use crate::mistakes::{Mistake, WrongCamera};
+use super::{Asked, Given, Part, turned};
+use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};
 
 pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let Basis { u, v, w } = turned(right);
@@ -21,12 +21,12 @@ pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
         wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
     ];
     // The wall's t is along the wrong direction.
-    let direction = |slip, d: DVec3| Wrong {
-        slip,
+    let direction = |mistake, d: DVec3| Wrong {
+        mistake,
         answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
     };
-    let basis = |slip, u: DVec3, v: DVec3, w: DVec3| {
-        let mut wrong = direction(slip, uv.x * u + uv.y * v - w);
+    let basis = |mistake, u: DVec3, v: DVec3, w: DVec3| {
+        let mut wrong = direction(mistake, uv.x * u + uv.y * v - w);
         wrong.answers.extend(basis_answers(u, v, w));
         wrong
     };
@@ -34,21 +34,24 @@ pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let sum = |v: DVec3| v.signum() * v.abs().ceil();
     let other_way = turned(DVec3::new(right.x, right.y, -right.z));
     let mut wrongs = vec![
-        basis(Slip::WForwards, u, v, -w),
-        basis(Slip::ULeftwards, -u, v, w),
-        basis(Slip::VIsUCrossW, u, -v, w),
-        basis(Slip::UAndWSwapped, w, v, u),
-        basis(Slip::TurnedOtherWay, other_way.u, other_way.v, other_way.w),
-        basis(Slip::BasisUnnormalized, sum(u), v, sum(w)),
-        basis(Slip::BasisUnnormalized, 0.5 * sum(u), v, 0.5 * sum(w)),
-        direction(Slip::PlusW, uv.x * u + uv.y * v + w),
-        direction(Slip::BasisForgotten, uv.extend(-1.0)),
-        direction(Slip::ZIsMinusDistance, DVec3 { z: -1.0, ..ray.direction }),
-        direction(Slip::UvSwapped, uv.y * u + uv.x * v - w),
-        direction(Slip::VDown, uv.x * u - uv.y * v - w),
-        direction(Slip::ULeft, -uv.x * u + uv.y * v - w),
-        direction(Slip::FlatDirection, uv.x * u + uv.y * v),
-        direction(Slip::UvLeftOut, -w),
+        basis(Mistake::WForwards, u, v, -w),
+        basis(Mistake::ULeftwards, -u, v, w),
+        basis(Mistake::VIsUCrossW, u, -v, w),
+        basis(Mistake::UAndWSwapped, w, v, u),
+        basis(Mistake::TurnedOtherWay, other_way.u, other_way.v, other_way.w),
+        basis(Mistake::BasisUnnormalized, sum(u), v, sum(w)),
+        basis(Mistake::BasisUnnormalized, 0.5 * sum(u), v, 0.5 * sum(w)),
+        direction(
+            Mistake::DistanceAdded,
+            Mistake::DistanceAdded.usual().direction([u, v, w], 1.0, uv),
+        ),
+        direction(Mistake::BasisForgotten, uv.extend(-1.0)),
+        direction(Mistake::ZIsMinusDistance, DVec3 { z: -1.0, ..ray.direction }),
+        direction(Mistake::UvSwapped, uv.y * u + uv.x * v - w),
+        direction(Mistake::VDown, uv.x * u - uv.y * v - w),
+        direction(Mistake::ULeft, -uv.x * u + uv.y * v - w),
+        direction(Mistake::FlatDirection, uv.x * u + uv.y * v),
+        direction(Mistake::UvLeftOut, -w),
     ];
     wrongs.extend(wrong_t_of_wall(&ray, t, z));
     (parts, wrongs)
@@ -69,57 +72,55 @@ pub(super) fn constructed(given: &Given) -> Option<Parts> {
         Part { orthogonal_to: vec![("w", w), ("u", u)], ..part(Asked::V, vector(v)) },
     ];
     let basis =
-        |slip, u, v, w| Wrong { slip, answers: basis_answers(u, v, w).into_iter().collect() };
+        |mistake, u, v, w| Wrong { mistake, answers: basis_answers(u, v, w).into_iter().collect() };
     // What is seen comes before what may have led to it.
-    let mut wrongs = vec![basis(Slip::ULeftwards, -u, v, w)];
+    let mut wrongs = vec![basis(Mistake::ULeftwards, -u, v, w)];
     wrongs.extend(
-        wrong_cameras(&camera).map(|(slip, wrong)| basis(slip, wrong.u(), wrong.v(), wrong.w())),
+        wrong_cameras(&camera).map(|(mistake, made)| basis(mistake, made.u, made.v, made.w)),
     );
-    let (view, up) = (camera.view(), camera.up());
-    wrongs.push(basis(Slip::UpAsV, u, up.normalize(), w));
-    // Nothing is normalized; then with w = view, u or not.
-    let plain_u = up.cross(-view);
-    wrongs.push(basis(Slip::NothingNormalized, plain_u, (-view).cross(plain_u), -view));
-    wrongs.push(basis(Slip::WIsView, -u, view.cross(-u), view));
-    wrongs.push(basis(Slip::WIsView, -plain_u, view.cross(-plain_u), view));
-    wrongs.push(basis(Slip::UAndVSwapped, v, u, w));
-    wrongs.extend(wrong_points(&camera).filter_map(|(slip, back)| {
-        let Basis { u, v, w } = Basis::from_view_up(-back, up).ok()?;
-        Some(basis(slip, u, v, w))
+    wrongs.push(basis(Mistake::UAndVSwapped, v, u, w));
+    wrongs.extend(wrong_points(&camera).filter_map(|(mistake, back)| {
+        let Basis { u, v, w } = Basis::from_view_up(-back, camera.up()).ok()?;
+        Some(basis(mistake, u, v, w))
     }));
     Some((parts, wrongs))
 }
 
-/// The gallery's wrong cameras that an answer can come from.
-fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Slip, WrongCamera)> {
-    let mistakes = [
-        (Slip::WAsPrinted, Mistake::WAsPrinted),
-        (Slip::WIsAtMinusEye, Mistake::WIsAtMinusEye),
-        (Slip::VIsUCrossW, Mistake::VIsUCrossW),
-        (Slip::UIsWCrossUp, Mistake::UIsWCrossUp),
-        (Slip::LeftHanded, Mistake::LeftHanded),
-        (Slip::UNotNormalized, Mistake::NotNormalized),
-        (Slip::WNotNormalized, Mistake::WNotNormalized),
-        (Slip::UpAsV, Mistake::UpAsV),
-    ];
+/// The cameras that an answer can come from, with the mistake that makes them.
+fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCamera)> {
+    const USUAL: usize = 1;
     let is_at = matches!(camera.orientation, Orientation::At { .. });
     // Given points, at - eye is what is taken for w.
-    let fits = move |(_, mistake): &(Slip, Mistake)| !(is_at && *mistake == Mistake::WAsPrinted);
-    mistakes
-        .into_iter()
-        .filter(fits)
-        .filter_map(|(slip, mistake)| Some((slip, WrongCamera::new(camera, mistake).ok()?)))
+    let w_forwards = if is_at { Mistake::WIsAtMinusEye } else { Mistake::WAsPrinted };
+    let mistakes = [
+        (w_forwards, USUAL),
+        (Mistake::VIsUCrossW, USUAL),
+        (Mistake::UIsWCrossUp, USUAL),
+        (Mistake::LeftHanded, USUAL),
+        (Mistake::NotNormalized, USUAL),
+        (Mistake::WNotNormalized, USUAL),
+        (Mistake::UpAsV, usize::MAX),
+        (Mistake::NothingNormalized, usize::MAX),
+        (Mistake::WIsView, usize::MAX),
+    ];
+    let given = GivenCamera::new(camera).ok();
+    given.into_iter().flat_map(move |given| {
+        mistakes.into_iter().flat_map(move |(mistake, ways)| {
+            let pipelines = mistake.pipelines().take(ways);
+            pipelines.map(move |pipeline| (mistake, given.camera_of(pipeline)))
+        })
+    })
 }
 
 /// What is often taken for eye - at.
-fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Slip, DVec3)> {
+fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
     let eye = camera.eye;
-    let of = move |at: DVec3| {
-        [(Slip::EyeForgotten, -at), (Slip::AtForgotten, eye), (Slip::EyePlusAt, eye + at)]
+    let wrong = move |at: DVec3| {
+        [(Mistake::EyeForgotten, -at), (Mistake::AtForgotten, eye), (Mistake::EyePlusAt, eye + at)]
     };
     let at = match camera.orientation {
         Orientation::At { at, .. } => Some(at),
         _ => None,
     };
-    at.into_iter().flat_map(of)
+    at.into_iter().flat_map(wrong)
 }

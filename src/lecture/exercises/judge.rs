@@ -2,7 +2,8 @@
 
 use pinhole_core::{DVec3, shortest};
 
-use super::{Answer, Finding, Part, Slip};
+use super::{Answer, Finding, Part};
+use crate::mistakes::Mistake;
 
 /// How far an answer may be from the truth, relative to it.
 pub(super) const TOLERANCE: f64 = 1e-9;
@@ -33,7 +34,7 @@ pub enum Verdict {
         times: f64,
     },
     /// Each of these mistakes gives the answer, and agrees with the answers to the other parts.
-    Slips(Vec<Slip>),
+    Mistakes(Vec<Mistake>),
     /// No mistake that is known gives it; what is wrong with it.
     Wrong(Vec<Finding>),
 }
@@ -52,14 +53,14 @@ impl Verdict {
 pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
     let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
     let plain: Vec<Option<Verdict>> =
-        (0..parts.len()).map(|k| Some(without_slips(&parts[k], answer(k)?))).collect();
+        (0..parts.len()).map(|k| Some(without_mistakes(&parts[k], answer(k)?))).collect();
     let right: Vec<&Part> = parts
         .iter()
         .zip(&plain)
         .filter(|(_, plain)| plain.as_ref().is_some_and(is_the_truth))
         .map(|(part, _)| part)
         .collect();
-    let named: Vec<Vec<Slip>> = (0..parts.len())
+    let named: Vec<Vec<Mistake>> = (0..parts.len())
         .map(|k| match (answer(k), &plain[k]) {
             (Some(answer), Some(plain)) if !is_settled(plain, &parts[k]) => {
                 fitting(&parts[k], answer, &right)
@@ -67,20 +68,22 @@ pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Ve
             _ => Vec::new(),
         })
         .collect();
-    let explains = |slip: &Slip| named.iter().filter(|slips| slips.contains(slip)).count();
-    let most = |slips: &[Slip]| {
-        let most = slips.iter().map(explains).max().unwrap_or_default();
-        let mut best: Vec<Slip> = slips.iter().copied().filter(|s| explains(s) == most).collect();
+    let explains =
+        |mistake: &Mistake| named.iter().filter(|mistakes| mistakes.contains(mistake)).count();
+    let most = |mistakes: &[Mistake]| {
+        let most = mistakes.iter().map(explains).max().unwrap_or_default();
+        let mut best: Vec<Mistake> =
+            mistakes.iter().copied().filter(|s| explains(s) == most).collect();
         let all = best.clone();
-        best.retain(|slip| !all.iter().any(|other| other.is_part_of(*slip)));
+        best.retain(|mistake| !all.iter().any(|other| other.is_part_of(*mistake)));
         best
     };
     plain
         .into_iter()
         .zip(&named)
         .map(
-            |(plain, slips)| {
-                if slips.is_empty() { plain } else { Some(Verdict::Slips(most(slips))) }
+            |(plain, mistakes)| {
+                if mistakes.is_empty() { plain } else { Some(Verdict::Mistakes(most(mistakes))) }
             },
         )
         .collect()
@@ -98,7 +101,7 @@ fn is_settled(verdict: &Verdict, part: &Part) -> bool {
 }
 
 /// What is said where no known mistake gives the answer.
-fn without_slips(part: &Part, answer: &Answer) -> Verdict {
+fn without_mistakes(part: &Part, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
         let another = || Verdict::Wrong(vec![Finding::Another]);
         return if part.truth == *answer { Verdict::Right } else { another() };
@@ -125,19 +128,20 @@ fn without_slips(part: &Part, answer: &Answer) -> Verdict {
 
 /// The mistakes that give the answer and agree with what is right; where none does, those that
 /// are told by this answer alone.
-fn fitting(part: &Part, answer: &Answer, right: &[&Part]) -> Vec<Slip> {
+fn fitting(part: &Part, answer: &Answer, right: &[&Part]) -> Vec<Mistake> {
     let all = giving(part, answer);
-    let spoils = |slip: &Slip, part: &&Part| part.slips.iter().any(|(other, _)| other == slip);
-    let agrees = |slip: &Slip| !right.iter().any(|part| spoils(slip, part));
-    let agreeing: Vec<Slip> = all.iter().copied().filter(agrees).collect();
+    let spoils =
+        |mistake: &Mistake, part: &&Part| part.mistakes.iter().any(|(other, _)| other == mistake);
+    let agrees = |mistake: &Mistake| !right.iter().any(|part| spoils(mistake, part));
+    let agreeing: Vec<Mistake> = all.iter().copied().filter(agrees).collect();
     if agreeing.is_empty() {
-        return all.into_iter().filter(|slip| slip.is_told_by(part.asked)).collect();
+        return all.into_iter().filter(|mistake| part.asked.tells(*mistake)).collect();
     }
     agreeing
 }
 
 /// The mistakes that give the answer, each alone.
-fn giving(part: &Part, answer: &Answer) -> Vec<Slip> {
+fn giving(part: &Part, answer: &Answer) -> Vec<Mistake> {
     let gives = |wrong: &Answer| match (wrong, answer) {
         (Answer::Numbers(wrong), Answer::Numbers(given)) => {
             wrong.len() == given.len()
@@ -148,13 +152,13 @@ fn giving(part: &Part, answer: &Answer) -> Vec<Slip> {
         }
         (wrong, answer) => wrong == answer,
     };
-    let mut slips: Vec<Slip> = Vec::new();
-    for (slip, wrong) in &part.slips {
-        if gives(wrong) && !slips.contains(slip) {
-            slips.push(*slip);
+    let mut mistakes: Vec<Mistake> = Vec::new();
+    for (mistake, wrong) in &part.mistakes {
+        if gives(wrong) && !mistakes.contains(mistake) {
+            mistakes.push(*mistake);
         }
     }
-    slips
+    mistakes
 }
 
 fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {

@@ -6,15 +6,15 @@ mod judge;
 mod objects;
 mod pick;
 mod rays;
-mod slips;
 mod solve;
 mod wanted;
 
 use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray, Sphere, Viewport};
 
 pub use judge::Verdict;
-pub use slips::Slip;
 pub use wanted::Finding;
+
+use crate::mistakes::Mistake;
 
 /// A kind of question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -144,7 +144,7 @@ pub struct Part {
     /// Whether every positive multiple is right, too.
     pub may_be_scaled: bool,
     /// Answers that mistakes give.
-    pub slips: Vec<(Slip, Answer)>,
+    pub mistakes: Vec<(Mistake, Answer)>,
     /// What the vector has to be at right angles to, by name.
     orthogonal_to: Vec<(&'static str, DVec3)>,
     /// What else it has to fulfil.
@@ -215,6 +215,43 @@ impl Asked {
     /// Whether it is of length 1.
     pub fn is_unit(self) -> bool {
         matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
+    }
+
+    /// Returns whether what is said of a mistake is about this answer itself, and not about another one
+    /// from which this follows.
+    pub fn tells(self, mistake: Mistake) -> bool {
+        match mistake {
+            Mistake::WAsPrinted
+            | Mistake::WIsAtMinusEye
+            | Mistake::WNotNormalized
+            | Mistake::WForwards
+            | Mistake::WIsView
+            | Mistake::EyeForgotten
+            | Mistake::AtForgotten
+            | Mistake::EyePlusAt => self == Asked::W,
+            Mistake::UIsWCrossUp | Mistake::NotNormalized | Mistake::ULeftwards => self == Asked::U,
+            Mistake::VIsUCrossW => self == Asked::V,
+            Mistake::LeftHanded
+            | Mistake::TurnedOtherWay
+            | Mistake::UAndVSwapped
+            | Mistake::UAndWSwapped
+            | Mistake::BasisUnnormalized
+            | Mistake::NothingNormalized => false,
+            Mistake::DistanceDropped
+            | Mistake::SignOfZ
+            | Mistake::FlatDirection
+            | Mistake::UvSwapped
+            | Mistake::VDown
+            | Mistake::ULeft
+            | Mistake::UvLeftOut
+            | Mistake::DistanceOnAll
+            | Mistake::DistanceOnUv
+            | Mistake::ViewportAtOne
+            | Mistake::BasisForgotten
+            | Mistake::ZIsMinusDistance
+            | Mistake::DistanceAdded => self != Asked::T,
+            _ => true,
+        }
     }
 
     /// Whether it is a direction, of which length and sense can be wrong apart from the rest; a point

@@ -4,7 +4,8 @@ use pinhole_core::{Basis, DVec2, DVec3, Ray};
 
 use super::solve::{Parts, Wrong, number, one, t_of_wall, vector, view_ray, wanting, wrong_t};
 use super::wanted::{Surface, Wanted};
-use super::{Asked, Part, Slip};
+use super::{Asked, Part};
+use crate::mistakes::Mistake;
 
 pub(super) fn of_uv(uv: DVec2) -> Parts {
     let ray = view_ray(Basis::CANONICAL, 1.0, uv);
@@ -15,43 +16,46 @@ pub(super) fn of_uv(uv: DVec2) -> Parts {
             ..wanting(Asked::Direction, vector(ray.direction), vec![through(1.0, uv)])
         },
     ];
-    let p = |x, y, z| one(Slip::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
+    let p = |x, y, z| one(Mistake::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
     let mut wrongs = vec![p(0.0, 0.0, -1.0), p(uv.x, uv.y, -1.0), p(uv.x, uv.y, 0.0)];
-    let d = |(slip, d)| one(slip, Asked::Direction, vector(d));
+    let d = |(mistake, d)| one(mistake, Asked::Direction, vector(d));
     wrongs.extend(wrong_directions(uv, 1.0).map(d));
     (parts, wrongs)
 }
+
+/// u, v and w of the canonical camera.
+const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
 
 fn through(distance: f64, uv: DVec2) -> Wanted {
     Wanted::Through { basis: Basis::CANONICAL, distance, uv }
 }
 
 /// What is often given for the direction of a canonical camera's ray.
-fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Slip, DVec3)> {
+fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, DVec3)> {
     let DVec2 { x: u, y: v } = uv;
+    let flat = Mistake::FlatDirection;
     [
-        (Slip::SignOfZ, u, v, distance),
-        (Slip::FlatDirection, u, v, 0.0),
-        (Slip::UvSwapped, v, u, -distance),
-        (Slip::VDown, u, -v, -distance),
-        (Slip::ULeft, -u, v, -distance),
-        (Slip::UvLeftOut, 0.0, 0.0, -distance),
+        (Mistake::SignOfZ, DVec3::new(u, v, distance)),
+        (flat, flat.usual().direction(AXES, distance, uv)),
+        (Mistake::UvSwapped, DVec3::new(v, u, -distance)),
+        (Mistake::VDown, DVec3::new(u, -v, -distance)),
+        (Mistake::ULeft, DVec3::new(-u, v, -distance)),
+        (Mistake::UvLeftOut, DVec3::new(0.0, 0.0, -distance)),
     ]
     .into_iter()
-    .map(|(slip, x, y, z)| (slip, DVec3::new(x, y, z)))
 }
 
 /// What is often given for the t of a wall, with the point where it is.
 pub(super) fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
     [
-        (Slip::SignOfT, -t),
-        (Slip::CoordinateForT, z),
-        (Slip::CoordinateForT, -z),
-        (Slip::TForDistance, ray.distance_along(t)),
-        (Slip::TInverted, 1.0 / t),
-        (Slip::FromViewport, t - 1.0),
+        (Mistake::SignOfT, -t),
+        (Mistake::CoordinateForT, z),
+        (Mistake::CoordinateForT, -z),
+        (Mistake::TForDistance, ray.distance_along(t)),
+        (Mistake::TInverted, 1.0 / t),
+        (Mistake::FromViewport, t - 1.0),
     ]
-    .map(|(slip, t)| wrong_t(slip, t, vector(ray.at(t))))
+    .map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t))))
     .into()
 }
 
@@ -69,13 +73,13 @@ pub(super) fn and_wall(uv: DVec2, z: f64) -> Parts {
     ];
     let mut wrongs = wrong_t_of_wall(&ray, t, z);
     // The wrong ray's t, and the wrong ray's point.
-    wrongs.extend(wrong_directions(uv, 1.0).map(|(slip, d)| {
+    wrongs.extend(wrong_directions(uv, 1.0).map(|(mistake, d)| {
         let t = z / d.z;
-        wrong_t(slip, t, vector(t * d))
+        wrong_t(mistake, t, vector(t * d))
     }));
     // d's z from a right t, and t from a right z.
-    wrongs.push(one(Slip::SignOfZ, Asked::Point, vector(DVec3::new(point.x, point.y, -z))));
-    wrongs.push(one(Slip::UvUnscaled, Asked::Point, vector(uv.extend(z))));
+    wrongs.push(one(Mistake::SignOfZ, Asked::Point, vector(DVec3::new(point.x, point.y, -z))));
+    wrongs.push(one(Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
     (parts, wrongs)
 }
 
@@ -87,19 +91,20 @@ pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
         wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
     ];
     let scaled = distance * uv;
-    let wrong = |(slip, d): (Slip, DVec3)| Wrong {
-        slip,
+    let wrong = |(mistake, d): (Mistake, DVec3)| Wrong {
+        mistake,
         answers: vec![(Asked::Direction, vector(d)), (Asked::T, number(z / d.z))],
     };
+    let dropped = Mistake::DistanceDropped;
     let of_distance = [
-        (Slip::DistanceDropped, uv.extend(-1.0)),
-        (Slip::DistanceOnAll, scaled.extend(-distance)),
-        (Slip::DistanceOnUv, scaled.extend(-1.0)),
-        (Slip::ViewportAtOne, (uv / distance).extend(-1.0)),
+        (dropped, dropped.usual().direction(AXES, distance, uv)),
+        (Mistake::DistanceOnAll, scaled.extend(-distance)),
+        (Mistake::DistanceOnUv, scaled.extend(-1.0)),
+        (Mistake::ViewportAtOne, (uv / distance).extend(-1.0)),
     ];
     let mut wrongs: Vec<Wrong> =
         of_distance.into_iter().chain(wrong_directions(uv, distance)).map(wrong).collect();
     wrongs.extend(wrong_t_of_wall(&ray, t, z));
-    wrongs.push(one(Slip::FromViewport, Asked::T, number(-z - distance)));
+    wrongs.push(one(Mistake::FromViewport, Asked::T, number(-z - distance)));
     (parts, wrongs)
 }

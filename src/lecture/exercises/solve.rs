@@ -4,12 +4,13 @@ use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray};
 
 use super::judge::is_near;
 use super::wanted::Wanted;
-use super::{Answer, Asked, Given, Part, Slip, camera as camera_of, turned};
+use super::{Answer, Asked, Given, Part, camera as camera_of, turned};
 use super::{bases, objects, rays};
+use crate::mistakes::Mistake;
 
 /// A wrong answer: each of the things asked for that a mistake changes.
 pub(super) struct Wrong {
-    pub(super) slip: Slip,
+    pub(super) mistake: Mistake,
     pub(super) answers: Vec<(Asked, Answer)>,
 }
 
@@ -28,11 +29,11 @@ pub(super) fn parts(given: &Given) -> Option<Vec<Part>> {
         Given::Sphere { ray, sphere } => objects::sphere(&ray, &sphere)?,
         Given::Lines { line, origin, direction } => objects::lines(line, origin, direction),
     };
-    for Wrong { slip, answers } in wrongs {
+    for Wrong { mistake, answers } in wrongs {
         for (asked, answer) in answers {
             let part = parts.iter_mut().find(|part| part.asked == asked);
             if let Some(part) = part.filter(|part| is_another(&part.truth, &answer)) {
-                part.slips.push((slip, answer));
+                part.mistakes.push((mistake, answer));
             }
         }
     }
@@ -78,7 +79,7 @@ pub(super) fn part(asked: Asked, truth: Answer) -> Part {
         asked,
         truth,
         may_be_scaled: false,
-        slips: Vec::new(),
+        mistakes: Vec::new(),
         orthogonal_to: Vec::new(),
         wanted: Vec::new(),
     }
@@ -101,8 +102,8 @@ pub(super) fn place(v: DVec2) -> Answer {
     Answer::Numbers(v.to_array().to_vec())
 }
 
-pub(super) fn one(slip: Slip, asked: Asked, answer: Answer) -> Wrong {
-    Wrong { slip, answers: vec![(asked, answer)] }
+pub(super) fn one(mistake: Mistake, asked: Asked, answer: Answer) -> Wrong {
+    Wrong { mistake, answers: vec![(asked, answer)] }
 }
 
 /// The ray from the origin through a place in the viewport: `u U + v V - distance W`.
@@ -118,6 +119,6 @@ pub(super) fn t_of_wall(ray: &Ray, z: f64) -> f64 {
 }
 
 /// The wrong t, each with the point that is found with it.
-pub(super) fn wrong_t(slip: Slip, t: f64, point: Answer) -> Wrong {
-    Wrong { slip, answers: vec![(Asked::T, number(t)), (Asked::Point, point)] }
+pub(super) fn wrong_t(mistake: Mistake, t: f64, point: Answer) -> Wrong {
+    Wrong { mistake, answers: vec![(Asked::T, number(t)), (Asked::Point, point)] }
 }

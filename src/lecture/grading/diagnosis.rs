@@ -1,10 +1,7 @@
 //! Which mistakes explain the answers.
 
+use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 use rayon::prelude::*;
-
-use super::KnownMistake;
-use super::given::{Given, ProgramCamera};
-use super::program::{Change, Program};
 
 /// The mistakes that explain wrong answers.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,14 +9,14 @@ use super::program::{Change, Program};
 pub struct Diagnosis {
     /// The smallest set of known mistakes with which a program gives all of these answers, the right
     /// ones too: one, or two. Of several such sets, the first in the order of
-    /// [`KnownMistake::ALL`], in which `v = u x w` comes last unless a basis is answered: rays cannot
+    /// [`Mistake::GRADED`], in which `v = u x w` comes last unless a basis is answered: rays cannot
     /// tell it from rows that count from the bottom. Empty where there is none, and where nothing is
     /// wrong.
-    pub mistakes: Vec<KnownMistake>,
+    pub mistakes: Vec<Mistake>,
     /// Other sets of as many that give the same answers here, in the same order.
-    pub alternatives: Vec<Vec<KnownMistake>>,
-    /// The slip that gives these answers, where no single known mistake does.
-    pub other_slip: Option<OtherSlip>,
+    pub alternatives: Vec<Vec<Mistake>>,
+    /// One slip that gives these answers, where none of [`Mistake::GRADED`] alone does.
+    pub other: Option<Mistake>,
     /// Whether all answers would be right if rows and columns counted from 1.
     pub counted_from_one: bool,
     /// Whether objects are counted from 1.
@@ -40,15 +37,15 @@ pub(super) trait Fits: Sync {
     }
 
     /// What has to be known before the first answer is looked at.
-    fn prepare(&self, _camera: &mut ProgramCamera) {}
+    fn prepare(&self, _camera: &mut PipelineCamera) {}
 
     /// How many spheres one answer is held against, about.
-    fn work(&self, _program: &Program) -> usize {
+    fn work(&self, _program: &Pipeline) -> usize {
         1
     }
 
     /// Whether the program may have given this answer.
-    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool;
+    fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 }
 
 /// Answers that are looked at before all others are.
@@ -59,104 +56,67 @@ const MOST_WORK: usize = 50_000_000;
 
 /// Finds the smallest set of mistakes; `is_right` says which answers need none, of which not all do.
 pub(super) fn diagnose(
-    given: &Given,
+    given: &GivenCamera,
     answers: &dyn Fits,
     is_right: &[bool],
     may_be_single: bool,
 ) -> Diagnosis {
     let looks = first_looks(is_right);
-    let mut known = KnownMistake::ALL.to_vec();
-    known.retain(|mistake| may_be_single || *mistake != KnownMistake::SinglePrecision);
+    let mut known = Mistake::GRADED.to_vec();
+    known.retain(|mistake| may_be_single || *mistake != Mistake::SinglePrecision);
     if !answers.shows_basis() {
         // Both turn the picture upside down, and no ray tells them apart. A basis does.
-        known.sort_by_key(|mistake| *mistake == KnownMistake::VIsUCrossW);
+        known.sort_by_key(|mistake| *mistake == Mistake::VIsUCrossW);
     }
-    let one = |mistake: KnownMistake| {
-        let ways = mistake.ways().iter();
-        ways.map(|way| Program::RIGHT.with(*way)).collect::<Vec<_>>()
-    };
-    let mut sets: Vec<(Vec<KnownMistake>, Vec<Program>)> =
-        known.iter().map(|mistake| (vec![*mistake], one(*mistake))).collect();
+    let mut sets: Vec<(Vec<Mistake>, Vec<Pipeline>)> =
+        known.iter().map(|mistake| (vec![*mistake], mistake.pipelines().collect())).collect();
     let found = explaining(given, answers, &looks, &sets);
     if !found.is_empty() {
-        let is_found = |change: Change| {
-            found[0].0 == [KnownMistake::CountedFromOne]
-                && explains(given, answers, &looks, &Program::RIGHT.with(change))
+        let is_found = |way: Way| {
+            found[0].0 == [Mistake::CountedFromOne]
+                && explains(given, answers, &looks, &Pipeline::RIGHT.with(way))
         };
-        let counted_from_one = is_found(Change::Shift(-1.0));
-        let objects_from_one =
-            !counted_from_one && (is_found(Change::ObjectsFromOne) || is_found(Change::AllFromOne));
-        return Diagnosis { counted_from_one, objects_from_one, ..Diagnosis::of(found) };
+        let counted_from_one = is_found(Pipeline::count_pixels_from_one);
+        let objects_from_one = !counted_from_one
+            && (is_found(Pipeline::count_objects_from_one)
+                || is_found(Pipeline::count_all_from_one));
+        return Diagnosis { counted_from_one, objects_from_one, ..Diagnosis::new(found) };
     }
     sets.clear();
     for (place, first) in known.iter().enumerate() {
         for second in &known[place + 1..] {
-            let programs = one(*first)
-                .into_iter()
-                .flat_map(|program| second.ways().iter().map(move |way| program.with(*way)));
+            let pipelines = first.pipelines().flat_map(|pipeline| second.pipelines_from(pipeline));
             let mut both = vec![*first, *second];
             both.sort_unstable();
-            sets.push((both, programs.collect()));
+            sets.push((both, pipelines.collect()));
         }
     }
-    let other_slip = Program::OTHER_SLIPS
-        .iter()
-        .find(|(program, _)| explains(given, answers, &looks, program))
-        .map(|(_, slip)| *slip);
-    Diagnosis { other_slip, ..Diagnosis::of(explaining(given, answers, &looks, &sets)) }
+    let explains_all = |mistake: &&Mistake| {
+        mistake.pipelines().any(|pipeline| explains(given, answers, &looks, &pipeline))
+    };
+    let other = OTHERS.iter().find(explains_all).copied();
+    Diagnosis { other, ..Diagnosis::new(explaining(given, answers, &looks, &sets)) }
 }
 
-/// One slip that is none of the known mistakes: of rays, it looks like two of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum OtherSlip {
-    /// `d = eye - point`.
-    RayReversed,
-    /// `d = u U + v V + distance w`.
-    DistanceAdded,
-}
-
-impl OtherSlip {
-    /// What to look at.
-    pub fn advice(self) -> &'static str {
-        match self {
-            OtherSlip::RayReversed => {
-                "Look at the direction's sign: every ray leads back to the eye, and it is \
-                 d = point - eye."
-            }
-            OtherSlip::DistanceAdded => {
-                "Look at the direction's part along w: it is added, and it is -distance w."
-            }
-        }
-    }
-}
+/// Mistakes that rays show as two of [`Mistake::GRADED`].
+const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
 impl Default for Diagnosis {
     /// Nothing is wrong, or nothing explains it.
     fn default() -> Diagnosis {
-        Diagnosis::of(Vec::new())
+        Diagnosis::new(Vec::new())
     }
 }
 
 impl Diagnosis {
-    /// What gives the same answers as the mistakes named, where that is one slip in place of two.
-    pub fn or_other_slip(&self) -> Option<&'static str> {
-        self.other_slip.filter(|_| !self.mistakes.is_empty()).map(|slip| match slip {
-            OtherSlip::RayReversed => "Or every ray leads back to the eye: it is d = point - eye.",
-            OtherSlip::DistanceAdded => {
-                "Or the direction's part along w is added: it is -distance w."
-            }
-        })
-    }
-
-    fn of(found: Vec<(Vec<KnownMistake>, usize)>) -> Diagnosis {
+    fn new(found: Vec<(Vec<Mistake>, usize)>) -> Diagnosis {
         let of_every = found.first().map_or(1, |(_, of_every)| *of_every);
         let mut sets = found.into_iter().map(|(mistakes, _)| mistakes);
         let mistakes = sets.next().unwrap_or_default();
         Diagnosis {
             mistakes,
             alternatives: sets.collect(),
-            other_slip: None,
+            other: None,
             counted_from_one: false,
             objects_from_one: false,
             of_every,
@@ -166,12 +126,12 @@ impl Diagnosis {
 
 /// The sets of which a program gives all the answers, and every how many of them were looked at.
 fn explaining(
-    given: &Given,
+    given: &GivenCamera,
     answers: &dyn Fits,
     looks: &[usize],
-    sets: &[(Vec<KnownMistake>, Vec<Program>)],
-) -> Vec<(Vec<KnownMistake>, usize)> {
-    let explains = |program: &&Program| explains(given, answers, looks, program);
+    sets: &[(Vec<Mistake>, Vec<Pipeline>)],
+) -> Vec<(Vec<Mistake>, usize)> {
+    let explains = |program: &&Pipeline| explains(given, answers, looks, program);
     let found = sets.iter().filter_map(|(mistakes, programs)| {
         let program = programs.iter().find(explains)?;
         Some((mistakes.clone(), step(answers, program)))
@@ -180,7 +140,7 @@ fn explaining(
 }
 
 /// Whether the program gives all the answers.
-fn explains(given: &Given, answers: &dyn Fits, looks: &[usize], program: &Program) -> bool {
+fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], program: &Pipeline) -> bool {
     let mut camera = given.camera_of(*program);
     answers.prepare(&mut camera);
     let step = step(answers, program);
@@ -189,7 +149,7 @@ fn explains(given: &Given, answers: &dyn Fits, looks: &[usize], program: &Progra
 }
 
 /// Every how many answers are held against a program.
-fn step(answers: &dyn Fits, program: &Program) -> usize {
+fn step(answers: &dyn Fits, program: &Pipeline) -> usize {
     answers.len().saturating_mul(answers.work(program)).div_ceil(MOST_WORK).max(1)
 }
 

@@ -8,20 +8,20 @@ use super::answers::{Answers, HitAnswer, Kind, Measured, RayAnswer};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::digits::Precision;
 use super::error::GradeError;
-use super::given::Given;
 use super::hits::{Hits, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
 use super::vectors::{Rays, Vectors};
 use super::{
-    Digits, Grade, Hit, Judged, KnownMistake, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth,
-    Worst, digits_wanted,
+    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
+    digits_wanted,
 };
+use crate::mistakes::{GivenCamera, Mistake};
 
 /// Answers, and what they are graded by.
 pub(super) struct Grader<'a> {
     truth: &'a Truth<'a>,
     answers: &'a Answers,
-    given: Given,
+    given: GivenCamera,
     tolerance: f64,
     digits: Digits,
     /// The answers may be those of a program in `f32`.
@@ -34,7 +34,7 @@ impl<'a> Grader<'a> {
         answers: &'a Answers,
         tolerance: Option<f64>,
     ) -> Result<Grader<'a>, GradeError> {
-        let given = Given::new(truth.camera)?;
+        let given = GivenCamera::new(truth.camera)?;
         let image = given.posed.image();
         match answers {
             Answers::Picture(pixels) if pixels.len() as u64 != image.pixel_count() => {
@@ -96,7 +96,7 @@ impl<'a> Grader<'a> {
         let least = match grade.diagnosis.mistakes[..] {
             _ if grade.all_agree() => return grade,
             [] => 1,
-            [mistake] if mistake != KnownMistake::SinglePrecision => return grade,
+            [mistake] if mistake != Mistake::SinglePrecision => return grade,
             _ => 3,
         };
         let Some((answers, digits)) = self.few_digits() else { return grade };

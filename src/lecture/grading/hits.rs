@@ -6,10 +6,9 @@ use rayon::prelude::*;
 
 use super::answers::{GivenHit, HitAnswer, Measured};
 use super::diagnosis::Fits;
-use super::given::{Given, ProgramCamera};
 use super::meetings::{FirstMeetings, Meeting, work};
-use super::program::{Measure, Program};
 use super::{Digits, Hit, Judged, Truth};
+use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
 
 pub(super) struct Hits<'a> {
     pub(super) answers: &'a [HitAnswer],
@@ -23,11 +22,11 @@ impl Fits for Hits<'_> {
         self.answers.len()
     }
 
-    fn work(&self, program: &Program) -> usize {
+    fn work(&self, program: &Pipeline) -> usize {
         work(self.scene, program)
     }
 
-    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
+    fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let HitAnswer { pixel, hit } = self.answers[index];
         if !camera.answers_for(pixel) {
             return false;
@@ -47,12 +46,12 @@ impl Hits<'_> {
     /// Whether the hit that is given is this one.
     fn is(
         &self,
-        camera: &ProgramCamera,
+        camera: &PipelineCamera,
         direction: DVec3,
         meeting: &Meeting,
         given: &GivenHit,
     ) -> bool {
-        let Program { measure, objects_from_one, .. } = camera.program;
+        let Pipeline { measure, objects_from_one, .. } = camera.pipeline;
         let length = length(direction);
         let (t_unit, step) = match measure {
             Measure::Right => (1.0, direction),
@@ -90,8 +89,8 @@ impl Hits<'_> {
     }
 
     /// How far each answer is from the truth.
-    pub(super) fn judged(&self, given: &Given, truth: &[Option<Hit>]) -> Vec<Judged> {
-        let right = given.camera_of(Program::RIGHT);
+    pub(super) fn judged(&self, given: &GivenCamera, truth: &[Option<Hit>]) -> Vec<Judged> {
+        let right = given.camera_of(Pipeline::RIGHT);
         let image = given.posed.image();
         let judge = |index: usize| {
             let HitAnswer { pixel, hit } = self.answers[index];

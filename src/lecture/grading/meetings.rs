@@ -5,11 +5,9 @@
 //! hit and miss, both are right, and so is whatever lies behind; where a ray grazes, t may be off by
 //! more than where it meets head-on. So a right program is not wrong for rounding, however it rounds.
 
+use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, WhichRoot};
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
-
-use super::given::ProgramCamera;
-use super::program::{Program, Quadratic, Sign, WhichRoot};
 
 /// A place where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]
@@ -34,21 +32,18 @@ pub(super) struct FirstMeetings {
 
 /// Whether a program's rays meet what is not near them, so that each must be held against every sphere:
 /// those of wrong formulas do, and those of coarse numbers.
-fn meets_far_off(program: &Program) -> bool {
+fn meets_far_off(program: &Pipeline) -> bool {
     !program.quadratic.is_right() || program.single
 }
 
 /// How many spheres a program's ray is held against, about: few where the index finds those near it.
-pub(super) fn work(scene: &Scene, program: &Program) -> usize {
+pub(super) fn work(scene: &Scene, program: &Pipeline) -> usize {
     if meets_far_off(program) { scene.spheres().len() } else { 1 }
 }
 
-/// Roots of one sphere, the smaller first.
-type Roots = Option<[f64; 2]>;
-
 /// A ray of a program's camera among objects.
 struct Sight<'a> {
-    camera: &'a ProgramCamera,
+    camera: &'a PipelineCamera,
     tolerance: f64,
     direction: DVec3,
     length: f64,
@@ -58,7 +53,7 @@ impl FirstMeetings {
     /// Of the ray with this direction.
     pub(super) fn of(
         scene: &Scene,
-        camera: &ProgramCamera,
+        camera: &PipelineCamera,
         direction: DVec3,
         tolerance: f64,
     ) -> FirstMeetings {
@@ -81,7 +76,7 @@ impl Sight<'_> {
     fn for_each_sphere(&self, scene: &Scene, mut each: impl FnMut(u32, &Sphere)) {
         let ray = Ray { origin: self.camera.eye, direction: self.direction };
         match ExactRay::of(&ray) {
-            Ok(ray) if !meets_far_off(&self.camera.program) => {
+            Ok(ray) if !meets_far_off(&self.camera.pipeline) => {
                 let share = self.tolerance + self.camera.off + 64.0 * self.camera.epsilon;
                 for index in scene.spheres_near(&ray, share) {
                     each(index, &scene.spheres()[index as usize]);
@@ -104,7 +99,7 @@ impl Sight<'_> {
         let rounding = self.camera.epsilon
             * (16.0 * (length(self.camera.eye) + length(center) + radius + away)
                 + 8.0 * away * (away / radius));
-        let quadratic = Terms::of(self.camera.program.quadratic, self.direction, offset);
+        let quadratic = Terms::new(self.camera.pipeline.quadratic, self.direction, offset);
         let exact = quadratic.roots(radius);
         let at = |end: usize| {
             let t = exact.map_or(quadratic.vertex, |roots| roots[end]);
@@ -119,7 +114,7 @@ impl Sight<'_> {
             Some(Meeting { object: index, t, least, most, is_sure: narrow.is_some() })
         };
         let (Some(near), Some(far)) = (at(0), at(1)) else { return };
-        match (self.camera.program.sign, self.camera.program.root) {
+        match (self.camera.pipeline.sign, self.camera.pipeline.root) {
             (Sign::Positive, WhichRoot::Near | WhichRoot::Last) if near.least > 0.0 => {
                 all.push(near)
             }
@@ -151,7 +146,7 @@ impl Sight<'_> {
         let most = if is_sure { t + off } else { f64::INFINITY };
         let least = if is_sure { t - off } else { (t.abs() - off).min(t) };
         let meeting = Meeting { object: index, t, least, most, is_sure };
-        match self.camera.program.sign {
+        match self.camera.pipeline.sign {
             Sign::Positive => all.extend(meeting.in_front()),
             Sign::Any | Sign::Nearest => all.push(meeting),
         }
@@ -159,7 +154,7 @@ impl Sight<'_> {
 
     /// Those of which none is surely passed before.
     fn first_of(&self, mut all: Vec<Meeting>) -> FirstMeetings {
-        let program = &self.camera.program;
+        let program = &self.camera.pipeline;
         // From how near on to how far it may be, in the order in which the program chooses.
         let order = |meeting: &Meeting| {
             let Meeting { least, most, .. } = *meeting;
@@ -201,8 +196,8 @@ struct Terms {
 }
 
 impl Terms {
-    fn of(quadratic: Quadratic, direction: DVec3, offset: DVec3) -> Terms {
-        let a = if quadratic.a_left_out { 1.0 } else { direction.length_squared() };
+    fn new(quadratic: Quadratic, direction: DVec3, offset: DVec3) -> Terms {
+        let a = quadratic.a(direction.length_squared());
         let b = direction.dot(offset);
         let middle = -b / direction.length_squared();
         Terms {
@@ -211,22 +206,18 @@ impl Terms {
             b,
             away_squared: offset.length_squared(),
             beside: (offset + middle * direction).length(),
-            vertex: -quadratic.numerator * b / (quadratic.denominator * a),
+            vertex: quadratic.vertex(a, b),
         }
     }
 
-    fn roots(&self, radius: f64) -> Roots {
-        let Quadratic { square, product, denominator, .. } = self.quadratic;
+    fn roots(&self, radius: f64) -> Option<[f64; 2]> {
         if self.quadratic.is_right() {
             // By the chord: nothing cancels but where the ray grazes.
             let squared = (radius - self.beside) * (radius + self.beside);
             let half = (squared / self.a).sqrt();
             return (squared >= 0.0).then_some([self.vertex - half, self.vertex + half]);
         }
-        let c = self.away_squared - radius * radius;
-        let discriminant = square * self.b * self.b - product * self.a * c;
-        let half = discriminant.sqrt() / (denominator * self.a);
-        (discriminant >= 0.0).then_some([self.vertex - half, self.vertex + half])
+        self.quadratic.roots(self.a, self.b, self.away_squared - radius * radius)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! [`grade`] takes what a student's ray tracer says of a scene ([`Answers`]: a basis, rays, hits, or a
 //! whole picture), says of each answer whether it is right, and looks for the smallest set of classic
-//! mistakes ([`KnownMistake`]) with which a program gives *all* of them: each mistake in each of the
+//! mistakes ([`Mistake`](crate::mistakes::Mistake)) with which a program gives *all* of them: each mistake in each of the
 //! ways in which it is made, alone, then in pairs.
 //!
 //! # What is right
@@ -30,22 +30,18 @@ mod answers;
 mod diagnosis;
 mod digits;
 mod error;
-mod given;
 mod grader;
 mod hits;
-mod known;
 mod meetings;
 mod picture;
-mod program;
 mod vectors;
 
 use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 
 pub use self::answers::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
-pub use self::diagnosis::{Diagnosis, OtherSlip};
+pub use self::diagnosis::Diagnosis;
 pub use self::error::GradeError;
 use self::grader::Grader;
-pub use self::known::KnownMistake;
 
 /// How far numbers may be off, as a share, unless another tolerance is given: twice what a number of
 /// six significant digits is off at most, which is what `%g` and C++ streams print; and 80 times the
@@ -198,8 +194,8 @@ impl Grade {
                 let plural = if digits == 1 { "" } else { "s" };
                 format!("The answers are right to {digits} digit{plural}; write at least {wanted}.")
             }
-            (None, []) => match (self.diagnosis.other_slip, self.sentinel) {
-                (Some(slip), _) => [slip.advice().to_owned()].into_iter().chain(self.remarks()),
+            (None, []) => match (self.diagnosis.other, self.sentinel) {
+                (Some(other), _) => [other.advice().to_owned()].into_iter().chain(self.remarks()),
                 (None, Some(_)) => return self.remarks().join(" "),
                 (None, None) => return "No known mistake explains this.".to_owned(),
             }
@@ -216,9 +212,11 @@ impl Grade {
     /// many of them were looked at, that their digits are too few.
     pub fn remarks(&self) -> Vec<String> {
         let Diagnosis { mistakes, of_every, .. } = &self.diagnosis;
-        let slip = self.diagnosis.or_other_slip().map(str::to_owned);
+        let is_named = !mistakes.is_empty();
+        let other = self.diagnosis.other.filter(|_| is_named);
+        let other = other.map(|other| format!("Or: {}", other.advice()));
         let sampled = (*of_every > 1).then(|| format!("One of {of_every} answers was looked at."));
-        let is_beside = !mistakes.is_empty() || self.sentinel.is_some();
+        let is_beside = is_named || self.sentinel.is_some();
         let digits = self.right_digits.filter(|_| is_beside).map(|digits| {
             let wanted = self.digits_in_words();
             format!("They are written to {digits} digits: write at least {wanted}.")
@@ -230,13 +228,13 @@ impl Grade {
             let t = shortest(t);
             format!("t = {t} seems to stand for a miss: a miss leaves its cells empty, or is inf.")
         });
-        [slip, sampled, digits, objects, sentinel].into_iter().flatten().collect()
+        [other, sampled, digits, objects, sentinel].into_iter().flatten().collect()
     }
 
     /// Whether it is known what is wrong.
     fn is_explained(&self) -> bool {
-        let Diagnosis { mistakes, other_slip, .. } = &self.diagnosis;
-        !mistakes.is_empty() || other_slip.is_some() || self.right_digits.is_some()
+        let Diagnosis { mistakes, other, .. } = &self.diagnosis;
+        !mistakes.is_empty() || other.is_some() || self.right_digits.is_some()
     }
 
     fn digits_in_words(&self) -> String {
@@ -258,6 +256,7 @@ fn digits_wanted(tolerance: f64) -> u32 {
 ///
 /// ```
 /// use pinhole_lecture::grading::*;
+/// use pinhole_lecture::mistakes::Mistake;
 /// use pinhole_core::*;
 /// let camera = Camera::CANONICAL;
 /// let scene = Scene::new(vec![Sphere::new([0.0, 0.0, -5.0], 1.0)?], vec![])?;
@@ -267,7 +266,7 @@ fn digits_wanted(tolerance: f64) -> u32 {
 /// let basis = Answers::Basis(basis.map(|v| Written::exactly(DVec3::from(v))));
 /// let grade = grade(&truth, &basis, None)?;
 /// assert_eq!((grade.answers(), grade.agree()), (3, 1));
-/// assert_eq!(grade.diagnosis.mistakes, [KnownMistake::WAsPrinted]);
+/// assert_eq!(grade.diagnosis.mistakes, [Mistake::WAsPrinted]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -10,10 +10,9 @@ use pinhole_core::{
 use rayon::prelude::*;
 
 use super::diagnosis::Fits;
-use super::given::{Given, ProgramCamera};
 use super::meetings::{FirstMeetings, normal_at, work};
-use super::program::Program;
 use super::{Judged, RELATIVE_TOLERANCE, Truth};
+use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 /// A picture that is taken to be shaded in one way.
 pub(super) struct Picture<'a> {
@@ -29,7 +28,7 @@ pub(super) struct Picture<'a> {
 }
 
 /// The right picture in every shading, as [`Shade::ALL`] lists them, and the nearest hit's t.
-pub(super) fn right_pictures(truth: &Truth, given: &Given) -> ([Vec<Rgb>; 4], f64) {
+pub(super) fn right_pictures(truth: &Truth, given: &GivenCamera) -> ([Vec<Rgb>; 4], f64) {
     let raster = Raster::full(given.posed.image());
     let frame = trace_as::<f32>(truth.scene, &given.posed, &raster, Outputs::default());
     let nearest = frame.t.iter().copied().fold(f32::INFINITY, f32::min);
@@ -48,20 +47,20 @@ impl Fits for Picture<'_> {
         self.pixels.len()
     }
 
-    fn prepare(&self, camera: &mut ProgramCamera) {
+    fn prepare(&self, camera: &mut PipelineCamera) {
         if self.shade == Shade::T
             && let Some(brightest) = self.brightest
         {
             let first = self.meetings(camera, brightest).0;
-            camera.nearest = first.meetings.first().map_or(f64::NAN, |meeting| meeting.t);
+            camera.nearest = first.meetings.first().map(|meeting| meeting.t);
         }
     }
 
-    fn work(&self, program: &Program) -> usize {
+    fn work(&self, program: &Pipeline) -> usize {
         work(self.scene, program)
     }
 
-    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
+    fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let (first, direction) = self.meetings(camera, index);
         if first.may_miss && self.is_near(self.pixels[index], [BACKGROUND; 2]) {
             return true;
@@ -85,7 +84,7 @@ impl Picture<'_> {
         Pixel { row: (index / width) as u32, column: (index % width) as u32 }
     }
 
-    fn meetings(&self, camera: &ProgramCamera, index: usize) -> (FirstMeetings, DVec3) {
+    fn meetings(&self, camera: &PipelineCamera, index: usize) -> (FirstMeetings, DVec3) {
         let Pixel { row, column } = self.pixel(index);
         let direction = camera.direction(f64::from(row), f64::from(column));
         let first = FirstMeetings::of(self.scene, camera, direction, RELATIVE_TOLERANCE);
@@ -93,14 +92,14 @@ impl Picture<'_> {
     }
 
     /// The colour of a hit, as [`shade`] makes it.
-    fn color(&self, camera: &ProgramCamera, direction: DVec3, object: u32, t: f64) -> Rgb {
+    fn color(&self, camera: &PipelineCamera, direction: DVec3, object: u32, t: f64) -> Rgb {
         let byte = |x: f64| (x + 0.5) as u8;
         let own = (self.color_of)(object);
         let point = camera.eye + t * direction;
         let Some(normal) = normal_at(self.scene, object, point) else { return BACKGROUND };
         match self.shade {
             Shade::Object => own,
-            Shade::T => [byte(255.0 * camera.nearest / t); 3],
+            Shade::T => [byte(255.0 * camera.nearest.unwrap_or(f64::NAN) / t); 3],
             Shade::Normal => normal.to_array().map(|x| byte(127.5 * (x + 1.0))),
             Shade::Lambert => {
                 let cosine = normal.dot(direction).abs() / length(direction);
@@ -118,9 +117,9 @@ impl Picture<'_> {
     }
 
     /// How far each pixel is from the right picture, in levels of its worst channel.
-    pub(super) fn judged(&self, given: &Given, right: &[Rgb], nearest: f64) -> Vec<Judged> {
-        let mut camera = given.camera_of(Program::RIGHT);
-        camera.nearest = nearest;
+    pub(super) fn judged(&self, given: &GivenCamera, right: &[Rgb], nearest: f64) -> Vec<Judged> {
+        let mut camera = given.camera_of(Pipeline::RIGHT);
+        camera.nearest = Some(nearest);
         let judge = |index: usize| {
             let error = off(self.pixels[index], right[index]);
             let is_right = error <= self.tolerance || self.fits(&camera, index);

@@ -6,9 +6,8 @@ use rayon::prelude::*;
 
 use super::answers::{Measured, RayAnswer};
 use super::diagnosis::Fits;
-use super::given::{Given, ProgramCamera};
-use super::program::Program;
 use super::{Digits, Judged};
+use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [Measured; 3],
@@ -25,7 +24,7 @@ impl Fits for Vectors<'_> {
         true
     }
 
-    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
+    fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let Measured { value, rounding } = self.answers[index];
         let wanted = [camera.u, camera.v, camera.w][index];
         let off = (self.tolerance + camera.off) * length(wanted) + self.digits.of(rounding);
@@ -34,8 +33,8 @@ impl Fits for Vectors<'_> {
 }
 
 impl Vectors<'_> {
-    pub(super) fn judged(&self, given: &Given) -> Vec<Judged> {
-        let right = given.camera_of(Program::RIGHT);
+    pub(super) fn judged(&self, given: &GivenCamera) -> Vec<Judged> {
+        let right = given.camera_of(Pipeline::RIGHT);
         let judge = |index: usize| Judged {
             is_right: self.fits(&right, index),
             error: length(self.answers[index].value - [right.u, right.v, right.w][index]),
@@ -58,7 +57,7 @@ impl Fits for Rays<'_> {
         self.answers.len()
     }
 
-    fn fits(&self, camera: &ProgramCamera, index: usize) -> bool {
+    fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let rounding = self.digits.of(direction.rounding) / length(direction.value);
@@ -69,7 +68,7 @@ impl Fits for Rays<'_> {
 }
 
 impl Rays<'_> {
-    fn is_eye(&self, camera: &ProgramCamera, origin: Measured) -> bool {
+    fn is_eye(&self, camera: &PipelineCamera, origin: Measured) -> bool {
         let size = length(camera.eye).max(self.size);
         let off = self.tolerance * size
             + camera.epsilon * length(camera.eye)
@@ -77,8 +76,8 @@ impl Rays<'_> {
         (origin.value - camera.eye).abs().max_element() <= off
     }
 
-    pub(super) fn judged(&self, given: &Given) -> Vec<Judged> {
-        let right = given.camera_of(Program::RIGHT);
+    pub(super) fn judged(&self, given: &GivenCamera) -> Vec<Judged> {
+        let right = given.camera_of(Pipeline::RIGHT);
         let judge = |index: usize| {
             let RayAnswer { pixel, origin, direction } = self.answers[index];
             if !self.image.contains(pixel) {

@@ -144,7 +144,7 @@ impl WrongCamera {
     /// One check, with this camera's numbers.
     pub fn check(&self, check: Check) -> Checked {
         let (value, wanted) = self.value_and_wanted(check);
-        let size = self.right.viewport().width.max(self.right.viewport().height);
+        let size = self.right_camera().viewport().width.max(self.right_camera().viewport().height);
         let passes = match (value, wanted) {
             (Value::Number(x), Wanted::Equal(Value::Number(y))) => {
                 (x - y).abs() <= ORTHONORMAL_TOLERANCE * y.abs().max(1.0)
@@ -166,9 +166,9 @@ impl WrongCamera {
         let (u, v, w) = (self.u(), self.v(), self.w());
         let number = |x: f64, wanted: f64| (Value::Number(x), equal(wanted));
         let uv = |x: DVec2, wanted: DVec2| (Value::Uv(x), Wanted::Equal(Value::Uv(wanted)));
-        let viewport = self.right.viewport();
+        let viewport = self.right_camera().viewport();
         let (columns, rows) = (f64::from(self.image().width()), f64::from(self.image().height()));
-        let first = self.uv_at(0.0, 0.0);
+        let first = self.made.uv(0.0, 0.0);
         match check {
             Check::LengthU => number(length(u), 1.0),
             Check::LengthV => number(length(v), 1.0),
@@ -177,23 +177,23 @@ impl WrongCamera {
             Check::VDotW => number(dot(v, w), 0.0),
             Check::WDotU => number(dot(w, u), 0.0),
             Check::RightHanded => (Value::Number(u.cross(v).dot(w)), Wanted::Positive),
-            Check::LooksForwards => (Value::Number(w.dot(unit(self.view))), Wanted::Negative),
-            Check::UpIsUp => (Value::Number(v.dot(unit(self.up))), Wanted::Positive),
+            Check::LooksForwards => (Value::Number(w.dot(unit(self.given.view))), Wanted::Negative),
+            Check::UpIsUp => (Value::Number(v.dot(unit(self.given.up))), Wanted::Positive),
             Check::ViewportAtDistance => {
                 number(-self.direction_at(DVec2::ZERO).dot(w), viewport.distance)
             }
             Check::TopLeft => (Value::Uv(first), Wanted::LeftAndUp),
             Check::StepRight => {
-                uv(self.uv_at(0.0, 1.0) - first, DVec2::new(viewport.width / columns, 0.0))
+                uv(self.made.uv(0.0, 1.0) - first, DVec2::new(viewport.width / columns, 0.0))
             }
             Check::StepDown => {
-                uv(self.uv_at(1.0, 0.0) - first, DVec2::new(0.0, -viewport.height / rows))
+                uv(self.made.uv(1.0, 0.0) - first, DVec2::new(0.0, -viewport.height / rows))
             }
             Check::CornersBalance => {
                 let (row, column) = (rows - 1.0, columns - 1.0);
                 let corners = [(0.0, 0.0), (0.0, column), (row, 0.0), (row, column)];
                 let sum: DVec2 =
-                    corners.iter().map(|(row, column)| self.uv_at(*row, *column)).sum();
+                    corners.iter().map(|(row, column)| self.made.uv(*row, *column)).sum();
                 uv(0.25 * sum, DVec2::ZERO)
             }
         }

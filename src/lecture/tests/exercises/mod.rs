@@ -4,7 +4,8 @@
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
-use pinhole_lecture::exercises::{Answer, Asked, Exercise, Finding, Part, Question, Slip, Verdict};
+use pinhole_lecture::exercises::{Answer, Asked, Exercise, Finding, Part, Question, Verdict};
+use pinhole_lecture::mistakes::Mistake;
 
 mod classic;
 mod left_over;
@@ -63,7 +64,7 @@ fn the_lectures_answers_are_right() {
     }
     assert_eq!(judged(Exercise::Lines, Asked::Hits, Answer::Yes(true)), Verdict::Right);
     let no = judged(Exercise::Lines, Asked::Hits, Answer::Yes(false));
-    assert_eq!(no, Verdict::Slips(vec![Slip::LineForRay]));
+    assert_eq!(no, Verdict::Mistakes(vec![Mistake::LineForRay]));
 }
 
 /// All questions of many seeds, the lecture's among them.
@@ -97,14 +98,16 @@ fn right_answers_are_never_blamed() {
 fn every_mistake_that_gives_an_answer_is_named() {
     for question in questions() {
         for (index, part) in question.parts.iter().enumerate() {
-            for (slip, answer) in &part.slips {
+            for (mistake, answer) in &part.mistakes {
+                assert!(!mistake.told().is_empty(), "{mistake}");
                 let verdict = alone(&question, index, answer.clone());
-                let tells = |named: &Slip| named == slip || named.is_part_of(*slip);
-                let named = matches!(&verdict, Verdict::Slips(slips) if slips.iter().any(tells));
+                let tells = |named: &Mistake| named == mistake || named.is_part_of(*mistake);
+                let named =
+                    matches!(&verdict, Verdict::Mistakes(mistakes) if mistakes.iter().any(tells));
                 // The same line, backwards, is told so first.
                 let backwards = part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. });
                 let given = question.given;
-                assert!(named || backwards, "{given:?}: {slip:?} {answer:?}: {verdict:?}");
+                assert!(named || backwards, "{given:?}: {mistake:?} {answer:?}: {verdict:?}");
             }
         }
     }
@@ -114,24 +117,32 @@ fn every_mistake_that_gives_an_answer_is_named() {
 #[test]
 fn a_sheet_with_one_mistake_is_told_that_mistake_in_every_wrong_part() {
     for question in questions() {
-        let slips: HashSet<Slip> =
-            question.parts.iter().flat_map(|part| &part.slips).map(|(slip, _)| *slip).collect();
-        let gives = |slip: Slip, k: usize| {
-            question.parts[k].slips.iter().filter(move |(other, _)| *other == slip).map(|(_, a)| a)
+        let mistakes: HashSet<Mistake> = question
+            .parts
+            .iter()
+            .flat_map(|part| &part.mistakes)
+            .map(|(mistake, _)| *mistake)
+            .collect();
+        let gives = |mistake: Mistake, k: usize| {
+            question.parts[k]
+                .mistakes
+                .iter()
+                .filter(move |(other, _)| *other == mistake)
+                .map(|(_, a)| a)
         };
-        for slip in slips {
+        for mistake in mistakes {
             let parts = 0..question.parts.len();
-            let answer = |k| gives(slip, k).next().unwrap_or(&question.parts[k].truth).clone();
+            let answer = |k| gives(mistake, k).next().unwrap_or(&question.parts[k].truth).clone();
             let answers: Vec<_> = parts.clone().map(|k| Some(answer(k))).collect();
             let verdicts = question.judge(&answers);
             for k in parts.clone() {
                 let verdict = verdicts[k].as_ref().unwrap();
-                match gives(slip, k).next() {
-                    None => assert_eq!(*verdict, Verdict::Right, "{question:?} {slip:?}"),
+                match gives(mistake, k).next() {
+                    None => assert_eq!(*verdict, Verdict::Right, "{question:?} {mistake:?}"),
                     Some(_) if matches!(verdict, Verdict::Backwards { .. }) => (),
                     Some(_) => {
-                        let Verdict::Slips(named) = verdict else { panic!("{verdict:?}") };
-                        assert!(named.contains(&slip), "{question:?} {slip:?}: {named:?}");
+                        let Verdict::Mistakes(named) = verdict else { panic!("{verdict:?}") };
+                        assert!(named.contains(&mistake), "{question:?} {mistake:?}: {named:?}");
                     }
                 }
             }
@@ -260,7 +271,7 @@ fn digits_cut_off_are_told_like_rounded_ones() {
     assert!(matches!(u(0.58122, -0.81373), Verdict::Wrong(_)));
     // The mistakes' numbers may be cut off, too: 6 |d| = 6.1481...
     let t = judged(Exercise::WarmUpPlane, Asked::T, numbers(&[6.14]));
-    assert_eq!(t, Verdict::Slips(vec![Slip::TForDistance]));
+    assert_eq!(t, Verdict::Mistakes(vec![Mistake::TForDistance]));
 }
 
 #[test]

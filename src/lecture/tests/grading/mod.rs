@@ -8,6 +8,7 @@ mod student;
 
 use pinhole_core::*;
 use pinhole_lecture::grading::*;
+use pinhole_lecture::mistakes::Mistake;
 use proptest::prelude::*;
 use student::double::{Student, exactly};
 use student::{Exercise, single};
@@ -60,7 +61,7 @@ fn hits_of(student: &Student) -> Answers {
     Answers::Hits(student.hits())
 }
 
-fn ids(mistakes: &[KnownMistake]) -> Vec<&'static str> {
+fn ids(mistakes: &[Mistake]) -> Vec<&'static str> {
     mistakes.iter().map(|mistake| mistake.id()).collect()
 }
 
@@ -310,7 +311,7 @@ fn single_precision_is_found_where_it_does_not_suffice() {
         let student = single::Student { exercise: &exercise, mistakes: &mistakes };
         let sets = found(&exercise, &Answers::Hits(student.hits()));
         let mut wanted = vec![mistake, "single-precision"];
-        wanted.sort_by_key(|id| KnownMistake::from_id(id));
+        wanted.sort_by_key(|id| Mistake::from_id(id));
         assert_eq!(sets[0], wanted);
         // In double precision, nothing of the kind is said.
         let student = Student { exercise: &exercise, mistakes: &mistakes };

@@ -12,6 +12,7 @@ use pinhole_core::{
 use rayon::prelude::*;
 
 use super::WrongCamera;
+use super::pipeline::{Rows, Swap};
 
 /// The first hits of a wrong camera's rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,22 +81,23 @@ impl WrongPicture {
         if raster.is_empty() {
             return Ok(picture);
         }
-        let swapped = camera.mapping.swapped;
+        let made = &camera.made;
+        let swapped = made.pipeline.swap != Swap::No;
         let (along_u, along_v) = if swapped {
             (raster.rows(), raster.columns())
         } else {
             (raster.columns(), raster.rows())
         };
-        let (image, viewport) = (camera.image(), camera.right.viewport());
-        let (half, facing) = (camera.mapping.half, camera.scale.z.signum());
-        let width = viewport.width * camera.scale.x;
-        let columns = Line::new(along_u, image.width(), width, half, width * facing < 0.0);
-        if let Some(up) = camera.up_as_v {
+        let (image, facing) = (camera.image(), made.factors.z.signum());
+        let ([half_u, half_v], [width, height]) = (made.pipeline.in_pixel, made.extent);
+        let width = width * made.factors.x;
+        let columns = Line::new(along_u, image.width(), width, half_u, width * facing < 0.0);
+        if let Some(up) = made.up_as_v {
             for (k, index) in along_v.iter().enumerate() {
                 let uv = if swapped {
-                    camera.uv_at(0.0, f64::from(*index))
+                    made.uv(0.0, f64::from(*index))
                 } else {
-                    camera.uv_at(f64::from(*index), 0.0)
+                    made.uv(f64::from(*index), 0.0)
                 };
                 let stand_in = camera.row_camera(uv.y * up, &columns)?;
                 let frame = traced(scene, &stand_in, vec![0], columns.places.clone());
@@ -103,9 +105,9 @@ impl WrongPicture {
             }
             return Ok(picture);
         }
-        let side = if camera.mapping.from_bottom { -1.0 } else { 1.0 };
-        let height = camera.height() * camera.scale.y;
-        let rows = Line::new(along_v, image.height(), height, half, side * height < 0.0);
+        let side = if made.pipeline.rows == Rows::FromTop { 1.0 } else { -1.0 };
+        let height = height * made.factors.y;
+        let rows = Line::new(along_v, image.height(), height, half_v, side * height < 0.0);
         let stand_in = camera.stand_in(&columns, &rows)?;
         let frame = traced(scene, &stand_in, rows.places.clone(), columns.places.clone());
         picture.take(&frame, &columns, 0..along_v.len(), |k| rows.at(k));
@@ -122,7 +124,7 @@ impl WrongPicture {
         row_of: impl Fn(usize) -> usize,
     ) {
         let width = self.raster.columns().len();
-        let swapped = self.camera.mapping.swapped;
+        let swapped = self.camera.made.pipeline.swap != Swap::No;
         for k in ks {
             let row = row_of(k) * columns.places.len();
             for c in 0..columns.places.len() {
@@ -175,16 +177,16 @@ impl WrongPicture {
 impl WrongCamera {
     /// The right camera whose rays, in other pixels, are this one's.
     fn stand_in(&self, columns: &Line, rows: &Line) -> Result<PosedCamera, CameraError> {
-        let Basis { u, v, w } = *self.right.basis();
-        let facing = self.scale.z.signum();
+        let Basis { u, v, w } = *self.right_camera().basis();
+        let facing = self.made.factors.z.signum();
         let basis = Basis { u: facing * u, v, w: facing * w };
         let viewport = Viewport {
             width: columns.extent,
             height: rows.extent,
-            distance: self.distance() * self.scale.z.abs(),
+            distance: self.distance() * self.made.factors.z.abs(),
         };
         posed(
-            self.right.eye(),
+            self.right_camera().eye(),
             basis,
             viewport,
             ImageSize::partly_traced(columns.count, rows.count),
@@ -193,14 +195,19 @@ impl WrongCamera {
 
     /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
     fn row_camera(&self, upward: DVec3, columns: &Line) -> Result<PosedCamera, CameraError> {
-        let facing = self.scale.z.signum();
+        let facing = self.made.factors.z.signum();
         let forward = upward - self.distance() * self.w();
         // At right angles to u, as up and w are, but for rounding.
-        let u = facing * self.right.basis().u;
+        let u = facing * self.right_camera().basis().u;
         let w = -(forward - forward.dot(u) * u).normalize();
         let viewport = Viewport { width: columns.extent, height: 1.0, distance: forward.length() };
         let basis = Basis { u, v: w.cross(u), w };
-        posed(self.right.eye(), basis, viewport, ImageSize::partly_traced(columns.count, 1))
+        posed(
+            self.right_camera().eye(),
+            basis,
+            viewport,
+            ImageSize::partly_traced(columns.count, 1),
+        )
     }
 }
 

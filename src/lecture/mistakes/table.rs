@@ -1,0 +1,593 @@
+//! The table of mistakes: what each is called, what is said of it, and how it is made.
+
+use std::fmt;
+
+use super::checks::Check::{self, *};
+use super::pipeline::{
+    Distance, Extent, Measure, Pipeline, Rows, Sign, Swap, UpAsV, Way, WhichRoot,
+};
+
+/// One line of the table. What a mistake is never asked for is empty.
+struct Entry {
+    id: &'static str,
+    /// A few words for a list.
+    name: &'static str,
+    /// As a formula, with the right one.
+    formula: &'static str,
+    /// Its effect on the picture.
+    shows: &'static str,
+    /// A camera on which it shows, where it changes nothing.
+    hint: &'static str,
+    /// The checks that find it, where all of its effects show.
+    found_by: &'static [Check],
+    /// Said of a program that makes it.
+    advice: &'static str,
+    /// Said of an exercise's answer that comes from it.
+    told: &'static str,
+    /// The ways to make it on the way from eye, view and up to a hit, the usual one first.
+    ways: &'static [Way],
+}
+
+impl Entry {
+    const EMPTY: Entry = Entry {
+        id: "",
+        name: "",
+        formula: "",
+        shows: "",
+        hint: "",
+        found_by: &[],
+        advice: "",
+        told: "",
+        ways: &[],
+    };
+}
+
+macro_rules! mistakes {
+    (
+        {$($(#[$doc:meta])* $name:ident $id:literal { $($field:ident: $value:expr,)* })*}
+        {$($told_name:ident $told_id:literal: $told:literal,)*}
+    ) => {
+        /// A classic mistake, from the basis to the hit.
+        ///
+        /// Their order is the one in which a program that is graded is tried for them.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum Mistake {
+            $($(#[$doc])* $name,)*
+            $(#[doc = $told] $told_name,)*
+        }
+
+        impl Mistake {
+            /// All of them.
+            pub const ALL: &'static [Mistake] =
+                &[$(Mistake::$name,)* $(Mistake::$told_name,)*];
+
+            fn entry(self) -> &'static Entry {
+                match self {
+                    $(Mistake::$name => const {
+                        &Entry { id: $id, $($field: $value,)* ..Entry::EMPTY }
+                    })*
+                    $(Mistake::$told_name => const {
+                        &Entry { id: $told_id, told: $told, ..Entry::EMPTY }
+                    })*
+                }
+            }
+        }
+    };
+}
+
+mistakes! {
+{
+    /// `w = normalize(view)`, as the lecture prints it; also `normalize(at - eye)`.
+    WAsPrinted "w-as-printed" {
+        name: "𝐰 as printed",
+        formula: "𝐰 ← normalize(view). Right: 𝐰 ← −normalize(view).",
+        shows: "The camera looks the other way: it sees what is behind it, and nothing else in the \
+                numbers looks wrong.",
+        hint: "Any camera given by view, or by at, shows it.",
+        found_by: &[LooksForwards],
+        advice: "Look at w: it points backwards, w = -view/|view| = normalize(eye - at), so that w \
+                 . view is below 0.",
+        told: "𝐰 is made of view without the minus: 𝐰 points backwards, so 𝐰 · view must be below \
+               0.",
+        ways: &[|p| p.basis.w_forwards = true],
+    }
+
+    /// `v = u x w`.
+    VIsUCrossW "v-is-u-cross-w" {
+        name: "𝐯 = 𝐮 × 𝐰",
+        formula: "𝐯 ← 𝐮 × 𝐰. Right: 𝐯 ← 𝐰 × 𝐮.",
+        shows: "The picture is upside down, but left is still left.",
+        hint: "Any camera given by view, or by at, shows it.",
+        found_by: &[RightHanded, UpIsUp],
+        advice: "Look at the order of v's cross product: v = w x u, which points up in the image.",
+        told: "𝐯 = 𝐮 × 𝐰 points down: the factors are exchanged.",
+        ways: &[|p| p.basis.v_swapped ^= true],
+    }
+
+    /// w, u or both not normalized; or `a = d . d` taken as 1.
+    NotNormalized "not-normalized" {
+        name: "𝐮 and 𝐯 not normalized",
+        formula: "𝐮 ← up × 𝐰, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐮 ← normalize(up × 𝐰).",
+        shows: "The viewport is |up × 𝐰| times as large: everything is seen larger where that is \
+                below 1, smaller where it is above. The closer up is to the view, the smaller the \
+                viewport.",
+        hint: "Here up × 𝐰 has length 1: give up another length, or tip it towards the view.",
+        found_by: &[LengthU, LengthV],
+        advice: "Look for a normalize that is missing: w = -view/|view| and u = up x w / |up x w| \
+                 have length 1; and where |d| is not 1, a = d . d is not.",
+        told: "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
+        ways: &[
+            |p| p.basis.set_raw(false, true),
+            |p| p.basis.set_raw(true, false),
+            |p| p.basis.set_raw(true, true),
+            |p| p.basis.set_raw_but_v(false, true),
+            |p| p.basis.set_raw_but_v(true, false),
+            |p| p.basis.set_raw_but_v(true, true),
+            |p| p.quadratic.a_left_out = true,
+        ],
+    }
+
+    /// `v = up`.
+    UpAsV "up-as-v" {
+        name: "up used as 𝐯",
+        formula: "𝐯 ← up. Right: 𝐯 ← 𝐰 × 𝐮.",
+        shows: "Heights are distorted, and the middle row is right: up leans towards the view or \
+                away from it, and 𝐯 does not.",
+        hint: "Here up is a unit vector at right angles to the view: tip the camera up or down.",
+        found_by: &[LengthV, VDotW],
+        advice: "Look at v: up is only a hint, and v = w x u is at right angles to w.",
+        told: "up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.",
+        ways: &[|p| p.basis.up_as_v = UpAsV::AsGiven, |p| p.basis.up_as_v = UpAsV::Unit],
+    }
+
+    /// The viewport's distance taken as 1, or the part along w left out.
+    DistanceDropped "distance-dropped" {
+        name: "distance dropped",
+        formula: "𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − 𝐰. Right: 𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − distance 𝐰.",
+        shows: "The field of view is that of distance 1: everything is seen larger or smaller.",
+        hint: "Here the distance is 1: give the viewport another distance.",
+        found_by: &[ViewportAtDistance],
+        advice: "Look at the direction's part along w: it is -distance w, with the viewport's own \
+                 distance.",
+        told: "The distance is left out: the part along 𝐰 is −distance.",
+        ways: &[|p| p.distance = Distance::One, |p| p.distance = Distance::LeftOut],
+    }
+
+    /// The pixel's corner instead of its centre; also centres spread from edge to edge.
+    PixelCorner "pixel-corner" {
+        name: "corner instead of centre",
+        formula: "𝑢 ← width (𝑗/𝑊 − ½), 𝑣 ← height (½ − 𝑖/𝐻). Right: 𝑗 + ½ and 𝑖 + ½.",
+        shows: "The picture moves by half a pixel, right and down: seen only where pixels are \
+                large.",
+        hint: "Any image shows it; one of few pixels shows it best.",
+        found_by: &[CornersBalance],
+        advice: "Look at where in a pixel (u, v) is taken: at its centre, (j + 0.5)/W and (i + \
+                 0.5)/H, with j and i from 0.",
+        ways: &[
+            |p| p.move_in_pixel(-0.5, -0.5),
+            |p| p.edge_to_edge = true,
+            |p| p.move_in_pixel(-0.5, 0.0),
+            |p| p.move_in_pixel(0.0, -0.5),
+        ],
+    }
+
+    /// Rows counted from the bottom.
+    RowsFromBottom "rows-from-bottom" {
+        name: "rows from the bottom",
+        formula: "𝑣 ← height ((𝑖 + ½)/𝐻 − ½). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
+        shows: "The picture is upside down, with a perfect basis.",
+        hint: "Give the image more than one row.",
+        found_by: &[TopLeft, StepDown],
+        advice: "Look at the sign of v: row 0 is on top, v = height (0.5 - (i + 0.5)/H).",
+        ways: &[|p| p.rows = Rows::SignOfV, |p| p.rows = Rows::FromLast],
+    }
+
+    /// u from the row and v from the column.
+    RowsColumnsSwapped "rows-columns-swapped" {
+        name: "rows and columns swapped",
+        formula: "𝑢 ← width ((𝑖 + ½)/𝑊 − ½), 𝑣 ← height (½ − (𝑗 + ½)/𝐻). Right: 𝑢 from the column \
+                  𝑗, 𝑣 from the row 𝑖.",
+        shows: "The picture is mirrored in the diagonal from top left to bottom right.",
+        hint: "Give the image more than one pixel.",
+        found_by: &[StepRight, StepDown, CornersBalance],
+        advice: "Look at which index makes what: u comes from the column j and W, v from the row i \
+                 and H.",
+        ways: &[
+            |p| p.swap = Swap::Indices,
+            |p| p.swap = Swap::Shares,
+            |p| p.swap = Swap::Counts,
+        ],
+    }
+
+    /// Rows and columns, or objects, counted from 1 where they count from 0.
+    CountedFromOne "counted-from-one" {
+        name: "counted from 1",
+        formula: "𝑢 ← width ((𝑗 − ½)/𝑊 − ½) with 𝑗 from 0, and 𝑣 likewise. Right: 𝑗 + ½, or count \
+                  from 1.",
+        shows: "The picture moves by one pixel, right and down.",
+        hint: "Any image shows it; one of few pixels shows it best.",
+        found_by: &[CornersBalance],
+        advice: "Look at where counting begins: rows, columns and objects count from 0 here, with \
+                 (j + 0.5)/W; from 1 it would be (j - 0.5)/W.",
+        ways: &[
+            Pipeline::count_pixels_from_one,
+            |p| p.from_one = true,
+            |p| p.move_in_pixel(1.0, 1.0),
+            Pipeline::count_objects_from_one,
+            Pipeline::count_all_from_one,
+        ],
+    }
+
+    /// The viewport's width taken for its height, or its height for its width.
+    AspectDropped "aspect-dropped" {
+        name: "height taken as width",
+        formula: "𝑣 ← width (½ − (𝑖 + ½)/𝐻). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
+        shows: "Spheres are stretched or flattened.",
+        hint: "Here the viewport is as high as it is wide: give it another width or height.",
+        found_by: &[StepDown],
+        advice: "Look at the viewport's measures: u takes its width and v its height, and here \
+                 they differ.",
+        ways: &[
+            |p| p.extent = Extent::WidthForHeight,
+            |p| p.extent = Extent::HeightForWidth,
+            |p| p.extent = Extent::Ones,
+            |p| p.extent = Extent::WidthByImage,
+            |p| p.extent = Extent::HeightByImage,
+        ],
+    }
+
+    /// `u = w x up`: one cross product, or both, the other way round.
+    LeftHanded "left-handed" {
+        name: "left-handed basis",
+        formula: "𝐮 ← normalize(𝐰 × up), 𝐯 ← 𝐮 × 𝐰. Right: up × 𝐰 and 𝐰 × 𝐮.",
+        shows: "The picture is mirrored: left and right are exchanged, up is still up.",
+        hint: "Any camera given by view, or by at, shows it.",
+        found_by: &[RightHanded],
+        advice: "Look at the order of u's cross product: u = up x w, which points right in the \
+                 image.",
+        told: "Both cross products are the other way round: up × 𝐰 and 𝐰 × 𝐮.",
+        ways: &[|p| p.basis.swap_both(), |p| p.basis.u_swapped ^= true],
+    }
+
+    /// Computed in `f32` where that does not suffice.
+    SinglePrecision "single-precision" {
+        advice: "Look at the type of your numbers: this scene needs double precision (f64), and \
+                 these are off by as much as single (f32) may be.",
+        ways: &[|p| p.single = true],
+    }
+
+    /// `b = 2 d . (p - center)` and its half mixed up in the quadratic formula.
+    BForHalfB "b-for-half-b" {
+        advice: "Look at b in the quadratic formula: with b = d . (p - center) it is (-b - \
+                 sqrt(b^2 - ac))/a, with twice that (-b - sqrt(b^2 - 4ac))/(2a).",
+        told: "𝑏 has a factor 2 too much: with 𝑏 = 𝐝 · (𝐩 − centre), 𝐷 is 𝑏² − 𝑎𝑐 and the root is \
+               divided by 𝑎.",
+        ways: &[
+            |p| p.quadratic.set(2.0, 4.0, 1.0, 1.0),
+            |p| p.quadratic.set(1.0, 1.0, 4.0, 2.0),
+            |p| p.quadratic.set(2.0, 4.0, 4.0, 1.0),
+            |p| p.quadratic.set(1.0, 1.0, 1.0, 2.0),
+            |p| p.quadratic.set(2.0, 1.0, 1.0, 1.0),
+            |p| p.quadratic.set(1.0, 4.0, 4.0, 2.0),
+            |p| p.quadratic.set(2.0, 4.0, 1.0, 2.0),
+        ],
+    }
+
+    /// The larger root taken for the smaller, or the last object for the first.
+    FarRoot "far-root" {
+        advice: "Look at which root is taken: the smallest t above 0 is the hit, of one object and \
+                 among all.",
+        told: "That is the second root, where the ray leaves. Which one is first?",
+        ways: &[
+            |p| p.root = WhichRoot::Far,
+            |p| p.root = WhichRoot::Farthest,
+            |p| p.root = WhichRoot::Last,
+        ],
+    }
+
+    /// A hit behind the eye taken for one.
+    NegativeT "negative-t" {
+        advice: "Look for a test that is missing: only t > 0 is in front of the eye.",
+        ways: &[|p| p.sign = Sign::Any, |p| p.sign = Sign::Nearest],
+    }
+
+    /// The distance along the ray given as t, or t taken for a distance.
+    TForDistance "t-for-distance" {
+        advice: "Look at what t counts: t is in lengths of d, which is not normalized, and the \
+                 distance along the ray is t |d|.",
+        told: "That is the distance along the ray. 𝑡 counts in lengths of 𝐝, and |𝐝| is not 1.",
+        ways: &[
+            |p| p.measure = Measure::Distance,
+            |p| p.measure = Measure::PointOfUnit,
+            |p| p.measure = Measure::PointOfDistance,
+        ],
+    }
+
+    /// `w = normalize(at - eye)`: the same, from points.
+    WIsAtMinusEye "w-is-at-minus-eye" {
+        name: "𝐰 from at − eye",
+        formula: "𝐰 ← normalize(at − eye). Right: 𝐰 ← normalize(eye − at).",
+        shows: "The camera looks away from at, which is exactly behind it.",
+        hint: "Give the camera by eye, at and up.",
+        found_by: &[LooksForwards],
+        told: "at − eye is the view: 𝐰 points the other way, from at to eye.",
+        ways: &[|p| p.basis.w_forwards = true],
+    }
+
+    /// `w = -view`, not normalized, and with it v.
+    WNotNormalized "w-not-normalized" {
+        name: "𝐰 not normalized",
+        formula: "𝐰 ← −view, and 𝐯 ← 𝐰 × 𝐮 from it. Right: 𝐰 ← −normalize(view).",
+        shows: "The viewport is |view| times as far and as high, but not as wide: everything is \
+                stretched sideways where |view| > 1, squeezed where |view| < 1.",
+        hint: "Here the view has length 1: move at farther away, or give view another length.",
+        found_by: &[LengthV, LengthW, ViewportAtDistance],
+        told: "𝐰 = −view is not normalized, and what is made of it.",
+        ways: &[|p| p.basis.set_raw(true, false)],
+    }
+
+    /// `u = normalize(w x up)`.
+    UIsWCrossUp "u-is-w-cross-up" {
+        name: "𝐮 = 𝐰 × up",
+        formula: "𝐮 ← normalize(𝐰 × up). Right: 𝐮 ← normalize(up × 𝐰).",
+        shows: "The picture is turned by half a turn: 𝐯, made of 𝐮, is wrong with it.",
+        hint: "Any camera given by view, or by at, shows it.",
+        found_by: &[UpIsUp],
+        told: "𝐮 = 𝐰 × up points left: the factors are exchanged.",
+        ways: &[|p| p.basis.u_swapped ^= true],
+    }
+
+    /// `direction = eye - point`: every ray leads back to the eye.
+    RayReversed "ray-reversed" {
+        advice: "Look at the direction's sign: every ray leads back to the eye, and it is d = \
+                 point - eye.",
+        ways: &[|p| p.reversed = true],
+    }
+
+    /// `direction = u*U + v*V + distance*W`.
+    DistanceAdded "distance-added" {
+        advice: "Look at the direction's part along w: it is added, and it is -distance w.",
+        told: "The part along 𝐰 has the wrong sign: 𝐰 points backwards.",
+        ways: &[|p| p.distance = Distance::Plus],
+    }
+
+    /// No step from the eye to the viewport at all.
+    FlatDirection "flat-direction" {
+        told: "This stays in the viewport's plane. How far in front of the eye is the viewport?",
+        ways: &[|p| p.distance = Distance::LeftOut],
+    }
+
+    /// w is the view itself, neither turned round nor normalized.
+    WIsView "w-is-view" {
+        told: "𝐰 is view itself: 𝐰 points the other way, and is of length 1: 𝐰 = −view/|view|.",
+        ways: &[
+            |p| (p.basis.w_forwards, p.basis.w_raw) = (true, true),
+            |p| (p.basis.w_forwards, p.basis.w_raw, p.basis.u_raw) = (true, true, true),
+        ],
+    }
+
+    /// Neither w nor u is normalized.
+    NothingNormalized "nothing-normalized" {
+        told: "𝐰 is not normalized, nor 𝐮, nor what is made of them.",
+        ways: &[|p| p.basis.set_raw(true, true)],
+    }
+
+    /// `b` for `-b`.
+    SignOfB "sign-of-b" {
+        told: "The sign of 𝑏 is lost: 𝑡 begins with −𝑏, and 𝑏 is negative here.",
+        ways: &[|p| p.quadratic.set(-1.0, 1.0, 1.0, 1.0)],
+    }
+
+    /// Half of `b` in the D of the full quadratic.
+    HalfBForB "half-b-for-b" {
+        told: "𝑏 lacks a factor 2: where 𝐷 is 𝑏² − 4𝑎𝑐, 𝑏 = 2 𝐝 · (𝐩 − centre).",
+        ways: &[|p| p.quadratic.set(1.0, 1.0, 4.0, 2.0)],
+    }
+
+    /// `a` for `2a` below the full quadratic's root.
+    DividedByA "divided-by-a" {
+        told: "This is twice what it should be: where 𝑏 = 2 𝐝 · (𝐩 − centre), divide by 2𝑎, not by \
+               𝑎.",
+        ways: &[|p| p.quadratic.set(2.0, 4.0, 4.0, 1.0)],
+    }
+
+    /// `2a` for `a` below the halved quadratic's root.
+    DividedBy2A "divided-by-2a" {
+        told: "This is half of what it should be: where 𝑏 = 𝐝 · (𝐩 − centre), without a 2, divide \
+               by 𝑎, not by 2𝑎.",
+        ways: &[|p| p.quadratic.set(1.0, 1.0, 1.0, 2.0)],
+    }
+
+    /// `a = d . d` left out.
+    ALeftOut "a-left-out" {
+        told: "𝑎 = 𝐝 · 𝐝 is left out: it is 1 only where |𝐝| is.",
+        ways: &[|p| p.quadratic.a_left_out = true],
+    }
+}
+
+// Made by hand in an answer, and by no program that is graded.
+{
+    ViewportForEye "viewport-for-eye":
+        "Every view ray starts at the eye. (𝑢, 𝑣) is where it passes the viewport.",
+    SignOfZ "sign-of-z": "𝑧 has the wrong sign: the camera looks along −𝑧.",
+    UvSwapped "uv-swapped": "𝑢 and 𝑣 are exchanged: 𝑢 goes to the right, 𝑣 goes up.",
+    VDown "v-down": "𝑣 has the wrong sign: 𝑣 grows upwards.",
+    ULeft "u-left": "𝑢 has the wrong sign: 𝑢 grows to the right.",
+    UvLeftOut "uv-left-out": "𝑢 and 𝑣 are left out: this is the ray through the middle.",
+    UvUnscaled "uv-unscaled":
+        "𝑥 and 𝑦 are still those of the viewport: multiply all of 𝐝 by 𝑡, not 𝑧 alone.",
+    DistanceOnAll "distance-on-all":
+        "Every part is multiplied by the distance. Only the step to the viewport is: 𝑢 and 𝑣 are \
+         already measured there.",
+    DistanceOnUv "distance-on-uv":
+        "𝑢 and 𝑣 are multiplied by the distance. They are already measured at the viewport: it is \
+         the part along 𝐰 that is −distance.",
+    ViewportAtOne "viewport-at-one":
+        "This is the right line, but 𝑡 = 1 is at distance 1, not on the viewport: do not divide 𝐝 \
+         by the distance.",
+    FromViewport "from-viewport":
+        "This counts from the viewport. 𝑡 counts from the eye: 𝑡 = 1 is the viewport.",
+    BasisForgotten "basis-forgotten":
+        "These are the camera's coordinates (𝑢, 𝑣, −distance), as if it were not turned. What are \
+         they in the world, along 𝐮, 𝐯 and 𝐰?",
+    ZIsMinusDistance "z-is-minus-distance":
+        "That 𝐝's 𝑧 is −distance holds for the canonical camera alone: here the step to the \
+         viewport is −distance 𝐰.",
+    WForwards "w-forwards": "𝐰 points forwards here: it must point backwards, and −𝐰 forwards.",
+    ULeftwards "u-leftwards": "𝐮 points left here: it must point right in the image.",
+    TurnedOtherWay "turned-other-way":
+        "This camera is turned the other way about 𝑦: between which axes is right?",
+    UAndWSwapped "u-and-w-swapped": "𝐮 and 𝐰 are exchanged: 𝐮 is right, 𝐰 is backwards.",
+    UAndVSwapped "u-and-v-swapped": "𝐮 and 𝐯 are exchanged: 𝐮 is right, 𝐯 is up in the image.",
+    BasisUnnormalized "basis-unnormalized":
+        "𝐮 and 𝐰 must be of length 1: normalize them before anything is made of them.",
+    Unnormalized "unnormalized": "The direction is right, but its length is not 1: normalize it.",
+    EyeForgotten "eye-forgotten": "𝐰 is made of at alone: the view goes from eye to at.",
+    AtForgotten "at-forgotten": "𝐰 is made of eye alone: the view goes from eye to at.",
+    EyePlusAt "eye-plus-at": "𝐰 is made of eye + at. It is eye − at: mind every sign.",
+    SignOfT "sign-of-t":
+        "The sign is wrong: in front of the ray's origin, 𝑡 is positive; behind it, negative.",
+    CoordinateForT "coordinate-for-t":
+        "That is how far away the plane is in 𝑧. How many 𝐝 does it take to get there?",
+    TInverted "t-inverted": "The quotient is upside down: 𝑡 is the gap divided by 𝐝's step.",
+    RootLeftOut "root-left-out":
+        "The root of 𝐷 is left out: this is where the ray is closest to the centre.",
+    RadiusNotSquared "radius-not-squared": "The radius must be squared: 𝑐 = |𝐩 − centre|² − 𝑟².",
+    NormalInwards "normal-inwards": "This points into the sphere: the normal goes outwards.",
+    NormalFromOrigin "normal-from-origin":
+        "This is the hit seen from the origin: the normal goes from the centre to it.",
+    NormalAgainstRay "normal-against-ray":
+        "This goes back along the ray: the normal goes from the centre to the hit.",
+    CLeftOut "c-left-out": "𝑐 is left out: put 𝐩 + 𝑡𝐝 for 𝑥 and 𝑦, and keep 𝑐.",
+    SignOfC "sign-of-c": "𝑐 has the wrong sign: look at which side of the equation it is on.",
+    OriginLeftOut "origin-left-out": "𝐩 is left out: 𝐩 + 𝑡𝐝 goes in, not 𝑡𝐝 alone.",
+    NotDivided "not-divided": "Divide by all that 𝑡 is multiplied with: 𝐝's step across the line.",
+    TermLeftOut "term-left-out":
+        "𝑡 is in the part of 𝑥 and in the part of 𝑦: add up both before you divide.",
+    PAndDSwapped "p-and-d-swapped": "𝐩 and 𝐝 are exchanged: 𝑡 multiplies 𝐝.",
+    LineForRay "line-for-ray":
+        "Look at the sign of 𝑡: the line is met behind the ray's origin where 𝑡 < 0.",
+}
+}
+
+impl Mistake {
+    /// Those with a wrong camera to look at, in the order of a gallery.
+    pub const GALLERY: &'static [Mistake] = &[
+        Mistake::WAsPrinted,
+        Mistake::WIsAtMinusEye,
+        Mistake::VIsUCrossW,
+        Mistake::NotNormalized,
+        Mistake::WNotNormalized,
+        Mistake::DistanceDropped,
+        Mistake::PixelCorner,
+        Mistake::RowsFromBottom,
+        Mistake::RowsColumnsSwapped,
+        Mistake::UpAsV,
+        Mistake::UIsWCrossUp,
+        Mistake::LeftHanded,
+        Mistake::CountedFromOne,
+        Mistake::AspectDropped,
+    ];
+
+    /// Those that a graded program is tried for, in the order in which they are tried and named.
+    pub const GRADED: &'static [Mistake] = &[
+        Mistake::WAsPrinted,
+        Mistake::VIsUCrossW,
+        Mistake::NotNormalized,
+        Mistake::UpAsV,
+        Mistake::DistanceDropped,
+        Mistake::PixelCorner,
+        Mistake::RowsFromBottom,
+        Mistake::RowsColumnsSwapped,
+        Mistake::CountedFromOne,
+        Mistake::AspectDropped,
+        Mistake::LeftHanded,
+        Mistake::SinglePrecision,
+        Mistake::BForHalfB,
+        Mistake::FarRoot,
+        Mistake::NegativeT,
+        Mistake::TForDistance,
+    ];
+
+    /// The name in files and commands: `w-as-printed`, ...
+    pub fn id(self) -> &'static str {
+        self.entry().id
+    }
+
+    /// Returns the mistake of this [`Mistake::id`].
+    pub fn from_id(id: &str) -> Option<Mistake> {
+        Mistake::ALL.iter().copied().find(|mistake| mistake.id() == id)
+    }
+
+    /// Returns whether it has a wrong camera to look at: whether it is one of [`Mistake::GALLERY`].
+    pub fn is_in_gallery(self) -> bool {
+        Mistake::GALLERY.contains(&self)
+    }
+
+    /// A few words for the gallery's list.
+    pub fn name(self) -> &'static str {
+        self.entry().name
+    }
+
+    /// The wrong formula and the right one, for the gallery.
+    pub fn formula(self) -> &'static str {
+        self.entry().formula
+    }
+
+    /// Its effect on the picture, for the gallery.
+    pub fn shows(self) -> &'static str {
+        self.entry().shows
+    }
+
+    /// The change that makes it show where it changes nothing, for the gallery.
+    pub fn hint(self) -> &'static str {
+        self.entry().hint
+    }
+
+    /// The checks that find it, where all of its effects show.
+    pub fn found_by(self) -> &'static [Check] {
+        self.entry().found_by
+    }
+
+    /// One sentence on what to look at in a program that makes it.
+    pub fn advice(self) -> &'static str {
+        self.entry().advice
+    }
+
+    /// What was done in an exercise's answer, and what to look at.
+    pub fn told(self) -> &'static str {
+        self.entry().told
+    }
+
+    /// The pipeline that it usually makes of the right one.
+    pub(crate) fn usual(self) -> Pipeline {
+        self.pipelines().next().unwrap_or(Pipeline::RIGHT)
+    }
+
+    /// The pipelines that it makes of the right one, the usual one first.
+    pub(crate) fn pipelines(self) -> impl Iterator<Item = Pipeline> {
+        self.pipelines_from(Pipeline::RIGHT)
+    }
+
+    /// The pipelines that it makes of another one, the usual one first.
+    pub(crate) fn pipelines_from(self, pipeline: Pipeline) -> impl Iterator<Item = Pipeline> {
+        self.entry().ways.iter().map(move |way| pipeline.with(*way))
+    }
+
+    /// Returns whether this mistake is made in the other, too, with one more, or is how the other
+    /// comes about and says it, too.
+    pub fn is_part_of(self, other: Mistake) -> bool {
+        matches!(
+            (self, other),
+            (Mistake::WNotNormalized, Mistake::NothingNormalized)
+                | (Mistake::UIsWCrossUp, Mistake::LeftHanded | Mistake::ULeftwards)
+        )
+    }
+}
+
+impl fmt::Display for Mistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.id())
+    }
+}

@@ -1,0 +1,197 @@
+//! The camera that a mistake makes of a right one.
+
+use std::fmt;
+
+use pinhole_core::arithmetic::{length, unit};
+use pinhole_core::{
+    Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Pixel, PosedCamera, Ray, RayError,
+};
+
+use super::Mistake;
+use super::pipeline::{BasisChoices, Pipeline};
+use super::pipeline_camera::{GivenCamera, PipelineCamera};
+
+/// Why there is no wrong camera to show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NoWrongCamera {
+    /// The right camera sees nothing.
+    Camera(CameraError),
+    /// u, v and w are set by hand: no mistake can be made in finding them.
+    GivenByHand(Mistake),
+    /// The camera is given by view, and there is no at.
+    NotGivenByAt,
+    /// The wrong camera is the right one.
+    ChangesNothing(Mistake),
+    /// Its numbers are beyond the range of `f64`.
+    OutOfRange(Mistake),
+}
+
+impl fmt::Display for NoWrongCamera {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoWrongCamera::Camera(e) => e.fmt(f),
+            NoWrongCamera::GivenByHand(_) => f.write_str(
+                "𝐮, 𝐯, 𝐰 are set by hand here, so this mistake has no place: give the camera by \
+                 view and up, or by at and up.",
+            ),
+            NoWrongCamera::NotGivenByAt => f.write_str(
+                "The camera is given by view here, so there is no at − eye to mistake for 𝐰: give \
+                 it by eye, at and up.",
+            ),
+            NoWrongCamera::ChangesNothing(mistake) => {
+                write!(f, "This changes nothing here. {}", mistake.hint())
+            }
+            NoWrongCamera::OutOfRange(_) => {
+                f.write_str("The wrong camera's numbers are beyond the range of f64.")
+            }
+        }
+    }
+}
+
+impl std::error::Error for NoWrongCamera {}
+
+/// A camera with a mistake on the way to its rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrongCamera {
+    pub(super) given: GivenCamera,
+    pub(super) made: PipelineCamera,
+}
+
+/// How different a wrong camera's numbers have to be, relative to their size. A mistake of sign or
+/// order changes them by as much as they are; a length that is 1 but for rounding is found within
+/// 1e-15, and one that differs by less than this changes no pixel of any image.
+const DIFFERENT: f64 = 1e-12;
+
+impl WrongCamera {
+    /// The camera with a mistake of [`Mistake::GALLERY`], made in the usual way.
+    ///
+    /// # Errors
+    /// Where the camera sees nothing, the mistake cannot be made with it, or changes nothing.
+    pub fn new(camera: &Camera, mistake: Mistake) -> Result<WrongCamera, NoWrongCamera> {
+        let right = WrongCamera::right(camera).map_err(NoWrongCamera::Camera)?;
+        let pipeline = mistake.usual();
+        if pipeline.basis != BasisChoices::RIGHT && right.given.by_hand {
+            return Err(NoWrongCamera::GivenByHand(mistake));
+        }
+        let is_at = matches!(camera.orientation, Orientation::At { .. });
+        if mistake == Mistake::WIsAtMinusEye && !is_at {
+            return Err(NoWrongCamera::NotGivenByAt);
+        }
+        let wrong = WrongCamera { made: right.given.camera_of(pipeline), ..right };
+        if !wrong.is_finite() {
+            return Err(NoWrongCamera::OutOfRange(mistake));
+        }
+        if wrong.is_right() {
+            return Err(NoWrongCamera::ChangesNothing(mistake));
+        }
+        Ok(wrong)
+    }
+
+    /// The camera without any mistake, to be checked as the wrong ones are.
+    ///
+    /// # Errors
+    /// Where the camera sees nothing.
+    pub fn right(camera: &Camera) -> Result<WrongCamera, CameraError> {
+        let given = GivenCamera::new(camera)?;
+        Ok(WrongCamera { made: given.camera_of(Pipeline::RIGHT), given })
+    }
+
+    /// The camera without the mistake.
+    pub fn right_camera(&self) -> &PosedCamera {
+        &self.given.posed
+    }
+
+    /// The wrong u; not always of length 1.
+    pub fn u(&self) -> DVec3 {
+        self.made.u
+    }
+
+    /// The wrong v; not always of length 1, nor at right angles to w.
+    pub fn v(&self) -> DVec3 {
+        self.made.v
+    }
+
+    /// The wrong w; not always of length 1, nor backwards.
+    pub fn w(&self) -> DVec3 {
+        self.made.w
+    }
+
+    /// Which of u, v and w are other vectors than the right ones, and not by rounding alone.
+    pub fn wrong_vectors(&self) -> [bool; 3] {
+        let right = self.given.posed.basis();
+        let is_wrong = |a: DVec3, b: DVec3| !is_near(a, b);
+        [is_wrong(self.u(), right.u), is_wrong(self.v(), right.v), is_wrong(self.w(), right.w)]
+    }
+
+    /// The distance that the rays are made with.
+    pub fn distance(&self) -> f64 {
+        self.made.distance_taken()
+    }
+
+    /// W x H.
+    pub fn image(&self) -> ImageSize {
+        self.given.posed.image()
+    }
+
+    /// (u, v) that the wrong camera takes for a pixel's.
+    pub fn uv_of_pixel(&self, pixel: Pixel) -> DVec2 {
+        self.made.uv(f64::from(pixel.row), f64::from(pixel.column))
+    }
+
+    /// `u*U + v*V - distance*W` of the wrong vectors.
+    pub fn direction_at(&self, uv: DVec2) -> DVec3 {
+        self.made.direction_at(uv)
+    }
+
+    /// The ray that the wrong camera sends through a pixel.
+    ///
+    /// # Errors
+    /// Where its numbers are beyond the range of `f64`.
+    pub fn ray(&self, pixel: Pixel) -> Result<Ray, RayError> {
+        self.ray_at(self.uv_of_pixel(pixel))
+    }
+
+    /// The ray that the wrong camera sends through a (u, v).
+    ///
+    /// # Errors
+    /// Where its numbers are beyond the range of `f64`.
+    pub fn ray_at(&self, uv: DVec2) -> Result<Ray, RayError> {
+        Ray::new(self.given.posed.eye(), self.direction_at(uv))
+    }
+
+    /// Whether every pixel sees the same as in the other camera, whatever the numbers behind it.
+    pub fn sees_the_same(&self, other: &WrongCamera) -> bool {
+        let is_same = |pixel: Pixel| {
+            let [a, b] = [self, other].map(|c| unit(c.direction_at(c.uv_of_pixel(pixel))));
+            (a - b).length() <= DIFFERENT.sqrt()
+        };
+        self.given.posed.eye() == other.given.posed.eye()
+            && self.image() == other.image()
+            && corners(self.image()).into_iter().all(is_same)
+    }
+
+    fn is_finite(&self) -> bool {
+        corners(self.image()).into_iter().all(|pixel| self.ray(pixel).is_ok())
+    }
+
+    /// Whether basis and rays are the right ones but for rounding.
+    fn is_right(&self) -> bool {
+        self.wrong_vectors() == [false; 3]
+            && corners(self.image()).into_iter().all(|pixel| {
+                let wrong = self.direction_at(self.uv_of_pixel(pixel));
+                is_near(wrong, self.given.posed.ray_of_pixel(pixel).direction)
+            })
+    }
+}
+
+fn is_near(a: DVec3, b: DVec3) -> bool {
+    (a - b).length() <= DIFFERENT * length(b)
+}
+
+/// Directions are linear in row and column: those of the four corners tell them all.
+fn corners(image: ImageSize) -> [Pixel; 4] {
+    let (last_row, last_column) = (image.height() - 1, image.width() - 1);
+    [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)]
+        .map(|(row, column)| Pixel { row, column })
+}
