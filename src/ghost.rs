@@ -6,8 +6,8 @@ use pinhole_core::{
 };
 
 use crate::inspection::Inspection;
-use crate::mistakes::Seen;
 use crate::session::Selection;
+use pinhole_lecture::mistakes::Seen;
 
 /// A frozen camera, and what of it stands beside the camera view.
 #[derive(Clone, Copy, Debug, PartialEq)]

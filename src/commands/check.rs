@@ -8,12 +8,11 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use pinhole_core::ImageSize;
-use pinhole_lecture::grading::{Grade, Kind, Truth, grade};
+use pinhole_lecture::grading::{Grade, Graded, Kind, Truth, grade};
 
 use super::{CommandError, load, named, of_scene, pose, to_stdout};
 use crate::arguments::CheckArguments;
 use crate::formats::{FileError, answers, atomic, png};
-use crate::grades::Graded;
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{Camera, ImageSize, Raster};
-use pinhole_lecture::grading::{Truth, grade};
+use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 
 use super::beside::shown_beside;
 use super::memo::Memo;
@@ -14,7 +14,7 @@ use super::wrong::Right;
 use super::{Derived, Shown, ViewSizes};
 use crate::document::Document;
 use crate::formats::answers;
-use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::grades::AnswersAtHand;
 use crate::overlay::{OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
 

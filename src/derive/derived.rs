@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use egui::ColorImage;
 use pinhole_core::{CameraError, Counts, Frame, PosedCamera, Scene, SceneError, Steps, UpAngle};
+use pinhole_lecture::mistakes::ComparedCamera;
 
 use super::answers::Grading;
 use super::picture::{Compared, TooMany};
@@ -12,7 +13,6 @@ use crate::coarseness::Coarseness;
 use crate::ghost::AgainstGhost;
 use crate::inspection::Inspection;
 use crate::ledger::Ledger;
-use crate::mistakes::Wrong;
 use crate::overlay::{Drawing, Label, Mark, Style, Target};
 use crate::plot::Plot;
 
@@ -120,7 +120,7 @@ pub struct Derived {
     /// Every object's f(p + t d), where the layout shows it.
     pub plot: Option<Plot>,
     /// The wrong camera beside the right one, or why there is none.
-    pub wrong: Option<Arc<Wrong>>,
+    pub wrong: Option<Arc<ComparedCamera>>,
     /// What it sees.
     pub wrong_view: Option<Shown>,
     /// The ghost, with the image that the camera has.

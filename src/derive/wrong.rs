@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use pinhole_core::{Camera, PosedCamera, Raster, Shade};
-use pinhole_lecture::mistakes::Mistake;
+use egui::Color32;
+use pinhole_core::{Camera, Paint, PosedCamera, Raster, Rgb, Shade};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
 use super::beside::shown_beside;
 use super::memo::Memo;
@@ -12,7 +13,6 @@ use super::watch::{Watch, Work, watched};
 use super::{Derived, Shown, ViewSizes};
 use crate::coarseness::Coarseness;
 use crate::inspection::Inspection;
-use crate::mistakes::Wrong;
 use crate::overlay::{Item, OverlayItems, Picture, Style};
 use crate::session::{Selection, Session};
 
@@ -25,9 +25,9 @@ type ViewKey = (u64, Selection, [u32; 2], OverlayItems, f32, Style);
 /// Remembers the wrong camera and its picture; the last ones stay while the camera has a fault.
 #[derive(Debug, Default)]
 pub(super) struct WrongPictures {
-    made: Memo<Key, (Arc<Wrong>, Option<Arc<Picture>>)>,
+    made: Memo<Key, (Arc<ComparedCamera>, Option<Arc<Picture>>)>,
     view: Memo<ViewKey, Shown>,
-    last: Option<(Arc<Wrong>, Option<Shown>)>,
+    last: Option<(Arc<ComparedCamera>, Option<Shown>)>,
     count: u64,
 }
 
@@ -76,7 +76,7 @@ impl WrongPictures {
         size: [u32; 2],
         sizes: &ViewSizes,
         watch: Watch<'_>,
-    ) -> (Arc<Wrong>, Option<Shown>) {
+    ) -> (Arc<ComparedCamera>, Option<Shown>) {
         let image = right.posed.image();
         let raster = right.coarseness.raster(image, size);
         let mode = Shade::from(session.settings.shade);
@@ -86,9 +86,13 @@ impl WrongPictures {
         let (wrong, picture) = self.made.get(key, |(camera, _, _, raster, mode, mistake)| {
             *count += 1;
             watched(watch, Work::Trace, || {
-                let colors = (*mode, |i: u32| world.colors[i as usize]);
+                let paint = Paint {
+                    shade: *mode,
+                    color_of: |i: u32| world.colors[i as usize],
+                    to_pixel: |[r, g, b]: Rgb| Color32::from_rgb(r, g, b),
+                };
                 let (wrong, pixels) =
-                    Wrong::new(camera, right.posed, &world.scene, *mistake, raster, colors);
+                    ComparedCamera::new(camera, right.posed, &world.scene, *mistake, raster, paint);
                 let picture = |pixels| Picture { raster: raster.clone(), image, pixels };
                 (Arc::new(wrong), pixels.map(|pixels| Arc::new(picture(pixels))))
             })

@@ -1,15 +1,9 @@
 //! The exercises: which one is open, what was typed, and what is said of it. The questions and their
-//! answers are the core's; nothing is counted, stored or sent.
+//! answers are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
 
-mod answers;
-mod texts;
-mod verdicts;
-
-use pinhole_lecture::exercises::{Answer, Asked, Exercise, Part, Question, Verdict};
-
-pub use answers::solution;
-pub use texts::{asked, question, title};
-pub(crate) use verdicts::{is_good, said};
+use pinhole_lecture::exercises::{
+    Answer, Asked, Exercise, Part, Question, Verdict, follows, title,
+};
 
 use crate::document::{Document, Item};
 use crate::expression::evaluate;
@@ -57,6 +51,24 @@ pub(crate) enum Said {
     Follows(Asked),
 }
 
+impl Said {
+    /// Whether the answer is said to be right.
+    pub(crate) fn is_good(&self) -> bool {
+        matches!(self, Said::Judged(verdict) if verdict.is_right())
+    }
+
+    /// What is said of this part, in words.
+    pub(crate) fn sentence(&self, part: &Part) -> String {
+        match self {
+            Said::NotAnswered => "Not answered yet.".to_owned(),
+            Said::Missing => "One of the numbers is missing.".to_owned(),
+            Said::NoNumber(why) => format!("{why}."),
+            Said::Judged(verdict) => verdict.sentence(part),
+            Said::Follows(source) => follows(*source),
+        }
+    }
+}
+
 impl Default for Exercises {
     fn default() -> Self {
         Exercises::open(Exercise::WarmUpRay, None)
@@ -96,9 +108,8 @@ impl Exercises {
         let known: Vec<Option<Answer>> =
             answers.iter().map(|answer| answer.as_ref().ok().cloned()).collect();
         let verdicts = self.question.judge(&known);
-        let parts = &self.question.parts;
         for (k, (typed, answer)) in self.answers.iter_mut().zip(answers).enumerate() {
-            typed.said = Some(match (source_of(k, parts, &verdicts), &verdicts[k]) {
+            typed.said = Some(match (self.question.source_of(k, &verdicts), &verdicts[k]) {
                 (Some(source), _) => Said::Follows(source),
                 (None, Some(verdict)) => Said::Judged(verdict.clone()),
                 (None, None) => answer.err().unwrap_or(Said::NotAnswered),
@@ -108,8 +119,7 @@ impl Exercises {
 
     /// Whether every part was answered rightly.
     pub(crate) fn is_right(&self) -> bool {
-        let is_right = |typed: &Typed| matches!(&typed.said, Some(Said::Judged(verdict)) if verdict.is_right());
-        self.answers.iter().all(is_right)
+        self.answers.iter().all(|typed| typed.said.as_ref().is_some_and(Said::is_good))
     }
 
     /// The question's camera, with what its ray meets, as a document.
@@ -123,22 +133,6 @@ impl Exercises {
             ..Document::default()
         })
     }
-}
-
-/// The part that is told every mistake that this part is told, where all of them are about that one's
-/// answer and none is about this one's.
-fn source_of(k: usize, parts: &[Part], verdicts: &[Option<Verdict>]) -> Option<Asked> {
-    let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
-    let tells = |asked, verdict: &Option<Verdict>| match verdict {
-        Some(Verdict::Mistakes(told)) => {
-            mistakes.iter().all(|mistake| asked.tells(*mistake) && told.contains(mistake))
-        }
-        _ => false,
-    };
-    if mistakes.iter().any(|mistake| parts[k].asked.tells(*mistake)) {
-        return None;
-    }
-    parts.iter().zip(verdicts).find(|(part, told)| tells(part.asked, told)).map(|(p, _)| p.asked)
 }
 
 impl Typed {
@@ -173,6 +167,8 @@ impl Typed {
 
 #[cfg(test)]
 mod tests {
+    use pinhole_lecture::exercises::{asked, solution};
+
     use super::*;
 
     #[test]
@@ -232,7 +228,7 @@ mod tests {
             for seed in [None, Some(1), Some(2)] {
                 let exercises = Exercises::open(exercise, seed);
                 let question = exercises.question();
-                assert!(!super::question(&question.given).is_empty());
+                assert!(!pinhole_lecture::exercises::question(&question.given).is_empty());
                 for part in &question.parts {
                     assert!(!solution(part, 5).contains("NaN") && !asked(part).is_empty());
                 }

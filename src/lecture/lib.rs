@@ -10,6 +10,7 @@
 //! | a pixel to (u, v), and from there to the view ray | [`RayDerivation`] |
 //! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot the object's implicit function in |
 //! | lines in two dimensions | [`lines`]: implicit and parametric, and one put into the other |
+//! | numbers for readers | [`numbers`] |
 //! | numbers such as `5 sqrt 2` and `(5, 0, -7)/sqrt 74` | [`NumberForm`], [`VectorForm`] |
 //! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that sees, and the checks that find it |
 //! | exercises | [`exercises`]: questions, their answers, and what is to be said of a wrong one |
@@ -30,6 +31,7 @@ mod forms;
 pub mod grading;
 pub mod lines;
 pub mod mistakes;
+pub mod numbers;
 
 pub use derivation::{
     BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, ImplicitUnit,

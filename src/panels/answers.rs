@@ -5,6 +5,7 @@ use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
     pos2, vec2,
 };
+use pinhole_lecture::grading::{Cell, Graded};
 
 use super::number::error_color;
 use super::places::STRIP;
@@ -12,7 +13,7 @@ use super::sign::sign;
 use super::views;
 use crate::action::Action;
 use crate::derive::Derived;
-use crate::grades::{AnswersAtHand, Cell, Graded};
+use crate::grades::AnswersAtHand;
 use crate::letters::told;
 use crate::session::{Selection, Session};
 

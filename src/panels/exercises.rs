@@ -3,14 +3,14 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_lecture::exercises::{Exercise, Part};
+use pinhole_lecture::exercises::{self, Exercise, Part};
 
 use super::marked_text;
 use super::number::{error_color, vector_color};
 use super::readouts::NumberStyle;
 use super::sign::sign;
 use crate::action::{Action, MadeUp};
-use crate::exercises::{self, Exercises, LARGEST_SEED, Said, Typed};
+use crate::exercises::{Exercises, LARGEST_SEED, Said, Typed};
 
 /// Size of what is read, in points.
 const TEXT: f32 = 17.0;
@@ -211,16 +211,16 @@ fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
 /// What is said of a part, once it was checked.
 fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
     let Some(said) = &typed.said else { return };
-    let text = RichText::new(exercises::said(said, part)).size(TEXT - 1.0).strong();
-    let is_wrong = !exercises::is_good(said) && !matches!(said, Said::NotAnswered | Said::Missing);
+    let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();
+    let is_wrong = !said.is_good() && !matches!(said, Said::NotAnswered | Said::Missing);
     let text = if is_wrong { text.color(error_color(ui)) } else { text };
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
         if let Said::Judged(_) | Said::Follows(_) = said {
-            sign(ui, exercises::is_good(said));
+            sign(ui, said.is_good());
         }
         let response = ui.add(egui::Label::new(text).wrap());
-        let spoken = format!("{}: {}", part.asked.id(), exercises::said(said, part));
+        let spoken = format!("{}: {}", part.asked.id(), said.sentence(part));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(spoken));
     });
 }

@@ -5,7 +5,7 @@ mod checks;
 mod guess;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
-use pinhole_lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use super::number::{error_color, vector_color};
 use super::places::STRIP;
@@ -14,7 +14,7 @@ use super::sign::sign;
 use super::views;
 use crate::derive::Derived;
 use crate::document::Document;
-use crate::mistakes::{Gallery, Wrong};
+use crate::mistakes::Gallery;
 use crate::number::grouped;
 use crate::session::Session;
 
@@ -48,7 +48,7 @@ fn title(gallery: &Gallery) -> String {
 }
 
 /// What a screen reader says of the wrong picture.
-pub(crate) fn spoken(wrong: &Wrong, gallery: &Gallery) -> String {
+pub(crate) fn spoken(wrong: &ComparedCamera, gallery: &Gallery) -> String {
     match (why_not(wrong, gallery), seen(wrong)) {
         (Some(why), _) => why,
         (None, Some(seen)) if gallery.is_told() => format!("{}: {seen}", wrong.mistake.name()),
@@ -57,7 +57,7 @@ pub(crate) fn spoken(wrong: &Wrong, gallery: &Gallery) -> String {
 }
 
 /// Why there is no wrong picture, without its name as long as that is to be guessed.
-fn why_not(wrong: &Wrong, gallery: &Gallery) -> Option<String> {
+fn why_not(wrong: &ComparedCamera, gallery: &Gallery) -> Option<String> {
     let why = wrong.why_not()?;
     Some(match gallery.is_told() {
         true => why,
@@ -66,7 +66,7 @@ fn why_not(wrong: &Wrong, gallery: &Gallery) -> Option<String> {
 }
 
 /// `12,345 of 90,000 pixels shown see something else`
-fn seen(wrong: &Wrong) -> Option<String> {
+fn seen(wrong: &ComparedCamera) -> Option<String> {
     let seen = wrong.seen?;
     let (differing, pixels) = (grouped(seen.differing as u64), grouped(seen.pixels as u64));
     Some(match seen.differing {
@@ -77,7 +77,7 @@ fn seen(wrong: &Wrong) -> Option<String> {
 }
 
 /// Why there is no wrong picture, in its place.
-pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &Wrong, gallery: &Gallery) {
+pub(crate) fn no_picture(ui: &mut Ui, rect: Rect, wrong: &ComparedCamera, gallery: &Gallery) {
     let fill = ui.visuals().faint_bg_color;
     ui.painter().rect_filled(rect, 4.0, fill);
     let inside = rect.shrink(16.0);
@@ -153,7 +153,7 @@ fn list(ui: &mut Ui, gallery: &mut Gallery) {
 }
 
 /// What is done wrong, how it shows, and the basis right against wrong.
-fn explanation(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+fn explanation(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     let mistake = wrong.mistake;
     if let Some(why) = wrong.why_not() {
         ui.label(RichText::new(why).strong());

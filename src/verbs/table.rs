@@ -20,12 +20,11 @@ use std::borrow::Cow;
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
-use pinhole_lecture::exercises::Exercise;
+use pinhole_lecture::exercises::{Exercise, title};
 use pinhole_lecture::mistakes::Mistake;
 
 use super::{Group, Keys, Verb, When};
 use crate::action::{Action, GhostMove, PlayMove, Switch};
-use crate::exercises;
 use crate::formats::builtin;
 use crate::formats::scene_argument::SceneSource;
 use crate::ledger::{LedgerSection, Markup};
@@ -305,7 +304,7 @@ fn places() -> Vec<Verb> {
         verbs.extend(of_lesson(Which::Builtin(index), lesson));
     }
     for &exercise in Exercise::ALL {
-        let name = exercises::title(exercise);
+        let name = title(exercise);
         verbs.push(verb(Group::Exercise, name, "Asks this.", Action::Exercise(exercise)));
     }
     for &mistake in Mistake::GALLERY {

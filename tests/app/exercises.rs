@@ -4,10 +4,10 @@ use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use pinhole::app::App;
-use pinhole::exercises::{LARGEST_SEED, title};
+use pinhole::exercises::LARGEST_SEED;
 use pinhole::session::{Selection, ViewLayout};
 use pinhole_core::{DVec2, Orientation};
-use pinhole_lecture::exercises::{Exercise, Given, Question};
+use pinhole_lecture::exercises::{Exercise, Given, Question, question, title};
 
 use super::harness::{assert_reads, assert_says, texts_with, type_into, window};
 
@@ -260,7 +260,7 @@ fn scalars_are_italic_and_a_question_is_read_without_marks() {
     assert_eq!(texts_with(&window, shown), [shown]);
     assert_says(&window, "𝑡 =");
     for &exercise in Exercise::ALL {
-        for paragraph in pinhole::exercises::question(&Question::new(exercise, None).given) {
+        for paragraph in question(&Question::new(exercise, None).given) {
             assert_eq!(paragraph.matches('*').count() % 2, 0, "{paragraph}");
             let words =
                 paragraph.replace(|c: char| !c.is_ascii_alphabetic() && !"*'".contains(c), " ");

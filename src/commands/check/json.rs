@@ -1,11 +1,10 @@
 //! A grade as one JSON object.
 
-use pinhole_lecture::grading::{Answers, GivenHit, Right, Worst};
+use pinhole_lecture::grading::{Answers, GivenHit, Graded, Right, Worst};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::commands::CommandError;
-use crate::grades::Graded;
 
 /// Behind the fields of the contract stand those that say more.
 #[derive(Serialize)]

@@ -5,13 +5,19 @@ mod bases;
 mod judge;
 mod objects;
 mod pick;
+mod question_texts;
 mod rays;
+mod solution;
 mod solve;
+mod verdict_texts;
 mod wanted;
 
 use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation, Plane, Ray, Sphere, Viewport};
 
 pub use judge::Verdict;
+pub use question_texts::{asked, question, title};
+pub use solution::solution;
+pub use verdict_texts::follows;
 pub use wanted::Finding;
 
 use crate::mistakes::Mistake;
@@ -276,6 +282,23 @@ impl Question {
     /// What is to be said of the answers, one a part; nothing of a part that was not answered.
     pub fn judge(&self, answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
         judge::judge(&self.parts, answers)
+    }
+
+    /// The part that is told every mistake that part k is told, where all of them are about that one's
+    /// answer and none is about this one's.
+    pub fn source_of(&self, k: usize, verdicts: &[Option<Verdict>]) -> Option<Asked> {
+        let Some(Verdict::Mistakes(mistakes)) = &verdicts[k] else { return None };
+        let tells = |asked: Asked, verdict: &Option<Verdict>| match verdict {
+            Some(Verdict::Mistakes(told)) => {
+                mistakes.iter().all(|mistake| asked.tells(*mistake) && told.contains(mistake))
+            }
+            _ => false,
+        };
+        if mistakes.iter().any(|mistake| self.parts[k].asked.tells(*mistake)) {
+            return None;
+        }
+        let mut told = self.parts.iter().zip(verdicts);
+        told.find(|(part, told)| tells(part.asked, told)).map(|(part, _)| part.asked)
     }
 
     /// The camera of the question, where there is one.

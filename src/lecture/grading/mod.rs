@@ -30,6 +30,7 @@ mod answers;
 mod diagnosis;
 mod digits;
 mod error;
+mod graded;
 mod grader;
 mod hits;
 mod meetings;
@@ -41,6 +42,7 @@ use pinhole_core::{Camera, DVec3, Ray, Rgb, Scene, Shade, shortest};
 pub use self::answers::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
 pub use self::diagnosis::Diagnosis;
 pub use self::error::GradeError;
+pub use self::graded::{Cell, Graded};
 use self::grader::Grader;
 
 /// How far numbers may be off, as a share, unless another tolerance is given: twice what a number of

@@ -7,6 +7,7 @@
 //! ```
 
 mod checks;
+mod compared;
 mod pipeline;
 mod pipeline_camera;
 mod table;
@@ -14,6 +15,7 @@ mod wrong_camera;
 mod wrong_picture;
 
 pub use checks::{Check, Checked, Value, Wanted};
+pub use compared::{ComparedCamera, Seen, visible};
 pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, Way, WhichRoot};
 pub(crate) use pipeline_camera::{GivenCamera, PipelineCamera};
 pub use table::Mistake;

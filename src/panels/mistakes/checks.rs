@@ -1,20 +1,19 @@
 //! What each check says of the wrong camera: which ones find the mistake, and which do not.
 
 use egui::{RichText, Ui};
-use pinhole_lecture::mistakes::{Checked, Value, Wanted};
+use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
 use super::super::number::error_color;
 use super::super::readouts::NumberStyle;
 use super::super::sign::sign;
 use super::{TEXT, cell};
-use crate::mistakes::Wrong;
 
 /// Widths of the verdict and of what is checked, in points.
 const VERDICT: f32 = 58.0;
 const FORMULA: f32 = 176.0;
 
 /// The checks as a table, those that find the mistake first.
-pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
+pub(super) fn ui(ui: &mut Ui, wrong: &ComparedCamera, style: NumberStyle) {
     if wrong.checks.is_empty() {
         ui.label("Without a wrong camera there is nothing to check.");
         return;
@@ -30,7 +29,7 @@ pub(super) fn ui(ui: &mut Ui, wrong: &Wrong, style: NumberStyle) {
 }
 
 /// `2 of 14 checks find it`
-pub(super) fn summary(wrong: &Wrong) -> String {
+pub(super) fn summary(wrong: &ComparedCamera) -> String {
     let (all, failing) = (wrong.checks.len(), failing(wrong).count());
     match failing {
         0 => format!("None of {all} checks finds it"),
@@ -39,7 +38,7 @@ pub(super) fn summary(wrong: &Wrong) -> String {
     }
 }
 
-pub(super) fn failing(wrong: &Wrong) -> impl Iterator<Item = &Checked> {
+pub(super) fn failing(wrong: &ComparedCamera) -> impl Iterator<Item = &Checked> {
     wrong.checks.iter().filter(|checked| !checked.passes)
 }
 

@@ -2,12 +2,12 @@
 
 use egui::{RichText, Ui};
 use pinhole_core::{Camera, PosedCamera, Scene};
-use pinhole_lecture::mistakes::{Mistake, WrongCamera};
+use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera, visible};
 
 use super::super::number::error_color;
 use super::super::sign::sign;
 use super::checks;
-use crate::mistakes::{Gallery, Wrong, visible};
+use crate::mistakes::Gallery;
 
 /// Starts a riddle, goes to the next one, or back to the gallery.
 pub(super) fn buttons(
@@ -37,7 +37,7 @@ pub(super) fn buttons(
 }
 
 /// The question, or what is to be said of the answer.
-pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &Wrong, camera: &Camera) {
+pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &ComparedCamera, camera: &Camera) {
     let Some(guess) = gallery.guess else { return };
     let Some(answer) = guess.answer else {
         ui.label(RichText::new("Which mistake is it?").size(18.0).strong());
@@ -69,7 +69,7 @@ pub(super) fn verdict(ui: &mut Ui, gallery: &Gallery, wrong: &Wrong, camera: &Ca
     ui.add_space(6.0);
 }
 
-fn looks_the_same(camera: &Camera, answer: Mistake, wrong: &Wrong) -> bool {
+fn looks_the_same(camera: &Camera, answer: Mistake, wrong: &ComparedCamera) -> bool {
     match (WrongCamera::new(camera, answer), &wrong.camera) {
         (Ok(answer), Ok(wrong)) => answer.sees_the_same(wrong),
         _ => false,

@@ -1,9 +1,9 @@
 //! The questions in words. `**p**` marks a vector, `*t*` a scalar.
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
-use pinhole_lecture::exercises::{Asked, Exercise, Given, Part};
 
-use super::answers::number;
+use super::solution::number;
+use super::{Asked, Exercise, Given, Part};
 
 /// What the list calls an exercise.
 pub fn title(exercise: Exercise) -> &'static str {

@@ -1,59 +1,45 @@
 //! What is said of an answer, in words.
 
-use pinhole_lecture::exercises::{Asked, Finding, Part, Verdict};
-use pinhole_lecture::mistakes::Mistake;
+use super::question_texts::name;
+use super::solution::short;
+use super::{Asked, Finding, Part, Verdict};
+use crate::mistakes::Mistake;
 
-use super::Said;
-use super::answers::short;
-use super::texts::name;
-
-/// Whether what is said is that the answer is right.
-pub(crate) fn is_good(said: &Said) -> bool {
-    matches!(said, Said::Judged(verdict) if verdict.is_right())
-}
-
-/// What is said of an answer.
-pub(crate) fn said(said: &Said, part: &Part) -> String {
-    match said {
-        Said::NotAnswered => "Not answered yet.".to_owned(),
-        Said::Missing => "One of the numbers is missing.".to_owned(),
-        Said::NoNumber(why) => format!("{why}."),
-        Said::Judged(verdict) => judged(verdict, part),
-        Said::Follows(source) => format!("Wrong: it follows from {}.", name(*source)),
-    }
-}
-
-fn judged(verdict: &Verdict, part: &Part) -> String {
-    match verdict {
-        Verdict::Right => "Right.".to_owned(),
-        Verdict::Multiple { times } => {
-            format!("Right: yours is {} times ours, the same ray.", short(*times))
-        }
-        Verdict::Rounded { digits } => format!(
-            "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
-        ),
-        // What is −1 but for the last digits is written as −1.
-        Verdict::Backwards { times } if short(*times) == "−1" => {
-            "Wrong: it points the opposite way: it is minus ours.".to_owned()
-        }
-        Verdict::Backwards { times } => {
-            format!("Wrong: it points the opposite way: it is {} times ours.", short(*times))
-        }
-        Verdict::OtherLength { times } if part.asked.is_unit() => {
-            format!(
-                "Wrong: the direction is right, but the length is {}: it must be 1.",
+impl Verdict {
+    /// What is said of an answer to this part.
+    pub fn sentence(&self, part: &Part) -> String {
+        match self {
+            Verdict::Right => "Right.".to_owned(),
+            Verdict::Multiple { times } => {
+                format!("Right: yours is {} times ours, the same ray.", short(*times))
+            }
+            Verdict::Rounded { digits } => format!(
+                "Right to {digits} digits: give it exactly, as in 1/sqrt(2), or with more digits."
+            ),
+            // What is −1 but for the last digits is written as −1.
+            Verdict::Backwards { times } if short(*times) == "−1" => {
+                "Wrong: it points the opposite way: it is minus ours.".to_owned()
+            }
+            Verdict::Backwards { times } => {
+                format!("Wrong: it points the opposite way: it is {} times ours.", short(*times))
+            }
+            Verdict::OtherLength { times } if part.asked.is_unit() => {
+                format!(
+                    "Wrong: the direction is right, but the length is {}: it must be 1.",
+                    short(*times)
+                )
+            }
+            Verdict::OtherLength { times } => format!(
+                "Wrong: the direction is right, but it is {} times ours: here its length matters, because 𝑡 \
+                 counts in it.",
                 short(*times)
-            )
-        }
-        Verdict::OtherLength { times } => format!(
-            "Wrong: the direction is right, but it is {} times ours: here its length matters, because 𝑡 \
-             counts in it.",
-            short(*times)
-        ),
-        Verdict::Mistakes(mistakes) => format!("Wrong: {}", named(mistakes)),
-        Verdict::Wrong(findings) => {
-            let texts: Vec<String> = findings.iter().map(|finding| found(finding, part)).collect();
-            format!("Wrong: {}.", texts.join("; "))
+            ),
+            Verdict::Mistakes(mistakes) => format!("Wrong: {}", named(mistakes)),
+            Verdict::Wrong(findings) => {
+                let texts: Vec<String> =
+                    findings.iter().map(|finding| found(finding, part)).collect();
+                format!("Wrong: {}.", texts.join("; "))
+            }
         }
     }
 }
@@ -126,4 +112,9 @@ fn bold(name: &str) -> &str {
         "w" => "𝐰",
         other => other,
     }
+}
+
+/// What is said of a part that follows from the answer to another one.
+pub fn follows(source: Asked) -> String {
+    format!("Wrong: it follows from {}.", name(source))
 }

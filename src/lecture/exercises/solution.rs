@@ -1,10 +1,10 @@
 //! Right answers and single numbers, exactly where they are recognised.
 
 use pinhole_core::{DVec3, shortest};
-use pinhole_lecture::exercises::{Answer, Part};
-use pinhole_lecture::{NumberForm, VectorForm};
 
-use crate::number::written;
+use super::{Answer, Part};
+use crate::forms::{NumberForm, VectorForm};
+use crate::numbers::written;
 
 /// The right answer, exactly if it can be recognised, and in decimals where that is another text.
 pub fn solution(part: &Part, digits: usize) -> String {

@@ -1,0 +1,303 @@
+//! Grades in words and as a map: what the command and the window say of a student's answers.
+
+use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
+
+use super::{Answers, GivenHit, Grade, Kind, Right, Worst};
+use crate::mistakes::Mistake;
+use crate::numbers::{grouped, significant};
+
+/// Answers with their grade.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Graded {
+    /// The answers.
+    pub answers: Answers,
+    /// What is right of them.
+    pub grade: Grade,
+    /// The image of the scene that they are about.
+    pub image: ImageSize,
+    /// Where their rows and columns begin, 0 or 1.
+    pub count_from: u32,
+}
+
+/// What is known of a pixel's answer; of several, the greatest is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Cell {
+    /// There is none.
+    Unanswered,
+    /// It is right.
+    Right,
+    /// It is wrong.
+    Wrong,
+}
+
+impl Cell {
+    /// What a map shows, told apart by lightness, too.
+    pub fn color(self) -> Rgb {
+        match self {
+            Cell::Unanswered => [0x8a, 0x8f, 0x98],
+            Cell::Right => [0xdf, 0xe7, 0xee],
+            Cell::Wrong => [0xd5, 0x5e, 0x00],
+        }
+    }
+}
+
+/// Digits that a reader is shown of a number; more where what is given and what is right would look
+/// alike.
+const DIGITS: [usize; 4] = [7, 10, 13, 17];
+
+impl Graded {
+    /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place in
+    /// the image.
+    pub fn map(&self) -> Option<Vec<Cell>> {
+        if self.grade.kind == Kind::Basis {
+            return None;
+        }
+        let width = self.image.width() as usize;
+        let mut cells = vec![Cell::Unanswered; width * self.image.height() as usize];
+        for (index, is_right) in self.grade.is_right.iter().enumerate() {
+            let pixel = self.pixel(index).filter(|pixel| self.image.contains(*pixel));
+            if let Some(Pixel { row, column }) = pixel {
+                let cell = if *is_right { Cell::Right } else { Cell::Wrong };
+                cells[row as usize * width + column as usize] = cell;
+            }
+        }
+        Some(cells)
+    }
+
+    /// The pixel of an answer, counted from 0; a vector of a basis has none.
+    pub fn pixel(&self, index: usize) -> Option<Pixel> {
+        match &self.answers {
+            Answers::Basis(_) => None,
+            Answers::Rays(rays) => rays.get(index).map(|ray| ray.pixel),
+            Answers::Hits(hits) => hits.get(index).map(|hit| hit.pixel),
+            Answers::Picture(_) => {
+                let width = self.image.width() as usize;
+                Some(Pixel { row: (index / width) as u32, column: (index % width) as u32 })
+            }
+        }
+    }
+
+    /// The pixel of the worst answer, where it has one in the image.
+    pub fn worst_pixel(&self) -> Option<Pixel> {
+        let worst = self.grade.worst.as_ref()?;
+        self.pixel(worst.index).filter(|pixel| self.image.contains(*pixel))
+    }
+
+    /// `159,999 of 160,000 hits agree, within 0.00001 of their distance`
+    pub fn agreement(&self) -> String {
+        let grade = &self.grade;
+        let (agree, all) = (grouped(grade.agree() as u64), grouped(grade.answers() as u64));
+        let plural = match grade.kind {
+            Kind::Basis => "vectors",
+            Kind::Rays => "rays",
+            Kind::Hits => "hits",
+            Kind::Picture => "pixels",
+        };
+        let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
+        format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
+    }
+
+    /// The grade where every pixel is asked for: those without an answer count as wrong ones.
+    pub fn complete(self) -> Graded {
+        let is_unanswered = |cell: &&Cell| **cell == Cell::Unanswered;
+        let unanswered = self.map().map_or(0, |cells| cells.iter().filter(is_unanswered).count());
+        Graded { grade: self.grade.counting_unanswered(unanswered), ..self }
+    }
+
+    /// `3 pixels are not answered`, where that counts as wrong.
+    pub fn unanswered(&self) -> Option<String> {
+        match self.grade.unanswered {
+            0 => None,
+            1 => Some("1 pixel is not answered".to_owned()),
+            count => Some(format!("{} pixels are not answered", grouped(count as u64))),
+        }
+    }
+
+    /// Whether so much of the image is answered, a twentieth, that a map of it tells where.
+    pub fn shows_where(&self) -> bool {
+        let pixels = u64::from(self.image.width()) * u64::from(self.image.height());
+        20 * self.grade.is_right.len() as u64 >= pixels
+    }
+
+    fn tolerance(&self) -> String {
+        let tolerance = significant(self.grade.tolerance, 3);
+        match (self.grade.kind, self.grade.shade) {
+            (Kind::Picture, Some(shade)) => {
+                format!("{tolerance} of 255 levels, shaded by {}", shade.name())
+            }
+            (Kind::Picture, None) => format!("{tolerance} of 255 levels"),
+            (Kind::Basis, _) => format!("{tolerance} in each coordinate"),
+            (Kind::Rays, _) => format!("{tolerance} in each coordinate of the unit vector"),
+            (Kind::Hits, _) => format!("{tolerance} of their distance"),
+        }
+    }
+
+    /// `row 3, column 4: hits object 0 at t = 5; right: t = 4`
+    pub fn worst(&self) -> Option<String> {
+        let worst = self.grade.worst.as_ref()?;
+        let place = match (self.pixel(worst.index), worst.index) {
+            (Some(pixel), _) => self.place(pixel),
+            (None, 0) => "u".to_owned(),
+            (None, 1) => "v".to_owned(),
+            (None, _) => "w".to_owned(),
+        };
+        let texts = DIGITS.map(|digits| (self.given(worst, digits), self.right(worst, digits)));
+        let differ = texts.iter().find(|(given, right)| given != right);
+        let (given, right) = differ.unwrap_or(&texts[0]);
+        Some(format!("{place} is {given}; right is {right}{}", off(worst.error, self.grade.kind)))
+    }
+
+    /// `row 3, column 4`, as the answers count.
+    pub fn place(&self, pixel: Pixel) -> String {
+        let (row, column) = (pixel.row + self.count_from, pixel.column + self.count_from);
+        format!("row {row}, column {column}")
+    }
+
+    fn given(&self, worst: &Worst, digits: usize) -> String {
+        match &self.answers {
+            Answers::Basis(vectors) => triple(vectors[worst.index].value, digits),
+            Answers::Rays(rays) => {
+                let ray = &rays[worst.index];
+                ray_words(ray.origin.value, ray.direction.value, digits)
+            }
+            Answers::Hits(hits) => match hits[worst.index].hit {
+                None => "a miss".to_owned(),
+                Some(GivenHit { t, point, object }) => {
+                    hit_words(t.map(|t| t.value), point.map(|point| point.value), object, digits)
+                }
+            },
+            Answers::Picture(pixels) => color_words(pixels[worst.index]),
+        }
+    }
+
+    /// What would be right, in the parts that were answered.
+    fn right(&self, worst: &Worst, digits: usize) -> String {
+        let given = match &self.answers {
+            Answers::Hits(hits) => hits[worst.index].hit,
+            _ => None,
+        };
+        match worst.right {
+            Right::Vector(vector) => triple(vector, digits),
+            Right::Ray(ray) => ray_words(ray.origin, ray.direction, digits),
+            Right::Hit(None) => "a miss".to_owned(),
+            Right::Hit(Some(hit)) => match given {
+                None => hit_words(Some(hit.t), None, Some(hit.object), digits),
+                Some(given) => hit_words(
+                    given.t.map(|_| hit.t),
+                    given.point.map(|_| hit.point),
+                    given.object.map(|_| hit.object),
+                    digits,
+                ),
+            },
+            Right::Color(color) => color_words(color),
+            Right::NoPixel => {
+                let (rows, columns) = (self.image.height(), self.image.width());
+                format!(
+                    "that there is none: rows are 0 to {}, columns 0 to {}",
+                    rows - 1,
+                    columns - 1
+                )
+            }
+        }
+    }
+
+    /// `far-root, negative-t`, or nothing.
+    pub fn mistakes(&self) -> String {
+        ids(&self.grade.diagnosis.mistakes, ", ")
+    }
+
+    /// What to look at, and how much of a guess that is.
+    pub fn advice(&self) -> String {
+        let missing = self.unanswered().map(|words| format!("{words}."));
+        let advice = [self.grade.advice()].into_iter().chain(self.own_remarks()).chain(missing);
+        advice.collect::<Vec<_>>().join(" ")
+    }
+
+    /// What is to be said beside each mistake's own sentence.
+    pub fn remarks(&self) -> Vec<String> {
+        self.grade.remarks().into_iter().chain(self.own_remarks()).collect()
+    }
+
+    fn own_remarks(&self) -> impl Iterator<Item = String> {
+        let from_one = self.grade.diagnosis.counted_from_one.then_some(
+            "If they are meant to count from 1, all agree: say --count-from 1, or “They count from 1”.",
+        );
+        [from_one, self.caveat()].into_iter().flatten().map(str::to_owned)
+    }
+
+    /// What weakens the diagnosis: misses alone look alike, whatever they come from.
+    fn caveat(&self) -> Option<&'static str> {
+        let Answers::Hits(hits) = &self.answers else { return None };
+        let grade = &self.grade;
+        let mut wrong = hits.iter().zip(&grade.is_right).filter(|(_, is_right)| !**is_right);
+        let is_guess =
+            !grade.diagnosis.mistakes.is_empty() && wrong.all(|(hit, _)| hit.hit.is_none());
+        is_guess.then_some(
+            "This is a guess: all wrong answers are misses, and a program may miss for other reasons.",
+        )
+    }
+
+    /// Other sets of mistakes that explain the answers as well: `negative-t; far-root + negative-t`.
+    pub fn alternatives(&self) -> Option<String> {
+        let sets = &self.grade.diagnosis.alternatives;
+        let words: Vec<String> = sets.iter().map(|set| ids(set, " + ")).collect();
+        (!words.is_empty()).then(|| words.join("; "))
+    }
+
+    /// The image in letters, some pixels each: `#` where one is wrong, `.` where all are right, and a
+    /// blank where none is answered.
+    pub fn sketch(&self) -> Option<Vec<String>> {
+        const COLUMNS: usize = 48;
+        const ROWS: usize = 16;
+        let cells = self.map()?;
+        let (width, height) = (self.image.width() as usize, self.image.height() as usize);
+        let (columns, rows) = (width.min(COLUMNS), height.min(ROWS));
+        let mut letters = vec![vec![' '; columns]; rows];
+        for (index, cell) in cells.iter().enumerate() {
+            let (row, column) = (index / width * rows / height, index % width * columns / width);
+            let letter = &mut letters[row][column];
+            match cell {
+                Cell::Unanswered => {}
+                Cell::Right if *letter == ' ' => *letter = '.',
+                Cell::Right => {}
+                Cell::Wrong => *letter = '#',
+            }
+        }
+        Some(letters.into_iter().map(String::from_iter).collect())
+    }
+}
+
+/// By how much, where that is a number.
+fn off(error: f64, kind: Kind) -> String {
+    match kind {
+        _ if !error.is_finite() || error == 0.0 => String::new(),
+        Kind::Picture => format!(" (off by {error} levels)"),
+        _ => format!(" (off by {})", significant(error, 3)),
+    }
+}
+
+fn ids(mistakes: &[Mistake], between: &str) -> String {
+    mistakes.iter().map(|mistake| mistake.id()).collect::<Vec<_>>().join(between)
+}
+
+fn triple(v: DVec3, digits: usize) -> String {
+    let [x, y, z] = v.to_array().map(|x| significant(x, digits));
+    format!("({x}, {y}, {z})")
+}
+
+fn ray_words(origin: DVec3, direction: DVec3, digits: usize) -> String {
+    format!("{} + t {}", triple(origin, digits), triple(direction, digits))
+}
+
+fn hit_words(t: Option<f64>, point: Option<DVec3>, object: Option<u32>, digits: usize) -> String {
+    let parts = [
+        t.map(|t| format!("t = {}", significant(t, digits))),
+        point.map(|point| format!("point {}", triple(point, digits))),
+        object.map(|object| format!("object {object}")),
+    ];
+    parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+fn color_words([r, g, b]: Rgb) -> String {
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
