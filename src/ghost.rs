@@ -7,7 +7,7 @@ use pinhole_core::{
 
 use crate::inspection::Inspection;
 use crate::session::Selection;
-use pinhole_lecture::mistakes::Seen;
+use pinhole_lecture::mistakes::ComparedPixels;
 
 /// A frozen camera, and what of it stands beside the camera view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct AgainstGhost {
     /// From the ghost to the camera at hand.
     pub difference: CameraDifference,
     /// How many pixels are shown, and how many of them see another object.
-    pub seen: Seen,
+    pub seen: ComparedPixels,
     /// The ghost's ray through the selected place.
     pub inspection: Inspection,
 }
@@ -65,7 +65,7 @@ impl AgainstGhost {
         Ok(AgainstGhost {
             ghost: *ghost,
             difference: now.difference_from(then)?,
-            seen: Seen { pixels: now_frame.object.len(), differing },
+            seen: ComparedPixels { pixels: now_frame.object.len(), differing },
             inspection: match selection.inside(ghost.image()) {
                 Selection::Pixel(pixel) => Inspection::of_pixel(ghost, scene, pixel),
                 Selection::Uv(uv) => Inspection::of_uv(ghost, scene, uv),

@@ -3,17 +3,17 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pinhole_lecture::grading::Kind;
+use pinhole_lecture::grading::AnswerKind;
 
 /// A file of answers, as it was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AnswersFile {
-    /// Where it is.
+    /// The file's path.
     pub path: PathBuf,
-    /// What it holds.
+    /// The file's content.
     pub bytes: Vec<u8>,
-    /// What kind of answers that is, by its first bytes.
-    pub kind: Option<Kind>,
+    /// The kind of answers, by the first bytes.
+    pub kind: Option<AnswerKind>,
 }
 
 /// The answers that the window shows the grade of.
@@ -21,7 +21,7 @@ pub struct AnswersFile {
 pub struct AnswersAtHand {
     /// Shared, so that it is compared by where it is.
     pub file: Arc<AnswersFile>,
-    /// Where its rows and columns begin, 0 or 1.
+    /// The first row and column of its count, 0 or 1.
     pub count_from: u32,
 }
 
@@ -32,9 +32,9 @@ impl AnswersAtHand {
         name.to_string_lossy().into_owned()
     }
 
-    /// Whether its rows and columns are numbers that begin somewhere: not those of a basis or a
-    /// picture.
+    /// Returns whether its rows and columns are numbers that begin somewhere: not those of a basis
+    /// or a picture.
     pub fn are_numbered(&self) -> bool {
-        !matches!(self.file.kind, Some(Kind::Basis | Kind::Picture))
+        !matches!(self.file.kind, Some(AnswerKind::Basis | AnswerKind::Picture))
     }
 }

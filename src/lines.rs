@@ -237,7 +237,7 @@ mod tests {
     use pinhole_lecture::lines::{Meeting, Substitution};
 
     fn meeting(lab: &LinesLab) -> Meeting {
-        Substitution::of(lab.line(), lab.ray).expect("two lines").meeting
+        Substitution::new(lab.line(), lab.ray).expect("two lines").meeting
     }
 
     #[test]

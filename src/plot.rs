@@ -116,7 +116,7 @@ pub fn curves(scene: &Scene, ray: &ExactRay, named: &[Named]) -> Vec<Curve> {
     let of = |(place, named): (usize, &Named)| {
         let along = along(scene, ray, named.object)?;
         let shape = scene.object(named.object)?;
-        let derivation = ObjectDerivation::of(&shape, named.object, ray).ok()?;
+        let derivation = ObjectDerivation::new(&shape, named.object, ray).ok()?;
         let vertex = along.vertex().map(|v| (v, (along.slope(v.t + 1.0) / 2.0).abs()));
         let unit = ImplicitUnit::new(&scene.object(named.object)?, &along);
         let at_eye = along.value(0.0);

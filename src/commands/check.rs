@@ -8,7 +8,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use pinhole_core::ImageSize;
-use pinhole_lecture::grading::{Grade, Graded, Kind, Truth, grade};
+use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
 use super::{CommandError, load, named, of_scene, pose, to_stdout};
 use crate::arguments::CheckArguments;
@@ -54,7 +54,7 @@ fn graded(arguments: &CheckArguments) -> Result<Graded, CommandError> {
         return Err(FileError::of_file(path, problem).into());
     }
     let answers = answers::parse(path, &bytes, image, arguments.count_from)?;
-    if arguments.map.is_some() && answers.kind() == Kind::Basis {
+    if arguments.map.is_some() && answers.kind() == AnswerKind::Basis {
         let problem =
             "--map shows where in the image answers are wrong: a basis has no place there";
         return Err(CommandError::Arguments(problem.to_owned()));

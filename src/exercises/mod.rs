@@ -1,8 +1,8 @@
-//! The exercises: which one is open, what was typed, and what is said of it. The questions and their
-//! answers are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
+//! The exercises: which one is open, what was typed, and what is said of it. The questions and
+//! their answers are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
 
 use pinhole_lecture::exercises::{
-    Answer, Asked, Exercise, Part, Question, Verdict, follows, title,
+    Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows, title,
 };
 
 use crate::document::{Document, Item};
@@ -17,33 +17,33 @@ pub const LARGEST_SEED: u64 = 1_000_000_000;
 pub struct Exercises {
     /// The numbers, answers and wrong answers.
     question: Question,
-    /// Of which seed; the lecture's own question without one.
+    /// The question's seed; the lecture's own question without one.
     seed: Option<u64>,
-    /// What was typed, a part each.
+    /// The answers as typed, a part each.
     pub(crate) answers: Vec<Typed>,
-    /// Whether the solution is shown.
+    /// The solution is shown.
     pub(crate) is_solved: bool,
 }
 
-/// What was typed for one part, and what is said of it.
+/// The answer typed for one part, and what is said of it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Typed {
     /// A field a number.
     pub(crate) fields: Vec<String>,
     /// Yes or no, where that is asked.
     pub(crate) yes: Option<bool>,
-    /// Since the last check, if nothing was changed.
+    /// The verdict since the last check, if nothing was changed.
     pub(crate) said: Option<Said>,
 }
 
-/// What is said of a part.
+/// The verdict on a part.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Said {
-    /// Nothing was answered.
+    /// There is no answer yet.
     NotAnswered,
     /// Some of the numbers are missing.
     Missing,
-    /// What was typed is no number, and why.
+    /// The text typed is no number, and why.
     NoNumber(String),
     /// The answer was judged.
     Judged(Verdict),
@@ -52,13 +52,13 @@ pub(crate) enum Said {
 }
 
 impl Said {
-    /// Whether the answer is said to be right.
+    /// Returns whether the answer is said to be right.
     pub(crate) fn is_good(&self) -> bool {
         matches!(self, Said::Judged(verdict) if verdict.is_right())
     }
 
-    /// What is said of this part, in words.
-    pub(crate) fn sentence(&self, part: &Part) -> String {
+    /// The verdict on this part, in words.
+    pub(crate) fn sentence(&self, part: &QuestionPart) -> String {
         match self {
             Said::NotAnswered => "Not answered yet.".to_owned(),
             Said::Missing => "One of the numbers is missing.".to_owned(),
@@ -96,7 +96,7 @@ impl Exercises {
         &self.question
     }
 
-    /// Of which seed it is; the lecture's own without one.
+    /// The question's seed; the lecture's own question without one.
     pub fn seed(&self) -> Option<u64> {
         self.seed
     }
@@ -117,7 +117,7 @@ impl Exercises {
         }
     }
 
-    /// Whether every part was answered rightly.
+    /// Returns whether every part was answered rightly.
     pub(crate) fn is_right(&self) -> bool {
         self.answers.iter().all(|typed| typed.said.as_ref().is_some_and(Said::is_good))
     }
@@ -152,7 +152,7 @@ impl Typed {
         numbers.map(Answer::Numbers).map_err(Said::NoNumber)
     }
 
-    /// Where a whole vector was pasted into one field, `(1, 2, 3)`, puts each number into its own.
+    /// Puts each number of a vector that was pasted into one field, `(1, 2, 3)`, into its own.
     pub(crate) fn spread(&mut self) {
         let count = self.fields.len();
         let whole = self.fields.iter().find(|field| field.matches(',').count() + 1 == count);

@@ -15,7 +15,9 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use pinhole_core::{DVec3, ImageSize};
-use pinhole_lecture::grading::{Answers, GivenHit, HitAnswer, Kind, Measured, RayAnswer, Written};
+use pinhole_lecture::grading::{
+    AnswerKind, Answers, GivenHit, HitAnswer, RayAnswer, Written, WrittenVector,
+};
 
 use self::pixels::Pixels;
 use super::csv_table::{CsvTable, Row};
@@ -42,18 +44,18 @@ pub fn missing<'n>(bytes: &[u8], asked: &'n [String]) -> Vec<&'n str> {
 }
 
 /// What kind of answers a file holds, by its first bytes; `None` of one that holds none.
-pub fn kind_of(bytes: &[u8]) -> Option<Kind> {
+pub fn kind_of(bytes: &[u8]) -> Option<AnswerKind> {
     if png::is_png(bytes) {
-        return Some(Kind::Picture);
+        return Some(AnswerKind::Picture);
     }
     let names = header(bytes);
     let has = |known: &[&str]| names.iter().any(|name| known.contains(&name.as_str()));
     if has(BASIS) {
-        Some(Kind::Basis)
+        Some(AnswerKind::Basis)
     } else if has(&RAYS[2..]) && has(&RAYS[..2]) {
-        Some(Kind::Rays)
+        Some(AnswerKind::Rays)
     } else if has(&HITS[..2]) {
-        Some(Kind::Hits)
+        Some(AnswerKind::Hits)
     } else {
         None
     }
@@ -101,15 +103,15 @@ pub fn parse(
     count_from: u32,
 ) -> Result<Answers, FileError> {
     let kind = kind_of(bytes);
-    if kind == Some(Kind::Picture) {
+    if kind == Some(AnswerKind::Picture) {
         return picture(path, bytes, image);
     }
     let bytes = &in_small_letters(bytes)[..];
     let answers = match kind {
-        None | Some(Kind::Picture) => return Err(no_answers(path, bytes)),
-        Some(Kind::Basis) => return basis(path, bytes),
-        Some(Kind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
-        Some(Kind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,
+        None | Some(AnswerKind::Picture) => return Err(no_answers(path, bytes)),
+        Some(AnswerKind::Basis) => return basis(path, bytes),
+        Some(AnswerKind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
+        Some(AnswerKind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,
     };
     if answers.is_empty() {
         return Err(FileError::of_file(path, "there is no answer: a row an answer must follow"));
@@ -278,7 +280,7 @@ fn number(row: &Row, column: usize) -> Result<Written<f64>, FileError> {
     Ok(Written { value, rounding: rounding_of(text, value) })
 }
 
-fn vector(row: &Row, first: usize) -> Result<Measured, FileError> {
+fn vector(row: &Row, first: usize) -> Result<WrittenVector, FileError> {
     let [x, y, z] = [number(row, first)?, number(row, first + 1)?, number(row, first + 2)?];
     let rounding = x.rounding.max(y.rounding).max(z.rounding);
     Ok(Written { value: DVec3::new(x.value, y.value, z.value), rounding })
@@ -290,7 +292,7 @@ const ROUNDING_SHARE: f64 = 0.5e-5;
 
 /// Of a vector whose length is its own affair, digits count as a share of it: a tiny one written to six
 /// decimals says nothing of where it points.
-fn relative(vector: Measured) -> Measured {
+fn relative(vector: WrittenVector) -> WrittenVector {
     let most = ROUNDING_SHARE * vector.value.abs().max_element();
     Written { rounding: vector.rounding.min(most), ..vector }
 }

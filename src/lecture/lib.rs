@@ -1,4 +1,4 @@
-//! What the lecture teaches, worked out: every step with its numbers, the classic mistakes, exercises,
+//! The lecture, worked out: every step with its numbers, the classic mistakes, exercises,
 //! and students' answers graded. It knows no window and no file; the exact answers are those of
 //! [`pinhole_core`].
 //!
@@ -8,11 +8,13 @@
 //! | --- | --- |
 //! | eye, at (or view) and up to u, v, w | [`BasisDerivation`] |
 //! | a pixel to (u, v), and from there to the view ray | [`RayDerivation`] |
-//! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot the object's implicit function in |
+//! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot
+//! the object's implicit function in |
 //! | lines in two dimensions | [`lines`]: implicit and parametric, and one put into the other |
 //! | numbers for readers | [`numbers`] |
 //! | numbers such as `5 sqrt 2` and `(5, 0, -7)/sqrt 74` | [`NumberForm`], [`VectorForm`] |
-//! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that sees, and the checks that find it |
+//! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that
+//! sees, and the checks that find it |
 //! | exercises | [`exercises`]: questions, their answers, and what is to be said of a wrong one |
 //! | students' answers | [`grading`]: against the truth, and the mistakes that explain them |
 //!
@@ -35,18 +37,18 @@ pub mod numbers;
 
 pub use derivation::{
     BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, ImplicitUnit,
-    LengthCheck, Measured, ObjectDerivation, PixelShares, PlaneDerivation, PlaneMeeting,
-    RayDerivation, SphereDerivation, SphereMeeting, UnitOrigin,
+    LengthCheck, ObjectDerivation, PixelShares, PlaneDerivation, PlaneMeeting, RayDerivation,
+    SphereDerivation, SphereMeeting, UnitOrigin, VectorAndLength,
 };
 pub use forms::{NumberForm, VectorForm};
 
-/// What may grow cannot be matched as if it were complete.
+/// Errors that may grow cannot be matched as if they were complete.
 ///
 /// ```compile_fail,E0004
 /// fn number_of(error: pinhole_lecture::lines::LineError) -> u8 {
 ///     use pinhole_lecture::lines::LineError::*;
-///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } => 0 }
-/// }
+///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } =>
+/// 0 } }
 /// ```
 /// ```compile_fail,E0004
 /// fn number_of(error: pinhole_lecture::mistakes::NoWrongCamera) -> u8 {

@@ -1,9 +1,10 @@
-//! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the one put
-//! into the other.
+//! Lines in two dimensions: the implicit `ax + by + c = 0`, the parametric `p + t d`, and the one
+//! put into the other.
 //!
-//! What depends on whether a number is 0 or which sign it has (parallel, coincident, before or behind
-//! `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown is
-//! rounded once.
+//! What depends on whether a number is 0 or which sign it has (parallel, coincident, before or
+//! behind
+//! `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown
+//! is rounded once.
 
 use std::cmp::Ordering;
 use std::fmt;
@@ -15,11 +16,11 @@ use pinhole_core::{DVec2, shortest};
 /// Any values may stand here; [`ImplicitLine::check`] says whether they make a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitLine {
-    /// What x is multiplied by.
+    /// The factor of x.
     pub a: f64,
-    /// What y is multiplied by.
+    /// The factor of y.
     pub b: f64,
-    /// What stands alone.
+    /// The constant.
     pub c: f64,
 }
 
@@ -30,7 +31,7 @@ pub struct ImplicitLine {
 pub struct ParametricLine {
     /// The point at `t = 0`.
     pub p: DVec2,
-    /// From the point at `t = 0` to the one at `t = 1`; not normalized.
+    /// The step from the point at `t = 0` to the one at `t = 1`; not normalized.
     pub d: DVec2,
 }
 
@@ -47,7 +48,7 @@ pub enum LineError {
     },
     /// `a = b = 0`: f is `c` at every point.
     NoNormal {
-        /// What f is everywhere.
+        /// The value of f everywhere.
         c: f64,
     },
     /// `d = (0, 0)`: every t gives `p`.
@@ -82,11 +83,11 @@ pub struct Substitution {
     pub rate: f64,
     /// `a px + b py + c`, rounded once: f at `t = 0`.
     pub offset: f64,
-    /// Where both lines meet.
+    /// The point where both lines meet, if there is one.
     pub meeting: Meeting,
 }
 
-/// Where a parametric line meets an implicit one.
+/// The t at which a parametric line meets an implicit one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Meeting {
     /// For no t: f is the same at every t, and not 0.
@@ -97,7 +98,7 @@ pub enum Meeting {
     At(Crossing),
     /// For one t, which is, or at which x or y is, beyond the range of `f64`.
     TooFar {
-        /// Whether `t > 0`.
+        /// True where `t > 0`.
         ray_hits: bool,
     },
 }
@@ -109,7 +110,7 @@ pub struct Crossing {
     pub t: f64,
     /// `p + t d` of the t before rounding, each coordinate the nearest `f64`.
     pub point: DVec2,
-    /// Whether the ray from p along d hits: `t > 0`. Otherwise only the line does.
+    /// True where the ray from p along d hits: `t > 0`. Otherwise only the line does.
     pub ray_hits: bool,
 }
 
@@ -186,7 +187,7 @@ impl ImplicitLine {
         self.exact_f(point).rounded_times(0)
     }
 
-    /// Whether f is negative, 0 or positive at a point: decided exactly, of finite numbers.
+    /// The sign of f at a point: decided exactly, of finite numbers.
     pub fn side(&self, point: DVec2) -> Ordering {
         self.exact_f(point).sign()
     }
@@ -205,8 +206,8 @@ impl ImplicitLine {
         DVec2::new(self.b, -self.a)
     }
 
-    /// The line with this [direction](ImplicitLine::direction) through a point: a and b as they are,
-    /// c rounded once.
+    /// The line with this [direction](ImplicitLine::direction) through a point: a and b as they
+    /// are, c rounded once.
     pub fn along(direction: DVec2, point: DVec2) -> ImplicitLine {
         let line = ImplicitLine { a: -direction.y + 0.0, b: direction.x, c: 0.0 };
         ImplicitLine { c: -line.f(point) + 0.0, ..line }
@@ -277,11 +278,11 @@ impl Substitution {
     /// use pinhole_lecture::lines::*;
     /// let line = ImplicitLine { a: 2.0, b: -1.0, c: 1.0 };
     /// let ray = ParametricLine { p: DVec2::ZERO, d: DVec2::ONE };
-    /// let Meeting::At(crossing) = Substitution::of(line, ray)?.meeting else { panic!() };
+    /// let Meeting::At(crossing) = Substitution::new(line, ray)?.meeting else { panic!() };
     /// assert_eq!((crossing.t, crossing.ray_hits), (-1.0, false));
     /// # Ok::<(), LineError>(())
     /// ```
-    pub fn of(line: ImplicitLine, ray: ParametricLine) -> Result<Substitution, LineError> {
+    pub fn new(line: ImplicitLine, ray: ParametricLine) -> Result<Substitution, LineError> {
         line.check()?;
         ray.check()?;
         let (rate, offset) = terms(&line, &ray);
@@ -296,7 +297,7 @@ impl Substitution {
             b_py: b * p.y,
             rate: rate.rounded_times(0),
             offset: offset.rounded_times(0),
-            meeting: Meeting::of(&ray, &rate, &offset),
+            meeting: Meeting::new(&ray, &rate, &offset),
         })
     }
 
@@ -309,7 +310,7 @@ impl Substitution {
 }
 
 impl Meeting {
-    fn of(ray: &ParametricLine, rate: &Dyadic, offset: &Dyadic) -> Meeting {
+    fn new(ray: &ParametricLine, rate: &Dyadic, offset: &Dyadic) -> Meeting {
         if rate.is_zero() {
             return if offset.is_zero() { Meeting::Coincident } else { Meeting::Parallel };
         }

@@ -11,7 +11,7 @@ use crate::letters;
 use crate::thing::Thing;
 
 pub(super) fn lines(camera: &Camera, numbers: Numbers) -> Vec<Line> {
-    match BasisDerivation::of(camera) {
+    match BasisDerivation::new(camera) {
         BasisDerivation::FromUp(from_up) => derived(&from_up, numbers),
         BasisDerivation::ByHand(by_hand) => checked(&by_hand, numbers),
     }

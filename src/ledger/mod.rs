@@ -217,7 +217,7 @@ fn add_objects(
     ledger.left_out = scene.len() - listed.len();
     for object in listed {
         let Some(shape) = scene.object(object) else { continue };
-        let Ok(derivation) = ObjectDerivation::of(&shape, object, exact) else { continue };
+        let Ok(derivation) = ObjectDerivation::new(&shape, object, exact) else { continue };
         let lines = objects::lines(object, &derivation, derived.ray(), inspection, numbers);
         ledger.sections.push(Section {
             section: LedgerSection::Objects,

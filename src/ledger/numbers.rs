@@ -26,7 +26,7 @@ impl Numbers {
     /// Whether so many digits are all that it has, but for the noise of rounding.
     fn is_whole(self, x: f64) -> bool {
         let fits = |x: f64| significant(x, self.digits).parse() == Ok(x);
-        let recognised = || NumberForm::of(x).filter(|form| form.decimals().is_some());
+        let recognised = || NumberForm::recognise(x).filter(|form| form.decimals().is_some());
         fits(x) || recognised().is_some_and(|form| fits(form.value()))
     }
 
@@ -41,11 +41,11 @@ impl Numbers {
 
     /// Its exact form, where that says more than its digits.
     fn form(self, x: f64) -> Option<NumberForm> {
-        NumberForm::of(x).filter(|_| !self.is_whole(x))
+        NumberForm::recognise(x).filter(|_| !self.is_whole(x))
     }
 
     fn vector_form(self, v: DVec3) -> Option<VectorForm> {
-        VectorForm::of(v).filter(|_| !self.are_whole(v))
+        VectorForm::recognise(v).filter(|_| !self.are_whole(v))
     }
 
     /// In one form: the exact one, or to so many digits.

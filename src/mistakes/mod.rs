@@ -2,7 +2,7 @@
 
 use pinhole_lecture::mistakes::Mistake;
 
-/// What the mistakes view shows. A lesson's step sets it.
+/// The state of the mistakes view. A lesson's step sets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gallery {
     /// The mistake whose camera is shown.
@@ -18,9 +18,9 @@ pub struct Gallery {
 /// A wrong camera without its name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guess {
-    /// What was done wrong.
+    /// The mistake that was made.
     pub mistake: Mistake,
-    /// What the class says.
+    /// The class's guess.
     pub answer: Option<Mistake>,
 }
 
@@ -36,7 +36,7 @@ impl Gallery {
         self.guess.map_or(self.chosen, |guess| guess.mistake)
     }
 
-    /// Whether its name, and what would tell it, is to be seen.
+    /// Returns whether its name, and what would tell it, is to be seen.
     pub fn is_told(&self) -> bool {
         self.guess.is_none_or(|guess| guess.answer.is_some())
     }

@@ -142,7 +142,7 @@ impl Sheet<'_> {
                 self.arrow(middle, self.arrow_of(vector), pen, name, VECTOR_TEXT);
             }
             Thing::UpCrossW | Thing::WCrossU => {
-                let BasisDerivation::FromUp(from_up) = BasisDerivation::of(lit.camera) else {
+                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(lit.camera) else {
                     return;
                 };
                 if let (Thing::UpCrossW, Some(cross)) = (lit.thing, from_up.up_cross_w) {
@@ -165,7 +165,7 @@ impl Sheet<'_> {
         &mut self,
         lit: Lit,
         cross: &Cross,
-        factor: pinhole_lecture::Measured,
+        factor: pinhole_lecture::VectorAndLength,
         (name, color): (&str, Color32),
         (product, product_color): (&str, Color32),
     ) {

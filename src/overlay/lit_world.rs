@@ -90,7 +90,7 @@ impl Sketch<'_> {
                 self.lit_arrow(eye, tip, Head::Filled, pen, "up", POINT_TEXT);
             }
             (Thing::UpCrossW | Thing::WCrossU, _) => {
-                let BasisDerivation::FromUp(from_up) = BasisDerivation::of(view.camera) else {
+                let BasisDerivation::FromUp(from_up) = BasisDerivation::new(view.camera) else {
                     return;
                 };
                 let [u, v, w] = self.colors.basis;

@@ -3,7 +3,7 @@
 use egui::{
     Align, Color32, Key, Layout, Rect, RichText, ScrollArea, TextEdit, Ui, UiBuilder, pos2,
 };
-use pinhole_lecture::exercises::{self, Exercise, Part};
+use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
 use super::marked_text;
 use super::number::{error_color, vector_color};
@@ -149,7 +149,7 @@ fn source(ui: &mut Ui, exercises: &mut Exercises) {
 }
 
 /// The fields of one part; whether Enter was pressed in one.
-fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
+fn answer(ui: &mut Ui, part: &QuestionPart, typed: &mut Typed) -> bool {
     let mut entered = false;
     let name = part.asked.id();
     ui.horizontal_wrapped(|ui| {
@@ -200,7 +200,7 @@ fn answer(ui: &mut Ui, part: &Part, typed: &mut Typed) -> bool {
 }
 
 /// The right answer, below the fields.
-fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
+fn solution(ui: &mut Ui, part: &QuestionPart, style: NumberStyle) {
     let text = format!("{} {}", exercises::asked(part), exercises::solution(part, style.digits));
     ui.horizontal_top(|ui| {
         ui.add_space(INDENT);
@@ -209,7 +209,7 @@ fn solution(ui: &mut Ui, part: &Part, style: NumberStyle) {
 }
 
 /// What is said of a part, once it was checked.
-fn verdict(ui: &mut Ui, part: &Part, typed: &Typed) {
+fn verdict(ui: &mut Ui, part: &QuestionPart, typed: &Typed) {
     let Some(said) = &typed.said else { return };
     let text = RichText::new(said.sentence(part)).size(TEXT - 1.0).strong();
     let is_wrong = !said.is_good() && !matches!(said, Said::NotAnswered | Said::Missing);

@@ -155,7 +155,7 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
 }
 
 fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
-    let substitution = match Substitution::of(lab.line(), lab.ray) {
+    let substitution = match Substitution::new(lab.line(), lab.ray) {
         Ok(substitution) => substitution,
         Err(error) => return no_line(ui, &error),
     };

@@ -8,11 +8,11 @@ use pinhole_core::arithmetic::{
 };
 use pinhole_core::{Basis, BasisError, BasisVector, Camera, DVec3, Orientation};
 
-/// How a camera comes by its basis.
+/// The derivation of a camera's basis, by the way in which the camera is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "made once a frame and read in place")]
 pub enum BasisDerivation {
-    /// From a view direction, or a point to look at, and up.
+    /// Derived from a view direction, or a point to look at, and up.
     FromUp(BasisFromUp),
     /// u, v, w set by hand: there is nothing to derive, only to check.
     ByHand(BasisByHand),
@@ -24,12 +24,12 @@ pub enum BasisDerivation {
 /// view (or at - eye)   -view   w = -view / |view|   up x w   u = up x w / |up x w|   v = w x u
 /// ```
 ///
-/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) It goes as far as
-/// the numbers allow: what comes after the last step that exists is `None`, and
+/// (Marschner, Shirley, *Fundamentals of Computer Graphics*, 4th ed., section 4.3.) It goes as far
+/// as the numbers allow: what comes after the last step that exists is `None`, and
 /// [`BasisFromUp::basis`] tells why.
 ///
-/// Every number is computed exactly and rounded once (lengths and the area: within an ulp). u, v and w
-/// are those of [`Camera::basis`]. What is above the largest `f64` is infinite.
+/// Every number is computed exactly and rounded once (lengths and the area: within an ulp). u, v
+/// and w are those of [`Camera::basis`]. What is above the largest `f64` is infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BasisFromUp {
@@ -38,13 +38,13 @@ pub struct BasisFromUp {
     /// The point it looks at, where the camera is given by one.
     pub at: Option<DVec3>,
     /// The view direction: as given, or `at - eye`. `None` where a coordinate is not finite.
-    pub view: Option<Measured>,
+    pub view: Option<VectorAndLength>,
     /// `-view`, what w is made of.
     pub backwards: Option<DVec3>,
     /// `-view / |view|`; `None` where view is zero.
     pub w: Option<DVec3>,
     /// The up vector. `None` where a coordinate is not finite.
-    pub up: Option<Measured>,
+    pub up: Option<VectorAndLength>,
     /// `up x w`, before it is normalized. The zero vector where up is parallel to view.
     pub up_cross_w: Option<Cross>,
     /// `up x w / |up x w|`; `None` where that is zero.
@@ -57,7 +57,7 @@ pub struct BasisFromUp {
 
 /// A vector and its length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measured {
+pub struct VectorAndLength {
     /// The vector, in world units.
     pub vector: DVec3,
     /// Its Euclidean length.
@@ -69,9 +69,9 @@ pub struct Measured {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cross {
     /// The factor on the left.
-    pub first: Measured,
+    pub first: VectorAndLength,
     /// The factor on the right.
-    pub second: Measured,
+    pub second: VectorAndLength,
     /// The angle between the two in radians, 0 to pi; `None` where one is zero.
     pub angle: Option<f64>,
     /// The angle's sine, with all digits of a small one; `None` where one is zero.
@@ -88,11 +88,11 @@ pub struct Cross {
 pub struct BasisByHand {
     /// The camera's position.
     pub eye: DVec3,
-    /// As set.
+    /// u, as set.
     pub u: DVec3,
-    /// As set.
+    /// v, as set.
     pub v: DVec3,
-    /// As set.
+    /// w, as set.
     pub w: DVec3,
     /// `|u|`, `|v|`, `|w|`: each has to be 1. `None` where a coordinate is not finite.
     pub lengths: [Option<LengthCheck>; 3],
@@ -104,7 +104,7 @@ pub struct BasisByHand {
     pub basis: Result<Basis, BasisError>,
 }
 
-/// Whether a vector is of length 1.
+/// A check that a vector is of length 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LengthCheck {
@@ -112,11 +112,12 @@ pub struct LengthCheck {
     pub vector: BasisVector,
     /// Its length.
     pub length: f64,
-    /// Whether that is 1 within [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE).
+    /// The verdict: true where that is 1 within
+    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE).
     pub passes: bool,
 }
 
-/// Whether two vectors are at a right angle.
+/// A check that two vectors are at a right angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct DotCheck {
@@ -126,11 +127,12 @@ pub struct DotCheck {
     pub second: BasisVector,
     /// Their dot product.
     pub dot: f64,
-    /// Whether that is 0 within [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE).
+    /// The verdict: true where that is 0 within
+    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE).
     pub passes: bool,
 }
 
-/// Whether the three are right-handed.
+/// A check that the three are right-handed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct HandednessCheck {
@@ -138,13 +140,13 @@ pub struct HandednessCheck {
     pub u_cross_v: DVec3,
     /// `(u x v) . w`: 1 or -1 of unit vectors at right angles.
     pub along_w: f64,
-    /// Whether that is greater than 0.
+    /// The verdict: true where that is greater than 0.
     pub passes: bool,
 }
 
 impl BasisDerivation {
     /// The derivation of a camera's basis, by the way in which the camera is given.
-    pub fn of(camera: &Camera) -> BasisDerivation {
+    pub fn new(camera: &Camera) -> BasisDerivation {
         let eye = camera.eye;
         match camera.orientation {
             Orientation::At { at, up } => {
@@ -172,7 +174,7 @@ impl BasisDerivation {
 impl BasisFromUp {
     fn new(camera: &Camera, at: Option<DVec3>, big_view: Option<Exact3>, up: DVec3) -> BasisFromUp {
         let basis = camera.basis();
-        let view = big_view.as_ref().map(Measured::of);
+        let view = big_view.as_ref().map(VectorAndLength::new);
         let not_zero = big_view.as_ref().filter(|_| view.is_some_and(|view| view.length > 0.0));
         let w_of = |view: &Exact3| match &basis {
             Ok(basis) => basis.w,
@@ -188,12 +190,12 @@ impl BasisFromUp {
             view,
             backwards: view.map(|view| DVec3::ZERO - view.vector),
             w,
-            up: big_up.as_ref().map(Measured::of),
+            up: big_up.as_ref().map(VectorAndLength::new),
             up_cross_w: factors.map(|((view, up), w)| Cross::of_up_and_w(view, up, w)),
             u: found.map(|basis| basis.u),
             w_cross_u: found.map(|Basis { u, v, w }| Cross {
-                first: Measured { vector: w, length: 1.0 },
-                second: Measured { vector: u, length: 1.0 },
+                first: VectorAndLength { vector: w, length: 1.0 },
+                second: VectorAndLength { vector: u, length: 1.0 },
                 angle: Some(FRAC_PI_2),
                 sine: Some(1.0),
                 product: v,
@@ -204,9 +206,12 @@ impl BasisFromUp {
     }
 }
 
-impl Measured {
-    fn of(v: &Exact3) -> Measured {
-        Measured { vector: rounded(v), length: root_of_quotient(&dot(v, v), &Dyadic::from(1.0)) }
+impl VectorAndLength {
+    fn new(v: &Exact3) -> VectorAndLength {
+        VectorAndLength {
+            vector: rounded(v),
+            length: root_of_quotient(&dot(v, v), &Dyadic::from(1.0)),
+        }
     }
 }
 
@@ -224,8 +229,8 @@ impl Cross {
             along => root_of_quotient(&rr, &along.square()).atan(),
         };
         Cross {
-            first: Measured::of(up),
-            second: Measured { vector: w, length: 1.0 },
+            first: VectorAndLength::new(up),
+            second: VectorAndLength { vector: w, length: 1.0 },
             angle: (!is_zero).then(angle),
             sine: (!is_zero).then(sine),
             product: if rr.is_zero() { DVec3::ZERO } else { over_root_rounded(&right, &ff) },
@@ -240,7 +245,7 @@ impl BasisByHand {
         let finite = |a: DVec3| a.is_finite().then_some(a);
         let length_check = |(vector, value): (BasisVector, DVec3)| {
             let value = finite(value)?;
-            let length = Measured::of(&exact3(value)).length;
+            let length = VectorAndLength::new(&exact3(value)).length;
             Some(LengthCheck { vector, length, passes: is_unit(value) })
         };
         let dot_check = |(first, second, a, b): (BasisVector, BasisVector, DVec3, DVec3)| {

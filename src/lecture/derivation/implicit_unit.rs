@@ -2,17 +2,17 @@
 
 use pinhole_core::{AlongRay, Object};
 
-/// What an object's implicit function along a ray is measured in multiples of, so that spheres and
+/// The unit of an object's implicit function along a ray: with it, spheres and
 /// planes of all sizes fit on one scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ImplicitUnit {
     /// A normal number greater than 0.
     pub value: f64,
-    /// Where it comes from.
+    /// The number that it comes from.
     pub origin: UnitOrigin,
 }
 
-/// Where an [`ImplicitUnit`] comes from.
+/// The number that an [`ImplicitUnit`] comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum UnitOrigin {
     /// A sphere's `r^2`: f at the centre is minus that.

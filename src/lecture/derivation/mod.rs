@@ -7,7 +7,7 @@ mod ray;
 
 pub use basis::{
     BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, LengthCheck,
-    Measured,
+    VectorAndLength,
 };
 pub use implicit_unit::{ImplicitUnit, UnitOrigin};
 pub use objects::{

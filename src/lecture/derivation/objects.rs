@@ -7,7 +7,7 @@ use pinhole_core::{
     SphereQuadratic,
 };
 
-/// How one ray meets one object, with every value on the way.
+/// A ray and an object, with every value on the way to where they meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObjectDerivation {
     /// A sphere.
@@ -35,16 +35,16 @@ pub struct SphereDerivation {
     pub quadratic: SphereQuadratic,
     /// `sqrt D`; `None` where D is negative. Infinite where D is.
     pub root_of_discriminant: Option<f64>,
-    /// What becomes of the ray, decided exactly.
+    /// The ray's fate, decided exactly.
     pub meeting: SphereMeeting,
-    /// Where the ray's line meets the sphere: the nearer point, then the farther one. A tangent
-    /// stands once, as the nearer. Each `t` is within half an ulp and 2^-40 of one.
+    /// The points at which the ray's line meets the sphere: the nearer one, then the farther one. A
+    /// tangent stands once, as the nearer. Each `t` is within half an ulp and 2^-40 of one.
     pub roots: [Option<Root>; 2],
     /// The hit: which of `roots` is the smallest `t > 0`.
     pub first: Option<usize>,
 }
 
-/// What becomes of a ray near a sphere.
+/// A ray's fate near a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SphereMeeting {
     /// D < 0: the line passes by.
@@ -77,13 +77,14 @@ pub struct PlaneDerivation {
     pub to_point: DVec3,
     /// `n . d` and `n . (point - p)`.
     pub terms: PlaneTerms,
-    /// What becomes of the ray, decided exactly.
+    /// The ray's fate, decided exactly.
     pub meeting: PlaneMeeting,
-    /// Where the ray's line meets the plane, at whatever `t`; the normal is of length 1.
+    /// The point at which the ray's line meets the plane, at whatever `t`; the normal is of length
+    /// 1.
     pub root: Option<Root>,
 }
 
-/// What becomes of a ray near a plane.
+/// A ray's fate near a plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PlaneMeeting {
     /// t > 0: a hit.
@@ -103,7 +104,7 @@ impl ObjectDerivation {
     ///
     /// # Errors
     /// Where the object is none, see [`Object::check`].
-    pub fn of(
+    pub fn new(
         object: &Object,
         index: u32,
         ray: &ExactRay,
@@ -127,7 +128,7 @@ impl ObjectDerivation {
         }
     }
 
-    /// Where the ray's line meets the object, by ascending `t`.
+    /// The points at which the ray's line meets the object, by ascending `t`.
     pub fn roots(&self) -> impl Iterator<Item = &Root> {
         let [near, far] = match self {
             ObjectDerivation::Sphere(sphere) => sphere.roots.each_ref(),

@@ -15,10 +15,10 @@ use pinhole_core::{DVec2, DVec3, Pixel, PosedCamera, Ray, RayError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RayDerivation {
-    /// The pixel that the ray goes through and its shares of the image; `None` of a ray that is given
-    /// by (u, v).
+    /// The pixel that the ray goes through and its shares of the image; `None` of a ray that is
+    /// given by (u, v).
     pub shares: Option<PixelShares>,
-    /// Where the ray passes through the viewport, in world units, as
+    /// The place where the ray passes through the viewport, in world units, as
     /// [`PosedCamera::uv_of_pixel`] says.
     pub uv: DVec2,
     /// `u U`, in world units.
@@ -36,7 +36,7 @@ pub struct RayDerivation {
     pub origin: DVec3,
 }
 
-/// Where a pixel's centre is in the image, as shares of its width and height.
+/// A pixel's centre in the image, as shares of its width and height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct PixelShares {
@@ -57,7 +57,7 @@ impl RayDerivation {
     pub fn of_pixel(camera: &PosedCamera, pixel: Pixel) -> RayDerivation {
         let direction = camera.exact_ray(pixel).rounded();
         let parts = camera.direction_parts_of_pixel(pixel);
-        let shares = Some(PixelShares::of(camera, pixel));
+        let shares = Some(PixelShares::new(camera, pixel));
         RayDerivation::new(parts, shares, camera.uv_of_pixel(pixel), direction)
     }
 
@@ -96,7 +96,7 @@ impl RayDerivation {
 
 impl PixelShares {
     /// Each rounded once: numerators and denominators are whole.
-    fn of(camera: &PosedCamera, pixel: Pixel) -> PixelShares {
+    fn new(camera: &PosedCamera, pixel: Pixel) -> PixelShares {
         let image = camera.image();
         let (w, h) = (f64::from(image.width()), f64::from(image.height()));
         let (row, column) = (f64::from(pixel.row), f64::from(pixel.column));

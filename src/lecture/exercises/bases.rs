@@ -2,23 +2,25 @@
 
 use pinhole_core::{Basis, Camera, DVec2, DVec3, Orientation};
 
+use super::conditions::{Condition, Surface};
+use super::question::{Answer, Asked, Given, QuestionPart};
 use super::rays::wrong_t_of_wall;
-use super::solve::{Parts, Wrong, camera, number, part, t_of_wall, vector, view_ray, wanting};
-use super::wanted::{Surface, Wanted};
-use super::{Asked, Given, Part, turned};
+use super::wrong_answers::{
+    Parts, Wrong, camera, number, part, part_with, t_of_wall, turned, vector, view_ray,
+};
 use crate::mistakes::{GivenCamera, Mistake, PipelineCamera};
 
 pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     let Basis { u, v, w } = turned(right);
     let ray = view_ray(Basis { u, v, w }, 1.0, uv);
     let t = t_of_wall(&ray, z);
-    let through = Wanted::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
+    let through = Condition::Through { basis: Basis { u, v, w }, distance: 1.0, uv };
     let parts = vec![
-        Part { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
-        Part { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
-        Part { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
-        wanting(Asked::Direction, vector(ray.direction), vec![through]),
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+        QuestionPart { orthogonal_to: vec![("w", w)], ..part(Asked::U, vector(u)) },
+        QuestionPart { orthogonal_to: vec![("u", u), ("w", w)], ..part(Asked::V, vector(v)) },
+        QuestionPart { orthogonal_to: vec![("u", u)], ..part(Asked::W, vector(w)) },
+        part_with(Asked::Direction, vector(ray.direction), vec![through]),
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
     ];
     // The wall's t is along the wrong direction.
     let direction = |mistake, d: DVec3| Wrong {
@@ -57,19 +59,23 @@ pub(super) fn turned_by_hand(right: DVec3, uv: DVec2, z: f64) -> Parts {
     (parts, wrongs)
 }
 
-fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, super::Answer); 3] {
+fn basis_answers(u: DVec3, v: DVec3, w: DVec3) -> [(Asked, Answer); 3] {
     [(Asked::U, vector(u)), (Asked::V, vector(v)), (Asked::W, vector(w))]
 }
 
-/// Nothing where up does not fix a basis.
+/// The parts of a question about a basis found from view or at, and up; `None` where up does not
+/// fix one.
 pub(super) fn constructed(given: &Given) -> Option<Parts> {
     let camera = camera(given)?;
     let Basis { u, v, w } = camera.basis().ok()?;
     // In the order in which they are found.
     let parts = vec![
         part(Asked::W, vector(w)),
-        Part { orthogonal_to: vec![("up", camera.up()), ("w", w)], ..part(Asked::U, vector(u)) },
-        Part { orthogonal_to: vec![("w", w), ("u", u)], ..part(Asked::V, vector(v)) },
+        QuestionPart {
+            orthogonal_to: vec![("up", camera.up()), ("w", w)],
+            ..part(Asked::U, vector(u))
+        },
+        QuestionPart { orthogonal_to: vec![("w", w), ("u", u)], ..part(Asked::V, vector(v)) },
     ];
     let basis =
         |mistake, u, v, w| Wrong { mistake, answers: basis_answers(u, v, w).into_iter().collect() };
@@ -112,7 +118,7 @@ fn wrong_cameras(camera: &Camera) -> impl Iterator<Item = (Mistake, PipelineCame
     })
 }
 
-/// What is often taken for eye - at.
+/// Vectors that are often taken for eye - at.
 fn wrong_points(camera: &Camera) -> impl Iterator<Item = (Mistake, DVec3)> {
     let eye = camera.eye;
     let wrong = move |at: DVec3| {

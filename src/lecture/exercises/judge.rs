@@ -1,14 +1,12 @@
-//! What is to be said of an answer.
+//! Verdicts on answers.
 
 use pinhole_core::{DVec3, shortest};
 
-use super::{Answer, Finding, Part};
+use super::conditions::{Finding, TOLERANCE, is_near, size};
+use super::question::{Answer, QuestionPart};
 use crate::mistakes::Mistake;
 
-/// How far an answer may be from the truth, relative to it.
-pub(super) const TOLERANCE: f64 = 1e-9;
-
-/// What is to be said of an answer.
+/// The verdict on an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// It is right.
@@ -20,7 +18,7 @@ pub enum Verdict {
     },
     /// It is the right one, rounded.
     Rounded {
-        /// To so many significant digits.
+        /// The count of significant digits that are right.
         digits: usize,
     },
     /// It is on the right line and points backwards.
@@ -35,26 +33,26 @@ pub enum Verdict {
     },
     /// Each of these mistakes gives the answer, and agrees with the answers to the other parts.
     Mistakes(Vec<Mistake>),
-    /// No mistake that is known gives it; what is wrong with it.
+    /// These are wrong with it, and no known mistake gives it.
     Wrong(Vec<Finding>),
 }
 
 impl Verdict {
-    /// Whether the answer counts as right.
+    /// Returns whether the answer counts as right.
     pub fn is_right(&self) -> bool {
         matches!(self, Verdict::Right | Verdict::Multiple { .. })
     }
 }
 
-/// What is to be said of each answer. The answers are looked at together: a mistake that would have
+/// Judges each answer. The answers are looked at together: a mistake that would have
 /// spoilt a part which is right was not made, and of the mistakes that give an answer, those that
 /// explain most of the wrong parts are named; of two that explain as much, not the one that holds
 /// the other and more.
-pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
+pub(super) fn judge(parts: &[QuestionPart], answers: &[Option<Answer>]) -> Vec<Option<Verdict>> {
     let answer = |k: usize| answers.get(k).and_then(Option::as_ref);
     let plain: Vec<Option<Verdict>> =
         (0..parts.len()).map(|k| Some(without_mistakes(&parts[k], answer(k)?))).collect();
-    let right: Vec<&Part> = parts
+    let right: Vec<&QuestionPart> = parts
         .iter()
         .zip(&plain)
         .filter(|(_, plain)| plain.as_ref().is_some_and(is_the_truth))
@@ -89,19 +87,19 @@ pub(super) fn judge(parts: &[Part], answers: &[Option<Answer>]) -> Vec<Option<Ve
         .collect()
 }
 
-/// Whether the answer shows that the part was understood.
+/// Returns whether the answer shows that the part was understood.
 fn is_the_truth(verdict: &Verdict) -> bool {
     verdict.is_right() || matches!(verdict, Verdict::Rounded { .. })
 }
 
-/// Whether no mistake has to be looked for.
-fn is_settled(verdict: &Verdict, part: &Part) -> bool {
+/// Returns whether no mistake has to be looked for.
+fn is_settled(verdict: &Verdict, part: &QuestionPart) -> bool {
     // Where only the line counts, that it points backwards says all.
     is_the_truth(verdict) || part.may_be_scaled && matches!(verdict, Verdict::Backwards { .. })
 }
 
-/// What is said where no known mistake gives the answer.
-fn without_mistakes(part: &Part, answer: &Answer) -> Verdict {
+/// The verdict where no known mistake gives the answer.
+fn without_mistakes(part: &QuestionPart, answer: &Answer) -> Verdict {
     let (Answer::Numbers(truth), Answer::Numbers(given)) = (&part.truth, answer) else {
         let another = || Verdict::Wrong(vec![Finding::Another]);
         return if part.truth == *answer { Verdict::Right } else { another() };
@@ -128,10 +126,11 @@ fn without_mistakes(part: &Part, answer: &Answer) -> Verdict {
 
 /// The mistakes that give the answer and agree with what is right; where none does, those that
 /// are told by this answer alone.
-fn fitting(part: &Part, answer: &Answer, right: &[&Part]) -> Vec<Mistake> {
+fn fitting(part: &QuestionPart, answer: &Answer, right: &[&QuestionPart]) -> Vec<Mistake> {
     let all = giving(part, answer);
-    let spoils =
-        |mistake: &Mistake, part: &&Part| part.mistakes.iter().any(|(other, _)| other == mistake);
+    let spoils = |mistake: &Mistake, part: &&QuestionPart| {
+        part.mistakes.iter().any(|(other, _)| other == mistake)
+    };
     let agrees = |mistake: &Mistake| !right.iter().any(|part| spoils(mistake, part));
     let agreeing: Vec<Mistake> = all.iter().copied().filter(agrees).collect();
     if agreeing.is_empty() {
@@ -141,7 +140,7 @@ fn fitting(part: &Part, answer: &Answer, right: &[&Part]) -> Vec<Mistake> {
 }
 
 /// The mistakes that give the answer, each alone.
-fn giving(part: &Part, answer: &Answer) -> Vec<Mistake> {
+fn giving(part: &QuestionPart, answer: &Answer) -> Vec<Mistake> {
     let gives = |wrong: &Answer| match (wrong, answer) {
         (Answer::Numbers(wrong), Answer::Numbers(given)) => {
             wrong.len() == given.len()
@@ -161,7 +160,7 @@ fn giving(part: &Part, answer: &Answer) -> Vec<Mistake> {
     mistakes
 }
 
-fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+fn findings(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     if part.asked.is_vector() && given.iter().all(|x| *x == 0.0) {
         return vec![Finding::Zero];
     }
@@ -172,13 +171,13 @@ fn findings(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     if off.len() < truth.len() {
         findings.extend(off.into_iter().map(Finding::Coordinate));
     }
-    findings.extend(part.wanted.iter().filter_map(|wanted| wanted.missed_by(given)));
+    findings.extend(part.conditions.iter().filter_map(|condition| condition.missed_by(given)));
     findings.extend(of_direction(part, truth, given));
     if findings.is_empty() { vec![Finding::Another] } else { findings }
 }
 
-/// What is wrong with the length and the direction of a vector that should be of length 1.
-fn of_direction(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
+/// Findings on the length and the direction of a vector that should be of length 1.
+fn of_direction(part: &QuestionPart, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     let vector = |numbers: &[f64]| <[f64; 3]>::try_from(numbers).ok().map(DVec3::from_array);
     let (Some(truth), Some(given), true) = (vector(truth), vector(given), part.asked.is_unit())
     else {
@@ -204,18 +203,7 @@ fn of_direction(part: &Part, truth: &[f64], given: &[f64]) -> Vec<Finding> {
     findings
 }
 
-fn size(numbers: &[f64]) -> f64 {
-    let size = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
-    if size == 0.0 { 1.0 } else { size }
-}
-
-/// Whether these are the true numbers, but for rounding in what was calculated.
-pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
-    let size = size(truth);
-    given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)
-}
-
-/// How many times the truth a vector is, if it is a multiple of it at all, but not 0.
+/// The factor between a vector and the truth, if it is a multiple of it at all, but not 0.
 fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     if given.len() < 2 {
         return None;
@@ -227,8 +215,8 @@ fn multiple(given: &[f64], truth: &[f64]) -> Option<f64> {
     (near && times.is_finite() && times != 0.0).then_some(times)
 }
 
-/// To how many significant digits, two at least, these are the true numbers, rounded or cut off; any
-/// multiple of them where that is allowed.
+/// Counts the significant digits, two at least, to which these are the true numbers, rounded or cut
+/// off; any multiple of them where that is allowed.
 fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     let largest = (0..truth.len()).max_by(|a, b| truth[*a].abs().total_cmp(&truth[*b].abs()))?;
     let times = if may_be_scaled { given[largest] / truth[largest] } else { 1.0 };
@@ -258,7 +246,7 @@ fn rounded(given: &[f64], truth: &[f64], may_be_scaled: bool) -> Option<usize> {
     least
 }
 
-/// How many significant digits a number is written with, and the power of ten of its last place.
+/// The significant digits that a number is written with, and the power of ten of its last place.
 fn precision(x: f64) -> (usize, i32) {
     let text = shortest(x.abs());
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

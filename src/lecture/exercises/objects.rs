@@ -2,12 +2,14 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, Roots, Sphere};
 
-use super::solve::{Parts, Wrong, number, one, part, place, vector, wanting, wrong_t};
-use super::wanted::{Surface, Wanted};
-use super::{Answer, Asked};
+use super::conditions::{Condition, Surface};
+use super::question::{Answer, Asked};
+use super::wrong_answers::{
+    Parts, Wrong, number, one_wrong, pair, part, part_with, vector, wrong_t,
+};
 use crate::mistakes::Mistake;
 
-/// Nothing where the ray's line misses the sphere.
+/// The parts of a question about a ray and a sphere; `None` where the ray's line misses it.
 pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     let roots = sphere.roots(ray);
     let t = roots.iter().next()?;
@@ -16,8 +18,12 @@ pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
     let n = normal(point);
     let surface = Surface::Sphere(*sphere);
     let parts = vec![
-        wanting(Asked::T, number(t), vec![Wanted::Meets(*ray, surface)]),
-        wanting(Asked::Point, vector(point), vec![Wanted::On(surface), Wanted::OnRay(*ray)]),
+        part_with(Asked::T, number(t), vec![Condition::Meets(*ray, surface)]),
+        part_with(
+            Asked::Point,
+            vector(point),
+            vec![Condition::On(surface), Condition::OnRay(*ray)],
+        ),
         part(Asked::Normal, vector(n)),
     ];
     let mut wrongs: Vec<Wrong> = Vec::new();
@@ -30,7 +36,7 @@ pub(super) fn sphere(ray: &Ray, sphere: &Sphere) -> Option<Parts> {
         .into_iter()
         .chain([(Mistake::TForDistance, ray.distance_along(t)), (Mistake::SignOfT, -t)]);
     wrongs.extend(ts.map(|(mistake, t)| wrong_t(mistake, t, vector(ray.at(t)))));
-    let of_normal = |(mistake, n)| one(mistake, Asked::Normal, vector(n));
+    let of_normal = |(mistake, n)| one_wrong(mistake, Asked::Normal, vector(n));
     let normals = [
         (Mistake::NormalInwards, -n),
         (Mistake::NormalInwards, -sphere.radius * n),
@@ -68,13 +74,13 @@ fn wrong_roots(ray: &Ray, sphere: &Sphere) -> [(Mistake, f64); 8] {
 pub(super) fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
     let (normal, c) = (line.truncate(), line.z);
     let (gap, step) = (normal.dot(origin) + c, normal.dot(direction));
-    let at = |t: f64| place(origin + t * direction);
+    let at = |t: f64| pair(origin + t * direction);
     let t = -gap / step;
     let ray = Ray { origin: origin.extend(0.0), direction: direction.extend(0.0) };
     let surface = Surface::Line(line);
     let parts = vec![
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, surface)]),
-        wanting(Asked::Point, at(t), vec![Wanted::On(surface), Wanted::OnRay(ray)]),
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, surface)]),
+        part_with(Asked::Point, at(t), vec![Condition::On(surface), Condition::OnRay(ray)]),
         part(Asked::Hits, Answer::Yes(t > 0.0)),
     ];
     let mut wrongs: Vec<Wrong> = [
@@ -91,7 +97,7 @@ pub(super) fn lines(line: DVec3, origin: DVec2, direction: DVec2) -> Parts {
     .into_iter()
     .map(|(mistake, t)| wrong_t(mistake, t, at(t)))
     .collect();
-    wrongs.push(one(Mistake::OriginLeftOut, Asked::Point, place(t * direction)));
-    wrongs.push(one(Mistake::LineForRay, Asked::Hits, Answer::Yes(t <= 0.0)));
+    wrongs.push(one_wrong(Mistake::OriginLeftOut, Asked::Point, pair(t * direction)));
+    wrongs.push(one_wrong(Mistake::LineForRay, Asked::Hits, Answer::Yes(t <= 0.0)));
     (parts, wrongs)
 }

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
-use super::{Exercise, Given};
+use super::question::{Exercise, Given};
 
 /// The lecture's numbers. Its view and up are twice as long here, which changes no answer, so that
 /// it shows who normalizes.
@@ -132,7 +132,7 @@ impl Dice {
         Given::EyeAtUp { eye: at + back, at, up: DVec3::Y }
     }
 
-    /// From a right triangle of whole numbers: how far the line passes the centre, half the chord,
+    /// A right triangle of whole numbers gives how far the line passes the centre, half the chord,
     /// and the radius.
     fn sphere(&mut self) -> Given {
         const TRIANGLES: [(f64, f64, f64); 6] = [

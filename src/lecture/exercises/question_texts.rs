@@ -2,10 +2,10 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
+use super::question::{Asked, Exercise, Given, QuestionPart};
 use super::solution::number;
-use super::{Asked, Exercise, Given, Part};
 
-/// What the list calls an exercise.
+/// The title of an exercise in a list.
 pub fn title(exercise: Exercise) -> &'static str {
     match exercise {
         Exercise::WarmUpRay => "Warm-up 1a: a viewing ray",
@@ -26,7 +26,8 @@ pub fn question(given: &Given) -> Vec<String> {
     let asked_of_basis = "What are **w**, **u** and **v**?".to_owned();
     match *given {
         Given::Uv(uv) => {
-            let asked = format!("What is the viewing ray **p** + *t* **d** through {}?", place(uv));
+            let asked =
+                format!("What is the viewing ray **p** + *t* **d** through {}?", uv_text(uv));
             vec![CANONICAL.to_owned(), asked]
         }
         Given::UvAndWall { uv, z } => vec![CANONICAL.to_owned(), where_on_wall(uv, z)],
@@ -51,7 +52,7 @@ fn where_on_wall(uv: DVec2, z: f64) -> String {
     format!(
         "The ray through {}, with **d** as the lecture builds it, meets the plane *z* = {}. At which \
          *t*, and where?",
-        place(uv),
+        uv_text(uv),
         number(z)
     )
 }
@@ -64,7 +65,7 @@ fn at_distance(uv: DVec2, distance: f64, z: f64) -> Vec<String> {
     let asked = format!(
         "What is **d** through {}, so that *t* = 1 is on the viewport? At which *t* is the plane \
          *z* = {}?",
-        place(uv),
+        uv_text(uv),
         number(z)
     );
     vec![camera, asked]
@@ -81,7 +82,7 @@ fn turned(right: DVec3, uv: DVec2, z: f64) -> Vec<String> {
     let asked = format!(
         "What are **u**, **v** and **w**, and **d** = *u* **u** + *v* **v** − **w** for {}? At which \
          *t* does it meet the plane *z* = {}?",
-        place(uv),
+        uv_text(uv),
         number(z)
     );
     vec![camera, asked]
@@ -133,12 +134,12 @@ fn implicit(line: DVec3) -> String {
     text
 }
 
-/// What a part is called in front of its fields.
-pub fn asked(part: &Part) -> &'static str {
+/// The label of a part in front of its fields.
+pub fn asked(part: &QuestionPart) -> &'static str {
     name(part.asked)
 }
 
-/// What is asked for, as it is written.
+/// The quantity that is asked for, as it is written.
 pub(super) fn name(asked: Asked) -> &'static str {
     match asked {
         Asked::Origin => "𝐩",
@@ -154,7 +155,7 @@ pub(super) fn name(asked: Asked) -> &'static str {
 }
 
 /// `(u, v) = (0.2, −0.1)`
-fn place(uv: DVec2) -> String {
+fn uv_text(uv: DVec2) -> String {
     format!("(*u*, *v*) = {}", pair(uv))
 }
 

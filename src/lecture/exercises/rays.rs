@@ -2,23 +2,26 @@
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray};
 
-use super::solve::{Parts, Wrong, number, one, t_of_wall, vector, view_ray, wanting, wrong_t};
-use super::wanted::{Surface, Wanted};
-use super::{Asked, Part};
+use super::conditions::{Condition, Surface};
+use super::question::{Asked, QuestionPart};
+use super::wrong_answers::{
+    Parts, Wrong, number, one_wrong, part_with, t_of_wall, vector, view_ray, wrong_t,
+};
 use crate::mistakes::Mistake;
 
 pub(super) fn of_uv(uv: DVec2) -> Parts {
     let ray = view_ray(Basis::CANONICAL, 1.0, uv);
     let parts = vec![
-        wanting(Asked::Origin, vector(ray.origin), vec![Wanted::Eye(ray.origin)]),
-        Part {
+        part_with(Asked::Origin, vector(ray.origin), vec![Condition::Eye(ray.origin)]),
+        QuestionPart {
             may_be_scaled: true,
-            ..wanting(Asked::Direction, vector(ray.direction), vec![through(1.0, uv)])
+            ..part_with(Asked::Direction, vector(ray.direction), vec![through(1.0, uv)])
         },
     ];
-    let p = |x, y, z| one(Mistake::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
+    let p =
+        |x, y, z| one_wrong(Mistake::ViewportForEye, Asked::Origin, vector(DVec3::new(x, y, z)));
     let mut wrongs = vec![p(0.0, 0.0, -1.0), p(uv.x, uv.y, -1.0), p(uv.x, uv.y, 0.0)];
-    let d = |(mistake, d)| one(mistake, Asked::Direction, vector(d));
+    let d = |(mistake, d)| one_wrong(mistake, Asked::Direction, vector(d));
     wrongs.extend(wrong_directions(uv, 1.0).map(d));
     (parts, wrongs)
 }
@@ -26,11 +29,11 @@ pub(super) fn of_uv(uv: DVec2) -> Parts {
 /// u, v and w of the canonical camera.
 const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
 
-fn through(distance: f64, uv: DVec2) -> Wanted {
-    Wanted::Through { basis: Basis::CANONICAL, distance, uv }
+fn through(distance: f64, uv: DVec2) -> Condition {
+    Condition::Through { basis: Basis::CANONICAL, distance, uv }
 }
 
-/// What is often given for the direction of a canonical camera's ray.
+/// Directions that are often given for a canonical camera's ray.
 fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, DVec3)> {
     let DVec2 { x: u, y: v } = uv;
     let flat = Mistake::FlatDirection;
@@ -45,7 +48,7 @@ fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, 
     .into_iter()
 }
 
-/// What is often given for the t of a wall, with the point where it is.
+/// Numbers that are often given for the t of a wall, each with the point where it is.
 pub(super) fn wrong_t_of_wall(ray: &Ray, t: f64, z: f64) -> Vec<Wrong> {
     [
         (Mistake::SignOfT, -t),
@@ -64,11 +67,11 @@ pub(super) fn and_wall(uv: DVec2, z: f64) -> Parts {
     let t = t_of_wall(&ray, z);
     let point = ray.at(t);
     let parts = vec![
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
-        wanting(
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
+        part_with(
             Asked::Point,
             vector(point),
-            vec![Wanted::On(Surface::Wall(z)), Wanted::OnRay(ray)],
+            vec![Condition::On(Surface::Wall(z)), Condition::OnRay(ray)],
         ),
     ];
     let mut wrongs = wrong_t_of_wall(&ray, t, z);
@@ -78,8 +81,12 @@ pub(super) fn and_wall(uv: DVec2, z: f64) -> Parts {
         wrong_t(mistake, t, vector(t * d))
     }));
     // d's z from a right t, and t from a right z.
-    wrongs.push(one(Mistake::SignOfZ, Asked::Point, vector(DVec3::new(point.x, point.y, -z))));
-    wrongs.push(one(Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
+    wrongs.push(one_wrong(
+        Mistake::SignOfZ,
+        Asked::Point,
+        vector(DVec3::new(point.x, point.y, -z)),
+    ));
+    wrongs.push(one_wrong(Mistake::UvUnscaled, Asked::Point, vector(uv.extend(z))));
     (parts, wrongs)
 }
 
@@ -87,8 +94,8 @@ pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
     let ray = view_ray(Basis::CANONICAL, distance, uv);
     let t = t_of_wall(&ray, z);
     let parts = vec![
-        wanting(Asked::Direction, vector(ray.direction), vec![through(distance, uv)]),
-        wanting(Asked::T, number(t), vec![Wanted::Meets(ray, Surface::Wall(z))]),
+        part_with(Asked::Direction, vector(ray.direction), vec![through(distance, uv)]),
+        part_with(Asked::T, number(t), vec![Condition::Meets(ray, Surface::Wall(z))]),
     ];
     let scaled = distance * uv;
     let wrong = |(mistake, d): (Mistake, DVec3)| Wrong {
@@ -105,6 +112,6 @@ pub(super) fn at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
     let mut wrongs: Vec<Wrong> =
         of_distance.into_iter().chain(wrong_directions(uv, distance)).map(wrong).collect();
     wrongs.extend(wrong_t_of_wall(&ray, t, z));
-    wrongs.push(one(Mistake::FromViewport, Asked::T, number(-z - distance)));
+    wrongs.push(one_wrong(Mistake::FromViewport, Asked::T, number(-z - distance)));
     (parts, wrongs)
 }

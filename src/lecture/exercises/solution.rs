@@ -2,12 +2,12 @@
 
 use pinhole_core::{DVec3, shortest};
 
-use super::{Answer, Part};
+use super::question::{Answer, QuestionPart};
 use crate::forms::{NumberForm, VectorForm};
 use crate::numbers::written;
 
 /// The right answer, exactly if it can be recognised, and in decimals where that is another text.
-pub fn solution(part: &Part, digits: usize) -> String {
+pub fn solution(part: &QuestionPart, digits: usize) -> String {
     let numbers = match &part.truth {
         Answer::Yes(yes) => return if *yes { "= yes" } else { "= no" }.to_owned(),
         Answer::Numbers(numbers) => numbers,
@@ -24,7 +24,7 @@ pub fn solution(part: &Part, digits: usize) -> String {
 /// `5√2`, `(5, 0, −7)/√74`, `(0.2, −0.1, −1)`.
 fn exact(numbers: &[f64]) -> Option<String> {
     if let [x, y, z] = *numbers
-        && let VectorForm::Common { whole, factor } = VectorForm::of(DVec3::new(x, y, z))?
+        && let VectorForm::Common { whole, factor } = VectorForm::recognise(DVec3::new(x, y, z))?
         && factor.root() > 1
         && factor.is_root_below()
     {
@@ -32,7 +32,7 @@ fn exact(numbers: &[f64]) -> Option<String> {
         return Some(format!("{}/√{}", listed(&whole), factor.root()));
     }
     let each: Option<Vec<String>> =
-        numbers.iter().map(|x| Some(form(NumberForm::of(*x)?))).collect();
+        numbers.iter().map(|x| Some(form(NumberForm::recognise(*x)?))).collect();
     Some(listed(&each?))
 }
 
@@ -62,7 +62,7 @@ fn form(form: NumberForm) -> String {
     }
 }
 
-/// As short as it can be, with the real minus.
+/// The number as short as it can be, with the real minus.
 pub(super) fn number(x: f64) -> String {
     shortest(x).replace('-', "−")
 }
@@ -78,7 +78,7 @@ pub(super) fn short(x: f64) -> String {
             .into_iter()
             .all(|n| n <= SHORT),
     };
-    NumberForm::of(x).filter(is_short).map(form).unwrap_or_else(|| written(x, 5))
+    NumberForm::recognise(x).filter(is_short).map(form).unwrap_or_else(|| written(x, 5))
 }
 
 #[cfg(test)]

@@ -1,13 +1,15 @@
-//! What is said of an answer, in words.
+//! Verdicts in words.
 
+use super::conditions::Finding;
+use super::judge::Verdict;
+use super::question::{Asked, QuestionPart};
 use super::question_texts::name;
 use super::solution::short;
-use super::{Asked, Finding, Part, Verdict};
 use crate::mistakes::Mistake;
 
 impl Verdict {
-    /// What is said of an answer to this part.
-    pub fn sentence(&self, part: &Part) -> String {
+    /// The verdict on an answer to this part, in words.
+    pub fn sentence(&self, part: &QuestionPart) -> String {
         match self {
             Verdict::Right => "Right.".to_owned(),
             Verdict::Multiple { times } => {
@@ -49,7 +51,7 @@ fn named(mistakes: &[Mistake]) -> String {
     texts.join(" Or: ")
 }
 
-fn found(finding: &Finding, part: &Part) -> String {
+fn found(finding: &Finding, part: &QuestionPart) -> String {
     let is_t = part.asked == Asked::T;
     match *finding {
         Finding::Zero => "a direction cannot be (0, 0, 0)".to_owned(),
@@ -114,7 +116,7 @@ fn bold(name: &str) -> &str {
     }
 }
 
-/// What is said of a part that follows from the answer to another one.
+/// The verdict on a part whose answer follows from that to another one.
 pub fn follows(source: Asked) -> String {
     format!("Wrong: it follows from {}.", name(source))
 }

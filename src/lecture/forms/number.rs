@@ -5,12 +5,12 @@ use std::fmt;
 /// A number written with whole numbers and at most one root: `n sqrt k / m`, or `n / sqrt k`.
 ///
 /// One number has one form. n and m have no common divisor and k no square one; where the number
-/// times `sqrt k` is whole, the root stands below (`1/sqrt 2`, as the lecture writes the entries of a
-/// basis, `5/sqrt 2`, `2/sqrt 14`), but not of whole multiples of a root (`5 sqrt 2`).
+/// times `sqrt k` is whole, the root stands below (`1/sqrt 2`, as the lecture writes the entries of
+/// a basis, `5/sqrt 2`, `2/sqrt 14`), but not of whole multiples of a root (`5 sqrt 2`).
 ///
 /// ```
 /// use pinhole_lecture::NumberForm;
-/// let form = |x: f64| NumberForm::of(x).map(|form| form.to_string());
+/// let form = |x: f64| NumberForm::recognise(x).map(|form| form.to_string());
 /// assert_eq!(form(50.0_f64.sqrt()).as_deref(), Some("5 sqrt 2"));
 /// assert_eq!(form(-0.5_f64.sqrt()).as_deref(), Some("-1/sqrt 2"));
 /// assert_eq!(form(0.75_f64.sqrt()).as_deref(), Some("sqrt 3/2"));
@@ -25,8 +25,8 @@ pub struct NumberForm {
     is_root_below: bool,
 }
 
-/// How far a number may be from its form, as a share: up to 4 ulps of noise, which are 4 times the
-/// spacing of `f64` at 1 at most, and the roundings of the comparison.
+/// Largest distance of a number from its form, as a share: up to 4 ulps of noise, which are 4 times
+/// the spacing of `f64` at 1 at most, and the roundings of the comparison.
 const NOISE: f64 = 6.0 * f64::EPSILON;
 
 /// The largest product of numerator and denominator of a number, or of its square, that counts as
@@ -49,7 +49,7 @@ impl NumberForm {
     ///
     /// Found by continued fractions: a fraction so close to a number is one of its convergents
     /// (Legendre; Hardy, Wright, *An Introduction to the Theory of Numbers*, 6th ed., theorem 184).
-    pub fn of(x: f64) -> Option<NumberForm> {
+    pub fn recognise(x: f64) -> Option<NumberForm> {
         NumberForm::within(x, NOISE, LIMIT)
     }
 
@@ -92,7 +92,7 @@ impl NumberForm {
         }
     }
 
-    /// The same number with another sign.
+    /// The number with another sign.
     #[must_use]
     pub fn negated(self) -> NumberForm {
         NumberForm { numerator: -self.numerator, ..self }
@@ -130,12 +130,12 @@ impl NumberForm {
         self.denominator
     }
 
-    /// Whether this is `n / sqrt k`, and not `n sqrt k / m`.
+    /// Returns whether this is `n / sqrt k`, and not `n sqrt k / m`.
     pub fn is_root_below(self) -> bool {
         self.is_root_below
     }
 
-    /// How many decimals the number has where they say all of it: 0 of a whole number, 2 of 1/4. `None`
+    /// Decimals of the number where they say all of it: 0 of a whole number, 2 of 1/4. `None`
     /// with a root, and where they never end (or are more than 9).
     pub fn decimals(self) -> Option<u32> {
         let ends = |places: &u32| 10_u64.pow(*places).is_multiple_of(self.denominator);
@@ -165,8 +165,8 @@ impl fmt::Display for NumberForm {
     }
 }
 
-/// The fraction `(n, m)` with `n m <= limit` that is within a share `noise` of a number greater than
-/// 0: the first of the continued fraction's convergents that is.
+/// The fraction `(n, m)` with `n m <= limit` that is within a share `noise` of a number greater
+/// than 0: the first of the continued fraction's convergents that is.
 pub(crate) fn fraction_near(x: f64, noise: f64, limit: u64) -> Option<(u64, u64)> {
     let most = limit as f64;
     if !(0.9 / most..=1.1 * most).contains(&x) {

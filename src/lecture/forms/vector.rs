@@ -11,7 +11,7 @@ use super::number::{NumberForm, fraction_near, gcd};
 /// ```
 /// use pinhole_core::DVec3;
 /// use pinhole_lecture::VectorForm;
-/// let form = |v: DVec3| VectorForm::of(v).map(|form| form.to_string());
+/// let form = |v: DVec3| VectorForm::recognise(v).map(|form| form.to_string());
 /// assert_eq!(
 ///     form(DVec3::new(5.0, 0.0, -7.0) / 74.0_f64.sqrt()).as_deref(),
 ///     Some("(5, 0, -7)/sqrt 74")
@@ -35,32 +35,32 @@ pub enum VectorForm {
     },
 }
 
-/// How far the quotient of two coordinates may be off, as a share: 4 ulps of each, and rounding.
+/// Error bound of the quotient of two coordinates, as a share: 4 ulps of each, and rounding.
 const RATIO_NOISE: f64 = 10.0 * f64::EPSILON;
 
-/// How large the whole numbers may be before the factor's numerator is multiplied in.
+/// Largest whole numbers before the factor's numerator is multiplied in.
 const LARGEST_WHOLE: u64 = 1 << 10;
 
-/// As for single numbers, but the coordinates' quotients have to be fractions too, which is unlikely
-/// enough. A unit vector's factor is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
+/// The limit for single numbers, but the coordinates' quotients have to be fractions too, which is
+/// unlikely enough. A unit vector's factor is `1/sqrt k` with `k = n1^2 + n2^2 + n3^2`.
 const FACTOR_LIMIT: u64 = 1 << 22;
 
 impl VectorForm {
     /// The form of a vector whose coordinates are within 4 ulps of one: whole numbers up to 1024
-    /// times a factor that is a small fraction or the root of one; or, without a common factor, three
-    /// [`NumberForm`]s. `None` of any other.
+    /// times a factor that is a small fraction or the root of one; or, without a common factor,
+    /// three [`NumberForm`]s. `None` of any other.
     ///
     /// Random digits have a form by chance less than once in 1e15. Fewer of them are random where a
-    /// coordinate is exactly 0: of a unit vector with one such once in 1e9, of a vector along an axis
-    /// once in 3e8.
-    pub fn of(v: DVec3) -> Option<VectorForm> {
+    /// coordinate is exactly 0: of a unit vector with one such once in 1e9, of a vector along an
+    /// axis once in 3e8.
+    pub fn recognise(v: DVec3) -> Option<VectorForm> {
         if !v.is_finite() {
             return None;
         }
         match common(v) {
             Some(common) => Some(common),
             None => {
-                let [x, y, z] = v.to_array().map(NumberForm::of);
+                let [x, y, z] = v.to_array().map(NumberForm::recognise);
                 Some(VectorForm::Entries([x?, y?, z?]))
             }
         }
@@ -74,7 +74,7 @@ impl VectorForm {
         }
     }
 
-    /// How many decimals the coordinates have where they say all of them, see
+    /// Decimals of the coordinates where they say all of them, see
     /// [`NumberForm::decimals`].
     pub fn decimals(self) -> Option<u32> {
         let [x, y, z] = self.entries().map(NumberForm::decimals);
@@ -106,7 +106,7 @@ fn common(v: DVec3) -> Option<VectorForm> {
         return None;
     }
     let factor = match v.to_array().iter().filter(|x| **x != 0.0).count() {
-        1 => NumberForm::of(largest)?,
+        1 => NumberForm::recognise(largest)?,
         _ => NumberForm::within(largest / denominator as f64, RATIO_NOISE, FACTOR_LIMIT)?,
     };
     let whole: [i64; 3] = std::array::from_fn(|i| {

@@ -1,4 +1,4 @@
-//! What a student answers.
+//! Students' answers.
 
 use pinhole_core::{DVec3, Pixel, Rgb};
 /// A student's answers, of one kind.
@@ -8,23 +8,23 @@ use pinhole_core::{DVec3, Pixel, Rgb};
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answers {
     /// u, v and w.
-    Basis([Measured; 3]),
+    Basis([WrittenVector; 3]),
     /// The view rays of pixels.
     Rays(Vec<RayAnswer>),
-    /// What the view rays of pixels hit first.
+    /// The first hits of the view rays of pixels.
     Hits(Vec<HitAnswer>),
     /// The whole picture, row by row from the top.
     Picture(Vec<Rgb>),
 }
 
-/// What kind of answers they are.
+/// A kind of answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum AnswerKind {
     /// u, v and w.
     Basis,
     /// The view rays of pixels.
     Rays,
-    /// What the view rays of pixels hit first.
+    /// The first hits of the view rays of pixels.
     Hits,
     /// The whole picture.
     Picture,
@@ -33,31 +33,31 @@ pub enum Kind {
 /// A number or vector as it was written, to so many digits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Written<T> {
-    /// What was read.
+    /// The value that was read.
     pub value: T,
-    /// How far the number that was meant may be from it, in each coordinate: half a unit of the last
+    /// Largest distance of the number that was meant, in each coordinate: half a unit of the last
     /// digit. 0 of numbers with all their digits.
     pub rounding: f64,
 }
 
 /// A vector as it was written.
-pub type Measured = Written<DVec3>;
+pub type WrittenVector = Written<DVec3>;
 
 /// A pixel's view ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayAnswer {
-    /// Whose.
+    /// The pixel.
     pub pixel: Pixel,
-    /// Where it starts.
-    pub origin: Measured,
-    /// Where it goes, of any length above 0.
-    pub direction: Measured,
+    /// The point where it starts.
+    pub origin: WrittenVector,
+    /// The direction, of any length above 0.
+    pub direction: WrittenVector,
 }
 
-/// What a pixel's view ray hits first.
+/// The first hit of a pixel's view ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HitAnswer {
-    /// Whose.
+    /// The pixel.
     pub pixel: Pixel,
     /// The hit; `None` for a miss.
     pub hit: Option<GivenHit>,
@@ -66,11 +66,11 @@ pub struct HitAnswer {
 /// A hit, in as many parts as the student gave.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct GivenHit {
-    /// Where on the ray.
+    /// The place on the ray.
     pub t: Option<Written<f64>>,
-    /// Where in the world.
-    pub point: Option<Measured>,
-    /// Which object.
+    /// The place in the world.
+    pub point: Option<WrittenVector>,
+    /// The object's index.
     pub object: Option<u32>,
 }
 
@@ -81,30 +81,30 @@ impl<T> Written<T> {
     }
 }
 
-impl Kind {
+impl AnswerKind {
     /// `basis`, `rays`, `hits`, `picture`.
     pub fn name(self) -> &'static str {
         match self {
-            Kind::Basis => "basis",
-            Kind::Rays => "rays",
-            Kind::Hits => "hits",
-            Kind::Picture => "picture",
+            AnswerKind::Basis => "basis",
+            AnswerKind::Rays => "rays",
+            AnswerKind::Hits => "hits",
+            AnswerKind::Picture => "picture",
         }
     }
 }
 
 impl Answers {
-    /// What kind they are.
-    pub fn kind(&self) -> Kind {
+    /// The kind of the answers.
+    pub fn kind(&self) -> AnswerKind {
         match self {
-            Answers::Basis(_) => Kind::Basis,
-            Answers::Rays(_) => Kind::Rays,
-            Answers::Hits(_) => Kind::Hits,
-            Answers::Picture(_) => Kind::Picture,
+            Answers::Basis(_) => AnswerKind::Basis,
+            Answers::Rays(_) => AnswerKind::Rays,
+            Answers::Hits(_) => AnswerKind::Hits,
+            Answers::Picture(_) => AnswerKind::Picture,
         }
     }
 
-    /// How many there are: vectors, rays, hits or pixels.
+    /// The count of vectors, rays, hits or pixels.
     pub fn len(&self) -> usize {
         match self {
             Answers::Basis(vectors) => vectors.len(),
@@ -114,18 +114,18 @@ impl Answers {
         }
     }
 
-    /// Whether there is none.
+    /// Returns whether there is none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether a program that computes in `f32` may have written them: each number that is looked
-    /// at is an `f32` to as many digits as it was written.
+    /// Returns whether a program that computes in `f32` may have written them: each number that is
+    /// looked at is an `f32` to as many digits as it was written.
     pub(super) fn may_be_single(&self) -> bool {
-        /// So many answers from all over tell: one number in full double precision is enough.
+        /// Answers from all over that are looked at: one number in full double precision is enough.
         const LOOKED_AT: usize = 2000;
         let step = self.len().div_ceil(LOOKED_AT).max(1);
-        let vector = |vector: &Measured| {
+        let vector = |vector: &WrittenVector| {
             let rounding = vector.rounding;
             vector.value.to_array().into_iter().all(|value| is_single(Written { value, rounding }))
         };
@@ -145,7 +145,7 @@ impl Answers {
     }
 }
 
-/// Whether a number is an `f32`, or an `f32`'s shortest decimal, to its digits.
+/// Returns whether a number is an `f32`, or an `f32`'s shortest decimal, to its digits.
 fn is_single(number: Written<f64>) -> bool {
     let single = number.value as f32;
     let off = (f64::from(single) - number.value).abs();

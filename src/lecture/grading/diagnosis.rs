@@ -7,54 +7,55 @@ use rayon::prelude::*;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Diagnosis {
-    /// The smallest set of known mistakes with which a program gives all of these answers, the right
-    /// ones too: one, or two. Of several such sets, the first in the order of
+    /// The smallest set of known mistakes with which a program gives all of these answers, the
+    /// right ones too: one, or two. Of several such sets, the first in the order of
     /// [`Mistake::GRADED`], in which `v = u x w` comes last unless a basis is answered: rays cannot
-    /// tell it from rows that count from the bottom. Empty where there is none, and where nothing is
-    /// wrong.
+    /// tell it from rows that count from the bottom. Empty where there is none, and where nothing
+    /// is wrong.
     pub mistakes: Vec<Mistake>,
     /// Other sets of as many that give the same answers here, in the same order.
     pub alternatives: Vec<Vec<Mistake>>,
     /// One slip that gives these answers, where none of [`Mistake::GRADED`] alone does.
     pub other: Option<Mistake>,
-    /// Whether all answers would be right if rows and columns counted from 1.
+    /// All answers would be right if rows and columns counted from 1.
     pub counted_from_one: bool,
-    /// Whether objects are counted from 1.
+    /// Objects are counted from 1.
     pub objects_from_one: bool,
-    /// Every how many answers were held against the program that is named: all, 1, unless they are so
-    /// many, and spheres too, that it would take minutes.
+    /// The step between answers held against the pipeline that is named: 1, all of them, unless
+    /// they are so many, and spheres too, that it would take minutes.
     pub of_every: usize,
 }
 
-/// Answers of some kind, held against a program.
+/// Answers of some kind, held against a pipeline.
 pub(super) trait Fits: Sync {
-    /// How many there are.
+    /// The count of answers.
     fn len(&self) -> usize;
 
-    /// Whether u, v and w themselves are answered.
+    /// Returns whether u, v and w themselves are answered.
     fn shows_basis(&self) -> bool {
         false
     }
 
-    /// What has to be known before the first answer is looked at.
+    /// Finds what has to be known before the first answer is looked at.
     fn prepare(&self, _camera: &mut PipelineCamera) {}
 
-    /// How many spheres one answer is held against, about.
-    fn work(&self, _program: &Pipeline) -> usize {
+    /// The count of spheres that one answer is held against, about.
+    fn work(&self, _pipeline: &Pipeline) -> usize {
         1
     }
 
-    /// Whether the program may have given this answer.
+    /// Returns whether the pipeline may have given this answer.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
 }
 
 /// Answers that are looked at before all others are.
 const FIRST_LOOKS: usize = 64;
 
-/// So many spheres a program's rays are held against at most, some seconds' work.
+/// Maximum number of spheres that a pipeline's rays are held against, some seconds' work.
 const MOST_WORK: usize = 50_000_000;
 
-/// Finds the smallest set of mistakes; `is_right` says which answers need none, of which not all do.
+/// Finds the smallest set of mistakes; `is_right` says which answers need none, of which not all
+/// do.
 pub(super) fn diagnose(
     given: &GivenCamera,
     answers: &dyn Fits,
@@ -102,7 +103,7 @@ pub(super) fn diagnose(
 const OTHERS: [Mistake; 2] = [Mistake::RayReversed, Mistake::DistanceAdded];
 
 impl Default for Diagnosis {
-    /// Nothing is wrong, or nothing explains it.
+    /// The diagnosis where nothing is wrong, or nothing explains it.
     fn default() -> Diagnosis {
         Diagnosis::new(Vec::new())
     }
@@ -124,33 +125,33 @@ impl Diagnosis {
     }
 }
 
-/// The sets of which a program gives all the answers, and every how many of them were looked at.
+/// The sets of which a pipeline gives all the answers, and the step between those looked at.
 fn explaining(
     given: &GivenCamera,
     answers: &dyn Fits,
     looks: &[usize],
     sets: &[(Vec<Mistake>, Vec<Pipeline>)],
 ) -> Vec<(Vec<Mistake>, usize)> {
-    let explains = |program: &&Pipeline| explains(given, answers, looks, program);
-    let found = sets.iter().filter_map(|(mistakes, programs)| {
-        let program = programs.iter().find(explains)?;
-        Some((mistakes.clone(), step(answers, program)))
+    let explains = |pipeline: &&Pipeline| explains(given, answers, looks, pipeline);
+    let found = sets.iter().filter_map(|(mistakes, pipelines)| {
+        let pipeline = pipelines.iter().find(explains)?;
+        Some((mistakes.clone(), stride(answers, pipeline)))
     });
     found.collect()
 }
 
-/// Whether the program gives all the answers.
-fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], program: &Pipeline) -> bool {
-    let mut camera = given.camera_of(*program);
+/// Returns whether the pipeline gives all the answers.
+fn explains(given: &GivenCamera, answers: &dyn Fits, looks: &[usize], pipeline: &Pipeline) -> bool {
+    let mut camera = given.camera_of(*pipeline);
     answers.prepare(&mut camera);
-    let step = step(answers, program);
+    let stride = stride(answers, pipeline);
     looks.iter().all(|index| answers.fits(&camera, *index))
-        && (0..answers.len()).into_par_iter().step_by(step).all(|k| answers.fits(&camera, k))
+        && (0..answers.len()).into_par_iter().step_by(stride).all(|k| answers.fits(&camera, k))
 }
 
-/// Every how many answers are held against a program.
-fn step(answers: &dyn Fits, program: &Pipeline) -> usize {
-    answers.len().saturating_mul(answers.work(program)).div_ceil(MOST_WORK).max(1)
+/// The step between answers that are held against a pipeline.
+fn stride(answers: &dyn Fits, pipeline: &Pipeline) -> usize {
+    answers.len().saturating_mul(answers.work(pipeline)).div_ceil(MOST_WORK).max(1)
 }
 
 /// Some wrong answers and some right ones, from all over: a program that did not give them is found

@@ -2,10 +2,10 @@
 
 use pinhole_core::DVec3;
 
-use super::answers::{Answers, Measured, Written};
+use super::answers::{Answers, Written, WrittenVector};
 
-/// To how many digits the numbers of some answers are written. Zeros at the end do not show, so the
-/// longest of them tell for all.
+/// The digits to which the numbers of some answers are written. Zeros at the end do not show, so
+/// the longest of them tell for all.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Precision {
     /// Significant digits.
@@ -15,8 +15,8 @@ pub(super) struct Precision {
 }
 
 impl Precision {
-    /// Of these answers; `None` where they have all digits, or no numbers.
-    pub(super) fn of(answers: &Answers) -> Option<Precision> {
+    /// The precision of these answers; `None` where they have all digits, or no numbers.
+    pub(super) fn of_answers(answers: &Answers) -> Option<Precision> {
         /// More than a number is ever said to lack.
         const MANY: i32 = 12;
         let mut longest: Option<Precision> = None;
@@ -70,7 +70,7 @@ fn written(size: f64) -> Option<(i32, i32)> {
 
 /// Calls with the size of each number, and of each coordinate.
 fn for_each(answers: &Answers, mut each: impl FnMut(f64)) {
-    let mut vector = |vector: &Measured| {
+    let mut vector = |vector: &WrittenVector| {
         vector.value.to_array().into_iter().for_each(|coordinate| each(coordinate.abs()));
     };
     match answers {
@@ -95,7 +95,7 @@ fn for_each(answers: &Answers, mut each: impl FnMut(f64)) {
 
 /// Calls with the size of each number, and of each vector's largest coordinate; and its rounding.
 fn for_each_mut(answers: &mut Answers, mut each: impl FnMut(f64, &mut f64)) {
-    let mut vector = |vector: &mut Measured| {
+    let mut vector = |vector: &mut WrittenVector| {
         each(vector.value.abs().max_element(), &mut vector.rounding);
     };
     match answers {
@@ -110,7 +110,8 @@ fn for_each_mut(answers: &mut Answers, mut each: impl FnMut(f64, &mut f64)) {
                     vector(point);
                 }
                 if let Some(t) = &mut hit.t {
-                    let mut along = Measured { value: t.value * DVec3::X, rounding: t.rounding };
+                    let mut along =
+                        WrittenVector { value: t.value * DVec3::X, rounding: t.rounding };
                     vector(&mut along);
                     t.rounding = along.rounding;
                 }

@@ -1,4 +1,4 @@
-//! Why there is no grade.
+//! Errors of answers that cannot be graded.
 
 use std::fmt;
 
@@ -15,7 +15,7 @@ pub enum GradeError {
     PictureSize {
         /// Pixels of the picture.
         pixels: usize,
-        /// What the camera makes.
+        /// The camera's image.
         image: ImageSize,
     },
     /// The tolerance is no number of at least 0.

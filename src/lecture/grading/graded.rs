@@ -1,8 +1,9 @@
-//! Grades in words and as a map: what the command and the window say of a student's answers.
+//! Grades in words and as a map, for the command line and the window.
 
 use pinhole_core::{DVec3, ImageSize, Pixel, Rgb};
 
-use super::{Answers, GivenHit, Grade, Kind, Right, Worst};
+use super::answers::{AnswerKind, Answers, GivenHit};
+use super::grade::{Grade, Right, Worst};
 use crate::mistakes::Mistake;
 use crate::numbers::{grouped, significant};
 
@@ -11,15 +12,15 @@ use crate::numbers::{grouped, significant};
 pub struct Graded {
     /// The answers.
     pub answers: Answers,
-    /// What is right of them.
+    /// Their grade.
     pub grade: Grade,
     /// The image of the scene that they are about.
     pub image: ImageSize,
-    /// Where their rows and columns begin, 0 or 1.
+    /// The first row and column of their count, 0 or 1.
     pub count_from: u32,
 }
 
-/// What is known of a pixel's answer; of several, the greatest is told.
+/// A pixel's answer on a map; of several, the greatest is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cell {
     /// There is none.
@@ -31,7 +32,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// What a map shows, told apart by lightness, too.
+    /// The colour on a map, told apart by lightness, too.
     pub fn color(self) -> Rgb {
         match self {
             Cell::Unanswered => [0x8a, 0x8f, 0x98],
@@ -46,10 +47,10 @@ impl Cell {
 const DIGITS: [usize; 4] = [7, 10, 13, 17];
 
 impl Graded {
-    /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place in
-    /// the image.
+    /// Row by row from the top, what is known of each pixel; `None` of a basis, which has no place
+    /// in the image.
     pub fn map(&self) -> Option<Vec<Cell>> {
-        if self.grade.kind == Kind::Basis {
+        if self.grade.kind == AnswerKind::Basis {
             return None;
         }
         let width = self.image.width() as usize;
@@ -88,10 +89,10 @@ impl Graded {
         let grade = &self.grade;
         let (agree, all) = (grouped(grade.agree() as u64), grouped(grade.answers() as u64));
         let plural = match grade.kind {
-            Kind::Basis => "vectors",
-            Kind::Rays => "rays",
-            Kind::Hits => "hits",
-            Kind::Picture => "pixels",
+            AnswerKind::Basis => "vectors",
+            AnswerKind::Rays => "rays",
+            AnswerKind::Hits => "hits",
+            AnswerKind::Picture => "pixels",
         };
         let verb = if grade.agree() == 1 { "agrees" } else { "agree" };
         format!("{agree} of {all} {plural} {verb}, within {}", self.tolerance())
@@ -113,7 +114,7 @@ impl Graded {
         }
     }
 
-    /// Whether so much of the image is answered, a twentieth, that a map of it tells where.
+    /// Returns whether so much of the image is answered, a twentieth, that a map of it tells where.
     pub fn shows_where(&self) -> bool {
         let pixels = u64::from(self.image.width()) * u64::from(self.image.height());
         20 * self.grade.is_right.len() as u64 >= pixels
@@ -122,13 +123,13 @@ impl Graded {
     fn tolerance(&self) -> String {
         let tolerance = significant(self.grade.tolerance, 3);
         match (self.grade.kind, self.grade.shade) {
-            (Kind::Picture, Some(shade)) => {
+            (AnswerKind::Picture, Some(shade)) => {
                 format!("{tolerance} of 255 levels, shaded by {}", shade.name())
             }
-            (Kind::Picture, None) => format!("{tolerance} of 255 levels"),
-            (Kind::Basis, _) => format!("{tolerance} in each coordinate"),
-            (Kind::Rays, _) => format!("{tolerance} in each coordinate of the unit vector"),
-            (Kind::Hits, _) => format!("{tolerance} of their distance"),
+            (AnswerKind::Picture, None) => format!("{tolerance} of 255 levels"),
+            (AnswerKind::Basis, _) => format!("{tolerance} in each coordinate"),
+            (AnswerKind::Rays, _) => format!("{tolerance} in each coordinate of the unit vector"),
+            (AnswerKind::Hits, _) => format!("{tolerance} of their distance"),
         }
     }
 
@@ -170,7 +171,7 @@ impl Graded {
         }
     }
 
-    /// What would be right, in the parts that were answered.
+    /// The right answer, in the parts that were answered.
     fn right(&self, worst: &Worst, digits: usize) -> String {
         let given = match &self.answers {
             Answers::Hits(hits) => hits[worst.index].hit,
@@ -206,14 +207,14 @@ impl Graded {
         ids(&self.grade.diagnosis.mistakes, ", ")
     }
 
-    /// What to look at, and how much of a guess that is.
+    /// The advice, and how much of a guess it is.
     pub fn advice(&self) -> String {
         let missing = self.unanswered().map(|words| format!("{words}."));
         let advice = [self.grade.advice()].into_iter().chain(self.own_remarks()).chain(missing);
         advice.collect::<Vec<_>>().join(" ")
     }
 
-    /// What is to be said beside each mistake's own sentence.
+    /// Remarks beside each mistake's own sentence.
     pub fn remarks(&self) -> Vec<String> {
         self.grade.remarks().into_iter().chain(self.own_remarks()).collect()
     }
@@ -225,7 +226,7 @@ impl Graded {
         [from_one, self.caveat()].into_iter().flatten().map(str::to_owned)
     }
 
-    /// What weakens the diagnosis: misses alone look alike, whatever they come from.
+    /// A caveat on the diagnosis: misses alone look alike, whatever they come from.
     fn caveat(&self) -> Option<&'static str> {
         let Answers::Hits(hits) = &self.answers else { return None };
         let grade = &self.grade;
@@ -237,15 +238,16 @@ impl Graded {
         )
     }
 
-    /// Other sets of mistakes that explain the answers as well: `negative-t; far-root + negative-t`.
+    /// Other sets of mistakes that explain the answers as well: `negative-t; far-root +
+    /// negative-t`.
     pub fn alternatives(&self) -> Option<String> {
         let sets = &self.grade.diagnosis.alternatives;
         let words: Vec<String> = sets.iter().map(|set| ids(set, " + ")).collect();
         (!words.is_empty()).then(|| words.join("; "))
     }
 
-    /// The image in letters, some pixels each: `#` where one is wrong, `.` where all are right, and a
-    /// blank where none is answered.
+    /// The image in letters, some pixels each: `#` where one is wrong, `.` where all are right, and
+    /// a blank where none is answered.
     pub fn sketch(&self) -> Option<Vec<String>> {
         const COLUMNS: usize = 48;
         const ROWS: usize = 16;
@@ -267,11 +269,11 @@ impl Graded {
     }
 }
 
-/// By how much, where that is a number.
-fn off(error: f64, kind: Kind) -> String {
+/// The size of an error, where it is a number.
+fn off(error: f64, kind: AnswerKind) -> String {
     match kind {
         _ if !error.is_finite() || error == 0.0 => String::new(),
-        Kind::Picture => format!(" (off by {error} levels)"),
+        AnswerKind::Picture => format!(" (off by {error} levels)"),
         _ => format!(" (off by {})", significant(error, 3)),
     }
 }

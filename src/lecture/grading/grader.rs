@@ -4,17 +4,17 @@ use std::cmp::Reverse;
 
 use pinhole_core::{Pixel, Rgb, Shade};
 
-use super::answers::{Answers, HitAnswer, Kind, Measured, RayAnswer};
+use super::answers::{AnswerKind, Answers, HitAnswer, RayAnswer, WrittenVector};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::digits::Precision;
 use super::error::GradeError;
-use super::hits::{Hits, truth_of};
-use super::picture::{Picture, brightest, off, right_pictures};
-use super::vectors::{Rays, Vectors};
-use super::{
+use super::grade::{
     Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
     digits_wanted,
 };
+use super::hits::{Hits, truth_of};
+use super::picture::{Picture, brightest, off, right_pictures};
+use super::vectors::{Rays, Vectors};
 use crate::mistakes::{GivenCamera, Mistake};
 
 /// Answers, and what they are graded by.
@@ -47,7 +47,7 @@ impl<'a> Grader<'a> {
         // Made here, and not within the parallel work that asks for it.
         truth.scene.make_index();
         let usual = match answers.kind() {
-            Kind::Picture => LEVELS_TOLERANCE,
+            AnswerKind::Picture => LEVELS_TOLERANCE,
             _ => RELATIVE_TOLERANCE,
         };
         let tolerance = tolerance.unwrap_or(usual);
@@ -110,15 +110,15 @@ impl<'a> Grader<'a> {
         }
     }
 
-    /// The answers with what their digits leave open, and how many those are; `None` where they are as
-    /// many as wanted.
+    /// The answers with what their digits leave open, and how many those are; `None` where they are
+    /// as many as wanted.
     fn few_digits(&self) -> Option<(Answers, u32)> {
-        let (answers, digits) = Precision::of(self.answers)?.allowed(self.answers);
+        let (answers, digits) = Precision::of_answers(self.answers)?.allowed(self.answers);
         let too_few = 1..digits_wanted(self.tolerance) as i32;
         too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
-    /// Whether the answers, with what their digits leave open, are all right.
+    /// Returns whether the answers, with what their digits leave open, are all right.
     fn are_right_as_written(&self, answers: &Answers) -> bool {
         let judged = match answers {
             Answers::Basis(answers) => self.as_written(answers).judged(&self.given),
@@ -131,8 +131,8 @@ impl<'a> Grader<'a> {
         judged.iter().all(|judged| judged.is_right)
     }
 
-    /// The one mistake that explains the answers as far as they are written, where that is to too few
-    /// digits: what they lack is not put down to `f32`.
+    /// The one mistake that explains the answers as far as they are written, where that is to too
+    /// few digits: what they lack is not put down to `f32`.
     fn mistake_in_few_digits(
         &self,
         answers: &Answers,
@@ -153,7 +153,7 @@ impl<'a> Grader<'a> {
         (diagnosis.mistakes.len() == 1).then_some(diagnosis)
     }
 
-    fn as_written<'b>(&self, answers: &'b [Measured; 3]) -> Vectors<'b> {
+    fn as_written<'b>(&self, answers: &'b [WrittenVector; 3]) -> Vectors<'b> {
         Vectors { answers, tolerance: self.tolerance, digits: Digits::as_written() }
     }
 
@@ -167,13 +167,13 @@ impl<'a> Grader<'a> {
         Rays { answers, tolerance: self.tolerance, digits, size, image }
     }
 
-    /// What the rays of these answers hit first.
+    /// The first hits of the rays of these answers.
     fn first_of(&self, hits: &[HitAnswer]) -> Vec<Option<Hit>> {
         let pixels: Vec<Pixel> = hits.iter().map(|hit| hit.pixel).collect();
         truth_of(self.truth, &self.given.posed, &pixels)
     }
 
-    fn basis(&self, vectors: &[Measured; 3]) -> Grade {
+    fn basis(&self, vectors: &[WrittenVector; 3]) -> Grade {
         let Grader { tolerance, digits, .. } = *self;
         let fits = Vectors { answers: vectors, tolerance, digits };
         let basis = self.given.posed.basis();
@@ -203,8 +203,8 @@ impl<'a> Grader<'a> {
         self.graded(&fits.judged(&self.given, &first), &fits, &right)
     }
 
-    /// A picture in the shading that fits best: that in which most pixels agree, or, where no mistake
-    /// explains it in that, the one in which the fewest do.
+    /// A picture in the shading that fits best: that in which most pixels agree, or, where no
+    /// mistake explains it in that, the one in which the fewest do.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
         let (pictures, nearest) = right_pictures(self.truth, &self.given);
         let brightest = brightest(pixels);
@@ -267,8 +267,8 @@ impl<'a> Grader<'a> {
     }
 }
 
-/// What stands for a miss: of the numbers that no hit has, 0 and less or beyond all hits, the one that
-/// most answers have where a miss would be right.
+/// The number that stands for a miss: of those that no hit has, 0 and less or beyond all hits, the
+/// one that most answers have where a miss would be right.
 fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     let farthest = first.iter().flatten().map(|hit| hit.t).fold(0.0, f64::max);
     let misses = hits.iter().zip(first).filter(|(_, first)| first.is_none());
@@ -280,7 +280,8 @@ fn sentinel(hits: &[HitAnswer], first: &[Option<Hit>]) -> Option<f64> {
     (2 * count > given.len()).then_some(known)
 }
 
-/// The wrong answer that is farthest off, the first among equals; the right one where none is wrong.
+/// The wrong answer that is farthest off, the first among equals; the right one where none is
+/// wrong.
 fn worst_of(judged: &[Judged]) -> Option<(usize, f64)> {
     let any_wrong = judged.iter().any(|judged| !judged.is_right);
     let mut worst: Option<(usize, f64)> = None;

@@ -1,13 +1,13 @@
-//! Hits against what programs hit.
+//! Hits against those of pipelines.
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, PosedCamera, Raster, Scene, trace};
 use rayon::prelude::*;
 
-use super::answers::{GivenHit, HitAnswer, Measured};
+use super::answers::{GivenHit, HitAnswer, WrittenVector};
 use super::diagnosis::Fits;
-use super::meetings::{FirstMeetings, Meeting, work};
-use super::{Digits, Hit, Judged, Truth};
+use super::first_hits::{FirstHits, PossibleHit, work};
+use super::grade::{Digits, Hit, Judged, Truth};
 use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
 
 pub(super) struct Hits<'a> {
@@ -22,8 +22,8 @@ impl Fits for Hits<'_> {
         self.answers.len()
     }
 
-    fn work(&self, program: &Pipeline) -> usize {
-        work(self.scene, program)
+    fn work(&self, pipeline: &Pipeline) -> usize {
+        work(self.scene, pipeline)
     }
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
@@ -32,23 +32,21 @@ impl Fits for Hits<'_> {
             return false;
         }
         let direction = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let first = FirstMeetings::of(self.scene, camera, direction, self.tolerance);
+        let first = FirstHits::find(self.scene, camera, direction, self.tolerance);
         match hit {
             None => first.may_miss,
-            Some(hit) => {
-                first.meetings.iter().any(|meeting| self.is(camera, direction, meeting, &hit))
-            }
+            Some(given) => first.hits.iter().any(|hit| self.is(camera, direction, hit, &given)),
         }
     }
 }
 
 impl Hits<'_> {
-    /// Whether the hit that is given is this one.
+    /// Returns whether the hit that is given is this one.
     fn is(
         &self,
         camera: &PipelineCamera,
         direction: DVec3,
-        meeting: &Meeting,
+        hit: &PossibleHit,
         given: &GivenHit,
     ) -> bool {
         let Pipeline { measure, objects_from_one, .. } = camera.pipeline;
@@ -59,18 +57,18 @@ impl Hits<'_> {
             Measure::PointOfUnit => (1.0, direction / length),
             Measure::PointOfDistance => (length, length * direction),
         };
-        let Meeting { object, t, least, most, .. } = *meeting;
+        let PossibleHit { object, t, least, most, .. } = *hit;
         let is_object =
             given.object.is_none_or(|given| given == object + u32::from(objects_from_one));
         let is_t = given.t.is_none_or(|given| {
-            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits.of(given.rounding);
+            let off = 8.0 * f64::EPSILON * (t_unit * t).abs() + self.digits.allow(given.rounding);
             given.value >= t_unit * least - off && given.value <= t_unit * most + off
         });
-        let is_point = |given: Measured| {
+        let is_point = |given: WrittenVector| {
             let from_eye = given.value - camera.eye;
             let reach = least.abs().max(most.abs()) * step.length();
             let off = (self.tolerance + camera.off) * reach
-                + self.digits.of(given.rounding)
+                + self.digits.allow(given.rounding)
                 + 16.0 * camera.epsilon * (camera.eye.length() + reach);
             // A point of the ray, as far along as allowed, within this of each coordinate.
             let mut along = [least, most];
@@ -88,7 +86,7 @@ impl Hits<'_> {
         is_object && is_t && given.point.is_none_or(is_point)
     }
 
-    /// How far each answer is from the truth.
+    /// The distance of each answer from the truth.
     pub(super) fn judged(&self, given: &GivenCamera, truth: &[Option<Hit>]) -> Vec<Judged> {
         let right = given.camera_of(Pipeline::RIGHT);
         let image = given.posed.image();
@@ -105,8 +103,8 @@ impl Hits<'_> {
     }
 }
 
-/// How far a hit is from the true one, as a share of its distance; infinite where one is a miss and
-/// the other is not, or where they are of two objects.
+/// The distance of a hit from the true one, as a share of that one's; infinite where one is a miss
+/// and the other is not, or where they are of two objects.
 fn error_of(given: Option<&GivenHit>, truth: Option<&Hit>, eye: DVec3) -> f64 {
     let (given, truth) = match (given, truth) {
         (None, None) => return 0.0,

@@ -1,4 +1,4 @@
-//! Whole pictures against those of programs.
+//! Whole pictures against those of pipelines.
 
 use std::array;
 
@@ -10,8 +10,8 @@ use pinhole_core::{
 use rayon::prelude::*;
 
 use super::diagnosis::Fits;
-use super::meetings::{FirstMeetings, normal_at, work};
-use super::{Judged, RELATIVE_TOLERANCE, Truth};
+use super::first_hits::{FirstHits, normal_at, work};
+use super::grade::{Judged, RELATIVE_TOLERANCE, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 /// A picture that is taken to be shaded in one way.
@@ -21,7 +21,7 @@ pub(super) struct Picture<'a> {
     pub(super) scene: &'a Scene,
     pub(super) color_of: &'a (dyn Fn(u32) -> Rgb + Sync),
     pub(super) shade: Shade,
-    /// In levels of 255.
+    /// The largest error allowed, in levels of 255.
     pub(super) tolerance: f64,
     /// The brightest grey pixel: where a picture by t shows the nearest hit.
     pub(super) brightest: Option<usize>,
@@ -52,12 +52,12 @@ impl Fits for Picture<'_> {
             && let Some(brightest) = self.brightest
         {
             let first = self.meetings(camera, brightest).0;
-            camera.nearest = first.meetings.first().map(|meeting| meeting.t);
+            camera.nearest = first.hits.first().map(|hit| hit.t);
         }
     }
 
-    fn work(&self, program: &Pipeline) -> usize {
-        work(self.scene, program)
+    fn work(&self, pipeline: &Pipeline) -> usize {
+        work(self.scene, pipeline)
     }
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
@@ -65,11 +65,11 @@ impl Fits for Picture<'_> {
         if first.may_miss && self.is_near(self.pixels[index], [BACKGROUND; 2]) {
             return true;
         }
-        first.meetings.iter().any(|meeting| {
-            let color = |t: f64| self.color(camera, direction, meeting.object, t);
+        first.hits.iter().any(|hit| {
+            let color = |t: f64| self.color(camera, direction, hit.object, t);
             // On the eye's other side lies another colour.
-            let same_side = |t: f64| if t * meeting.t > 0.0 { t } else { meeting.t };
-            let around = [same_side(meeting.least), meeting.t, same_side(meeting.most)];
+            let same_side = |t: f64| if t * hit.t > 0.0 { t } else { hit.t };
+            let around = [same_side(hit.least), hit.t, same_side(hit.most)];
             let [a, b, c] = around.map(color);
             let least = array::from_fn(|k| a[k].min(b[k]).min(c[k]));
             let most = array::from_fn(|k| a[k].max(b[k]).max(c[k]));
@@ -84,10 +84,10 @@ impl Picture<'_> {
         Pixel { row: (index / width) as u32, column: (index % width) as u32 }
     }
 
-    fn meetings(&self, camera: &PipelineCamera, index: usize) -> (FirstMeetings, DVec3) {
+    fn meetings(&self, camera: &PipelineCamera, index: usize) -> (FirstHits, DVec3) {
         let Pixel { row, column } = self.pixel(index);
         let direction = camera.direction(f64::from(row), f64::from(column));
-        let first = FirstMeetings::of(self.scene, camera, direction, RELATIVE_TOLERANCE);
+        let first = FirstHits::find(self.scene, camera, direction, RELATIVE_TOLERANCE);
         (first, direction)
     }
 
@@ -116,7 +116,7 @@ impl Picture<'_> {
         })
     }
 
-    /// How far each pixel is from the right picture, in levels of its worst channel.
+    /// The distance of each pixel from the right picture, in levels of its worst channel.
     pub(super) fn judged(&self, given: &GivenCamera, right: &[Rgb], nearest: f64) -> Vec<Judged> {
         let mut camera = given.camera_of(Pipeline::RIGHT);
         camera.nearest = Some(nearest);
@@ -129,7 +129,7 @@ impl Picture<'_> {
     }
 }
 
-/// How many levels two colours differ by in their worst channel.
+/// The difference of two colours in their worst channel, in levels.
 pub(super) fn off(a: Rgb, b: Rgb) -> f64 {
     let worst = (0..3).map(|k| a[k].abs_diff(b[k])).max().unwrap_or_default();
     f64::from(worst)

@@ -1,16 +1,16 @@
-//! Bases and rays against those of programs.
+//! Bases and rays against those of pipelines.
 
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ImageSize};
 use rayon::prelude::*;
 
-use super::answers::{Measured, RayAnswer};
+use super::answers::{RayAnswer, WrittenVector};
 use super::diagnosis::Fits;
-use super::{Digits, Judged};
+use super::grade::{Digits, Judged};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 pub(super) struct Vectors<'a> {
-    pub(super) answers: &'a [Measured; 3],
+    pub(super) answers: &'a [WrittenVector; 3],
     pub(super) tolerance: f64,
     pub(super) digits: Digits,
 }
@@ -25,9 +25,9 @@ impl Fits for Vectors<'_> {
     }
 
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
-        let Measured { value, rounding } = self.answers[index];
+        let WrittenVector { value, rounding } = self.answers[index];
         let wanted = [camera.u, camera.v, camera.w][index];
-        let off = (self.tolerance + camera.off) * length(wanted) + self.digits.of(rounding);
+        let off = (self.tolerance + camera.off) * length(wanted) + self.digits.allow(rounding);
         (value - wanted).abs().max_element() <= off
     }
 }
@@ -60,7 +60,7 @@ impl Fits for Rays<'_> {
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
-        let rounding = self.digits.of(direction.rounding) / length(direction.value);
+        let rounding = self.digits.allow(direction.rounding) / length(direction.value);
         camera.answers_for(pixel)
             && turned(direction.value, wanted) <= self.tolerance + camera.off + rounding
             && self.is_eye(camera, origin)
@@ -68,11 +68,11 @@ impl Fits for Rays<'_> {
 }
 
 impl Rays<'_> {
-    fn is_eye(&self, camera: &PipelineCamera, origin: Measured) -> bool {
+    fn is_eye(&self, camera: &PipelineCamera, origin: WrittenVector) -> bool {
         let size = length(camera.eye).max(self.size);
         let off = self.tolerance * size
             + camera.epsilon * length(camera.eye)
-            + self.digits.of(origin.rounding);
+            + self.digits.allow(origin.rounding);
         (origin.value - camera.eye).abs().max_element() <= off
     }
 
@@ -94,7 +94,7 @@ impl Rays<'_> {
     }
 }
 
-/// How far one direction is turned against another, whatever their lengths: the chord between both
+/// The turn of one direction against another, whatever their lengths: the chord between both
 /// unit vectors; its largest coordinate tells, as digits are written by coordinate.
 fn turned(a: DVec3, b: DVec3) -> f64 {
     (unit(a) - unit(b)).abs().max_element()

@@ -4,9 +4,12 @@ use pinhole_core::{
     Camera, CameraError, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, trace_as,
 };
 
-use super::{Checked, Mistake, NoWrongCamera, WrongCamera, WrongPicture};
+use super::checks::Checked;
+use super::table::Mistake;
+use super::wrong_camera::{NoWrongCamera, WrongCamera};
+use super::wrong_picture::WrongPicture;
 
-/// How many rows and columns are looked at to see whether a mistake shows.
+/// Rows and columns that are looked at to see whether a mistake shows.
 const SAMPLES: u32 = 72;
 
 /// One pixel in so many has to see something else for a mistake to show.
@@ -32,7 +35,7 @@ fn right_objects(posed: &PosedCamera, scene: &Scene, raster: &Raster) -> Vec<u32
 /// A wrong camera, next to the right one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparedCamera {
-    /// What was done wrong.
+    /// The mistake that was made.
     pub mistake: Mistake,
     /// The camera that it makes, or why there is none.
     pub camera: Result<WrongCamera, NoWrongCamera>,
@@ -40,18 +43,18 @@ pub struct ComparedCamera {
     pub right_checks: Vec<Checked>,
     /// Every check of the wrong one; none where there is none.
     pub checks: Vec<Checked>,
-    /// How many pixels are shown, and how many of them see something else.
-    pub seen: Option<Seen>,
-    /// Why the wrong camera sees nothing.
+    /// The pixels that are shown, and those of them that see something else.
+    pub seen: Option<ComparedPixels>,
+    /// The reason why the wrong camera sees nothing.
     pub blind: Option<CameraError>,
 }
 
-/// What the pixels of both pictures see.
+/// The pixels of both pictures, compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Seen {
-    /// How many are compared.
+pub struct ComparedPixels {
+    /// The count of pixels that are compared.
     pub pixels: usize,
-    /// How many see another object, or nothing where the other sees something.
+    /// The count of those that see another object, or nothing where the other sees something.
     pub differing: usize,
 }
 
@@ -79,7 +82,7 @@ impl ComparedCamera {
             Ok(picture) => {
                 let right = right_objects(posed, scene, raster);
                 let differing = picture.differing(&right);
-                wrong.seen = Some(Seen { pixels: right.len(), differing });
+                wrong.seen = Some(ComparedPixels { pixels: right.len(), differing });
                 let Paint { shade, color_of, to_pixel } = paint;
                 (wrong, Some(picture.shaded(scene, shade, color_of, to_pixel)))
             }
@@ -90,7 +93,7 @@ impl ComparedCamera {
         }
     }
 
-    /// Why there is no wrong picture, in words.
+    /// The reason why there is no wrong picture, in words.
     pub fn why_not(&self) -> Option<String> {
         match &self.camera {
             Err(why) => Some(why.to_string()),

@@ -6,6 +6,7 @@
 //! pixel (row, column) -> (u, v) -> direction = u*U + v*V - distance*W -> roots -> hit
 //! ```
 
+mod checked_camera;
 mod checks;
 mod compared;
 mod pipeline;
@@ -15,7 +16,7 @@ mod wrong_camera;
 mod wrong_picture;
 
 pub use checks::{Check, Checked, Value, Wanted};
-pub use compared::{ComparedCamera, Seen, visible};
+pub use compared::{ComparedCamera, ComparedPixels, visible};
 pub(crate) use pipeline::{Measure, Pipeline, Quadratic, Sign, Way, WhichRoot};
 pub(crate) use pipeline_camera::{GivenCamera, PipelineCamera};
 pub use table::Mistake;

@@ -9,9 +9,10 @@ pub(crate) struct Pipeline {
     pub(crate) distance: Distance,
     /// The direction leads back to the eye.
     pub(crate) reversed: bool,
-    /// What is added to column and row: 0.5 is the pixel's centre.
+    /// Added to column and row: 0.5 is the pixel's centre.
     pub(crate) in_pixel: [f64; 2],
-    /// Divided by `W - 1` and `H - 1`: the first pixel's ray on one edge, the last one's on the other.
+    /// Divided by `W - 1` and `H - 1`: the first pixel's ray on one edge, the last one's on the
+    /// other.
     pub(crate) edge_to_edge: bool,
     /// The last row and column are H and W.
     pub(crate) from_one: bool,
@@ -122,7 +123,7 @@ pub(crate) struct Quadratic {
 pub(crate) enum WhichRoot {
     Near,
     Far,
-    /// Of all roots of all objects, the largest.
+    /// The largest of all roots of all objects.
     Farthest,
     /// The last object's that is hit at all.
     Last,

@@ -15,7 +15,7 @@ pub(crate) struct GivenCamera {
     sine: f64,
     /// u, v and w are given, so that no mistake can be made in finding them.
     pub(crate) by_hand: bool,
-    /// By how many roundings a direction may be off, as a share of its length.
+    /// Count of roundings by which a direction may be off, as a share of its length.
     roundings: f64,
 }
 
@@ -70,8 +70,8 @@ impl GivenCamera {
         }
     }
 
-    /// u, v and w as multiples of the right ones, so that none loses digits where up is close to the
-    /// view.
+    /// u, v and w as multiples of the right ones, so that none loses digits where up is close to
+    /// the view.
     fn factors(&self, pipeline: &Pipeline) -> DVec3 {
         if self.by_hand {
             return DVec3::ONE;
@@ -120,7 +120,7 @@ pub(crate) struct PipelineCamera {
     count: [f64; 2],
     /// The spacing of the pipeline's numbers at 1.
     pub(crate) epsilon: f64,
-    /// How far a direction may be off by rounding, as a share of its length.
+    /// Error bound of a direction by rounding, as a share of its length.
     pub(crate) off: f64,
     /// The t that a picture by t shows white.
     pub(crate) nearest: Option<f64>,

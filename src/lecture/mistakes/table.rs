@@ -12,7 +12,7 @@ struct Entry {
     id: &'static str,
     /// A few words for a list.
     name: &'static str,
-    /// As a formula, with the right one.
+    /// The wrong formula and the right one.
     formula: &'static str,
     /// Its effect on the picture.
     shows: &'static str,
@@ -352,7 +352,7 @@ mistakes! {
         ways: &[|p| p.distance = Distance::Plus],
     }
 
-    /// No step from the eye to the viewport at all.
+    /// The step from the eye to the viewport left out.
     FlatDirection "flat-direction" {
         told: "This stays in the viewport's plane. How far in front of the eye is the viewport?",
         ways: &[|p| p.distance = Distance::LeftOut],
@@ -472,7 +472,7 @@ mistakes! {
 }
 
 impl Mistake {
-    /// Those with a wrong camera to look at, in the order of a gallery.
+    /// The mistakes with a wrong camera to look at, in the order of a gallery.
     pub const GALLERY: &'static [Mistake] = &[
         Mistake::WAsPrinted,
         Mistake::WIsAtMinusEye,
@@ -490,7 +490,8 @@ impl Mistake {
         Mistake::AspectDropped,
     ];
 
-    /// Those that a graded program is tried for, in the order in which they are tried and named.
+    /// The mistakes that a graded program is tried for, in the order in which they are tried and
+    /// named.
     pub const GRADED: &'static [Mistake] = &[
         Mistake::WAsPrinted,
         Mistake::VIsUCrossW,
@@ -555,7 +556,7 @@ impl Mistake {
         self.entry().advice
     }
 
-    /// What was done in an exercise's answer, and what to look at.
+    /// One sentence on an exercise's answer that comes from it, and on what to look at.
     pub fn told(self) -> &'static str {
         self.entry().told
     }

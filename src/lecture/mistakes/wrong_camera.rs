@@ -7,11 +7,11 @@ use pinhole_core::{
     Camera, CameraError, DVec2, DVec3, ImageSize, Orientation, Pixel, PosedCamera, Ray, RayError,
 };
 
-use super::Mistake;
 use super::pipeline::{BasisChoices, Pipeline};
 use super::pipeline_camera::{GivenCamera, PipelineCamera};
+use super::table::Mistake;
 
-/// Why there is no wrong camera to show.
+/// The reason why there is no wrong camera to show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoWrongCamera {
@@ -58,7 +58,7 @@ pub struct WrongCamera {
     pub(super) made: PipelineCamera,
 }
 
-/// How different a wrong camera's numbers have to be, relative to their size. A mistake of sign or
+/// Least relative difference of a wrong camera's numbers from the right ones. A mistake of sign or
 /// order changes them by as much as they are; a length that is 1 but for rounding is found within
 /// 1e-15, and one that differs by less than this changes no pixel of any image.
 const DIFFERENT: f64 = 1e-12;
@@ -117,7 +117,8 @@ impl WrongCamera {
         self.made.w
     }
 
-    /// Which of u, v and w are other vectors than the right ones, and not by rounding alone.
+    /// Tells of u, v and w each whether it is another vector than the right one, and not by
+    /// rounding alone.
     pub fn wrong_vectors(&self) -> [bool; 3] {
         let right = self.given.posed.basis();
         let is_wrong = |a: DVec3, b: DVec3| !is_near(a, b);
@@ -160,7 +161,8 @@ impl WrongCamera {
         Ray::new(self.given.posed.eye(), self.direction_at(uv))
     }
 
-    /// Whether every pixel sees the same as in the other camera, whatever the numbers behind it.
+    /// Returns whether every pixel sees the same as in the other camera, whatever the numbers
+    /// behind it.
     pub fn sees_the_same(&self, other: &WrongCamera) -> bool {
         let is_same = |pixel: Pixel| {
             let [a, b] = [self, other].map(|c| unit(c.direction_at(c.uv_of_pixel(pixel))));
@@ -175,7 +177,7 @@ impl WrongCamera {
         corners(self.image()).into_iter().all(|pixel| self.ray(pixel).is_ok())
     }
 
-    /// Whether basis and rays are the right ones but for rounding.
+    /// Returns whether basis and rays are the right ones but for rounding.
     fn is_right(&self) -> bool {
         self.wrong_vectors() == [false; 3]
             && corners(self.image()).into_iter().all(|pixel| {

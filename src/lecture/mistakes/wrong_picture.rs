@@ -1,4 +1,4 @@
-//! What a wrong camera sees.
+//! Pictures that wrong cameras see.
 //!
 //! A wrong camera's rays are those of a right one: with the viewport mirrored, scaled, shifted by a
 //! part of a pixel, or facing backwards. So the tracer draws its picture as fast as any. Where up
@@ -11,8 +11,8 @@ use pinhole_core::{
 };
 use rayon::prelude::*;
 
-use super::WrongCamera;
 use super::pipeline::{Rows, Swap};
+use super::wrong_camera::WrongCamera;
 
 /// The first hits of a wrong camera's rays.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,9 +26,9 @@ pub struct WrongPicture {
     pub object: Vec<u32>,
 }
 
-/// Which places of a stand-in camera's image the wrong camera's columns (or rows) are.
-struct Line {
-    /// How many pixels the stand-in has, so that all places lie in it: where rows stand for columns
+/// The places in a stand-in camera's image that the wrong camera's columns (or rows) have.
+struct StandInAxis {
+    /// The stand-in's pixels, so many that all places lie in it: where rows stand for columns
     /// that can be almost three times as many as the image has.
     count: u32,
     /// Its extent, of the same pixels.
@@ -38,10 +38,10 @@ struct Line {
     is_reversed: bool,
 }
 
-impl Line {
+impl StandInAxis {
     /// `indices`: which pixels of the wrong camera's, ascending. `pixels`: how many the right one's
     /// extent is divided by. `half`: what is added to an index.
-    fn new(indices: &[u32], pixels: u32, extent: f64, half: f64, is_reversed: bool) -> Line {
+    fn new(indices: &[u32], pixels: u32, extent: f64, half: f64, is_reversed: bool) -> StandInAxis {
         // A pixel more for half of one, and room for indices beyond the last.
         let shift = (2.0 * (0.5 - half)) as u32;
         let last = indices.last().copied().unwrap_or_default();
@@ -53,10 +53,10 @@ impl Line {
         let mut places: Vec<u32> = indices.iter().map(|index| place(*index)).collect();
         places.sort_unstable();
         let extent = extent.abs() * (f64::from(count) / f64::from(pixels));
-        Line { count, extent, places, is_reversed }
+        StandInAxis { count, extent, places, is_reversed }
     }
 
-    /// Where the `k`th of the indices is among the places.
+    /// The place of the `k`th of the indices.
     fn at(&self, k: usize) -> usize {
         if self.is_reversed { self.places.len() - 1 - k } else { k }
     }
@@ -91,7 +91,7 @@ impl WrongPicture {
         let (image, facing) = (camera.image(), made.factors.z.signum());
         let ([half_u, half_v], [width, height]) = (made.pipeline.in_pixel, made.extent);
         let width = width * made.factors.x;
-        let columns = Line::new(along_u, image.width(), width, half_u, width * facing < 0.0);
+        let columns = StandInAxis::new(along_u, image.width(), width, half_u, width * facing < 0.0);
         if let Some(up) = made.up_as_v {
             for (k, index) in along_v.iter().enumerate() {
                 let uv = if swapped {
@@ -107,7 +107,7 @@ impl WrongPicture {
         }
         let side = if made.pipeline.rows == Rows::FromTop { 1.0 } else { -1.0 };
         let height = height * made.factors.y;
-        let rows = Line::new(along_v, image.height(), height, half_v, side * height < 0.0);
+        let rows = StandInAxis::new(along_v, image.height(), height, half_v, side * height < 0.0);
         let stand_in = camera.stand_in(&columns, &rows)?;
         let frame = traced(scene, &stand_in, rows.places.clone(), columns.places.clone());
         picture.take(&frame, &columns, 0..along_v.len(), |k| rows.at(k));
@@ -119,7 +119,7 @@ impl WrongPicture {
     fn take(
         &mut self,
         frame: &Frame<f32>,
-        columns: &Line,
+        columns: &StandInAxis,
         ks: std::ops::Range<usize>,
         row_of: impl Fn(usize) -> usize,
     ) {
@@ -167,8 +167,8 @@ impl WrongPicture {
         (0..self.object.len()).into_par_iter().map(|index| to_pixel(color(index))).collect()
     }
 
-    /// How many pixels see another object than those of a frame of the same raster, or nothing
-    /// where that sees something, or something where that sees nothing.
+    /// Counts the pixels that see another object than those of a frame of the same raster, or
+    /// nothing where that sees something, or something where that sees nothing.
     pub fn differing(&self, object: &[u32]) -> usize {
         self.object.iter().zip(object).filter(|(wrong, right)| wrong != right).count()
     }
@@ -176,7 +176,11 @@ impl WrongPicture {
 
 impl WrongCamera {
     /// The right camera whose rays, in other pixels, are this one's.
-    fn stand_in(&self, columns: &Line, rows: &Line) -> Result<PosedCamera, CameraError> {
+    fn stand_in(
+        &self,
+        columns: &StandInAxis,
+        rows: &StandInAxis,
+    ) -> Result<PosedCamera, CameraError> {
         let Basis { u, v, w } = *self.right_camera().basis();
         let facing = self.made.factors.z.signum();
         let basis = Basis { u: facing * u, v, w: facing * w };
@@ -194,7 +198,7 @@ impl WrongCamera {
     }
 
     /// The right camera of one row whose rays are this one's, where `upward` is the row's `v*V`.
-    fn row_camera(&self, upward: DVec3, columns: &Line) -> Result<PosedCamera, CameraError> {
+    fn row_camera(&self, upward: DVec3, columns: &StandInAxis) -> Result<PosedCamera, CameraError> {
         let facing = self.made.factors.z.signum();
         let forward = upward - self.distance() * self.w();
         // At right angles to u, as up and w are, but for rounding.

@@ -9,11 +9,11 @@ use crate::config;
 use crate::derivation::{AT_45_DEGREES, EXERCISE};
 
 fn text(x: f64) -> String {
-    NumberForm::of(x).map_or("none".to_owned(), |form| form.to_string())
+    NumberForm::recognise(x).map_or("none".to_owned(), |form| form.to_string())
 }
 
 fn vector_text(v: DVec3) -> String {
-    VectorForm::of(v).map_or("none".to_owned(), |form| form.to_string())
+    VectorForm::recognise(v).map_or("none".to_owned(), |form| form.to_string())
 }
 
 /// The same number, some ulps further.
@@ -53,20 +53,20 @@ fn one_canonical_form() {
         assert_eq!(text(x), expected, "{x:?}");
     }
     for none in [f64::NAN, f64::INFINITY, 1e300, 1e-300, 5e-324, std::f64::consts::PI, 1f64.exp()] {
-        assert_eq!(NumberForm::of(none), None, "{none:?}");
+        assert_eq!(NumberForm::recognise(none), None, "{none:?}");
     }
 }
 
 #[test]
 fn its_parts_for_typesetting() {
     let parts = |x: f64| {
-        let form = NumberForm::of(x).unwrap();
+        let form = NumberForm::recognise(x).unwrap();
         (form.numerator(), form.root(), form.denominator(), form.is_root_below())
     };
     assert_eq!(parts(-12.5), (-25, 1, 2, false));
     assert_eq!(parts(-0.8 * 0.5_f64.sqrt()), (-2, 2, 5, false));
     assert_eq!(parts(-5.0 * 0.5_f64.sqrt()), (-5, 2, 1, true));
-    let decimals = |x: f64| NumberForm::of(x).unwrap().decimals();
+    let decimals = |x: f64| NumberForm::recognise(x).unwrap().decimals();
     assert_eq!([6.0, 0.2, -0.25, 201.0 / 800.0].map(decimals), [0, 1, 2, 5].map(Some));
     assert_eq!([1.0 / 3.0, 0.5_f64.sqrt()].map(decimals), [None; 2]);
 }
@@ -82,11 +82,11 @@ fn the_lecture_s_numbers_are_recognised_through_noise() {
         numbers.push(root(k));
     }
     for x in numbers {
-        let form = NumberForm::of(x).unwrap();
+        let form = NumberForm::recognise(x).unwrap();
         assert!(ulps(form.value(), x) <= 2, "{x:?} is not {form}");
         for noise in -4..=4 {
             for sign in [-1.0, 1.0] {
-                let found = NumberForm::of(off_by(sign * x, noise));
+                let found = NumberForm::recognise(off_by(sign * x, noise));
                 let expected = if sign < 0.0 { form.negated() } else { form };
                 assert_eq!(found, Some(expected), "{x:?} and {noise} ulps");
             }
@@ -106,9 +106,9 @@ proptest! {
         prop_assume!((n * n) as u64 * k * m * m <= 1 << 20);
         let x = (n as f64) * (k as f64).sqrt() / m as f64;
         let x = if negative { -x } else { x };
-        let form = NumberForm::of(x).unwrap();
+        let form = NumberForm::recognise(x).unwrap();
         prop_assert!(ulps(form.value(), x) <= 3, "{} for {:?}", form, x);
-        prop_assert_eq!(NumberForm::of(off_by(form.value(), noise)), Some(form));
+        prop_assert_eq!(NumberForm::recognise(off_by(form.value(), noise)), Some(form));
         prop_assert_eq!(form.negated().value(), -form.value());
         // One form: no common divisor and no square under the root.
         let (n, k, m) = (form.numerator().unsigned_abs(), form.root(), form.denominator());
@@ -127,7 +127,7 @@ proptest! {
         let whole = vec3(x as f64, y as f64, z as f64);
         let unit = whole / whole.length();
         let noisy = DVec3::from_array(std::array::from_fn(|i| off_by(unit[i], noise[i])));
-        let form = VectorForm::of(noisy);
+        let form = VectorForm::recognise(noisy);
         prop_assert!(form.is_some(), "{whole:?}");
         let form = form.unwrap();
         for i in 0..3 {
@@ -150,7 +150,7 @@ fn random_numbers_are_not_recognised() {
             2 => numbers.between(-1000.0, 1000.0),
             _ => 10_f64.powf(numbers.between(-6.0, 6.0)),
         };
-        assert_eq!(NumberForm::of(x), None, "{x:?} as {}", text(x));
+        assert_eq!(NumberForm::recognise(x), None, "{x:?} as {}", text(x));
     }
 }
 
@@ -163,7 +163,7 @@ fn random_vectors_are_not_recognised() {
             v.y = 0.0;
         }
         let v = if n % 5 == 0 { v.normalize() } else { v };
-        assert_eq!(VectorForm::of(v), None, "{v:?} as {}", vector_text(v));
+        assert_eq!(VectorForm::recognise(v), None, "{v:?} as {}", vector_text(v));
     }
 }
 
@@ -189,17 +189,17 @@ fn vectors_of_the_lecture() {
     for (v, expected) in forms {
         assert_eq!(vector_text(v), expected, "{v:?}");
     }
-    let decimals = |v| VectorForm::of(v).unwrap().decimals();
+    let decimals = |v| VectorForm::recognise(v).unwrap().decimals();
     assert_eq!(decimals(vec3(0.2, -0.15, -1.0)), Some(2));
     assert_eq!(decimals(vec3(s, 0.0, s)), None);
-    let form = VectorForm::of(vec3(5.0, 0.0, -7.0) / 74_f64.sqrt()).unwrap();
+    let form = VectorForm::recognise(vec3(5.0, 0.0, -7.0) / 74_f64.sqrt()).unwrap();
     assert_eq!(form.entries().map(|entry| entry.to_string()), ["5/sqrt 74", "0", "-7/sqrt 74"]);
 }
 
 /// From a camera to the forms, with the roundings that happen on the way.
 #[test]
 fn derived_vectors_have_their_forms() {
-    let BasisDerivation::FromUp(derived) = BasisDerivation::of(&EXERCISE) else {
+    let BasisDerivation::FromUp(derived) = BasisDerivation::new(&EXERCISE) else {
         panic!("given by at")
     };
     let v = derived.w_cross_u.unwrap().product;

@@ -20,7 +20,7 @@ fn parametric(p: [f64; 2], d: [f64; 2]) -> ParametricLine {
 }
 
 fn meeting(line: ImplicitLine, ray: ParametricLine) -> Meeting {
-    Substitution::of(line, ray).unwrap().meeting
+    Substitution::new(line, ray).unwrap().meeting
 }
 
 #[track_caller]
@@ -62,7 +62,7 @@ fn the_lecture_s_lines() {
 fn every_part_of_the_substitution() {
     let line = implicit(2.0, -3.0, 5.0);
     let ray = parametric([7.0, 11.0], [-1.0, 4.0]);
-    let s = Substitution::of(line, ray).unwrap();
+    let s = Substitution::new(line, ray).unwrap();
     assert_eq!([s.a_dx, s.b_dy, s.a_px, s.b_py], [-2.0, -12.0, 14.0, -33.0]);
     assert_eq!((s.rate, s.offset), (-14.0, -14.0));
     assert_eq!(s.f(0.0), (-14.0, Ordering::Less));
@@ -94,7 +94,7 @@ fn a_line_through_p_itself_is_no_hit_of_the_ray() {
 #[test]
 fn what_is_no_line_says_why() {
     let (line, ray) = (implicit(1.0, 1.0, 0.0), parametric([1.0, 2.0], [1.0, 0.0]));
-    let why = |line, ray| Substitution::of(line, ray).unwrap_err().to_string();
+    let why = |line, ray| Substitution::new(line, ray).unwrap_err().to_string();
     assert_eq!(
         why(implicit(0.0, 0.0, 3.0), ray),
         "a and b are both 0: f is 3 at every point, and no line is left"
@@ -151,7 +151,7 @@ proptest! {
             big(a) * big(px) + big(b) * big(py) + big(c),
         ];
         let t = -offset.clone() / &rate;
-        let s = Substitution::of(line, ray).unwrap();
+        let s = Substitution::new(line, ray).unwrap();
         prop_assert_eq!(s.rate, rate.to_f64().value());
         prop_assert_eq!(s.offset, offset.to_f64().value());
         let Meeting::At(found) = s.meeting else { panic!("{:?}", s.meeting) };
@@ -167,7 +167,7 @@ proptest! {
         [px, py, dx, dy] in [small(), small(), small(), small()],
     ) {
         let (line, ray) = (implicit(a, b, c), parametric([px, py], [dx, dy]));
-        let Ok(s) = Substitution::of(line, ray) else {
+        let Ok(s) = Substitution::new(line, ray) else {
             prop_assert!((a == 0.0 && b == 0.0) || (dx == 0.0 && dy == 0.0));
             return Ok(());
         };

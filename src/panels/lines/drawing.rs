@@ -307,7 +307,7 @@ fn sides(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words) {
 
 fn meeting(sheet: &Sheet, lab: &LinesLab, ink: &Ink, words: &mut Words, digits: usize) {
     let Ok(Substitution { meeting: Meeting::At(crossing), .. }) =
-        Substitution::of(lab.line(), lab.ray)
+        Substitution::new(lab.line(), lab.ray)
     else {
         return;
     };

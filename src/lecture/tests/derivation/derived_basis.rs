@@ -13,7 +13,7 @@ use crate::common::{assert_ulps, assert_ulps3, given, vec3};
 use crate::config;
 
 fn from_up(camera: &Camera) -> BasisFromUp {
-    match BasisDerivation::of(camera) {
+    match BasisDerivation::new(camera) {
         BasisDerivation::FromUp(from_up) => from_up,
         BasisDerivation::ByHand(_) => panic!("{camera:?} has an up"),
     }
@@ -21,7 +21,7 @@ fn from_up(camera: &Camera) -> BasisFromUp {
 
 fn by_hand(u: DVec3, v: DVec3, w: DVec3) -> BasisByHand {
     let orientation = Orientation::Basis(Basis { u, v, w });
-    match BasisDerivation::of(&Camera { orientation, ..Camera::CANONICAL }) {
+    match BasisDerivation::new(&Camera { orientation, ..Camera::CANONICAL }) {
         BasisDerivation::ByHand(by_hand) => by_hand,
         BasisDerivation::FromUp(_) => panic!("u, v, w are set by hand"),
     }
@@ -210,7 +210,7 @@ fn the_vectors_are_those_of_the_reference() {
             for case in family.bases(knob, 5, 10, false) {
                 let orientation = given::orientation(&case.orientation);
                 let camera = Camera { eye: case.eye.into(), orientation, ..Camera::CANONICAL };
-                let BasisDerivation::FromUp(derived) = BasisDerivation::of(&camera) else {
+                let BasisDerivation::FromUp(derived) = BasisDerivation::new(&camera) else {
                     continue;
                 };
                 let Ok([u, v, w]) = basis(case.eye, &case.orientation) else {

@@ -13,7 +13,7 @@ use crate::common::{assert_ulps, assert_ulps3, given, plane, sphere, ulps, vec3}
 use crate::config;
 
 fn derived(object: Object, ray: &Ray) -> ObjectDerivation {
-    ObjectDerivation::of(&object, 0, &ExactRay::of(ray).unwrap()).unwrap()
+    ObjectDerivation::new(&object, 0, &ExactRay::of(ray).unwrap()).unwrap()
 }
 
 fn on_sphere(
@@ -31,7 +31,7 @@ fn on_sphere(
 
 fn on_plane(point: [f64; 3], normal: [f64; 3], ray: &ExactRay) -> PlaneDerivation {
     let object = Object::Plane(plane(point, normal));
-    match ObjectDerivation::of(&object, 3, ray).unwrap() {
+    match ObjectDerivation::new(&object, 3, ray).unwrap() {
         ObjectDerivation::Plane(derived) => derived,
         ObjectDerivation::Sphere(_) => panic!("a plane"),
     }
@@ -119,7 +119,7 @@ fn every_way_to_meet_a_plane() {
     }
     let ray = Ray::new([0.0; 3], AHEAD).unwrap();
     let none = Object::Plane(plane([0.0; 3], [0.0; 3]));
-    let error = ObjectDerivation::of(&none, 0, &ExactRay::of(&ray).unwrap());
+    let error = ObjectDerivation::new(&none, 0, &ExactRay::of(&ray).unwrap());
     assert_eq!(error, Err(ObjectError::NormalIsZero));
 }
 
@@ -135,7 +135,7 @@ fn roots_and_hits_are_those_of_the_reference() {
                 for given_object in &case.objects {
                     let scene = given::scene(std::slice::from_ref(given_object));
                     let object = scene.object(0).unwrap();
-                    let found = ObjectDerivation::of(&object, 0, &exact).unwrap();
+                    let found = ObjectDerivation::new(&object, 0, &exact).unwrap();
                     assert_eq!(found.hit().copied(), scene.first_hit_of(&exact));
                     let times: Vec<f64> = found.roots().map(|root| root.t).collect();
                     let truth = match roots(given_object, case.origin, case.direction) {

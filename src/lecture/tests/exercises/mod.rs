@@ -4,7 +4,9 @@
 use std::collections::HashSet;
 use std::f64::consts::{FRAC_1_SQRT_2 as S, SQRT_2};
 
-use pinhole_lecture::exercises::{Answer, Asked, Exercise, Finding, Part, Question, Verdict};
+use pinhole_lecture::exercises::{
+    Answer, Asked, Exercise, Finding, Question, QuestionPart, Verdict,
+};
 use pinhole_lecture::mistakes::Mistake;
 
 mod classic;
@@ -161,7 +163,7 @@ fn every_seed_gives_a_question_that_can_be_solved() {
         for seed in (0..3000).chain(1_000_000_000 - 100..=1_000_000_000) {
             let question = Question::new(exercise, Some(seed));
             assert_eq!(asked(&question), known, "{exercise:?} {seed}");
-            let is_finite = |part: &Part| match &part.truth {
+            let is_finite = |part: &QuestionPart| match &part.truth {
                 Answer::Numbers(truth) => truth.iter().all(|x| x.is_finite()),
                 Answer::Yes(_) => true,
             };

@@ -222,7 +222,7 @@ fn numbers_of_six_digits_are_right_and_fewer_are_not() {
     let student = Student { exercise: &exercise, mistakes: &[] };
     let to_digits = |x: f64, digits: usize| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap();
     let written = |digits: usize| {
-        let vector = |v: Measured| Written {
+        let vector = |v: WrittenVector| Written {
             value: DVec3::from(v.value.to_array().map(|x| to_digits(x, digits))),
             rounding: 0.5 * 10f64.powi(1 - digits as i32) * v.value.abs().max_element(),
         };

@@ -1,8 +1,9 @@
-//! What an answer has to fulfil, and by how much it does not.
+//! Conditions that an answer has to fulfil, and by how much it misses them.
 
 use pinhole_core::{Basis, DVec2, DVec3, Ray, Sphere};
 
-use super::judge::TOLERANCE;
+/// Largest relative difference between an answer and the truth that counts as rounding.
+pub(super) const TOLERANCE: f64 = 1e-9;
 
 /// Something that is wrong with an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +23,7 @@ pub enum Finding {
     },
     /// It points elsewhere.
     Angle {
-        /// From where it should point.
+        /// Between it and the right direction.
         degrees: f64,
     },
     /// The point, or the ray's point at this t, is not on the wall.
@@ -46,19 +47,19 @@ pub enum Finding {
     },
     /// The point is not on the ray's line.
     OffRay {
-        /// From the line.
+        /// The distance to the line.
         distance: f64,
     },
     /// The origin is not the eye.
     OffEye {
-        /// From the eye.
+        /// The distance to the eye.
         distance: f64,
     },
     /// The ray passes the viewport's plane elsewhere.
     OffUv {
-        /// Where.
+        /// The place that it passes.
         uv: DVec2,
-        /// Where it should.
+        /// The place that it should pass.
         wanted: DVec2,
     },
     /// The ray never comes to the viewport's plane.
@@ -70,9 +71,9 @@ pub enum Finding {
     Another,
 }
 
-/// What an answer has to fulfil.
+/// A condition that an answer has to fulfil.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Wanted {
+pub(super) enum Condition {
     /// At this t, the ray is on it.
     Meets(Ray, Surface),
     /// The point is on it.
@@ -85,14 +86,14 @@ pub(super) enum Wanted {
     Through {
         /// The camera's.
         basis: Basis,
-        /// From eye to viewport.
+        /// The viewport's distance from the eye.
         distance: f64,
         /// The place.
         uv: DVec2,
     },
 }
 
-/// What a ray meets. In two dimensions, z is 0.
+/// A surface that a ray meets. In two dimensions, z is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Surface {
     /// The plane at this z.
@@ -103,8 +104,8 @@ pub(super) enum Surface {
     Line(DVec3),
 }
 
-impl Wanted {
-    /// What is wrong with an answer of one, two or three numbers; nothing if it fulfils this.
+impl Condition {
+    /// Finds what is wrong with an answer of one, two or three numbers; `None` if it fulfils this.
     pub(super) fn missed_by(&self, given: &[f64]) -> Option<Finding> {
         let point = |given: &[f64]| match *given {
             [x, y] => Some(DVec3::new(x, y, 0.0)),
@@ -112,19 +113,19 @@ impl Wanted {
             _ => None,
         };
         match (self, given) {
-            (Wanted::Meets(ray, surface), [t]) => surface.missed_by(ray.at(*t)),
-            (Wanted::Meets(..), _) => None,
-            (Wanted::On(surface), _) => surface.missed_by(point(given)?),
-            (Wanted::OnRay(ray), _) => {
+            (Condition::Meets(ray, surface), [t]) => surface.missed_by(ray.at(*t)),
+            (Condition::Meets(..), _) => None,
+            (Condition::On(surface), _) => surface.missed_by(point(given)?),
+            (Condition::OnRay(ray), _) => {
                 let from = point(given)? - ray.origin;
                 let distance = from.cross(ray.direction).length() / ray.direction.length();
                 is_off(distance, from.length()).then_some(Finding::OffRay { distance })
             }
-            (Wanted::Eye(eye), _) => {
+            (Condition::Eye(eye), _) => {
                 let distance = point(given)?.distance(*eye);
                 is_off(distance, eye.length()).then_some(Finding::OffEye { distance })
             }
-            (Wanted::Through { basis, distance, uv }, _) => {
+            (Condition::Through { basis, distance, uv }, _) => {
                 let d = basis.to_camera_from_world(point(given)?);
                 if d.z >= 0.0 {
                     return Some(Finding::NotForwards { along_w: d.z });
@@ -154,7 +155,19 @@ impl Surface {
     }
 }
 
-/// Whether a difference is more than noise beside numbers of this size.
+/// Returns whether a difference is more than noise beside numbers of this size.
 fn is_off(difference: f64, size: f64) -> bool {
     difference.abs() > TOLERANCE * size.max(1.0)
+}
+
+/// The length of some numbers as a vector; 1 for zeros.
+pub(super) fn size(numbers: &[f64]) -> f64 {
+    let size = numbers.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if size == 0.0 { 1.0 } else { size }
+}
+
+/// Returns whether these are the true numbers, but for rounding in what was calculated.
+pub(super) fn is_near(given: &[f64], truth: &[f64]) -> bool {
+    let size = size(truth);
+    given.iter().zip(truth).all(|(x, y)| (x - y).abs() <= TOLERANCE * size)
 }

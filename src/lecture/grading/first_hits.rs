@@ -1,9 +1,10 @@
-//! What a program's ray may be said to hit first, given how far its numbers may be off.
+//! First hits that a pipeline's ray may be said to have, given how far its numbers may be off.
 //!
 //! An answer is right where it is the right one for objects that are larger or smaller by less than
-//! the tolerance allows at that distance. At a sphere's edge, where a hair's breadth decides between
-//! hit and miss, both are right, and so is whatever lies behind; where a ray grazes, t may be off by
-//! more than where it meets head-on. So a right program is not wrong for rounding, however it rounds.
+//! the tolerance allows at that distance. At a sphere's edge, where a hair's breadth decides
+//! between hit and miss, both are right, and so is whatever lies behind; where a ray grazes, t may
+//! be off by more than where it meets head-on. So a right program is not wrong for rounding,
+//! however it rounds.
 
 use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, WhichRoot};
 use pinhole_core::arithmetic::{length, unit};
@@ -11,34 +12,35 @@ use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
 
 /// A place where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Meeting {
+pub(super) struct PossibleHit {
     pub(super) object: u32,
-    /// Where exactly, by the program.
+    /// The place on the ray, by the pipeline.
     pub(super) t: f64,
-    /// From where on to where it may be said to be.
+    /// The least and the greatest t that it may be said to have.
     pub(super) least: f64,
     pub(super) most: f64,
-    /// Whether a program that does not see it is wrong.
+    /// A pipeline that does not see it is wrong.
     is_sure: bool,
 }
 
 /// All that a ray may be said to hit first.
 #[derive(Clone, Debug, Default)]
-pub(super) struct FirstMeetings {
-    pub(super) meetings: Vec<Meeting>,
+pub(super) struct FirstHits {
+    pub(super) hits: Vec<PossibleHit>,
     /// It may be said to hit nothing.
     pub(super) may_miss: bool,
 }
 
-/// Whether a program's rays meet what is not near them, so that each must be held against every sphere:
-/// those of wrong formulas do, and those of coarse numbers.
-fn meets_far_off(program: &Pipeline) -> bool {
-    !program.quadratic.is_right() || program.single
+/// Returns whether a pipeline's rays meet what is not near them, so that each must be held against
+/// every sphere: those of wrong formulas do, and those of coarse numbers.
+fn meets_far_off(pipeline: &Pipeline) -> bool {
+    !pipeline.quadratic.is_right() || pipeline.single
 }
 
-/// How many spheres a program's ray is held against, about: few where the index finds those near it.
-pub(super) fn work(scene: &Scene, program: &Pipeline) -> usize {
-    if meets_far_off(program) { scene.spheres().len() } else { 1 }
+/// The count of spheres that a pipeline's ray is held against, about: few where the index finds
+/// those near it.
+pub(super) fn work(scene: &Scene, pipeline: &Pipeline) -> usize {
+    if meets_far_off(pipeline) { scene.spheres().len() } else { 1 }
 }
 
 /// A ray of a program's camera among objects.
@@ -49,17 +51,17 @@ struct Sight<'a> {
     length: f64,
 }
 
-impl FirstMeetings {
-    /// Of the ray with this direction.
-    pub(super) fn of(
+impl FirstHits {
+    /// Finds them for the ray with this direction.
+    pub(super) fn find(
         scene: &Scene,
         camera: &PipelineCamera,
         direction: DVec3,
         tolerance: f64,
-    ) -> FirstMeetings {
+    ) -> FirstHits {
         let length = length(direction);
         if !(direction.is_finite() && length > 0.0 && camera.eye.is_finite()) {
-            return FirstMeetings::default();
+            return FirstHits::default();
         }
         let sight = Sight { camera, tolerance, direction, length };
         let mut all = Vec::new();
@@ -86,12 +88,12 @@ impl Sight<'_> {
         }
     }
 
-    /// How much larger or smaller an object may be taken that is so far away, in world units.
+    /// Largest change of an object's size that is allowed at this distance, in world units.
     fn slack(&self, reach: f64) -> f64 {
         (self.tolerance + self.camera.off) * reach
     }
 
-    fn sphere(&self, index: u32, sphere: &Sphere, all: &mut Vec<Meeting>) {
+    fn sphere(&self, index: u32, sphere: &Sphere, all: &mut Vec<PossibleHit>) {
         let Sphere { center, radius } = *sphere;
         let offset = self.camera.eye - center;
         let away = length(offset);
@@ -111,7 +113,7 @@ impl Sight<'_> {
             let along = self.slack(touched.abs());
             let inner = narrow.map_or([touched - along, touched + along], |roots| [roots[end]; 2]);
             let (least, most) = (wide[end].min(inner[0]), wide[end].max(inner[1]));
-            Some(Meeting { object: index, t, least, most, is_sure: narrow.is_some() })
+            Some(PossibleHit { object: index, t, least, most, is_sure: narrow.is_some() })
         };
         let (Some(near), Some(far)) = (at(0), at(1)) else { return };
         match (self.camera.pipeline.sign, self.camera.pipeline.root) {
@@ -119,7 +121,7 @@ impl Sight<'_> {
                 all.push(near)
             }
             (Sign::Positive, WhichRoot::Near | WhichRoot::Last | WhichRoot::Farthest) => {
-                all.extend([near, far].into_iter().filter_map(Meeting::in_front));
+                all.extend([near, far].into_iter().filter_map(PossibleHit::in_front));
             }
             (Sign::Positive, WhichRoot::Far) => all.extend(far.in_front()),
             (_, WhichRoot::Near | WhichRoot::Last) => all.push(near),
@@ -128,7 +130,7 @@ impl Sight<'_> {
         }
     }
 
-    fn plane(&self, index: u32, plane: &Plane, all: &mut Vec<Meeting>) {
+    fn plane(&self, index: u32, plane: &Plane, all: &mut Vec<PossibleHit>) {
         let normal = unit(plane.normal);
         let (rate, offset) =
             (normal.dot(self.direction), normal.dot(plane.point - self.camera.eye));
@@ -145,40 +147,40 @@ impl Sight<'_> {
         let is_sure = (self.tolerance + self.camera.off) * self.length < 0.5 * rate.abs();
         let most = if is_sure { t + off } else { f64::INFINITY };
         let least = if is_sure { t - off } else { (t.abs() - off).min(t) };
-        let meeting = Meeting { object: index, t, least, most, is_sure };
+        let hit = PossibleHit { object: index, t, least, most, is_sure };
         match self.camera.pipeline.sign {
-            Sign::Positive => all.extend(meeting.in_front()),
-            Sign::Any | Sign::Nearest => all.push(meeting),
+            Sign::Positive => all.extend(hit.in_front()),
+            Sign::Any | Sign::Nearest => all.push(hit),
         }
     }
 
-    /// Those of which none is surely passed before.
-    fn first_of(&self, mut all: Vec<Meeting>) -> FirstMeetings {
-        let program = &self.camera.pipeline;
+    /// The meetings before which none is surely passed.
+    fn first_of(&self, mut all: Vec<PossibleHit>) -> FirstHits {
+        let pipeline = &self.camera.pipeline;
         // From how near on to how far it may be, in the order in which the program chooses.
-        let order = |meeting: &Meeting| {
-            let Meeting { least, most, .. } = *meeting;
-            match (program.root, program.sign) {
+        let order = |hit: &PossibleHit| {
+            let PossibleHit { least, most, .. } = *hit;
+            match (pipeline.root, pipeline.sign) {
                 (WhichRoot::Farthest, _) => (-most, -least),
-                (WhichRoot::Last, _) => (-f64::from(meeting.object), -f64::from(meeting.object)),
+                (WhichRoot::Last, _) => (-f64::from(hit.object), -f64::from(hit.object)),
                 (_, Sign::Nearest) if most < 0.0 => (-most, -least),
                 (_, Sign::Nearest) if least < 0.0 => (0.0, most.max(-least)),
                 _ => (least, most),
             }
         };
-        let sure = all.iter().filter(|meeting| meeting.is_sure);
-        let end = sure.map(|meeting| order(meeting).1).fold(f64::INFINITY, f64::min);
+        let sure = all.iter().filter(|hit| hit.is_sure);
+        let end = sure.map(|hit| order(hit).1).fold(f64::INFINITY, f64::min);
         let may_miss = end == f64::INFINITY;
-        all.retain(|meeting| order(meeting).0 <= end);
-        FirstMeetings { meetings: all, may_miss }
+        all.retain(|hit| order(hit).0 <= end);
+        FirstHits { hits: all, may_miss }
     }
 }
 
-impl Meeting {
-    /// What of it is in front of the eye.
-    fn in_front(self) -> Option<Meeting> {
+impl PossibleHit {
+    /// The part of it in front of the eye.
+    fn in_front(self) -> Option<PossibleHit> {
         let is_sure = self.is_sure && self.least > 0.0;
-        (self.most > 0.0).then_some(Meeting { is_sure, ..self })
+        (self.most > 0.0).then_some(PossibleHit { is_sure, ..self })
     }
 }
 
@@ -189,7 +191,7 @@ struct Terms {
     b: f64,
     /// `|p - center|^2`
     away_squared: f64,
-    /// From the centre to where the line is nearest to it.
+    /// The distance of the line from the centre.
     beside: f64,
     /// t where both roots meet.
     vertex: f64,

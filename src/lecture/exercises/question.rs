@@ -1,0 +1,261 @@
+//! Questions: what is given, what is asked for, and the answers.
+
+use pinhole_core::{DVec2, DVec3, Ray, Sphere};
+
+use super::conditions::Condition;
+use crate::mistakes::Mistake;
+
+/// A kind of question.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Exercise {
+    /// Warm-up 1a: the view ray of a (u, v).
+    WarmUpRay,
+    /// Warm-up 1b: where it meets a wall.
+    WarmUpPlane,
+    /// A ray and a wall, with a viewport whose distance is not 1.
+    Distance,
+    /// A basis by a turn in the xz plane, and a ray of it.
+    Turned,
+    /// A basis from view and up.
+    ViewUp,
+    /// A basis from eye, at and up.
+    EyeAtUp,
+    /// A ray and a sphere.
+    Sphere,
+    /// A line and a ray in two dimensions.
+    Lines,
+}
+
+/// The numbers given in a question.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Given {
+    /// A canonical camera and a place in its viewport.
+    Uv(DVec2),
+    /// A canonical camera, a place in its viewport, and the plane at this z.
+    UvAndWall {
+        /// The place.
+        uv: DVec2,
+        /// The wall's z.
+        z: f64,
+    },
+    /// The canonical camera with another distance, and the same.
+    Distance {
+        /// The place.
+        uv: DVec2,
+        /// The viewport's distance from the eye.
+        distance: f64,
+        /// The wall's z.
+        z: f64,
+    },
+    /// A camera at the origin, turned about y, whose right is midway between two axes.
+    Turned {
+        /// Right: midway between +x or -x and +z or -z.
+        right: DVec3,
+        /// The place.
+        uv: DVec2,
+        /// The wall's z.
+        z: f64,
+    },
+    /// A view direction and up.
+    ViewUp {
+        /// The direction in which the camera looks.
+        view: DVec3,
+        /// Which way is up.
+        up: DVec3,
+    },
+    /// Two points and up.
+    EyeAtUp {
+        /// The camera's position.
+        eye: DVec3,
+        /// The point that it looks at.
+        at: DVec3,
+        /// Which way is up.
+        up: DVec3,
+    },
+    /// A ray and a sphere.
+    Sphere {
+        /// The ray.
+        ray: Ray,
+        /// The sphere.
+        sphere: Sphere,
+    },
+    /// `a x + b y + c = 0` and `p + t d`.
+    Lines {
+        /// a, b and c.
+        line: DVec3,
+        /// p.
+        origin: DVec2,
+        /// d.
+        direction: DVec2,
+    },
+}
+
+/// A quantity that is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Asked {
+    /// The ray's origin.
+    Origin,
+    /// The ray's direction.
+    Direction,
+    /// The ray's t.
+    T,
+    /// Right in the image.
+    U,
+    /// Up in the image.
+    V,
+    /// Backwards.
+    W,
+    /// The point that is hit.
+    Point,
+    /// The outward unit normal there.
+    Normal,
+    /// Yes where the ray, and not only its line, hits.
+    Hits,
+}
+
+/// An answer, right or wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// One number, or the coordinates of a point or vector.
+    Numbers(Vec<f64>),
+    /// Yes or no.
+    Yes(bool),
+}
+
+/// One thing that a question asks for.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct QuestionPart {
+    /// The quantity.
+    pub asked: Asked,
+    /// The right answer.
+    pub truth: Answer,
+    /// Every positive multiple is right, too.
+    pub may_be_scaled: bool,
+    /// Answers that mistakes give.
+    pub mistakes: Vec<(Mistake, Answer)>,
+    /// The vectors that it has to be at right angles to, by name.
+    pub(super) orthogonal_to: Vec<(&'static str, DVec3)>,
+    /// Further conditions that it has to fulfil.
+    pub(super) conditions: Vec<Condition>,
+}
+
+/// A question with everything that is known of it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Question {
+    /// The kind of question.
+    pub exercise: Exercise,
+    /// The numbers in it.
+    pub given: Given,
+    /// The answers that it asks for.
+    pub parts: Vec<QuestionPart>,
+}
+
+impl Exercise {
+    /// All of them, in the lecture's order.
+    pub const ALL: &'static [Exercise] = &[
+        Exercise::WarmUpRay,
+        Exercise::WarmUpPlane,
+        Exercise::Distance,
+        Exercise::Turned,
+        Exercise::ViewUp,
+        Exercise::EyeAtUp,
+        Exercise::Sphere,
+        Exercise::Lines,
+    ];
+
+    /// The name in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Exercise::WarmUpRay => "warm-up-ray",
+            Exercise::WarmUpPlane => "warm-up-plane",
+            Exercise::Distance => "distance",
+            Exercise::Turned => "turned-basis",
+            Exercise::ViewUp => "view-up",
+            Exercise::EyeAtUp => "eye-at-up",
+            Exercise::Sphere => "sphere",
+            Exercise::Lines => "lines",
+        }
+    }
+
+    /// The exercise of this [`Exercise::id`].
+    pub fn from_id(id: &str) -> Option<Exercise> {
+        Exercise::ALL.iter().copied().find(|exercise| exercise.id() == id)
+    }
+}
+
+impl Asked {
+    /// The name of its field.
+    pub fn id(self) -> &'static str {
+        match self {
+            Asked::Origin => "p",
+            Asked::Direction => "d",
+            Asked::T => "t",
+            Asked::U => "u",
+            Asked::V => "v",
+            Asked::W => "w",
+            Asked::Point => "point",
+            Asked::Normal => "normal",
+            Asked::Hits => "hits",
+        }
+    }
+
+    /// Returns whether it is of length 1.
+    pub fn is_unit(self) -> bool {
+        matches!(self, Asked::U | Asked::V | Asked::W | Asked::Normal)
+    }
+
+    /// Returns whether what is said of a mistake is about this answer itself, and not about another
+    /// one from which this follows.
+    pub fn tells(self, mistake: Mistake) -> bool {
+        match mistake {
+            Mistake::WAsPrinted
+            | Mistake::WIsAtMinusEye
+            | Mistake::WNotNormalized
+            | Mistake::WForwards
+            | Mistake::WIsView
+            | Mistake::EyeForgotten
+            | Mistake::AtForgotten
+            | Mistake::EyePlusAt => self == Asked::W,
+            Mistake::UIsWCrossUp | Mistake::NotNormalized | Mistake::ULeftwards => self == Asked::U,
+            Mistake::VIsUCrossW => self == Asked::V,
+            Mistake::LeftHanded
+            | Mistake::TurnedOtherWay
+            | Mistake::UAndVSwapped
+            | Mistake::UAndWSwapped
+            | Mistake::BasisUnnormalized
+            | Mistake::NothingNormalized => false,
+            Mistake::DistanceDropped
+            | Mistake::SignOfZ
+            | Mistake::FlatDirection
+            | Mistake::UvSwapped
+            | Mistake::VDown
+            | Mistake::ULeft
+            | Mistake::UvLeftOut
+            | Mistake::DistanceOnAll
+            | Mistake::DistanceOnUv
+            | Mistake::ViewportAtOne
+            | Mistake::BasisForgotten
+            | Mistake::ZIsMinusDistance
+            | Mistake::DistanceAdded => self != Asked::T,
+            _ => true,
+        }
+    }
+
+    /// Returns whether it is a direction, of which length and sense can be wrong apart from the
+    /// rest; a point is none.
+    pub fn is_vector(self) -> bool {
+        self.is_unit() || self == Asked::Direction
+    }
+}
+
+impl QuestionPart {
+    /// The count of numbers in the answer; 0 for a yes or no.
+    pub fn count(&self) -> usize {
+        match &self.truth {
+            Answer::Numbers(numbers) => numbers.len(),
+            Answer::Yes(_) => 0,
+        }
+    }
+}
