@@ -8,13 +8,11 @@
 //! | --- | --- |
 //! | eye, at (or view) and up to u, v, w | [`BasisDerivation`] |
 //! | a pixel to (u, v), and from there to the view ray | [`RayDerivation`] |
-//! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot
-//! the object's implicit function in |
+//! | a ray and an object to t, point and normal | [`ObjectDerivation`]; [`ImplicitUnit`], to plot the object's implicit function in |
 //! | lines in two dimensions | [`lines`]: implicit and parametric, and one put into the other |
 //! | numbers for readers | [`numbers`] |
 //! | numbers such as `5 sqrt 2` and `(5, 0, -7)/sqrt 74` | [`NumberForm`], [`VectorForm`] |
-//! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that
-//! sees, and the checks that find it |
+//! | the classic mistakes | [`mistakes`]: what each is, the wrong camera that it makes, what that sees, and the checks that find it |
 //! | exercises | [`exercises`]: questions, their answers, and what is to be said of a wrong one |
 //! | students' answers | [`grading`]: against the truth, and the mistakes that explain them |
 //!
@@ -47,8 +45,8 @@ pub use forms::{NumberForm, VectorForm};
 /// ```compile_fail,E0004
 /// fn number_of(error: pinhole_lecture::lines::LineError) -> u8 {
 ///     use pinhole_lecture::lines::LineError::*;
-///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } =>
-/// 0 } }
+///     match error { NotFinite { .. } | NoNormal { .. } | NoDirection { .. } | SamePoint { .. } => 0 }
+/// }
 /// ```
 /// ```compile_fail,E0004
 /// fn number_of(error: pinhole_lecture::mistakes::NoWrongCamera) -> u8 {

@@ -37,7 +37,7 @@ pub struct AlongRay<'a> {
     seen: ObjectFromOrigin,
 }
 
-/// Where a sphere's parabola is lowest: where the ray's line is nearest to the centre.
+/// The lowest point of a sphere's parabola: there, the ray's line is nearest to the centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParabolaVertex {
     /// `-b / a`, where the derivative is 0.
@@ -106,7 +106,7 @@ impl<'a> AlongRay<'a> {
         }
     }
 
-    /// Where a sphere's f is least; `None` for a plane, whose f has no least value.
+    /// The point at which a sphere's f is least; `None` for a plane, whose f has no least value.
     pub fn vertex(&self) -> Option<ParabolaVertex> {
         let ObjectFromOrigin::Sphere(seen) = &self.seen else { return None };
         let (d, q) = (self.ray.fine.d, seen.fine.q);
@@ -197,7 +197,7 @@ impl<'a> AlongRay<'a> {
     }
 }
 
-/// Whether a value is known well enough, in the range where nothing has underflowed.
+/// Returns whether a value is known well enough, in the range where nothing has underflowed.
 fn is_sure(value: DoubleDouble, doubt: f64) -> bool {
     let magnitude = value.hi.abs();
     magnitude > 1e-200 && magnitude < 1e250 && doubt <= ENOUGH * magnitude

@@ -158,7 +158,7 @@ impl Camera {
 }
 
 impl UpAngle {
-    /// By how many radians the camera rolls when up is tipped sideways by `tip` radians:
+    /// The radians by which the camera rolls when up is tipped sideways by `tip` radians:
     /// `atan2(sin(tip), sin(angle) cos(tip))`, for small tips `tip` times the conditioning.
     pub fn roll_of_tip(&self, tip: f64) -> f64 {
         (tip.sin() * self.conditioning).atan2(tip.cos())

@@ -12,20 +12,15 @@
 //!
 //! - a basis's vector: each coordinate, as a share of the vector's length;
 //! - a ray: its direction *up to a positive factor*, as each coordinate of the unit vector; its
-//! origin
-//!   as a share of the eye's distance from the world's origin, or of the viewport's distance where
-//! that
-//!   is larger;
+//!   origin as a share of the eye's distance from the world's origin, or of the viewport's distance
+//!   where that is larger;
 //! - a hit: as the right one for objects that are larger or smaller by the tolerance times their
 //!   distance from the eye. Head-on, that is the tolerance as a share of t. Where a ray grazes an
 //!   object, t may be off by more, and at a sphere's very edge hit, miss, and what lies behind are
-//! all
-//!   right. What rounding in `f64` does to the textbook's formulas is allowed in addition, so that
-//! no
-//!   right program is called wrong, far out either;
+//!   all right. What rounding in `f64` does to the textbook's formulas is allowed in addition, so
+//!   that no right program is called wrong, far out either;
 //! - a picture's pixel: each channel within [`LEVELS_TOLERANCE`] of 255, compared with the shading
-//! that
-//!   fits best; at an edge, the colours of both sides.
+//!   that fits best; at an edge, the colours of both sides.
 //!
 //! Numbers that were written to fewer digits are given half a unit of their last digit in addition
 //! ([`Written::rounding`]). With a tolerance below the usual one, less in proportion: who asks for

@@ -62,6 +62,7 @@ macro_rules! mistakes {
             pub const ALL: &'static [Mistake] =
                 &[$(Mistake::$name,)* $(Mistake::$told_name,)*];
 
+            #[expect(clippy::needless_update, reason = "one mistake has all of an entry")]
             fn entry(self) -> &'static Entry {
                 match self {
                     $(Mistake::$name => const {
