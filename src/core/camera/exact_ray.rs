@@ -84,6 +84,18 @@ impl<'a> ExactRay<'a> {
         ExactRay::new(camera.eye(), source, direction, doubt, scale + more, stretch)
     }
 
+    /// A pixel's view ray, from its direction times the pixel's stretch in units of `2^scale`, which is
+    /// off by `doubt` times its length at most; its largest coordinate is [plain](crate::exact::bounded::PLAIN).
+    pub(crate) fn from_direction(
+        camera: &'a ResolvedCamera,
+        pixel: Pixel,
+        (direction, doubt): (Vector<DoubleDouble>, f64),
+        (scale, stretch): (i32, f64),
+    ) -> ExactRay<'a> {
+        let source = Source::View(camera, ViewPlace::Pixel(pixel));
+        ExactRay::new(camera.eye(), source, direction, doubt, scale, stretch)
+    }
+
     fn new<'b>(
         origin: DVec3,
         source: Source<'b>,

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::render::frame::NO_OBJECT;
 use crate::render::plan::Plan;
+use crate::render::polynomial::frame_rays::PixelRays;
 use crate::scene::object_from_origin::{ObjectFromOrigin, plane_normal};
 
 /// Fills in `t` and normals of the pixels in some rows, whose objects are known; neither where there
@@ -21,32 +22,38 @@ pub(crate) fn fill_exactly(
         return;
     }
     let (camera, width) = (plan.rays.camera(), plan.axes.width());
+    let rays = PixelRays::new(&plan.rays);
     let mut known: Option<(u32, ObjectFromOrigin)> = None;
-    for (place, object) in object.iter().copied().enumerate() {
-        if object == NO_OBJECT {
-            if let Some(t) = t.get_mut(place) {
-                *t = f64::INFINITY;
+    for (row, start) in rows.zip((0..).step_by(width)) {
+        let part = rays.row_part(row);
+        for column in 0..width {
+            let (place, index) = (start + column, object[start + column]);
+            if index == NO_OBJECT {
+                if let Some(t) = t.get_mut(place) {
+                    *t = f64::INFINITY;
+                }
+                continue;
             }
-            continue;
-        }
-        let seen = match known.take() {
-            Some((index, seen)) if index == object => seen,
-            _ => match plan.scene.object(object) {
-                Some(object) => ObjectFromOrigin::new(&object, camera.eye()),
-                None => continue,
-            },
-        };
-        let ray = camera.exact_ray(plan.rays.pixel(rows.start + place / width, place % width));
-        let root = seen.root_of_hit();
-        if let Some(t) = t.get_mut(place) {
-            *t = seen.t(&ray, root).to_f64();
-        }
-        if let Some(normal) = normals.get_mut(place) {
-            *normal = match &seen {
-                ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
-                ObjectFromOrigin::Sphere(seen) => seen.normal(&ray, root),
+            let seen = match known.take() {
+                Some((known, seen)) if known == index => seen,
+                _ => match plan.scene.object(index) {
+                    Some(object) => ObjectFromOrigin::new(&object, camera.eye()),
+                    None => continue,
+                },
             };
+            let root = seen.root_of_hit();
+            if let Some(t) = t.get_mut(place) {
+                *t = seen.t(&rays.ray((row, &part), column), root).to_f64();
+            }
+            if let Some(normal) = normals.get_mut(place) {
+                *normal = match &seen {
+                    ObjectFromOrigin::Plane(seen) => plane_normal(seen.plane().normal),
+                    ObjectFromOrigin::Sphere(seen) => {
+                        seen.normal(&camera.exact_ray(plan.rays.pixel(row, column)), root)
+                    }
+                };
+            }
+            known = Some((index, seen));
         }
-        known = Some((object, seen));
     }
 }
