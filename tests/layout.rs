@@ -78,7 +78,6 @@ fn wgpu_is_known_to_one_file_only() {
 fn what_is_pure_knows_no_effect() {
     for (name, text) in sources("src") {
         let pure = name.starts_with("src/core/")
-<<<<<<< main
             || [
                 "src/view/overlay/",
                 "src/view/formula/",
@@ -95,14 +94,6 @@ fn what_is_pure_knows_no_effect() {
                 "src/model/lines.rs",
             ]
             .contains(&name.as_str());
-=======
-            || name.starts_with("src/lecture/")
-            || ["src/overlay/", "src/formula/", "src/derivation/", "src/exchange/"]
-                .iter()
-                .any(|f| name.starts_with(f))
-            || ["src/document.rs", "src/derive.rs", "src/inspection.rs", "src/lines.rs"]
-                .contains(&name.as_str());
->>>>>>> jt-lecture
         let may = ["/tests/", "/benches/", "/examples/"].iter().any(|part| name.contains(part));
         if pure && !may {
             for effect in

@@ -43,6 +43,9 @@ mod snap;
 mod steered;
 mod turns;
 
+#[cfg(doc)]
+use crate::camera::Camera;
+
 pub use handles::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
 pub use pointer::{Drag, DragAlong, DragError, FARTHEST, LEAST_ANGLE, pixel_in_world};
 pub use snap::{nice_step, rounded_point, rounded_to, snapped};

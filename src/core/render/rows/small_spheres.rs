@@ -44,7 +44,7 @@ pub(crate) struct Runs {
 
 /// Rows of some spheres: those drawn, those in doubt, and the spheres that have this row or a later
 /// one.
-struct Step {
+struct FoundRows {
     is_drawn: u64,
     is_doubtful: u64,
     is_left: u64,
@@ -171,7 +171,7 @@ impl Runs {
         (of, spheres, anchor): (&Outlines, &SmallSpheres, S::f64s),
         step: usize,
         target: &SpanTarget,
-    ) -> Step {
+    ) -> FoundRows {
         let n = S::f64s::LEN;
         let splat = |x: f64| S::f64s::splat(simd, x);
         let load = |x: &[f64; MOST_LANES]| S::f64s::from_slice(simd, &x[..n]);
@@ -200,7 +200,7 @@ impl Runs {
         moved.narrow(moved).store_slice(&mut self.moved[singles]);
         (row + splat(WHOLE)).store_slice(&mut self.row[at..at + n]);
         (from + splat(WHOLE)).store_slice(&mut self.from[at..at + n]);
-        Step {
+        FoundRows {
             is_drawn: is_left & is_here & is_sure & is_there,
             is_doubtful: is_left & is_here & is_near & !is_sure,
             is_left,
