@@ -1,7 +1,5 @@
 //! The invariants of the layout, absences included.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -4,7 +4,7 @@ use pinhole::chart::PNG_SCALE;
 use pinhole::report::model::Report;
 use pinhole::report::plot;
 
-use crate::sample;
+use super::sample;
 
 fn svg_of(report: &Report) -> String {
     plot::figure(report).to_svg()

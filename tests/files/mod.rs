@@ -1,5 +1,4 @@
 //! Scene files, lesson files, and the CSV files beside them: read, refused, saved.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod bad_scenes;
 mod code;

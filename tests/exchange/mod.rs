@@ -1,6 +1,5 @@
 //! Other programs' cameras: there and back, what is wrong with a text, and the other programs
 //! themselves.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 #![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
 
 mod blender;
