@@ -11,7 +11,7 @@ mod support;
 use common::{Numbers, vec3};
 use pinhole_core::*;
 use proptest::prelude::*;
-use proptest::test_runner::{RngSeed, TestRunner};
+use proptest::test_runner::TestRunner;
 use support::crowds::{self, Crowd, ahead};
 use support::every_pixel::{check, every_pixel_is_right};
 
@@ -234,24 +234,15 @@ fn crowd_of(seeds: &Seeds) -> Crowd {
     Crowd::new("random", spheres, camera).with_planes(planes).showing(0)
 }
 
-/// Checks so many crowds of a fixed seed, and of a fresh one, which is printed.
+/// Checks so many crowds.
 fn check_random(cases: u32) {
-    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
-    for seed in [1, now.as_nanos() as u64] {
-        println!("seed {seed}");
-        let config = ProptestConfig {
-            cases,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(seed),
-            ..ProptestConfig::default()
-        };
-        let found = TestRunner::new(config).run(&any_seeds(), |seeds| {
-            let faults = faults_of(&crowd_of(&seeds));
-            prop_assert!(faults.is_none(), "{}", faults.unwrap_or_default());
-            Ok(())
-        });
-        assert!(found.is_ok(), "{}", found.unwrap_err());
-    }
+    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
+    let found = TestRunner::new(config).run(&any_seeds(), |seeds| {
+        let faults = faults_of(&crowd_of(&seeds));
+        prop_assert!(faults.is_none(), "{}", faults.unwrap_or_default());
+        Ok(())
+    });
+    assert!(found.is_ok(), "{}", found.unwrap_err());
 }
 
 #[test]
@@ -262,7 +253,7 @@ fn crowds_of_random_cameras_are_right() {
 /// The same with many more cases.
 ///
 /// ```text
-/// cargo test --release -p pinhole-core --test crowds many_random -- --ignored --nocapture
+/// PROPTEST_RNG_SEED=$RANDOM cargo test --release -p pinhole-core --test crowds many_random -- --ignored --nocapture
 /// ```
 #[test]
 #[ignore = "takes minutes; see the command above"]

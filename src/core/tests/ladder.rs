@@ -2,11 +2,12 @@
 #![allow(
     clippy::unwrap_used,
     clippy::print_stdout,
-    reason = "a test fails by panicking and tells its seed"
+    reason = "a test fails by panicking and tells which steps it took"
 )]
 
 mod common;
 
+use common::seed::seed;
 use common::{given, oracle};
 use pinhole_core::*;
 use pinhole_reference::{
@@ -15,14 +16,6 @@ use pinhole_reference::{
 
 /// Half an ulp, and 2^-40 of one.
 const T_ULPS: f64 = 0.5 + 1.0 / (1_u64 << 40) as f64;
-
-/// Cases of each knob of a family: the fixed seed's, and a fresh one's, which is printed.
-fn seeds() -> [u64; 2] {
-    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
-    let fresh = now.as_nanos() as u64;
-    println!("fresh seed {fresh}");
-    [1, fresh]
-}
 
 /// Asserts that a root is the reference's hit: object, t, normal and point.
 #[track_caller]
@@ -76,24 +69,22 @@ fn check_ray(case: &RayCase) -> Steps {
 
 #[test]
 fn any_rays() {
-    for seed in seeds() {
-        let mut cases = 0;
-        for family in Family::all() {
-            let mut steps = Steps::default();
-            for knob in family.knobs() {
-                for single in [false, true] {
-                    for case in family.rays(*knob, seed, 100, single) {
-                        steps += check_ray(&case);
-                        cases += 1;
-                    }
+    let mut cases = 0;
+    for family in Family::all() {
+        let mut steps = Steps::default();
+        for knob in family.knobs() {
+            for single in [false, true] {
+                for case in family.rays(*knob, seed(), 100, single) {
+                    steps += check_ray(&case);
+                    cases += 1;
                 }
             }
-            if steps.total() > 0 {
-                println!("{}: {steps:?}", family.name());
-            }
         }
-        assert!(cases > 5000, "{cases}");
+        if steps.total() > 0 {
+            println!("{}: {steps:?}", family.name());
+        }
     }
+    assert!(cases > 5000, "{cases}");
 }
 
 fn status_of(result: &Result<Basis, BasisError>) -> Option<Status> {
@@ -138,18 +129,16 @@ fn check_basis(case: &BasisCase) {
 
 #[test]
 fn bases() {
-    for seed in seeds() {
-        let mut cases = 0;
-        for family in Family::all() {
-            for knob in family.knobs() {
-                for case in family.bases(*knob, seed, 100, false) {
-                    check_basis(&case);
-                    cases += 1;
-                }
+    let mut cases = 0;
+    for family in Family::all() {
+        for knob in family.knobs() {
+            for case in family.bases(*knob, seed(), 100, false) {
+                check_basis(&case);
+                cases += 1;
             }
         }
-        assert!(cases > 1000, "{cases}");
     }
+    assert!(cases > 1000, "{cases}");
 }
 
 fn check_frame(case: &FrameCase) -> Steps {
@@ -184,21 +173,19 @@ fn check_frame(case: &FrameCase) -> Steps {
 
 #[test]
 fn whole_frames() {
-    for seed in seeds() {
-        let mut pixels = 0;
-        for family in Family::all() {
-            let mut steps = Steps::default();
-            for knob in family.knobs() {
-                for case in family.frames(*knob, seed, 2, false) {
-                    steps += check_frame(&case);
-                    pixels += case.camera.columns * case.camera.rows;
-                }
-            }
-            if steps.total() > 0 {
-                println!("{}: {steps:?}", family.name());
+    let mut pixels = 0;
+    for family in Family::all() {
+        let mut steps = Steps::default();
+        for knob in family.knobs() {
+            for case in family.frames(*knob, seed(), 2, false) {
+                steps += check_frame(&case);
+                pixels += case.camera.columns * case.camera.rows;
             }
         }
-        println!("{pixels} pixels");
-        assert!(pixels > 10_000, "{pixels}");
+        if steps.total() > 0 {
+            println!("{}: {steps:?}", family.name());
+        }
     }
+    println!("{pixels} pixels");
+    assert!(pixels > 10_000, "{pixels}");
 }

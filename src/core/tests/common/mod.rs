@@ -4,6 +4,7 @@
 pub(crate) mod given;
 pub(crate) mod levels;
 pub(crate) mod oracle;
+pub(crate) mod seed;
 
 use pinhole_core::*;
 

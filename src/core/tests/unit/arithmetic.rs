@@ -18,8 +18,11 @@ use crate::scale::{exponent, ldexp};
 
 #[path = "../common/levels.rs"]
 mod levels;
+#[path = "../common/seed.rs"]
+mod seed;
 
 use levels::levels;
+use seed::seed;
 
 /// Patterns of each operation.
 const COUNT: usize = 100_000;
@@ -28,14 +31,6 @@ const COUNT: usize = 100_000;
 struct Bits(u64);
 
 impl Bits {
-    /// The fixed seed's first half and a fresh one's second half, which is printed.
-    fn halves() -> [Bits; 2] {
-        let since = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-        let fresh = since.unwrap().as_nanos() as u64;
-        println!("fresh seed {fresh}");
-        [Bits(1), Bits(fresh)]
-    }
-
     fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -136,10 +131,9 @@ fn opposite(x: f64, ulps: i32) -> f64 {
 
 /// Runs a check on all patterns.
 fn on_all(mut check: impl FnMut(&mut Bits)) {
-    for mut bits in Bits::halves() {
-        for _ in 0..COUNT.div_ceil(2) {
-            check(&mut bits);
-        }
+    let mut bits = Bits(seed());
+    for _ in 0..COUNT {
+        check(&mut bits);
     }
 }
 
