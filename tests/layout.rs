@@ -1,6 +1,8 @@
 //! The invariants of the layout, absences included.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
+mod floors;
+mod planted;
+mod uses;
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -140,10 +142,22 @@ fn the_top_level_holds_what_it_should() {
     assert!(strangers.is_empty(), "{strangers:?}");
 }
 
+/// The program's sources without their tests, benches and examples, with their paths.
+fn program() -> Vec<(String, String)> {
+    let is_apart = |name: &str| {
+        ["/tests/", "/benches/", "/examples/"].iter().any(|folder| name.contains(folder))
+    };
+    sources("src").into_iter().filter(|(name, _)| !is_apart(name)).collect()
+}
+
 #[test]
-fn files_stay_readable_in_one_sitting() {
-    for (name, text) in sources("src") {
-        let lines = text.lines().count();
-        assert!(lines <= 400, "{name} has {lines} lines: find the idea that splits it");
-    }
+fn nothing_reaches_up() {
+    let faults = floors::faults_of_floors(&uses::uses(&program()));
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn no_circle_runs_between_folders() {
+    let circles = floors::circles_of_folders(&uses::uses(&program()));
+    assert!(circles.is_empty(), "{}", circles.join("\n"));
 }

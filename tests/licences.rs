@@ -1,6 +1,5 @@
 //! The licences of everything that the program is made of: all of them allowed, and listed.
 //! `UPDATE_EXPECT=1` writes the list anew.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

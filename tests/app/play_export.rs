@@ -13,7 +13,7 @@ use pinhole::ui::app::App;
 use pinhole::view::overlay::Style;
 use pinhole_core::ImageSize;
 
-use crate::harness::{assert_says, export_to, says, texts_with, type_into, window};
+use crate::harness::{SIZE, assert_says, export_to, says, texts_with, type_into, window};
 
 /// A window that asks how to export so many frames of this animation, `size` dots wide.
 fn asked(animation: &str, frames: u32, size: u32) -> Harness<'static, App> {
@@ -110,6 +110,41 @@ fn numbered_pngs_are_the_figures_of_their_phases() {
     export_to(&mut window, &folder.path().join("scan.png"));
     window.run();
     assert!(!texts_with(&window, "scan-0001.png exists").is_empty());
+}
+
+#[test]
+fn a_number_typed_as_soon_as_the_dialog_is_open_is_no_part_of_the_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let long = folder.path().join(format!("Übung {:094}", 0));
+    fs::create_dir(&long).unwrap();
+    let scene = long.join("scene.toml");
+    fs::write(&scene, "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n")
+        .unwrap();
+    let mut window = window(&scene);
+    window.get_by_role_and_label(Role::Button, "Play").click();
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Scan the pixels row by row").click();
+    window.run();
+    window.get_by_role_and_label(Role::Button, "Export…").click();
+    window.run();
+    type_into(&mut window, "frames", "2");
+    export_to(&mut window, &folder.path().join("first.png"));
+    window.run();
+    // The dialog of this export was another one, and smaller.
+    window.get_by_role_and_label(Role::Button, "Export…").click();
+    window.run();
+    let field = window.get_by_role_and_label(Role::TextInput, "path");
+    let (path, place) = (field.value(), field.rect());
+    assert_eq!(path.as_deref(), long.join("scan.png").to_str());
+    assert_eq!(place.center().x, 0.5 * SIZE.x, "however long the folder's name is");
+    type_into(&mut window, "frames", "3");
+    assert_says(&window, "Export the animation");
+    let field = window.get_by_role_and_label(Role::TextInput, "path");
+    assert_eq!((field.value(), field.rect()), (path, place));
+    let frames = window.get_by_role_and_label(Role::SpinButton, "frames").value();
+    assert_eq!(frames.as_deref(), Some("3"));
+    let there = fs::read_dir(&long).unwrap().count();
+    assert_eq!(there, 1, "nothing was exported");
 }
 
 #[test]

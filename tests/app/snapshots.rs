@@ -1,6 +1,6 @@
 //! Pictures of the window, drawn by the program's own painter: the same bytes on every machine.
 //!
-//! `UPDATE_SNAPSHOTS=1 cargo test --test app snapshots` writes them anew.
+//! `UPDATE_SNAPSHOTS=1 cargo test --test pinhole app::snapshots` writes them anew.
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;

@@ -1,6 +1,6 @@
 //! The painter drawing what egui makes of a user interface.
 
-use super::support;
+use crate::support;
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
 use pinhole::view::headless;
 use pinhole::view::painter::Painter;

@@ -1,7 +1,7 @@
 //! Random triangles, rectangles and frames.
 
-use super::support::naive;
 use super::*;
+use crate::support::naive;
 use egui::epaint::WHITE_UV;
 use egui::vec2;
 use pinhole::view::painter::Canvas;

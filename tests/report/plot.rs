@@ -4,7 +4,7 @@ use pinhole::figures::Format;
 use pinhole::report::model::Report;
 use pinhole::report::plot;
 
-use crate::sample;
+use super::sample;
 
 fn svg_of(report: &Report) -> String {
     String::from_utf8(plot::figure(report, 1.0).to_file(Format::Svg).unwrap()).unwrap()

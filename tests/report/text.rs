@@ -4,7 +4,7 @@ use expect_test::expect;
 use pinhole::report::model::Report;
 use pinhole::report::{csv, json, table};
 
-use crate::sample;
+use super::sample;
 
 /// The report with a few methods of its first and its last case.
 fn small() -> Report {

@@ -1,7 +1,5 @@
 //! What several tests of the program need.
 
-#![allow(dead_code, reason = "each test program takes a part of it")]
-
 pub(crate) mod naive;
 pub(crate) mod whole_window;
 

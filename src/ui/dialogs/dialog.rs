@@ -162,7 +162,7 @@ impl PathField {
         if !entered && ui.memory(|memory| memory.focused().is_none()) {
             response.request_focus();
         }
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             if let Some(parent) = self.folder.parent().map(Path::to_owned)
                 && ui.button("Up").on_hover_text("The folder above").clicked()
             {
@@ -171,7 +171,9 @@ impl PathField {
             ui.weak(self.folder.display().to_string());
         });
         let mut enter = None;
-        ScrollArea::vertical().max_height(240.0).auto_shrink([false, false]).show(ui, |ui| {
+        let list = ScrollArea::vertical().auto_shrink([false, false]);
+        let height = list_height(ui.ctx());
+        list.max_height(height).min_scrolled_height(height).show(ui, |ui| {
             for entry in &self.entries {
                 let name =
                     if entry.is_folder { format!("{}/", entry.name) } else { entry.name.clone() };
@@ -203,11 +205,24 @@ impl PathField {
     }
 }
 
+<<<<<<< main
 /// Shows the dialog, if one is open, and closes it when it is answered.
+=======
+/// Height of the list of files: as high as it needs to be, less where the window is low. Never what an
+/// area has left over, which is known only after some frames.
+fn list_height(ctx: &Context) -> f32 {
+    (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
+}
+
+/// Shows the dialog, if one is open; closes it when it is answered.
+>>>>>>> jt-testsb
 pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<Action>) {
     let Some(open) = dialog else { return };
     let mut close = false;
-    let response = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+    let id = Id::unique("dialog");
+    let size = || ctx.memory(|memory| memory.area_rect(id)).map(|rect| rect.size());
+    let size_before = size();
+    let response = Modal::new(id).show(ctx, |ui| {
         ui.set_width(460.0);
         match open {
             Dialog::Open(field) => {
@@ -249,6 +264,11 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
             }
         }
     });
+    // It was put in the middle by the size it had, which may be that of another dialog. Shown there, it
+    // would jump away from under the mouse.
+    if size() != size_before {
+        ctx.request_discard("a dialog has another size");
+    }
     if close || response.should_close() {
         *dialog = None;
     }

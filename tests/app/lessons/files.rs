@@ -6,8 +6,8 @@ use pinhole::model::lessons::{LessonArgument, Which};
 use pinhole_core::DVec3;
 
 use super::press;
+use crate::app::scene_files::drop_file;
 use crate::harness::{assert_says, window};
-use crate::scene_files::drop_file;
 
 /// 1 / sqrt 2.
 const S: f64 = std::f64::consts::FRAC_1_SQRT_2;

@@ -14,7 +14,7 @@ use super::go_to;
 use super::key;
 use super::place;
 use super::press;
-use crate::exercises::answers;
+use crate::app::exercises::answers;
 use crate::harness::{assert_says, says};
 
 /// The parts of a question, and what is typed for each.

@@ -1,3 +1,4 @@
+<<<<<<< main
 //! The seeds of tests with random numbers: fixed, so that a test does the same every time.
 //!
 //! `PINHOLE_TEST_SEED=random` takes fresh ones, `PINHOLE_TEST_SEED=17` this one; what is taken is
@@ -26,4 +27,12 @@ pub(crate) fn seed() -> u64 {
 pub(crate) fn config(cases: u32) -> Config {
     let rng_seed = RngSeed::Fixed(seed());
     Config { cases, failure_persistence: None, rng_seed, ..Config::default() }
+=======
+//! The seed of random cases.
+
+/// Returns the seed that is set for proptest's cases, too: 1 unless `PROPTEST_RNG_SEED` says another.
+pub(crate) fn seed() -> u64 {
+    let set = std::env::var("PROPTEST_RNG_SEED").ok().and_then(|number| number.parse().ok());
+    set.unwrap_or(1)
+>>>>>>> jt-testsb
 }

@@ -1,8 +1,6 @@
 //! The window's program, driven by accessible labels: the way of an edit from field to picture,
 //! every field, every readout, faults, files and keys.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its input has failed")]
-
 mod accuracy;
 mod answers;
 mod by_keys;
@@ -15,7 +13,7 @@ mod export;
 mod faults;
 mod frame;
 mod handles;
-mod harness;
+pub(crate) mod harness;
 mod history;
 mod labels;
 mod lessons;
@@ -32,7 +30,5 @@ mod presenter;
 mod scene_files;
 mod selection;
 mod snapshots;
-#[path = "../support/mod.rs"]
-mod support;
 mod teaching;
 mod translator;

@@ -1,5 +1,4 @@
 //! The headless commands, run as a user runs them.
-#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod animation;
 mod check;

@@ -4,8 +4,6 @@
 mod exact;
 mod interface;
 mod random;
-#[path = "../support/mod.rs"]
-mod support;
 
 use egui::epaint::{ClippedPrimitive, ImageDelta, Primitive, Vertex, textures::TexturesDelta};
 use egui::{Color32, ColorImage, Mesh, Pos2, Rect, TextureId, TextureOptions, pos2};

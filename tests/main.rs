@@ -1,0 +1,20 @@
+//! The tests of the program, but for those in a real window: one program, since linking one costs as much
+//! as many tests.
+//!
+//! `cargo test --test pinhole app::` runs those of one room.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
+
+mod app;
+#[path = "bench/main.rs"]
+mod bench;
+mod commands;
+mod exchange;
+mod files;
+mod layout;
+mod licences;
+mod painter;
+mod report;
+mod support;
+
+use app::harness;
