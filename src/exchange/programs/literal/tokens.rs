@@ -109,8 +109,8 @@ fn comment(text: &str) -> usize {
     let is_directive = DIRECTIVES.iter().any(|directive| text.starts_with(directive));
     if text.starts_with("//") || (text.starts_with('#') && !is_directive) {
         text.find('\n').unwrap_or(text.len())
-    } else if text.starts_with("/*") {
-        text[2..].find("*/").map_or(text.len(), |end| end + 4)
+    } else if let Some(inside) = text.strip_prefix("/*") {
+        inside.find("*/").map_or(text.len(), |end| end + 4)
     } else {
         0
     }
