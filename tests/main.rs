@@ -6,10 +6,7 @@
 #![allow(clippy::unwrap_used, reason = "a test that cannot go on should stop")]
 
 mod app;
-#[path = "bench/main.rs"]
-mod bench;
 mod commands;
-mod exchange;
 mod files;
 mod layout;
 mod licences;

@@ -3,11 +3,6 @@
 use pinhole_core::*;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-<<<<<<< main
-=======
-use support::crowds::{self, Crowd, ahead};
-use support::every_pixel::{check, every_pixel_is_right};
->>>>>>> jt-testsb
 
 use crate::common::seed::config;
 use crate::common::{Numbers, vec3};
@@ -236,12 +231,7 @@ fn crowd_of(seeds: &Seeds) -> Crowd {
 
 /// Checks so many crowds.
 fn check_random(cases: u32) {
-<<<<<<< main
     let found = TestRunner::new(config(cases)).run(&any_seeds(), |seeds| {
-=======
-    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
-    let found = TestRunner::new(config).run(&any_seeds(), |seeds| {
->>>>>>> jt-testsb
         let faults = faults_of(&crowd_of(&seeds));
         prop_assert!(faults.is_none(), "{}", faults.unwrap_or_default());
         Ok(())
@@ -257,11 +247,7 @@ fn crowds_of_random_cameras_are_right() {
 /// Checks many more cases.
 ///
 /// ```text
-<<<<<<< main
-/// cargo test --release -p pinhole-core --test core many_random -- --ignored --nocapture
-=======
-/// PROPTEST_RNG_SEED=$RANDOM cargo test --release -p pinhole-core --test crowds many_random -- --ignored --nocapture
->>>>>>> jt-testsb
+/// PROPTEST_RNG_SEED=$RANDOM cargo test --release -p pinhole-core --test core many_random -- --ignored --nocapture
 /// ```
 #[test]
 #[ignore = "takes minutes; see the command above"]

@@ -1,18 +1,5 @@
 //! The ladder against the reference: every stress family, no wrong decision, every digit of t.
-<<<<<<< main
 
-=======
-#![allow(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test fails by panicking and tells which steps it took"
-)]
-
-mod common;
-
-use common::seed::seed;
-use common::{given, oracle};
->>>>>>> jt-testsb
 use pinhole_core::*;
 use pinhole_reference::{
     BasisCase, Family, FrameCase, Hit, Orientation as Given, RayCase, Status, angle_between,
@@ -76,20 +63,13 @@ fn check_ray(case: &RayCase) -> Steps {
 
 #[test]
 fn any_rays() {
-<<<<<<< main
     let seed = seed();
-=======
->>>>>>> jt-testsb
     let mut cases = 0;
     for family in Family::all() {
         let mut steps = Steps::default();
         for knob in family.knobs() {
             for single in [false, true] {
-<<<<<<< main
                 for case in family.rays(*knob, seed, 100, single) {
-=======
-                for case in family.rays(*knob, seed(), 100, single) {
->>>>>>> jt-testsb
                     steps += check_ray(&case);
                     cases += 1;
                 }
@@ -144,18 +124,11 @@ fn check_basis(case: &BasisCase) {
 
 #[test]
 fn bases() {
-<<<<<<< main
     let seed = seed();
     let mut cases = 0;
     for family in Family::all() {
         for knob in family.knobs() {
             for case in family.bases(*knob, seed, 100, false) {
-=======
-    let mut cases = 0;
-    for family in Family::all() {
-        for knob in family.knobs() {
-            for case in family.bases(*knob, seed(), 100, false) {
->>>>>>> jt-testsb
                 check_basis(&case);
                 cases += 1;
             }
@@ -196,19 +169,12 @@ fn check_frame(case: &FrameCase) -> Steps {
 
 #[test]
 fn whole_frames() {
-<<<<<<< main
     let seed = seed();
-=======
->>>>>>> jt-testsb
     let mut pixels = 0;
     for family in Family::all() {
         let mut steps = Steps::default();
         for knob in family.knobs() {
-<<<<<<< main
             for case in family.frames(*knob, seed, 2, false) {
-=======
-            for case in family.frames(*knob, seed(), 2, false) {
->>>>>>> jt-testsb
                 steps += check_frame(&case);
                 pixels += case.camera.columns * case.camera.rows;
             }

@@ -205,17 +205,13 @@ impl PathField {
     }
 }
 
-<<<<<<< main
-/// Shows the dialog, if one is open, and closes it when it is answered.
-=======
 /// Height of the list of files: as high as it needs to be, less where the window is low. Never what an
 /// area has left over, which is known only after some frames.
 fn list_height(ctx: &Context) -> f32 {
     (ctx.content_rect().height() - 360.0).clamp(64.0, 240.0)
 }
 
-/// Shows the dialog, if one is open; closes it when it is answered.
->>>>>>> jt-testsb
+/// Shows the dialog, if one is open, and closes it when it is answered.
 pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<Action>) {
     let Some(open) = dialog else { return };
     let mut close = false;

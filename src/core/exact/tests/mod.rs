@@ -9,7 +9,6 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch};
 
-<<<<<<< main:src/core/exact/tests/mod.rs
 use crate::exact::double_double::DoubleDouble;
 use crate::exact::dyadic::Dyadic;
 use crate::exact::error_free::{Lane, dekker_product, fast_two_sum, two_sum};
@@ -17,22 +16,6 @@ use crate::exact::lanes::Lanes;
 use crate::exact::scale::{exponent, ldexp};
 use crate::test_levels::levels;
 use crate::test_seed::seed;
-=======
-use crate::double_double::DoubleDouble;
-use crate::error_free::{dekker_product, fast_two_sum, two_sum};
-use crate::exact::{Dyadic, big_of};
-use crate::lane::Lane;
-use crate::lanes::Lanes;
-use crate::scale::{exponent, ldexp};
-
-#[path = "../common/levels.rs"]
-mod levels;
-#[path = "../common/seed.rs"]
-mod seed;
-
-use levels::levels;
-use seed::seed;
->>>>>>> jt-testsb:src/core/tests/unit/arithmetic.rs
 
 /// Patterns of each operation.
 const COUNT: usize = 100_000;

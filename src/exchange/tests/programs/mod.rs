@@ -1,9 +1,5 @@
 //! Other programs' cameras: there and back, what is wrong with a text, and the other programs
 //! themselves.
-<<<<<<< main:src/exchange/tests/programs/mod.rs
-=======
-#![allow(clippy::print_stdout, reason = "which programs were there, and what agrees, is told")]
->>>>>>> jt-testsb:tests/exchange/mod.rs
 
 mod colmap;
 mod faults;
