@@ -143,7 +143,7 @@ _pinhole() {
             fi
             case "${prev}" in
                 --view)
-                    COMPREPLY=($(compgen -W "world camera ledger lines" -- "${cur}"))
+                    COMPREPLY=($(compgen -W "world camera derivation lines" -- "${cur}"))
                     return 0
                     ;;
                 --output)

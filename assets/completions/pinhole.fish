@@ -35,7 +35,7 @@ complete -c pinhole -n "__fish_pinhole_needs_command" -a "render" -d 'Write the 
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "trace" -d 'Send rays from a CSV file into a scene'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "check" -d 'Grade a student\'s basis, rays, hits or picture, and name the mistake'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "report" -d 'Measure the error of every method against its run time'
-complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the ledger or the lab of lines as a figure for slides'
+complete -c pinhole -n "__fish_pinhole_needs_command" -a "figure" -d 'Write a view, the derivation or the lab of lines as a figure for slides'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "export" -d 'Write the camera and the scene as another program has them'
 complete -c pinhole -n "__fish_pinhole_needs_command" -a "import" -d 'Read another program\'s camera and scene, and write a scene file'
 complete -c pinhole -n "__fish_pinhole_using_subcommand scenes" -s h -l help -d 'Print help'
@@ -77,7 +77,7 @@ complete -c pinhole -n "__fish_pinhole_using_subcommand report" -l seed -d 'Whic
 complete -c pinhole -n "__fish_pinhole_using_subcommand report" -s h -l help -d 'Print help'
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l view -d 'What is drawn: the scene with the camera in it, what the camera sees, the derivation of every number, or the lab of lines, which is the same for every scene' -r -f -a "world\t''
 camera\t''
-ledger\t''
+derivation\t''
 lines\t''"
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -s o -l output -d 'The file to write; the ending chooses the format' -r -F
 complete -c pinhole -n "__fish_pinhole_using_subcommand figure" -l width -d 'Columns, in dots; given alone, the rows follow in proportion' -r
