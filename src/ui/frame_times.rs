@@ -3,7 +3,6 @@
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-
 use crate::view::derive::Work;
 
 /// Times of the work that a frame needed before it could be painted.

@@ -6,7 +6,7 @@ use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
 
 use super::export::ExportForm;
 use crate::formats::scene_argument::SceneSource;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, AnswersAction, ExchangeAction, FileAction, Leave};
 use crate::view::typesetting::theme::error_color;
 
 /// The dialog that is open.
@@ -21,7 +21,7 @@ pub enum Dialog {
         /// The path.
         field: PathField,
         /// What waits for the scene to be saved.
-        then: Option<Box<Action>>,
+        then: Option<Leave>,
     },
     /// Where to write the camera in another program's terms.
     Translate {
@@ -39,12 +39,12 @@ pub enum Dialog {
         /// How many there are.
         of: u32,
     },
-    /// What to do with unsaved changes before the action.
+    /// What to do with unsaved changes before they are left.
     Unsaved {
         /// What the document is called.
         title: String,
         /// What waits for the answer.
-        then: Action,
+        then: Leave,
     },
     /// Something to read and close.
     Message {
@@ -210,24 +210,25 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         ui.set_width(460.0);
         match open {
             Dialog::Open(field) => {
-                let open = |path| Action::Open(SceneSource::File(path));
+                let open = |path| Leave::Open(SceneSource::File(path)).into();
                 open_ui(ui, ("Open a scene", "Open"), field, open, actions, &mut close);
             }
             Dialog::Answers(field) => {
                 let title = ("Check a student’s answers", "Check");
-                open_ui(ui, title, field, Action::CheckAnswers, actions, &mut close);
+                let check = |path| AnswersAction::Check(path).into();
+                open_ui(ui, title, field, check, actions, &mut close);
             }
             Dialog::SaveAs { field, then } => {
                 ui.heading("Save the scene as");
                 if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
-                    actions.push(Action::SaveAs { path, then: then.take() });
+                    actions.push(FileAction::SaveAs { path, then: then.take() }.into());
                     close = true;
                 }
             }
             Dialog::Translate { field, ending } => {
                 ui.heading("Save the camera for another program");
                 if let Some(path) = save_ui(ui, field, "Save", ending, &mut close) {
-                    actions.push(Action::Translate(path));
+                    actions.push(ExchangeAction::Save(path).into());
                     close = true;
                 }
             }
@@ -302,25 +303,18 @@ pub(crate) fn save_ui(
     chosen
 }
 
-fn unsaved_ui(
-    ui: &mut Ui,
-    title: &str,
-    then: &Action,
-    actions: &mut Vec<Action>,
-    close: &mut bool,
-) {
+fn unsaved_ui(ui: &mut Ui, title: &str, then: &Leave, actions: &mut Vec<Action>, close: &mut bool) {
     ui.heading(format!("Save the changes to {title}?"));
     ui.label("Without saving, they are lost.");
     ui.add_space(8.0);
     ui.horizontal(|ui| {
-        let then = || Box::new(then.clone());
         for (text, action) in [
-            ("Save", Some(Action::SaveThen(then()))),
-            ("Discard", Some(Action::Discard(then()))),
+            ("Save", Some(FileAction::SaveThen(then.clone()))),
+            ("Discard", Some(FileAction::Discard(then.clone()))),
             ("Cancel", None),
         ] {
             if ui.button(text).clicked() {
-                actions.extend(action);
+                actions.extend(action.map(Action::from));
                 *close = true;
             }
         }

@@ -3,9 +3,9 @@
 use egui::{FontId, Grid, RichText, ScrollArea, Ui};
 use pinhole_core::{Counts, Steps};
 
-use crate::view::derive::Derived;
 use crate::model::number::grouped;
 use crate::ui::scene::views::{CAMERA, WORLD};
+use crate::view::derive::Derived;
 
 /// Size of the text, in points: for the back row.
 const TEXT: f32 = 15.0;

@@ -13,7 +13,7 @@ use crate::exchange::{Row, Sheet};
 use crate::model::letters::told;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, ExchangeAction};
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.
@@ -65,10 +65,10 @@ impl TranslatorPanel {
                 ui.ctx().copy_text(written.joined().text);
             }
             if ui.add_enabled(can, egui::Button::new("Save as a file…")).clicked() {
-                actions.push(Action::AskTranslate);
+                actions.push(ExchangeAction::AskSave.into());
             }
             if ui.button("Paste a camera").clicked() {
-                actions.push(Action::AskPaste);
+                actions.push(ExchangeAction::AskPaste.into());
             }
             let few = document.object_count() <= MOST_OBJECTS;
             let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use pinhole_core::{
-    Depth, Frame, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, Shade, shade, trace, trace_painted,
+    Depth, Frame, Outputs, Paint, PosedCamera, Raster, Rgb, Scene, Shade, shade, trace,
+    trace_painted,
 };
 
 use super::opaque;
