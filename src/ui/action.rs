@@ -29,9 +29,119 @@ pub struct MadeUp {
     pub uv: Option<DVec2>,
 }
 
-/// What is done to an animation.
+/// Leaving what is open for something else. It is first asked about unsaved changes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Leave {
+    /// Open a scene.
+    Open(SceneSource),
+    /// Show a document that was made up, such as an exercise's.
+    Show(Box<MadeUp>),
+    /// Show this step of a lesson.
+    GoTo(Place),
+    /// Set everything as the open lesson's step says, once more.
+    BackToStep,
+    /// Close the window.
+    Quit,
+}
+
+/// Getting scenes from files and into them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileAction {
+    /// Ask for the path of a scene to open.
+    AskOpen,
+    /// Save to where the scene came from; ask where if it came from nowhere.
+    Save,
+    /// Ask for a path to save to.
+    AskSaveAs,
+    /// Save to this path.
+    SaveAs {
+        /// Where to.
+        path: PathBuf,
+        /// What to go on with if that worked.
+        then: Option<Leave>,
+    },
+    /// Save, then go on with this if that worked.
+    SaveThen(Leave),
+    /// Leave without saving.
+    Discard(Leave),
+}
+
+/// The way through the open lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LessonAction {
+    /// Show the next step.
+    Next,
+    /// Show the step before.
+    Previous,
+    /// Close it; its scene stays.
+    Close,
+}
+
+/// The way through the history.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HistoryAction {
+    /// Undo the last step.
+    Undo,
+    /// Redo the step that was undone last.
+    Redo,
+}
+
+/// Writing what the window shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FigureAction {
+    /// Ask which figure to export.
+    Ask,
+    /// Write a figure.
+    Export {
+        /// Which.
+        order: Order,
+        /// Where to.
+        path: PathBuf,
+    },
+    /// Ask how to export the animation that is open.
+    AskAnimation,
+    /// Write an animation.
+    ExportAnimation {
+        /// What each figure shows.
+        order: Order,
+        /// How many there are.
+        frames: Frames,
+        /// Where to.
+        path: PathBuf,
+    },
+    /// Put the derivation on the clipboard.
+    CopyDerivation(Markup),
+}
+
+/// The camera in other programs' terms.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ExchangeAction {
+    /// Ask for the clipboard's text.
+    AskPaste,
+    /// Set the camera from another program's text.
+    Paste(String),
+    /// Show the camera in the terms of the format of this name.
+    TranslateInto(&'static str),
+    /// Ask where to write the camera in another program's terms.
+    AskSave,
+    /// Write it there.
+    Save(PathBuf),
+}
+
+/// A student's answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AnswersAction {
+    /// Ask for the path of their file.
+    Ask,
+    /// Grade those in this file.
+    Check(PathBuf),
+    /// Forget them.
+    PutAway,
+}
+
+/// Something done to an animation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PlayMove {
+pub enum PlayAction {
     /// Open one, at its start.
     Open(Kind),
     /// Let it run, or rest.
@@ -48,9 +158,9 @@ pub enum PlayMove {
     Close,
 }
 
-/// What is done with the ghost, the camera to compare with.
+/// Something done with the ghost, the camera to compare with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GhostMove {
+pub enum GhostAction {
     /// The camera becomes the ghost, in place of the one that was there.
     Freeze,
     /// Take it away.
@@ -59,8 +169,8 @@ pub enum GhostMove {
     Swap,
 }
 
-/// What keys do to the camera, as the mouse does in the camera view; in steps to the right and up, on
-/// and back.
+/// Moves of the camera by keys, like those of the mouse in the camera view; in steps to the right and
+/// up, on and back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steer {
     /// Look round.
@@ -73,7 +183,7 @@ pub enum Steer {
     Dolly(i32),
 }
 
-/// What keys do to the observer of the world view; likewise.
+/// Moves of the world view's observer by keys; likewise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Observe {
     /// Orbit what it looks at.
@@ -84,11 +194,13 @@ pub enum Observe {
     Zoom(i32),
     /// Go where the eye and the viewport fill the picture.
     FrameCamera,
+    /// Go where everything can be seen.
+    FrameAll,
 }
 
-/// What is done with the scene's objects.
+/// Something done with the scene's objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ObjectMove {
+pub enum ObjectAction {
     /// Add a sphere that the camera sees, and choose it.
     AddSphere,
     /// Add a plane below the origin, and choose it.
@@ -101,104 +213,9 @@ pub enum ObjectMove {
     Next(i32),
 }
 
-/// Something to do once, after the panels and before anything is derived.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Action {
-    /// Open a scene, asking first if there are unsaved changes.
-    Open(SceneSource),
-    /// Ask for the path of a scene to open.
-    AskOpen,
-    /// Ask for the path of a file of a student's answers.
-    AskAnswers,
-    /// Grade the answers in this file.
-    CheckAnswers(PathBuf),
-    /// Forget the answers.
-    PutAnswersAway,
-    /// Save to where the scene came from; ask where if it came from nowhere.
-    Save,
-    /// Ask for a path to save to.
-    AskSaveAs,
-    /// Save to this path.
-    SaveAs {
-        /// Where to.
-        path: PathBuf,
-        /// What to go on with if that worked.
-        then: Option<Box<Action>>,
-    },
-    /// Ask which figure to export.
-    AskExport,
-    /// Write a figure.
-    Export {
-        /// Which.
-        order: Order,
-        /// Where to.
-        path: PathBuf,
-    },
-    /// Ask how to export the animation that is open.
-    AskExportAnimation,
-    /// Write an animation.
-    ExportAnimation {
-        /// What each figure shows.
-        order: Order,
-        /// How many there are.
-        frames: Frames,
-        /// Where to.
-        path: PathBuf,
-    },
-    /// Put the derivation on the clipboard.
-    CopyDerivation(Markup),
-    /// Ask for the clipboard's text.
-    AskPaste,
-    /// Set the camera from another program's text.
-    Paste(String),
-    /// Show the camera in the terms of the format of this name.
-    TranslateInto(&'static str),
-    /// Ask where to write the camera in another program's terms.
-    AskTranslate,
-    /// Write it there.
-    Translate(PathBuf),
-    /// Close the window, asking first if there are unsaved changes.
-    Quit,
-    /// Show this step of a lesson, asking first if there are unsaved changes of a scene.
-    GoTo(Place),
-    /// Set everything as the open lesson's step says, once more; asking likewise.
-    BackToStep,
-    /// Show a document that was made up, such as an exercise's, asking first if there are unsaved
-    /// changes.
-    Show(Box<MadeUp>),
-    /// Close the lesson that is open; its scene stays.
-    CloseLesson,
-    /// Do it (close the window, open the scene or the step) without saving.
-    Discard(Box<Action>),
-    /// Save, then go on with this if that worked.
-    SaveThen(Box<Action>),
-    /// Undo the last step of the history.
-    Undo,
-    /// Redo the step that was undone last.
-    Redo,
-    /// Something with the ghost.
-    Ghost(GhostMove),
-    /// Something with an animation.
-    Play(PlayMove),
-    /// Move the camera.
-    Steer(Steer),
-    /// Move the observer of the world view.
-    Observe(Observe),
-    /// Something with the scene's objects.
-    Object(ObjectMove),
-    /// Put the observer where everything can be seen.
-    FrameAll,
-    /// Move the selected pixel that many rows down and columns right.
-    Step {
-        /// Rows down.
-        rows: i64,
-        /// Columns right.
-        columns: i64,
-    },
-    /// Show the next step of the open lesson.
-    Next,
-    /// Show the step before of the open lesson.
-    Previous,
+/// A change of how things are shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LookAction {
     /// Show these views.
     Layout(ViewLayout),
     /// Colour the pictures like this.
@@ -223,10 +240,186 @@ pub enum Action {
     Present,
     /// Fill the window with this.
     Fill(Full),
-    /// Open the command palette.
+}
+
+/// What can be laid over the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Overlay {
+    /// The command palette.
     Palette,
-    /// Open the sheet of all keys.
-    KeyList,
+    /// The list of all keys.
+    Keys,
+}
+
+/// Something to do once, after the panels and before anything is derived.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Leave what is open.
+    Leave(Leave),
+    /// Something with files.
+    File(FileAction),
+    /// Something with the open lesson.
+    Lesson(LessonAction),
+    /// Undo or redo.
+    History(HistoryAction),
+    /// Something with figures.
+    Figure(FigureAction),
+    /// Something with another program's camera.
+    Exchange(ExchangeAction),
+    /// Something with a student's answers.
+    Answers(AnswersAction),
+    /// Something with an animation.
+    Play(PlayAction),
+    /// Something with the ghost.
+    Ghost(GhostAction),
+    /// Move the camera.
+    Steer(Steer),
+    /// Move the observer of the world view.
+    Observe(Observe),
+    /// Something with the scene's objects.
+    Object(ObjectAction),
+    /// Select the pixel that many rows down and columns right of the selected one.
+    Select {
+        /// Rows down.
+        rows: i64,
+        /// Columns right.
+        columns: i64,
+    },
+    /// Show something otherwise.
+    Look(LookAction),
+    /// Lay something over the window.
+    Overlay(Overlay),
+}
+
+macro_rules! action_of {
+    ($($part:ident($of:ty)),* $(,)?) => {
+        $(impl From<$of> for Action {
+            fn from(action: $of) -> Action {
+                Action::$part(action)
+            }
+        })*
+    };
+}
+
+action_of! {
+    Leave(Leave),
+    File(FileAction),
+    Lesson(LessonAction),
+    History(HistoryAction),
+    Figure(FigureAction),
+    Exchange(ExchangeAction),
+    Answers(AnswersAction),
+    Play(PlayAction),
+    Ghost(GhostAction),
+    Steer(Steer),
+    Observe(Observe),
+    Object(ObjectAction),
+    Look(LookAction),
+    Overlay(Overlay),
+}
+
+/// What becomes of the open animation before an action is carried out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlayEnd {
+    /// It goes on.
+    GoesOn,
+    /// It ends with everything as it is now.
+    Keeps,
+    /// It ends with everything as it was at the start.
+    GivesBack,
+}
+
+/// What there is only sometimes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Available {
+    /// A step to undo.
+    pub undo: bool,
+    /// A step to redo.
+    pub redo: bool,
+    /// A lesson that is open.
+    pub lesson: bool,
+    /// An animation that is open.
+    pub animation: bool,
+    /// A frozen camera to compare with.
+    pub ghost: bool,
+    /// A student's answers.
+    pub answers: bool,
+}
+
+impl Action {
+    /// Tells what becomes of the open animation: the camera is saved as it is seen; who goes elsewhere
+    /// leaves the camera as it was.
+    pub fn play_end(&self) -> PlayEnd {
+        match self {
+            Action::File(action) => match action {
+                FileAction::AskOpen => PlayEnd::GoesOn,
+                FileAction::Discard(_) => PlayEnd::GivesBack,
+                FileAction::Save
+                | FileAction::AskSaveAs
+                | FileAction::SaveAs { .. }
+                | FileAction::SaveThen(_) => PlayEnd::Keeps,
+            },
+            Action::Leave(_) | Action::History(HistoryAction::Undo | HistoryAction::Redo) => {
+                PlayEnd::GivesBack
+            }
+            Action::Lesson(action) => match action {
+                LessonAction::Close => PlayEnd::GivesBack,
+                LessonAction::Next | LessonAction::Previous => PlayEnd::GoesOn,
+            },
+            Action::Ghost(action) => match action {
+                GhostAction::Swap => PlayEnd::GivesBack,
+                GhostAction::Freeze | GhostAction::Drop => PlayEnd::GoesOn,
+            },
+            Action::Figure(_)
+            | Action::Exchange(_)
+            | Action::Answers(_)
+            | Action::Play(_)
+            | Action::Steer(_)
+            | Action::Observe(_)
+            | Action::Object(_)
+            | Action::Select { .. }
+            | Action::Look(_)
+            | Action::Overlay(_) => PlayEnd::GoesOn,
+        }
+    }
+
+    /// Whether there is what it is done to.
+    pub fn is_possible(&self, there: Available) -> bool {
+        match self {
+            Action::History(HistoryAction::Undo) => there.undo,
+            Action::History(HistoryAction::Redo) => there.redo,
+            Action::Lesson(_) => there.lesson,
+            Action::Leave(leave) => match leave {
+                Leave::BackToStep => there.lesson,
+                Leave::Open(_) | Leave::Show(_) | Leave::GoTo(_) | Leave::Quit => true,
+            },
+            Action::Ghost(action) => match action {
+                GhostAction::Drop | GhostAction::Swap => there.ghost,
+                GhostAction::Freeze => true,
+            },
+            Action::Play(action) => match action {
+                PlayAction::Toggle | PlayAction::Step(_) => there.animation,
+                PlayAction::Open(_)
+                | PlayAction::Faster(_)
+                | PlayAction::Loop
+                | PlayAction::Keep
+                | PlayAction::Close => true,
+            },
+            Action::Answers(action) => match action {
+                AnswersAction::PutAway => there.answers,
+                AnswersAction::Ask | AnswersAction::Check(_) => true,
+            },
+            Action::File(_)
+            | Action::Figure(_)
+            | Action::Exchange(_)
+            | Action::Steer(_)
+            | Action::Observe(_)
+            | Action::Object(_)
+            | Action::Select { .. }
+            | Action::Look(_)
+            | Action::Overlay(_) => true,
+        }
+    }
 }
 
 /// What is either on or off.

@@ -6,11 +6,12 @@ use std::sync::Arc;
 use egui::{Context, ViewportCommand};
 
 use super::App;
-use crate::figures::derivation_of;
 use crate::model::files::{OpenDocument, remember, title_of};
 use crate::model::lessons::{self, Place, Which};
 use crate::model::session::{Selection, Session, ViewLayout};
-use crate::ui::action::{Action, MadeUp, ObjectMove, Observe};
+use crate::ui::action::{
+    Action, FileAction, HistoryAction, Leave, LessonAction, MadeUp, ObjectAction, Observe,
+};
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::panels::objects;
 use crate::view::derive::Deriver;
@@ -29,63 +30,14 @@ impl App {
             return;
         }
         match action {
-            Action::BackToStep if !self.differs_from_step() => {}
-            Action::Open(_)
-            | Action::Show(_)
-            | Action::Quit
-            | Action::GoTo(_)
-            | Action::BackToStep
-                if self.open.has_changes() =>
-            {
-                self.ask_about_changes(action);
-            }
-            Action::Open(_)
-            | Action::Show(_)
-            | Action::Quit
-            | Action::GoTo(_)
-            | Action::BackToStep => {
-                self.proceed(ctx, action);
-            }
-            Action::Discard(then) => {
-                self.discarded = matches!(*then, Action::Quit);
-                self.proceed(ctx, *then);
-            }
-            Action::Next | Action::Previous => {
-                let open = self.lessons.open.as_ref();
-                let is_next = action == Action::Next;
-                let to = open.and_then(|open| if is_next { open.next() } else { open.previous() });
-                if let Some(place) = to {
-                    self.apply(ctx, Action::GoTo(place));
-                }
-            }
-            Action::CloseLesson if self.lessons.open.is_none() => {}
-            Action::CloseLesson => self.close_lesson(ctx),
-            Action::SaveThen(then) => self.save(ctx, Some(then)),
-            Action::AskOpen => {
-                self.dialog = Some(Dialog::Open(PathField::to_open(self.open.file())));
-            }
-            Action::AskAnswers => self.ask_answers(),
-            Action::CheckAnswers(path) => self.check_answers(&path),
-            Action::PutAnswersAway => self.put_answers_away(),
-            Action::Save => self.save(ctx, None),
-            Action::AskSaveAs => self.ask_save_as(None),
-            Action::SaveAs { path, then } => self.save_then(ctx, &path, then),
-            Action::AskExport => self.ask_export(ctx),
-            Action::AskExportAnimation => self.ask_export_animation(ctx),
-            Action::ExportAnimation { order, frames, path } => {
-                self.export_animation(order, frames, path);
-            }
-            Action::Export { order, path } => self.export(&order, &path),
-            Action::CopyDerivation(markup) => {
-                let derivation = derivation_of(&self.open.document, &self.session);
-                ctx.copy_text(derivation.written_in(markup));
-            }
-            Action::AskPaste => self.ask_paste(ctx),
-            Action::Paste(text) => self.paste(ctx, &text),
-            Action::AskTranslate => self.ask_translate(),
-            Action::Translate(path) => self.translate(&path),
-            Action::Undo => self.undo(ctx),
-            Action::Redo => self.redo(ctx),
+            Action::Leave(leave) => self.leave(ctx, leave),
+            Action::File(action) => self.file(ctx, action),
+            Action::Lesson(action) => self.lesson_action(ctx, action),
+            Action::History(HistoryAction::Undo) => self.undo(ctx),
+            Action::History(HistoryAction::Redo) => self.redo(ctx),
+            Action::Figure(action) => self.figure(ctx, action),
+            Action::Exchange(action) => self.exchange(ctx, action),
+            Action::Answers(action) => self.answers(action),
             Action::Ghost(ghost) => self.move_ghost(ctx, ghost),
             Action::Play(play) => self.play(ctx, play),
             Action::Steer(steer) => {
@@ -95,25 +47,67 @@ impl App {
             }
             Action::Observe(observe) => self.observe(ctx, observe),
             Action::Object(object) => self.change_objects(ctx, object),
-            Action::FrameAll => {
-                // The next frame, which knows the view's proportions, frames everything.
-                self.session.observer = None;
-                ctx.request_repaint();
-            }
-            Action::Step { rows, columns } => {
+            Action::Select { rows, columns } => {
                 if let Ok(resolved) = self.open.document.camera.resolve() {
                     let selection = self.session.selection.inside(resolved.image());
                     self.session.selection = selection.stepped(&resolved, rows, columns);
                 }
             }
-            look => self.change_look(ctx, look),
+            Action::Look(look) => self.change_look(ctx, look),
+            Action::Overlay(overlay) => self.lay_over(ctx, overlay),
+        }
+    }
+
+    /// Goes elsewhere, or asks first about unsaved changes.
+    fn leave(&mut self, ctx: &Context, leave: Leave) {
+        if leave == Leave::BackToStep && !self.differs_from_step() {
+            return;
+        }
+        if self.open.has_changes() {
+            self.ask_about_changes(leave);
+        } else {
+            self.proceed(ctx, leave);
+        }
+    }
+
+    fn file(&mut self, ctx: &Context, action: FileAction) {
+        match action {
+            FileAction::AskOpen => {
+                self.dialog = Some(Dialog::Open(PathField::to_open(self.open.file())));
+            }
+            FileAction::Save => self.save(ctx, None),
+            FileAction::AskSaveAs => self.ask_save_as(None),
+            FileAction::SaveAs { path, then } => self.save_then(ctx, &path, then),
+            FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
+            FileAction::Discard(leave) => {
+                self.discarded = leave == Leave::Quit;
+                self.proceed(ctx, leave);
+            }
+        }
+    }
+
+    fn lesson_action(&mut self, ctx: &Context, action: LessonAction) {
+        let Some(open) = &self.lessons.open else { return };
+        let to = match action {
+            LessonAction::Next => open.next(),
+            LessonAction::Previous => open.previous(),
+            LessonAction::Close => return self.close_lesson(ctx),
+        };
+        if let Some(place) = to {
+            self.apply(ctx, Leave::GoTo(place).into());
         }
     }
 
     fn observe(&mut self, ctx: &Context, observe: Observe) {
         let aspect = self.world_aspect();
+        // The next frame, which knows the view's proportions, frames everything.
+        if observe == Observe::FrameAll {
+            self.session.observer = None;
+        }
+        ctx.request_repaint();
         let Some(observer) = &mut self.session.observer else { return };
         match observe {
+            Observe::FrameAll => {}
             Observe::Orbit(right, up) => {
                 observer.orbit(TURN * f64::from(right), TURN * f64::from(up));
             }
@@ -123,7 +117,6 @@ impl App {
                 *observer = observer.framing_camera(&self.open.document.camera, aspect);
             }
         }
-        ctx.request_repaint();
     }
 
     /// Width by height of the world view as it was seen last.
@@ -132,19 +125,19 @@ impl App {
         seen.map_or(1.25, |[width, height]| width as f64 / height.max(1) as f64)
     }
 
-    fn change_objects(&mut self, ctx: &Context, object: ObjectMove) {
+    fn change_objects(&mut self, ctx: &Context, object: ObjectAction) {
         let document = &mut self.open.document;
         let count = document.object_count();
         let chosen = self.chosen_object.min(count.saturating_sub(1));
         match object {
-            ObjectMove::AddSphere => self.chosen_object = objects::add_sphere(document),
-            ObjectMove::AddPlane => self.chosen_object = objects::add_plane(document),
-            ObjectMove::Choose(index) if index < count => self.chosen_object = index,
-            ObjectMove::Next(by) if count > 0 => {
+            ObjectAction::AddSphere => self.chosen_object = objects::add_sphere(document),
+            ObjectAction::AddPlane => self.chosen_object = objects::add_plane(document),
+            ObjectAction::Choose(index) if index < count => self.chosen_object = index,
+            ObjectAction::Next(by) if count > 0 => {
                 let next = (chosen as i64 + i64::from(by)).rem_euclid(count as i64);
                 self.chosen_object = next as usize;
             }
-            ObjectMove::Remove if count > 0 => {
+            ObjectAction::Remove if count > 0 => {
                 if let Err(reason) = objects::remove(document, chosen) {
                     self.tell("This object was not removed", reason);
                 }
@@ -155,14 +148,14 @@ impl App {
     }
 
     /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
-    fn proceed(&mut self, ctx: &Context, action: Action) {
+    fn proceed(&mut self, ctx: &Context, leave: Leave) {
         let before = self.whereabouts(ctx);
-        match action {
-            Action::Open(source) => self.load(ctx, source),
-            Action::Show(made_up) => self.show(ctx, *made_up),
-            Action::GoTo(place) => self.go_to(ctx, place),
-            Action::BackToStep => self.back_to_step(ctx),
-            _ => {
+        match leave {
+            Leave::Open(source) => self.load(ctx, source),
+            Leave::Show(made_up) => self.show(ctx, *made_up),
+            Leave::GoTo(place) => self.go_to(ctx, place),
+            Leave::BackToStep => self.back_to_step(ctx),
+            Leave::Quit => {
                 self.may_close = true;
                 ctx.send_viewport_cmd(ViewportCommand::Close);
             }
@@ -171,25 +164,25 @@ impl App {
     }
 
     /// Saves to the scene's own file, or asks for one.
-    fn save(&mut self, ctx: &Context, then: Option<Box<Action>>) {
+    fn save(&mut self, ctx: &Context, then: Option<Leave>) {
         match self.open.scene_file().map(Path::to_owned) {
             Some(path) => self.save_then(ctx, &path, then),
             None => self.ask_save_as(then),
         }
     }
 
-    fn save_then(&mut self, ctx: &Context, path: &Path, then: Option<Box<Action>>) {
+    fn save_then(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) {
         self.save_to(path);
         if let Some(then) = then.filter(|_| !self.open.has_changes()) {
-            self.apply(ctx, *then);
+            self.apply(ctx, then.into());
         }
     }
 
-    pub(super) fn ask_about_changes(&mut self, then: Action) {
+    pub(super) fn ask_about_changes(&mut self, then: Leave) {
         self.dialog = Some(Dialog::Unsaved { title: title_of(self.open.origin()), then });
     }
 
-    fn ask_save_as(&mut self, then: Option<Box<Action>>) {
+    fn ask_save_as(&mut self, then: Option<Leave>) {
         let field = PathField::to_save(self.open.file(), &self.open.file_name());
         self.dialog = Some(Dialog::SaveAs { field, then });
     }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use super::App;
 use crate::model::session::ViewLayout;
 use crate::model::student_answers::{AnswersAtHand, AnswersFile};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, AnswersAction, Leave};
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, answers};
@@ -22,14 +22,22 @@ pub(super) fn dropped(path: PathBuf) -> Action {
     let mut bytes = Vec::new();
     let read = File::open(&path).and_then(|file| file.take(FIRST).read_to_end(&mut bytes));
     match read {
-        Ok(_) if answers::are_meant(&path, &bytes) => Action::CheckAnswers(path),
-        _ => Action::Open(SceneSource::File(path)),
+        Ok(_) if answers::are_meant(&path, &bytes) => AnswersAction::Check(path).into(),
+        _ => Leave::Open(SceneSource::File(path)).into(),
     }
 }
 
 impl App {
+    pub(super) fn answers(&mut self, action: AnswersAction) {
+        match action {
+            AnswersAction::Ask => self.ask_answers(),
+            AnswersAction::Check(path) => self.check_answers(&path),
+            AnswersAction::PutAway => self.put_answers_away(),
+        }
+    }
+
     /// Asks for the file of answers, near the last one or the scene.
-    pub(super) fn ask_answers(&mut self) {
+    fn ask_answers(&mut self) {
         let last = self.session.answers.as_ref().map(|answers| answers.file.path.clone());
         let near = last.as_deref().or(self.open.file());
         self.dialog = Some(Dialog::Answers(PathField::answers_near(near)));
@@ -37,7 +45,7 @@ impl App {
 
     /// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
     /// the file.
-    pub(super) fn check_answers(&mut self, path: &Path) {
+    fn check_answers(&mut self, path: &Path) {
         let size = fs::metadata(path).map_or(0, |file| file.len());
         if size > MOST_BYTES {
             let problem = format!(
@@ -65,7 +73,7 @@ impl App {
     }
 
     /// Forgets the answers, and goes back to both views.
-    pub(super) fn put_answers_away(&mut self) {
+    fn put_answers_away(&mut self) {
         self.session.answers = None;
         if self.session.settings.layout == ViewLayout::Answers {
             self.session.settings.layout = ViewLayout::Both;

@@ -6,8 +6,9 @@ use egui::{Context, Event, ViewportCommand};
 
 use super::App;
 use crate::model::files::save_written;
+use crate::model::session::ViewLayout;
 use crate::model::translator::{pasted, with};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, ExchangeAction};
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::tools::translator;
 use pinhole_exchange::format::{ExportScene, Exported};
@@ -24,17 +25,29 @@ impl App {
                 _ => None,
             })
         });
-        actions.extend(text.map(Action::Paste));
+        actions.extend(text.map(|text| ExchangeAction::Paste(text).into()));
     }
 
-    /// Asks for the clipboard's text, which comes as if it was pasted by its keys.
-    pub(super) fn ask_paste(&self, ctx: &Context) {
-        ctx.send_viewport_cmd(ViewportCommand::RequestPaste);
-        ctx.request_repaint();
+    pub(super) fn exchange(&mut self, ctx: &Context, action: ExchangeAction) {
+        match action {
+            ExchangeAction::AskPaste => {
+                // It comes as if it was pasted by its keys.
+                ctx.send_viewport_cmd(ViewportCommand::RequestPaste);
+                ctx.request_repaint();
+            }
+            ExchangeAction::Paste(text) => self.paste(ctx, &text),
+            ExchangeAction::TranslateInto(name) => {
+                self.session.translator.target = name;
+                self.session.settings.layout = ViewLayout::Translator;
+                ctx.request_discard("the translator is shown");
+            }
+            ExchangeAction::AskSave => self.ask_translate(),
+            ExchangeAction::Save(path) => self.translate(&path),
+        }
     }
 
     /// Sets the camera from a text, as one step of the history; or says what is wrong with it.
-    pub(super) fn paste(&mut self, ctx: &Context, text: &str) {
+    fn paste(&mut self, ctx: &Context, text: &str) {
         let (camera, said) = pasted(text, &self.open.document.camera);
         if let Some(camera) = camera {
             self.keep_play(ctx);
@@ -65,7 +78,7 @@ impl App {
     }
 
     /// Asks where to write the translator's text.
-    pub(super) fn ask_translate(&mut self) {
+    fn ask_translate(&mut self) {
         let Some(written) = self.translated() else { return };
         let target = self.session.translator.chosen();
         let (name, ending) = match written.files.len() {
@@ -78,7 +91,7 @@ impl App {
     }
 
     /// Writes the translator's text, or its files into a folder.
-    pub(super) fn translate(&mut self, path: &Path) {
+    fn translate(&mut self, path: &Path) {
         let Some(written) = self.translated() else { return };
         if let Err(error) = save_written(&written, path) {
             self.tell("The camera was not saved", error.to_string());

@@ -8,6 +8,7 @@ use egui::Context;
 use super::App;
 use crate::figures::{Content, MARGIN, Order, Subject, derivation_of};
 use crate::model::session::{Session, ViewLayout};
+use crate::ui::action::FigureAction;
 use crate::ui::dialogs::dialog::Dialog;
 use crate::ui::dialogs::export::{ExportForm, OnScreen};
 use crate::ui::ray::lines;
@@ -20,8 +21,23 @@ const DERIVATION: [f32; 2] = [800.0, 600.0];
 const LINES: [f32; 2] = [800.0, 640.0];
 
 impl App {
+    pub(super) fn figure(&mut self, ctx: &Context, action: FigureAction) {
+        match action {
+            FigureAction::Ask => self.ask_export(ctx),
+            FigureAction::Export { order, path } => self.export(&order, &path),
+            FigureAction::AskAnimation => self.ask_export_animation(ctx),
+            FigureAction::ExportAnimation { order, frames, path } => {
+                self.export_animation(order, frames, path);
+            }
+            FigureAction::CopyDerivation(markup) => {
+                let derivation = derivation_of(&self.open.document, &self.session);
+                ctx.copy_text(derivation.written_in(markup));
+            }
+        }
+    }
+
     /// Opens the dialog, with what the layout is about chosen.
-    pub(super) fn ask_export(&mut self, ctx: &Context) {
+    fn ask_export(&mut self, ctx: &Context) {
         let first = match self.session.settings.layout {
             ViewLayout::Camera
             | ViewLayout::Accuracy
@@ -60,7 +76,7 @@ impl App {
     }
 
     /// Writes a figure of what is on the screen.
-    pub(super) fn export(&mut self, order: &Order, path: &Path) {
+    fn export(&mut self, order: &Order, path: &Path) {
         // What the mouse was at is nothing to keep.
         let session = Session { hovered: None, ..self.session.clone() };
         if let Err(problem) = self.exported(order, path, &session) {

@@ -4,22 +4,22 @@ use egui::Context;
 
 use super::App;
 use crate::model::ghost::{Beside, Ghost};
-use crate::ui::action::GhostMove;
+use crate::ui::action::GhostAction;
 
 /// What the step of the history is called that puts the camera where the ghost is.
 const SWAP: &str = "swap with the ghost";
 
 impl App {
     /// Does what a menu or a key asks for.
-    pub(super) fn move_ghost(&mut self, ctx: &Context, ghost: GhostMove) {
+    pub(super) fn move_ghost(&mut self, ctx: &Context, ghost: GhostAction) {
         let camera = self.open.document.camera;
         match ghost {
-            GhostMove::Freeze => {
+            GhostAction::Freeze => {
                 let beside = self.session.ghost.map_or(Beside::default(), |ghost| ghost.beside);
                 self.session.ghost = Some(Ghost { camera, beside });
             }
-            GhostMove::Drop => self.session.ghost = None,
-            GhostMove::Swap => {
+            GhostAction::Drop => self.session.ghost = None,
+            GhostAction::Swap => {
                 let Some(ghost) = &mut self.session.ghost else { return };
                 self.open.document.camera = std::mem::replace(&mut ghost.camera, camera);
                 let selection = self.session.selection;

@@ -4,7 +4,7 @@ use egui::{Context, Key, Modifiers, Popup, ViewportCommand};
 
 use super::App;
 use super::answers;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, Leave, LookAction};
 use crate::ui::commands_table::{self, When};
 
 impl App {
@@ -21,7 +21,7 @@ impl App {
             self.give_back_play();
             if self.open.has_changes() {
                 ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-                self.ask_about_changes(Action::Quit);
+                self.ask_about_changes(Leave::Quit);
             } else {
                 self.may_close = true;
             }
@@ -76,7 +76,7 @@ impl App {
         let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
         if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
         {
-            actions.push(Action::Present);
+            actions.push(LookAction::Present.into());
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Place, Which, apply};
 use crate::model::observer::Observer;
 use crate::model::session::{Session, Settings};
-use crate::ui::action::{Action, PlayMove};
+use crate::ui::action::{Action, PlayAction};
 use crate::ui::panels::lesson_strip;
 use crate::view::derive::Deriver;
 
@@ -85,7 +85,7 @@ impl App {
         self.lessons.seen_from = self.session.observer;
         // In the next pass, which knows what the step's ray hits.
         let play = next.step().looks.play;
-        self.waiting.extend(play.map(|kind| Action::Play(PlayMove::Open(kind))));
+        self.waiting.extend(play.map(|kind| PlayAction::Open(kind).into()));
         self.lessons.open = Some(next);
         self.settled();
     }

@@ -281,13 +281,10 @@ impl App {
         Panel::top("top bar").show(ui, |ui| {
             let (undo, redo) = (self.changes.undo_name(), self.changes.redo_name());
             let steps = top_bar::Steps { undo, redo };
-            let has = top_bar::Has {
-                ghost: self.session.ghost.is_some(),
-                answers: self.session.answers.is_some(),
-            };
+            let there = self.available();
             let settings = &mut self.session.settings;
             let open = &self.open;
-            top_bar::ui(ui, open, &self.recent, steps, has, settings, actions);
+            top_bar::ui(ui, open, &self.recent, steps, there, settings, actions);
         });
         self.lesson_strip(ui, actions);
         self.play_on(ui, actions);

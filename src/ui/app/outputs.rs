@@ -6,7 +6,7 @@ use super::App;
 use crate::model::fault::Fault;
 use crate::model::letters::typeset_message;
 use crate::model::session::{Session, ViewLayout};
-use crate::ui::action::{Action, Observe};
+use crate::ui::action::Observe;
 use crate::ui::practice::{answers, exercises, mistakes};
 use crate::ui::ray::{lines, plot};
 use crate::ui::scene::places::Places;
@@ -70,7 +70,7 @@ impl App {
             framing::hint(ui, *rect, &self.derived, &self.open.document, &self.session)
         });
         if framing.is_some() {
-            self.waiting.push(Action::Observe(Observe::FrameCamera));
+            self.waiting.push(Observe::FrameCamera.into());
             ui.ctx().request_repaint();
         }
     }

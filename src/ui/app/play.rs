@@ -5,7 +5,7 @@ use egui::{Context, Panel, Ui};
 use super::App;
 use crate::model::observer::Observer;
 use crate::model::play::{Kind, Player, Start, Still, ray_point_end};
-use crate::ui::action::{Action, GhostMove, PlayMove};
+use crate::ui::action::{Action, HistoryAction, PlayAction, PlayEnd};
 use crate::ui::panels::play;
 use pinhole_exchange::document::Document;
 
@@ -50,9 +50,9 @@ impl App {
     }
 
     /// Does what the strip or a key asks for.
-    pub(super) fn play(&mut self, ctx: &Context, play: PlayMove) {
+    pub(super) fn play(&mut self, ctx: &Context, play: PlayAction) {
         match (play, &mut self.player) {
-            (PlayMove::Open(kind), _) => {
+            (PlayAction::Open(kind), _) => {
                 self.give_back_play();
                 self.settle(ctx);
                 let inspection = self.derived.inspection.as_deref();
@@ -61,12 +61,12 @@ impl App {
                 player.stepped_back = self.step_back(kind, &start);
                 self.player = Some(player);
             }
-            (PlayMove::Toggle, Some(player)) => player.toggle(),
-            (PlayMove::Step(by), Some(player)) => player.step(by),
-            (PlayMove::Faster(by), Some(player)) => player.faster(by),
-            (PlayMove::Loop, Some(player)) => player.loops ^= true,
-            (PlayMove::Keep, Some(_)) => self.keep_play(ctx),
-            (PlayMove::Close, Some(_)) => self.give_back_play(),
+            (PlayAction::Toggle, Some(player)) => player.toggle(),
+            (PlayAction::Step(by), Some(player)) => player.step(by),
+            (PlayAction::Faster(by), Some(player)) => player.faster(by),
+            (PlayAction::Loop, Some(player)) => player.loops ^= true,
+            (PlayAction::Keep, Some(_)) => self.keep_play(ctx),
+            (PlayAction::Close, Some(_)) => self.give_back_play(),
             (_, None) => return,
         }
         ctx.request_repaint();
@@ -125,30 +125,16 @@ impl App {
         self.player.as_ref().is_some_and(|player| player.kind.moves_camera())
     }
 
-    /// What an action does to the animation that is open: the camera is saved as it is seen; who goes
-    /// elsewhere leaves the camera as it was. Whether that is all there is to undo.
+    /// Ends the animation that is open where the action does. Whether that is all there is to undo.
     pub(super) fn end_play_for(&mut self, ctx: &Context, action: &Action) -> bool {
-        match action {
-            Action::Save | Action::AskSaveAs | Action::SaveAs { .. } | Action::SaveThen(_) => {
-                self.keep_play(ctx);
-            }
-            Action::Undo if self.plays_camera() => {
-                self.give_back_play();
-                return true;
-            }
-            Action::Open(_)
-            | Action::Show(_)
-            | Action::Quit
-            | Action::GoTo(_)
-            | Action::BackToStep
-            | Action::CloseLesson
-            | Action::Discard(_)
-            | Action::Undo
-            | Action::Redo
-            | Action::Ghost(GhostMove::Swap) => self.give_back_play(),
-            _ => {}
+        let is_undone =
+            matches!(action, Action::History(HistoryAction::Undo)) && self.plays_camera();
+        match action.play_end() {
+            PlayEnd::GoesOn => {}
+            PlayEnd::Keeps => self.keep_play(ctx),
+            PlayEnd::GivesBack => self.give_back_play(),
         }
-        false
+        is_undone
     }
 
     /// The animation that is open.

@@ -8,7 +8,7 @@ use crate::model::lessons::Which;
 use crate::model::mistakes_view::MistakesView;
 use crate::model::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ThemeName, ViewLayout};
-use crate::ui::action::{Action, GhostMove, ObjectMove, PlayMove};
+use crate::ui::action::{Action, Available, Leave, LookAction, ObjectAction, Overlay};
 use crate::ui::commands_table::{self, Group, UiCommand};
 use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
@@ -36,45 +36,46 @@ impl App {
         self.dialog.is_some() || self.sheet.is_some()
     }
 
-    /// Changes how things are shown; other commands are carried out elsewhere.
-    pub(super) fn change_look(&mut self, ctx: &Context, action: Action) {
+    /// Changes how things are shown.
+    pub(super) fn change_look(&mut self, ctx: &Context, action: LookAction) {
         let session = &mut self.session;
         let settings = &mut session.settings;
         match action {
-            Action::Layout(layout) => settings.layout = layout,
-            Action::Shade(shade) => settings.shade = shade,
-            Action::Theme(theme) => settings.theme = theme,
-            Action::Scheme(scheme) => settings.scheme = scheme,
-            Action::Method(method) => settings.method = method,
-            Action::Toggle(switch) => switch.toggle(session),
-            Action::DigitsBy(by) => {
+            LookAction::Layout(layout) => settings.layout = layout,
+            LookAction::Shade(shade) => settings.shade = shade,
+            LookAction::Theme(theme) => settings.theme = theme,
+            LookAction::Scheme(scheme) => settings.scheme = scheme,
+            LookAction::Method(method) => settings.method = method,
+            LookAction::Toggle(switch) => switch.toggle(session),
+            LookAction::DigitsBy(by) => {
                 let digits = settings.digits.saturating_add_signed(by as isize);
                 settings.digits = digits.clamp(DIGITS.0, DIGITS.1);
             }
-            Action::ZoomBy(by) => self.zoom_by(by),
-            Action::Exercise(exercise) => {
+            LookAction::ZoomBy(by) => self.zoom_by(by),
+            LookAction::Exercise(exercise) => {
                 session.exercises.show(exercise, None);
                 settings.layout = ViewLayout::Exercises;
             }
-            Action::TranslateInto(name) => {
-                session.translator.target = name;
-                settings.layout = ViewLayout::Translator;
-            }
-            Action::Mistake(chosen) => {
+            LookAction::Mistake(chosen) => {
                 session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
                 settings.layout = ViewLayout::Mistakes;
             }
-            Action::Present => self.present_or_end(),
-            Action::Fill(full) => {
+            LookAction::Present => self.present_or_end(),
+            LookAction::Fill(full) => {
                 let begun = Presenting::begin(session.spotlight);
                 let presenting = session.presenting.get_or_insert(begun);
                 presenting.fill(full, &mut settings.layout);
             }
-            Action::Palette => self.sheet = Some(Sheet::Palette(Palette::default())),
-            Action::KeyList => self.sheet = Some(Sheet::Keys),
-            _ => return,
         }
         ctx.request_discard("a command changed how things are shown");
+    }
+
+    pub(super) fn lay_over(&mut self, ctx: &Context, overlay: Overlay) {
+        self.sheet = Some(match overlay {
+            Overlay::Palette => Sheet::Palette(Palette::default()),
+            Overlay::Keys => Sheet::Keys,
+        });
+        ctx.request_discard("something lies over the window");
     }
 
     fn zoom_by(&mut self, by: i32) {
@@ -143,8 +144,9 @@ impl App {
             Some(Sheet::Palette(mut palette)) => {
                 let extra = self.commands_of_what_is_open();
                 let commands = commands_table::all().iter().chain(&extra);
+                let there = self.available();
                 let commands: Vec<&UiCommand> =
-                    commands.filter(|verb| self.is_possible(&verb.action)).collect();
+                    commands.filter(|verb| verb.action.is_possible(there)).collect();
                 let is_open = palette::ui(ctx, &mut palette, &commands, &self.session, actions);
                 self.sheet = Some(Sheet::Palette(palette));
                 is_open
@@ -168,18 +170,15 @@ impl App {
         commands
     }
 
-    /// Whether there is what the command is done to.
-    fn is_possible(&self, action: &Action) -> bool {
-        match action {
-            Action::Undo => self.changes.undo_name().is_some(),
-            Action::Redo => self.changes.redo_name().is_some(),
-            Action::Ghost(GhostMove::Drop | GhostMove::Swap) => self.session.ghost.is_some(),
-            Action::Play(PlayMove::Toggle | PlayMove::Step(_)) => self.player.is_some(),
-            Action::PutAnswersAway => self.session.answers.is_some(),
-            Action::Next | Action::Previous | Action::BackToStep | Action::CloseLesson => {
-                self.lessons.open.is_some()
-            }
-            _ => true,
+    /// What there is for commands to be done to.
+    pub(super) fn available(&self) -> Available {
+        Available {
+            undo: self.changes.undo_name().is_some(),
+            redo: self.changes.redo_name().is_some(),
+            lesson: self.lessons.open.is_some(),
+            animation: self.player.is_some(),
+            ghost: self.session.ghost.is_some(),
+            answers: self.session.answers.is_some(),
         }
     }
 
@@ -206,7 +205,7 @@ fn object(document: &Document, index: usize) -> UiCommand {
         name: format!("choose {}", document.title_of(index)).into(),
         about: "Shows its fields, and its handles in the world view.".into(),
         keys: &[],
-        action: Action::Object(ObjectMove::Choose(index)),
+        action: ObjectAction::Choose(index).into(),
     }
 }
 
@@ -218,7 +217,7 @@ fn recent(path: &std::path::Path) -> UiCommand {
         name: format!("open {}", path.display()).into(),
         about: "Opens it again.".into(),
         keys: &[],
-        action: Action::Open(SceneSource::File(path.to_owned())),
+        action: Leave::Open(SceneSource::File(path.to_owned())).into(),
     }
 }
 

@@ -18,7 +18,7 @@ pub use table::{GESTURES, Gesture, of_lesson};
 
 use egui::Key;
 
-use crate::ui::action::{Action, ObjectMove, Observe, Steer};
+use crate::ui::action::{Action, ObjectAction, Observe, Steer};
 
 /// What a command belongs to: a heading of the key sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -123,22 +123,27 @@ pub fn all() -> &'static [UiCommand] {
 }
 
 /// The first key of this action, such as `Ctrl+O`; nothing where it has none.
-pub fn shortcut(action: &Action) -> String {
-    let verb = all().iter().find(|verb| verb.action == *action);
-    verb.and_then(|verb| verb.keys.first()).map(Keys::text).unwrap_or_default()
+pub fn shortcut(action: impl Into<Action>) -> String {
+    with_action(&action.into())
+        .and_then(|verb| verb.keys.first())
+        .map(Keys::text)
+        .unwrap_or_default()
 }
 
 /// All keys of this action, such as `Page Down, Right`; nothing where it has none.
-pub fn keys_text(action: &Action) -> String {
-    let verb = all().iter().find(|verb| verb.action == *action);
-    verb.map(UiCommand::keys_text).unwrap_or_default()
+pub fn keys_text(action: impl Into<Action>) -> String {
+    with_action(&action.into()).map(UiCommand::keys_text).unwrap_or_default()
+}
+
+fn with_action(action: &Action) -> Option<&'static UiCommand> {
+    all().iter().find(|verb| verb.action == *action)
 }
 
 /// What commands that are one but for their direction are called together.
 fn family(action: &Action) -> Option<&'static str> {
     match action {
-        Action::Step { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
-        Action::Step { .. } => Some("Ten pixels on"),
+        Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
+        Action::Select { .. } => Some("Ten pixels on"),
         Action::Steer(Steer::Look(..)) => Some("Look round, in the camera view"),
         Action::Steer(Steer::Orbit(..)) => Some("Orbit round at, there"),
         Action::Steer(Steer::Zoom(_)) => Some("Field of view, there"),
@@ -146,8 +151,20 @@ fn family(action: &Action) -> Option<&'static str> {
         Action::Observe(Observe::Orbit(..)) => Some("Orbit the observer, in the world view"),
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer, there"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom, there"),
-        Action::Object(ObjectMove::Next(_)) => Some("Previous and next object"),
-        _ => None,
+        Action::Object(ObjectAction::Next(_)) => Some("Previous and next object"),
+        Action::Observe(Observe::FrameCamera | Observe::FrameAll)
+        | Action::Object(_)
+        | Action::Leave(_)
+        | Action::File(_)
+        | Action::Lesson(_)
+        | Action::History(_)
+        | Action::Figure(_)
+        | Action::Exchange(_)
+        | Action::Answers(_)
+        | Action::Play(_)
+        | Action::Ghost(_)
+        | Action::Look(_)
+        | Action::Overlay(_) => None,
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
 
 use super::export::ExportForm;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, AnswersAction, ExchangeAction, FileAction, Leave};
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::scenes::SceneSource;
 
@@ -21,8 +21,8 @@ pub enum Dialog {
     SaveAs {
         /// The path.
         field: PathField,
-        /// The action that follows once the scene is saved.
-        then: Option<Box<Action>>,
+        /// What follows once the scene is saved.
+        then: Option<Leave>,
     },
     /// Asks for a file to write the camera to, in another program's format.
     Translate {
@@ -40,12 +40,12 @@ pub enum Dialog {
         /// Total number of frames.
         of: u32,
     },
-    /// Asks for a decision about unsaved changes before an action.
+    /// Asks for a decision about unsaved changes before they are left.
     Unsaved {
         /// The document's name.
         title: String,
-        /// The action that follows.
-        then: Action,
+        /// What follows.
+        then: Leave,
     },
     /// Shows a message.
     Message {
@@ -222,24 +222,25 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
         ui.set_width(460.0);
         match open {
             Dialog::Open(field) => {
-                let open = |path| Action::Open(SceneSource::File(path));
+                let open = |path| Leave::Open(SceneSource::File(path)).into();
                 open_ui(ui, ("Open a scene", "Open"), field, open, actions, &mut close);
             }
             Dialog::Answers(field) => {
                 let title = ("Check a student’s answers", "Check");
-                open_ui(ui, title, field, Action::CheckAnswers, actions, &mut close);
+                let check = |path| AnswersAction::Check(path).into();
+                open_ui(ui, title, field, check, actions, &mut close);
             }
             Dialog::SaveAs { field, then } => {
                 ui.heading("Save the scene as");
                 if let Some(path) = save_ui(ui, field, "Save", "toml", &mut close) {
-                    actions.push(Action::SaveAs { path, then: then.take() });
+                    actions.push(FileAction::SaveAs { path, then: then.take() }.into());
                     close = true;
                 }
             }
             Dialog::Translate { field, ending } => {
                 ui.heading("Save the camera for another program");
                 if let Some(path) = save_ui(ui, field, "Save", ending, &mut close) {
-                    actions.push(Action::Translate(path));
+                    actions.push(ExchangeAction::Save(path).into());
                     close = true;
                 }
             }
@@ -319,25 +320,18 @@ pub(crate) fn save_ui(
     chosen
 }
 
-fn unsaved_ui(
-    ui: &mut Ui,
-    title: &str,
-    then: &Action,
-    actions: &mut Vec<Action>,
-    close: &mut bool,
-) {
+fn unsaved_ui(ui: &mut Ui, title: &str, then: &Leave, actions: &mut Vec<Action>, close: &mut bool) {
     ui.heading(format!("Save the changes to {title}?"));
     ui.label("Without saving, they are lost.");
     ui.add_space(8.0);
     ui.horizontal(|ui| {
-        let then = || Box::new(then.clone());
         for (text, action) in [
-            ("Save", Some(Action::SaveThen(then()))),
-            ("Discard", Some(Action::Discard(then()))),
+            ("Save", Some(FileAction::SaveThen(then.clone()))),
+            ("Discard", Some(FileAction::Discard(then.clone()))),
             ("Cancel", None),
         ] {
             if ui.button(text).clicked() {
-                actions.extend(action);
+                actions.extend(action.map(Action::from));
                 *close = true;
             }
         }

@@ -7,7 +7,7 @@ use egui::{Checkbox, DragValue, Grid, RichText, Ui};
 use crate::figures::{Content, Frames, Order, Reel, Subject, check_name};
 use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::dialog::{PathField, save_ui};
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
@@ -109,10 +109,11 @@ impl ExportForm {
                     let OnScreen { subject, points, .. } = shown;
                     let ExportForm { size, style, transparent, .. } = *self;
                     let order = Order { subject, size, points, style, transparent };
-                    actions.push(match self.animation {
-                        Some((_, frames)) => Action::ExportAnimation { order, frames, path },
-                        None => Action::Export { order, path },
-                    });
+                    let export = match self.animation {
+                        Some((_, frames)) => FigureAction::ExportAnimation { order, frames, path },
+                        None => FigureAction::Export { order, path },
+                    };
+                    actions.push(export.into());
                     *close = true;
                 }
                 Err(problem) => self.problem = Some(format!("Export {problem}")),

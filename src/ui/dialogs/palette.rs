@@ -5,7 +5,7 @@ use egui::{
 };
 
 use crate::model::session::Session;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, LookAction};
 use crate::ui::commands_table::{UiCommand, found};
 
 /// Size of the names, in points.
@@ -125,11 +125,11 @@ fn list(
 }
 
 fn entry<'a>(verb: &UiCommand, is_chosen: bool, session: &Session, row: f32) -> Button<'a> {
-    let on = match verb.action {
-        Action::Toggle(switch) => Some(switch.is_on(session)),
-        _ => None,
+    let state = match verb.action {
+        Action::Look(LookAction::Toggle(switch)) if switch.is_on(session) => "on",
+        Action::Look(LookAction::Toggle(_)) => "off",
+        _ => "",
     };
-    let state = on.map_or("", |on| if on { "on" } else { "off" });
     let keys = verb.keys_text();
     let gap = if state.is_empty() || keys.is_empty() { "" } else { "   " };
     Button::selectable(is_chosen, RichText::new(verb.title()).size(TEXT))

@@ -6,7 +6,7 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 
 use crate::model::lessons::{Lesson, OpenLesson, Place, Which, builtin, title_of};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
 use crate::ui::widgets::marked_text;
 
@@ -78,20 +78,20 @@ fn buttons(
             actions.push(action);
         }
     };
-    button(ui, "×", "Close the lesson", "Close the lesson", Some(Action::CloseLesson));
-    let back = changed.then_some(Action::BackToStep);
+    button(ui, "×", "Close the lesson", "Close the lesson", Some(LessonAction::Close.into()));
+    let back = changed.then_some(Leave::BackToStep.into());
     button(
         ui,
-        &format!("Back to the step ({})", shortcut(&Action::BackToStep)),
+        &format!("Back to the step ({})", shortcut(Leave::BackToStep)),
         "Back to the step",
         "Everything as the step says",
         back,
     );
-    let next = open.next().map(Action::GoTo);
-    let hint = |text: &str, action: &Action| format!("{text}: {}", keys_text(action));
-    button(ui, "Next →", "Next", &hint("The next step", &Action::Next), next);
-    let previous = open.previous().map(Action::GoTo);
-    let hint = hint("The step before", &Action::Previous);
+    let next = open.next().map(|place| Leave::GoTo(place).into());
+    let hint = |text: &str, action: LessonAction| format!("{text}: {}", keys_text(action));
+    button(ui, "Next →", "Next", &hint("The next step", LessonAction::Next), next);
+    let previous = open.previous().map(|place| Leave::GoTo(place).into());
+    let hint = hint("The step before", LessonAction::Previous);
     button(ui, "← Previous", "Previous", &hint, previous);
     // Laid out like every menu, independent of the buttons' direction.
     let menu = MenuButton::from_button(Button::new(RichText::new("Contents").size(BUTTON)));
@@ -144,7 +144,7 @@ fn entries(
         let place = Place { lesson: which, step: index };
         let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
         if ui.selectable_label(place == open.place(), text).clicked() {
-            actions.push(Action::GoTo(place));
+            actions.push(Leave::GoTo(place).into());
         }
     }
 }

@@ -3,7 +3,7 @@
 use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
 
 use crate::model::play::{Kind, Player};
-use crate::ui::action::{Action, PlayMove};
+use crate::ui::action::{Action, FigureAction, PlayAction};
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
@@ -20,7 +20,7 @@ const SCAN_PLACE: f32 = 196.0;
 pub(crate) fn menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for kind in Kind::ALL {
         if ui.button(kind.label()).clicked() {
-            actions.push(Action::Play(PlayMove::Open(kind)));
+            actions.push(PlayAction::Open(kind).into());
         }
     }
 }
@@ -34,16 +34,16 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         let chosen = kinds(ui, player.kind);
         let (text, name) = if player.running { ("Pause", "Pause") } else { ("Play", "Play on") };
-        button(ui, [text, name, "Space"], PlayMove::Toggle, actions);
-        button(ui, ["← Step", "Step back", "A step back: comma"], PlayMove::Step(-1), actions);
-        button(ui, ["Step →", "Step on", "A step on: full stop"], PlayMove::Step(1), actions);
+        button(ui, [text, name, "Space"], PlayAction::Toggle, actions);
+        button(ui, ["← Step", "Step back", "A step back: comma"], PlayAction::Step(-1), actions);
+        button(ui, ["Step →", "Step on", "A step on: full stop"], PlayAction::Step(1), actions);
         speed(ui, &mut player.speed);
         ui.add(Checkbox::new(&mut player.loops, "Loop")).on_hover_text("L");
         if !is_narrow {
             ui.with_layout(right_to_left, |ui| ends(ui, player, actions));
         }
         if let Some(kind) = chosen {
-            actions.push(Action::Play(PlayMove::Open(kind)));
+            actions.push(PlayAction::Open(kind).into());
         }
     });
     if is_narrow {
@@ -57,22 +57,22 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
 }
 
 /// Shows a button with its text, its accessible name, and its hint.
-fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayMove, actions: &mut Vec<Action>) {
+fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction, actions: &mut Vec<Action>) {
     let response = ui.add(Button::new(text)).on_hover_text(hint);
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
     if response.clicked() {
-        actions.push(Action::Play(play));
+        actions.push(play.into());
     }
 }
 
 /// Shows the buttons that end the animation, and its position; from right to left.
 fn ends(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
     let hint = "Close, with everything as it was at the start";
-    button(ui, ["Stop", "Stop and go back", hint], PlayMove::Close, actions);
+    button(ui, ["Stop", "Stop and go back", hint], PlayAction::Close, actions);
     let hint = "Close, with everything as it is now";
-    button(ui, ["Keep", "Keep this", hint], PlayMove::Keep, actions);
+    button(ui, ["Keep", "Keep this", hint], PlayAction::Keep, actions);
     if ui.button("Export…").clicked() {
-        actions.push(Action::AskExportAnimation);
+        actions.push(FigureAction::AskAnimation.into());
     }
     place(ui, player);
 }

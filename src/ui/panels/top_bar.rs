@@ -11,7 +11,10 @@ use crate::model::lessons::{self, Place, Which};
 use crate::model::overlay_items::Item;
 use crate::model::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
-use crate::ui::action::{Action, Observe};
+use crate::ui::action::{
+    Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, HistoryAction,
+    Leave, LookAction, Observe, Overlay,
+};
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
 use crate::ui::scene::compare;
@@ -27,22 +30,13 @@ pub(crate) struct Steps<'a> {
     pub(crate) redo: Option<&'a str>,
 }
 
-/// The presence of optional parts.
-#[derive(Clone, Copy)]
-pub(crate) struct Has {
-    /// True if there is a ghost to compare with.
-    pub(crate) ghost: bool,
-    /// True if there are a student's answers.
-    pub(crate) answers: bool,
-}
-
 /// Shows the bar, and writes the user's choices to `actions` and `settings`.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
     steps: Steps,
-    has: Has,
+    there: Available,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
 ) {
@@ -52,7 +46,7 @@ pub(crate) fn ui(
         ui.menu_button("Scenes", |ui| {
             for scene in builtin::all() {
                 if ui.button(scene.name).on_hover_text(scene.summary()).clicked() {
-                    actions.push(Action::Open(SceneSource::Builtin(scene)));
+                    actions.push(Leave::Open(SceneSource::Builtin(scene)).into());
                 }
             }
         });
@@ -60,7 +54,7 @@ pub(crate) fn ui(
         // These menus stay open for several clicks.
         let stays = || MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let menu = |text| MenuButton::new(text).config(stays());
-        menu("Show").ui(ui, |ui| show_menu(ui, has.ghost, settings, actions));
+        menu("Show").ui(ui, |ui| show_menu(ui, there.ghost, settings, actions));
         menu("Numbers").ui(ui, |ui| numbers_menu(ui, settings));
         ui.menu_button("Play", |ui| play::menu(ui, actions));
         ui.separator();
@@ -69,7 +63,7 @@ pub(crate) fn ui(
         let title = format!("{}{changed}", title_of(open.origin()));
         let shading = format!("Shade: {}", Shade::from(settings.shade).name());
         let after = [width_of(ui, &shading), width_of(ui, &title).min(TITLE)];
-        layout(ui, has, settings, after.into_iter().sum::<f32>() + 2.0 * SEPARATOR);
+        layout(ui, there.answers, settings, after.into_iter().sum::<f32>() + 2.0 * SEPARATOR);
         ui.separator();
         shade(ui, &shading, &mut settings.shade);
         ui.separator();
@@ -92,21 +86,26 @@ fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         let which = Which::Builtin(index);
         if ui.button(lessons::title_of(which, lesson)).clicked() {
-            actions.push(Action::GoTo(Place { lesson: which, step: 0 }));
+            actions.push(Leave::GoTo(Place { lesson: which, step: 0 }).into());
         }
     }
 }
 
 fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Action>) {
-    entry(ui, "Open…", Action::AskOpen, actions);
-    entry(ui, "Save", Action::Save, actions);
-    entry(ui, "Save as…", Action::AskSaveAs, actions);
+    entry(ui, "Open…", FileAction::AskOpen, actions);
+    entry(ui, "Save", FileAction::Save, actions);
+    entry(ui, "Save as…", FileAction::AskSaveAs, actions);
     ui.separator();
-    entry(ui, "Check answers…", Action::AskAnswers, actions);
+    entry(ui, "Check answers…", AnswersAction::Ask, actions);
     ui.separator();
-    entry(ui, "Export a figure…", Action::AskExport, actions);
-    entry(ui, "Copy the derivation as LaTeX", Action::CopyDerivation(Markup::Latex), actions);
-    entry(ui, "Copy the derivation as Markdown", Action::CopyDerivation(Markup::Markdown), actions);
+    entry(ui, "Export a figure…", FigureAction::Ask, actions);
+    entry(ui, "Copy the derivation as LaTeX", FigureAction::CopyDerivation(Markup::Latex), actions);
+    entry(
+        ui,
+        "Copy the derivation as Markdown",
+        FigureAction::CopyDerivation(Markup::Markdown),
+        actions,
+    );
     ui.separator();
     ui.menu_button("Recent", |ui| {
         if recent.is_empty() {
@@ -114,43 +113,45 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
         }
         for path in recent {
             if ui.button(path.display().to_string()).clicked() {
-                actions.push(Action::Open(SceneSource::File(path.clone())));
+                actions.push(Leave::Open(SceneSource::File(path.clone())).into());
             }
         }
     });
     ui.separator();
-    entry(ui, "Quit", Action::Quit, actions);
+    entry(ui, "Quit", Leave::Quit, actions);
 }
 
 /// Shows a menu entry with its key.
-fn entry(ui: &mut Ui, text: &str, action: Action, actions: &mut Vec<Action>) {
-    if ui.add(egui::Button::new(text).shortcut_text(shortcut(&action))).clicked() {
+fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>, actions: &mut Vec<Action>) {
+    let action = action.into();
+    if ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).clicked() {
         actions.push(action);
     }
 }
 
 fn edit_menu(ui: &mut Ui, steps: Steps, actions: &mut Vec<Action>) {
-    let mut entry = |verb: &str, step: Option<&str>, action: Action| {
+    let mut entry = |verb: &str, step: Option<&str>, action: HistoryAction| {
         let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
-        let button = egui::Button::new(text).shortcut_text(shortcut(&action));
+        let button = egui::Button::new(text).shortcut_text(shortcut(action));
         if ui.add_enabled(step.is_some(), button).clicked() {
-            actions.push(action);
+            actions.push(action.into());
         }
     };
-    entry("Undo", steps.undo, Action::Undo);
-    entry("Redo", steps.redo, Action::Redo);
-    let paste = egui::Button::new("Paste a camera").shortcut_text(shortcut(&Action::AskPaste));
+    entry("Undo", steps.undo, HistoryAction::Undo);
+    entry("Redo", steps.redo, HistoryAction::Redo);
+    let paste =
+        egui::Button::new("Paste a camera").shortcut_text(shortcut(ExchangeAction::AskPaste));
     if ui.add(paste).clicked() {
-        actions.push(Action::AskPaste);
+        actions.push(ExchangeAction::AskPaste.into());
     }
 }
 
 fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mut Vec<Action>) {
-    entry(ui, "Presenter mode", Action::Present, actions);
-    entry(ui, "Frame all", Action::FrameAll, actions);
-    entry(ui, "Frame the camera", Action::Observe(Observe::FrameCamera), actions);
-    entry(ui, "Command palette", Action::Palette, actions);
-    entry(ui, "Keys", Action::KeyList, actions);
+    entry(ui, "Presenter mode", LookAction::Present, actions);
+    entry(ui, "Frame all", Observe::FrameAll, actions);
+    entry(ui, "Frame the camera", Observe::FrameCamera, actions);
+    entry(ui, "Command palette", Overlay::Palette, actions);
+    entry(ui, "Keys", Overlay::Keys, actions);
     ui.separator();
     compare::menu(ui, has_ghost, actions);
     ui.separator();
@@ -192,7 +193,7 @@ fn show_menu(ui: &mut Ui, has_ghost: bool, settings: &mut Settings, actions: &mu
         });
     });
     ui.separator();
-    let zoom = |by| shortcut(&Action::ZoomBy(by));
+    let zoom = |by| shortcut(LookAction::ZoomBy(by));
     ui.weak(format!("Zoom: {} and {}", zoom(1), zoom(-1)));
 }
 
@@ -208,8 +209,8 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
 
 /// Shows the layouts side by side. Layouts without room move into a menu; `after` is the width
 /// reserved for what follows.
-fn layout(ui: &mut Ui, has: Has, settings: &mut Settings, after: f32) {
-    let answers = has.answers.then_some(ViewLayout::Answers);
+fn layout(ui: &mut Ui, has_answers: bool, settings: &mut Settings, after: f32) {
+    let answers = has_answers.then_some(ViewLayout::Answers);
     let layouts: Vec<ViewLayout> = ViewLayout::LISTED.into_iter().chain(answers).collect();
     let widths: Vec<f32> = layouts.iter().map(|layout| width_of(ui, layout.label())).collect();
     let room = ui.available_width() - after;

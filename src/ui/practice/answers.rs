@@ -10,7 +10,7 @@ use pinhole_lecture::grading::{Cell, Graded};
 use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::student_answers::AnswersAtHand;
-use crate::ui::action::Action;
+use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::places::STRIP;
 use crate::ui::scene::views;
 use crate::ui::widgets::sign::sign;
@@ -129,14 +129,14 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
 fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
         if ui.button("Check answers…").clicked() {
-            actions.push(Action::AskAnswers);
+            actions.push(AnswersAction::Ask.into());
         }
         let Some(answers) = &mut session.answers else { return };
         if ui.button("Read again").on_hover_text("Reads the file as it is now").clicked() {
-            actions.push(Action::CheckAnswers(answers.file.path.clone()));
+            actions.push(AnswersAction::Check(answers.file.path.clone()).into());
         }
         if ui.button("Put away").clicked() {
-            actions.push(Action::PutAnswersAway);
+            actions.push(AnswersAction::PutAway.into());
         }
         if !answers.are_numbered() {
             return;
@@ -178,7 +178,7 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     for mistake in &grade.diagnosis.mistakes {
         ui.label(typeset_message(mistake.advice()));
         if mistake.is_in_gallery() && ui.button(format!("See it: {}", mistake.name())).clicked() {
-            actions.push(Action::Mistake(*mistake));
+            actions.push(LookAction::Mistake(*mistake).into());
         }
     }
     for remark in graded.remarks() {

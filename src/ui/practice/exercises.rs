@@ -6,7 +6,7 @@ use egui::{
 use pinhole_lecture::exercises::{self, Exercise, QuestionPart};
 
 use crate::model::exercises::{Exercises, LARGEST_SEED, Said, Typed};
-use crate::ui::action::{Action, MadeUp};
+use crate::ui::action::{Action, Leave, MadeUp};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::marked_text;
 use crate::ui::widgets::number::vector_color;
@@ -92,7 +92,7 @@ fn exercise(ui: &mut Ui, exercises: &mut Exercises, style: NumberStyle, actions:
             if ui.button("Open its camera").on_hover_text(hint).clicked() {
                 let title = exercises::title(question.exercise).to_owned();
                 let made_up = MadeUp { document, title, uv: question.uv() };
-                actions.push(Action::Show(Box::new(made_up)));
+                actions.push(Leave::Show(Box::new(made_up)).into());
                 ui.ctx().request_repaint();
             }
         }

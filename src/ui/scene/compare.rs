@@ -10,7 +10,7 @@ use super::views;
 use crate::model::ghost::{Beside, Ghost};
 use crate::model::inspection::Inspection;
 use crate::model::number::grouped;
-use crate::ui::action::{Action, GhostMove};
+use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::number::vector_color;
 use crate::view::derive::Derived;
 use crate::view::ghost::AgainstGhost;
@@ -28,14 +28,14 @@ const NO_GHOST: &str = "Freeze the camera to compare with it: press G.";
 /// Shows the menu entries of the ghost.
 pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     for (text, keys, ghost, needs_one) in [
-        ("Freeze the camera as ghost", "G", GhostMove::Freeze, false),
-        ("Swap camera and ghost", "", GhostMove::Swap, true),
-        ("Drop the ghost", "Shift+G", GhostMove::Drop, true),
+        ("Freeze the camera as ghost", "G", GhostAction::Freeze, false),
+        ("Swap camera and ghost", "", GhostAction::Swap, true),
+        ("Drop the ghost", "Shift+G", GhostAction::Drop, true),
     ] {
         let button = egui::Button::new(text);
         let button = if keys.is_empty() { button } else { button.shortcut_text(keys) };
         if ui.add_enabled(has_ghost || !needs_one, button).clicked() {
-            actions.push(Action::Ghost(ghost));
+            actions.push(ghost.into());
         }
     }
 }
@@ -125,14 +125,14 @@ pub(crate) fn ui(
 /// Shows the menu's commands as a row of buttons.
 fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
     for (text, name, ghost, needs_one) in [
-        ("Freeze (G)", "Freeze the camera", GhostMove::Freeze, false),
-        ("Swap", "Swap with the ghost", GhostMove::Swap, true),
-        ("Drop", "Drop it", GhostMove::Drop, true),
+        ("Freeze (G)", "Freeze the camera", GhostAction::Freeze, false),
+        ("Swap", "Swap with the ghost", GhostAction::Swap, true),
+        ("Drop", "Drop it", GhostAction::Drop, true),
     ] {
         let response = ui.add_enabled(has_ghost || !needs_one, egui::Button::new(text));
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
         if response.clicked() {
-            actions.push(Action::Ghost(ghost));
+            actions.push(ghost.into());
         }
     }
 }

@@ -6,7 +6,7 @@ use pinhole_core::DVec2;
 
 use crate::model::overlay_items::Item;
 use crate::model::session::Session;
-use crate::ui::action::{Action, Observe};
+use crate::ui::action::Observe;
 use crate::ui::commands_table::shortcut;
 use crate::view::derive::Derived;
 use crate::view::handles::{Stage, grips};
@@ -46,7 +46,7 @@ pub(crate) fn hint(
     if session.hand.held.is_some() || !stage.is_viewport_small() {
         return false;
     }
-    let keys = shortcut(&Action::Observe(Observe::FrameCamera));
+    let keys = shortcut(Observe::FrameCamera);
     let texts = [format!("{WHY}{DO} ({keys})"), format!("Frame the camera ({keys})")];
     let fitting = texts.into_iter().find_map(|text| {
         let galley = ui.painter().layout_no_wrap(

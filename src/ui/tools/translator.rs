@@ -12,7 +12,7 @@ use crate::model::conventions::Row;
 use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
-use crate::ui::action::Action;
+use crate::ui::action::{Action, ExchangeAction};
 use crate::view::typesetting::theme::error_color;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Text;
@@ -66,10 +66,10 @@ impl TranslatorPanel {
                 ui.ctx().copy_text(written.joined().text);
             }
             if ui.add_enabled(can, egui::Button::new("Save as a file…")).clicked() {
-                actions.push(Action::AskTranslate);
+                actions.push(ExchangeAction::AskSave.into());
             }
             if ui.button("Paste a camera").clicked() {
-                actions.push(Action::AskPaste);
+                actions.push(ExchangeAction::AskPaste.into());
             }
             let few = document.object_count() <= MOST_OBJECTS;
             let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");

@@ -7,7 +7,9 @@ use super::CTRL_SHIFT;
 use super::key;
 use super::plain;
 use super::verb;
-use crate::ui::action::{Action, ObjectMove, Observe, PlayMove, Steer, Switch};
+use crate::ui::action::{
+    FigureAction, LookAction, ObjectAction, Observe, PlayAction, Steer, Switch,
+};
 use crate::ui::commands_table::{Group, UiCommand, When};
 
 const ALT: Modifiers = Modifiers::ALT;
@@ -24,86 +26,83 @@ pub(super) fn hand() -> Vec<UiCommand> {
 #[rustfmt::skip]
 fn steering() -> Vec<UiCommand> {
     use When::CameraView;
-    let go = Action::Steer;
     verbs![
         Hand, "Look up", "Turns the camera upwards.",
-            [key(CameraView, ALT, Key::ArrowUp)], go(Steer::Look(0, 1));
+            [key(CameraView, ALT, Key::ArrowUp)], Steer::Look(0, 1);
         Hand, "Look down", "Turns the camera downwards.",
-            [key(CameraView, ALT, Key::ArrowDown)], go(Steer::Look(0, -1));
+            [key(CameraView, ALT, Key::ArrowDown)], Steer::Look(0, -1);
         Hand, "Look left", "Turns the camera to its left.",
-            [key(CameraView, ALT, Key::ArrowLeft)], go(Steer::Look(-1, 0));
+            [key(CameraView, ALT, Key::ArrowLeft)], Steer::Look(-1, 0);
         Hand, "Look right", "Turns the camera to its right.",
-            [key(CameraView, ALT, Key::ArrowRight)], go(Steer::Look(1, 0));
+            [key(CameraView, ALT, Key::ArrowRight)], Steer::Look(1, 0);
         Hand, "Orbit upwards", "Takes the eye up round what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowUp)], go(Steer::Orbit(0, 1));
+            [key(CameraView, CTRL, Key::ArrowUp)], Steer::Orbit(0, 1);
         Hand, "Orbit downwards", "Takes the eye down round what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowDown)], go(Steer::Orbit(0, -1));
+            [key(CameraView, CTRL, Key::ArrowDown)], Steer::Orbit(0, -1);
         Hand, "Orbit to the left", "Takes the eye to its left round what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowLeft)], go(Steer::Orbit(-1, 0));
+            [key(CameraView, CTRL, Key::ArrowLeft)], Steer::Orbit(-1, 0);
         Hand, "Orbit to the right", "Takes the eye to its right round what it looks at.",
-            [key(CameraView, CTRL, Key::ArrowRight)], go(Steer::Orbit(1, 0));
+            [key(CameraView, CTRL, Key::ArrowRight)], Steer::Orbit(1, 0);
         Hand, "Narrow the field of view", "Makes the viewport smaller, and what is seen larger.",
-            [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], go(Steer::Zoom(1));
+            [plain(CameraView, Key::Plus), plain(CameraView, Key::Equals)], Steer::Zoom(1);
         Hand, "Widen the field of view", "Makes the viewport larger, and what is seen smaller.",
-            [plain(CameraView, Key::Minus)], go(Steer::Zoom(-1));
+            [plain(CameraView, Key::Minus)], Steer::Zoom(-1);
         Hand, "Dolly forwards", "Takes the eye along w, towards what it looks at.",
-            [key(CameraView, CTRL_SHIFT, Key::ArrowUp)], go(Steer::Dolly(1));
+            [key(CameraView, CTRL_SHIFT, Key::ArrowUp)], Steer::Dolly(1);
         Hand, "Dolly backwards", "Takes the eye along w, away from what it looks at.",
-            [key(CameraView, CTRL_SHIFT, Key::ArrowDown)], go(Steer::Dolly(-1));
+            [key(CameraView, CTRL_SHIFT, Key::ArrowDown)], Steer::Dolly(-1);
     ]
 }
 
 #[rustfmt::skip]
 fn observing() -> Vec<UiCommand> {
     use When::{View, WorldView};
-    let go = Action::Observe;
     verbs![
         Views, "Frame the camera", "Puts the observer where eye and viewport fill the world view.",
-            [key(View, Modifiers::SHIFT, Key::F)], go(Observe::FrameCamera);
+            [key(View, Modifiers::SHIFT, Key::F)], Observe::FrameCamera;
         Views, "Observer upwards", "Takes the observer up round what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowUp)], go(Observe::Orbit(0, 1));
+            [key(WorldView, CTRL, Key::ArrowUp)], Observe::Orbit(0, 1);
         Views, "Observer downwards", "Takes the observer down round what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowDown)], go(Observe::Orbit(0, -1));
+            [key(WorldView, CTRL, Key::ArrowDown)], Observe::Orbit(0, -1);
         Views, "Observer to the left", "Takes the observer to the left round what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowLeft)], go(Observe::Orbit(-1, 0));
+            [key(WorldView, CTRL, Key::ArrowLeft)], Observe::Orbit(-1, 0);
         Views, "Observer to the right", "Takes the observer to the right round what it looks at.",
-            [key(WorldView, CTRL, Key::ArrowRight)], go(Observe::Orbit(1, 0));
+            [key(WorldView, CTRL, Key::ArrowRight)], Observe::Orbit(1, 0);
         Views, "Pan upwards", "Shows what is above the world view.",
-            [key(WorldView, ALT, Key::ArrowUp)], go(Observe::Pan(0, 1));
+            [key(WorldView, ALT, Key::ArrowUp)], Observe::Pan(0, 1);
         Views, "Pan downwards", "Shows what is below the world view.",
-            [key(WorldView, ALT, Key::ArrowDown)], go(Observe::Pan(0, -1));
+            [key(WorldView, ALT, Key::ArrowDown)], Observe::Pan(0, -1);
         Views, "Pan to the left", "Shows what is left of the world view.",
-            [key(WorldView, ALT, Key::ArrowLeft)], go(Observe::Pan(-1, 0));
+            [key(WorldView, ALT, Key::ArrowLeft)], Observe::Pan(-1, 0);
         Views, "Pan to the right", "Shows what is right of the world view.",
-            [key(WorldView, ALT, Key::ArrowRight)], go(Observe::Pan(1, 0));
+            [key(WorldView, ALT, Key::ArrowRight)], Observe::Pan(1, 0);
         Views, "Observer nearer", "Takes the observer nearer to what it looks at.",
-            [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], go(Observe::Zoom(1));
+            [plain(WorldView, Key::Plus), plain(WorldView, Key::Equals)], Observe::Zoom(1);
         Views, "Observer farther", "Takes the observer away from what it looks at.",
-            [plain(WorldView, Key::Minus)], go(Observe::Zoom(-1));
+            [plain(WorldView, Key::Minus)], Observe::Zoom(-1);
     ]
 }
 
 #[rustfmt::skip]
 fn objects() -> Vec<UiCommand> {
     use When::View;
-    let go = Action::Object;
     verbs![
         Objects, "Previous object", "Chooses the object before in the list.",
-            [plain(View, Key::OpenBracket)], go(ObjectMove::Next(-1));
+            [plain(View, Key::OpenBracket)], ObjectAction::Next(-1);
         Objects, "Next object", "Chooses the next object of the list.",
-            [plain(View, Key::CloseBracket)], go(ObjectMove::Next(1));
+            [plain(View, Key::CloseBracket)], ObjectAction::Next(1);
         Objects, "+ Sphere", "Adds a sphere that the camera sees, and chooses it.",
-            [], go(ObjectMove::AddSphere);
+            [], ObjectAction::AddSphere;
         Objects, "+ Plane", "Adds a plane below the origin, and chooses it.",
-            [], go(ObjectMove::AddPlane);
+            [], ObjectAction::AddPlane;
         Objects, "Remove the chosen one", "Takes the chosen object out of the scene.",
-            [], go(ObjectMove::Remove);
+            [], ObjectAction::Remove;
     ]
 }
 
 /// What stays when something is dragged.
 fn switches() -> Vec<UiCommand> {
-    let of = |switch, name, about| verb(Group::Hand, name, about, Action::Toggle(switch));
+    let of = |switch, name, about| verb(Group::Hand, name, about, LookAction::Toggle(switch));
     vec![
         of(
             Switch::EyeTravels,
@@ -127,19 +126,18 @@ fn switches() -> Vec<UiCommand> {
 #[rustfmt::skip]
 pub(super) fn strip() -> Vec<UiCommand> {
     use When::Untyped;
-    let go = Action::Play;
     verbs![
         Play, "Faster", "Lets the open animation run faster.",
-            [key(Untyped, Modifiers::SHIFT, Key::Period)], go(PlayMove::Faster(1));
+            [key(Untyped, Modifiers::SHIFT, Key::Period)], PlayAction::Faster(1);
         Play, "Slower", "Lets the open animation run slower.",
-            [key(Untyped, Modifiers::SHIFT, Key::Comma)], go(PlayMove::Faster(-1));
+            [key(Untyped, Modifiers::SHIFT, Key::Comma)], PlayAction::Faster(-1);
         Play, "Loop", "Lets the open animation begin again after its end, or not.",
-            [plain(Untyped, Key::L)], go(PlayMove::Loop);
+            [plain(Untyped, Key::L)], PlayAction::Loop;
         Play, "Keep", "Closes the animation with everything as it is now.",
-            [], go(PlayMove::Keep);
+            [], PlayAction::Keep;
         Play, "Stop", "Closes the animation with everything as it was at the start.",
-            [], go(PlayMove::Close);
+            [], PlayAction::Close;
         Play, "Export the animation…", "Asks how to write the open animation to a file.",
-            [], Action::AskExportAnimation;
+            [], FigureAction::AskAnimation;
     ]
 }

@@ -8,7 +8,7 @@ macro_rules! verbs {
             name: std::borrow::Cow::Borrowed($name),
             about: std::borrow::Cow::Borrowed($about),
             keys: const { &[$($keys),*] },
-            action: $action,
+            action: $action.into(),
         }),*]
     };
 }
@@ -35,7 +35,10 @@ use crate::model::play::Kind;
 use crate::model::presenting::Full;
 use crate::model::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 use crate::model::translator::Target;
-use crate::ui::action::{Action, GhostMove, PlayMove, Switch};
+use crate::ui::action::{
+    Action, AnswersAction, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction,
+    Leave, LessonAction, LookAction, Observe, Overlay, PlayAction, Switch,
+};
 use crate::view::derivation::Markup;
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::scenes::builtin;
@@ -104,49 +107,49 @@ fn program() -> Vec<UiCommand> {
     use When::*;
     verbs![
         File, "Open…", "Asks which scene or lesson to open.",
-            [key(Anywhere, CTRL, Key::O)], Action::AskOpen;
+            [key(Anywhere, CTRL, Key::O)], FileAction::AskOpen;
         File, "Save as…", "Asks which file to save the scene to.",
-            [key(Anywhere, CTRL_SHIFT, Key::S)], Action::AskSaveAs;
+            [key(Anywhere, CTRL_SHIFT, Key::S)], FileAction::AskSaveAs;
         File, "Save", "Saves the scene to its file.",
-            [key(Anywhere, CTRL, Key::S)], Action::Save;
+            [key(Anywhere, CTRL, Key::S)], FileAction::Save;
         File, "Check answers…", "Asks which file of a student’s answers to grade.",
-            [], Action::AskAnswers;
+            [], AnswersAction::Ask;
         File, "Export a figure…", "Asks which figure to write to which file.",
-            [key(Anywhere, CTRL, Key::E)], Action::AskExport;
+            [key(Anywhere, CTRL, Key::E)], FigureAction::Ask;
         File, "Copy the derivation as LaTeX", "Puts the derivation on the clipboard as LaTeX.",
-            [], Action::CopyDerivation(Markup::Latex);
+            [], FigureAction::CopyDerivation(Markup::Latex);
         File, "Copy the derivation as Markdown", "Puts the derivation on the clipboard as Markdown.",
-            [], Action::CopyDerivation(Markup::Markdown);
+            [], FigureAction::CopyDerivation(Markup::Markdown);
         File, "Save the camera for another program…", "Asks which file to write the translator's text to.",
-            [], Action::AskTranslate;
+            [], ExchangeAction::AskSave;
         File, "Quit", "Closes the window.",
-            [key(Anywhere, CTRL, Key::Q)], Action::Quit;
+            [key(Anywhere, CTRL, Key::Q)], Leave::Quit;
         Edit, "Undo", "Takes back the last change of the scene.",
-            [key(Untyped, CTRL, Key::Z)], Action::Undo;
+            [key(Untyped, CTRL, Key::Z)], HistoryAction::Undo;
         Edit, "Redo", "Does again what was taken back last.",
-            [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], Action::Redo;
+            [key(Untyped, CTRL_SHIFT, Key::Z), key(Untyped, CTRL, Key::Y)], HistoryAction::Redo;
         Edit, "Paste a camera", "Sets the camera from another program's text on the clipboard.",
-            [key(Untyped, CTRL, Key::V)], Action::AskPaste;
+            [key(Untyped, CTRL, Key::V)], ExchangeAction::AskPaste;
         Lesson, "Next step", "Goes to the lesson's next step.",
-            [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], Action::Next;
+            [plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight)], LessonAction::Next;
         Lesson, "Previous step", "Goes to the lesson's step before this one.",
-            [plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft)], Action::Previous;
+            [plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft)], LessonAction::Previous;
         Lesson, "Back to the step", "Sets everything as the lesson's step says.",
-            [plain(LessonUntyped, Key::R)], Action::BackToStep;
-        Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", [], Action::CloseLesson;
+            [plain(LessonUntyped, Key::R)], Leave::BackToStep;
+        Lesson, "Close the lesson", "Closes the lesson; its scene stays open.", [], LessonAction::Close;
         Views, "Frame all", "Puts the observer where everything can be seen.",
-            [plain(View, Key::F), plain(View, Key::Home)], Action::FrameAll;
+            [plain(View, Key::F), plain(View, Key::Home)], Observe::FrameAll;
         Program, "Command palette", "Finds a command by a few of its letters.",
             [key(Anywhere, CTRL, Key::P), key(Anywhere, CTRL_SHIFT, Key::P), plain(Untyped, Key::Slash)],
-            Action::Palette;
+            Overlay::Palette;
         Program, "Keys", "Shows all keys on one sheet.",
-            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], Action::KeyList;
+            [plain(Untyped, Key::Questionmark), plain(Untyped, Key::F1)], Overlay::Keys;
         Program, "Larger", "Makes everything in the window larger; while presenting, the text.",
-            [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], Action::ZoomBy(1);
+            [key(Anywhere, CTRL, Key::Plus), key(Anywhere, CTRL, Key::Equals)], LookAction::ZoomBy(1);
         Program, "Smaller", "Makes everything in the window smaller; while presenting, the text.",
-            [key(Anywhere, CTRL, Key::Minus)], Action::ZoomBy(-1);
+            [key(Anywhere, CTRL, Key::Minus)], LookAction::ZoomBy(-1);
         Program, "Usual size", "Makes everything in the window as large as at first.",
-            [key(Anywhere, CTRL, Key::Num0)], Action::ZoomBy(0);
+            [key(Anywhere, CTRL, Key::Num0)], LookAction::ZoomBy(0);
     ]
 }
 
@@ -156,50 +159,49 @@ fn presenting() -> Vec<UiCommand> {
     verbs![
         Presenting, "Presenter mode",
             "Puts panels away and makes text and lines large; once more gives back the window as it was.",
-            [plain(Anywhere, Key::F5)], Action::Present;
+            [plain(Anywhere, Key::F5)], LookAction::Present;
         Presenting, "Derivation full", "Fills the window with the derivation.",
-            [plain(Presenting, Key::Num1)], Action::Fill(Full::Derivation);
+            [plain(Presenting, Key::Num1)], LookAction::Fill(Full::Derivation);
         Presenting, "World view full", "Fills the window with the world view.",
-            [plain(Presenting, Key::Num2)], Action::Fill(Full::World);
+            [plain(Presenting, Key::Num2)], LookAction::Fill(Full::World);
         Presenting, "Camera view full", "Fills the window with the camera view.",
-            [plain(Presenting, Key::Num3)], Action::Fill(Full::Camera);
+            [plain(Presenting, Key::Num3)], LookAction::Fill(Full::Camera);
         Presenting, "Both views full", "Fills the window with both views.",
-            [plain(Presenting, Key::Num4)], Action::Fill(Full::Both);
+            [plain(Presenting, Key::Num4)], LookAction::Fill(Full::Both);
         Presenting, "Spotlight", "Dims all but what is round the pointer.",
-            [plain(Presenting, Key::S)], Action::Toggle(Switch::Spotlight);
+            [plain(Presenting, Key::S)], LookAction::Toggle(Switch::Spotlight);
     ]
 }
 
 #[rustfmt::skip]
 fn playing() -> Vec<UiCommand> {
     use When::*;
-    let play = |kind| Action::Play(PlayMove::Open(kind));
     verbs![
         Play, "Swing up", "Turns up round the view: all these cameras look along one line.",
-            [], play(Kind::SwingUp);
-        Play, "Orbit", "Takes the camera once round what it looks at.", [], play(Kind::Orbit);
-        Play, "Walk along the ray", "Runs t from the eye to what the ray hits.", [], play(Kind::Walk);
+            [], PlayAction::Open(Kind::SwingUp);
+        Play, "Orbit", "Takes the camera once round what it looks at.", [], PlayAction::Open(Kind::Orbit);
+        Play, "Walk along the ray", "Runs t from the eye to what the ray hits.", [], PlayAction::Open(Kind::Walk);
         Play, "Scan the pixels", "Sends out the rays row by row, as a renderer does.",
-            [], play(Kind::Scan);
+            [], PlayAction::Open(Kind::Scan);
         Play, "Play or pause", "Lets the open animation run, or rest.",
-            [plain(View, Key::Space)], Action::Play(PlayMove::Toggle);
+            [plain(View, Key::Space)], PlayAction::Toggle;
         Play, "Step on", "Takes the open animation a step on.",
-            [plain(Untyped, Key::Period)], Action::Play(PlayMove::Step(1));
+            [plain(Untyped, Key::Period)], PlayAction::Step(1);
         Play, "Step back", "Takes the open animation a step back.",
-            [plain(Untyped, Key::Comma)], Action::Play(PlayMove::Step(-1));
+            [plain(Untyped, Key::Comma)], PlayAction::Step(-1);
         Play, "Freeze the camera as a ghost", "Makes the camera the ghost, to compare with.",
-            [plain(Untyped, Key::G)], Action::Ghost(GhostMove::Freeze);
+            [plain(Untyped, Key::G)], GhostAction::Freeze;
         Play, "Drop the ghost", "Takes the frozen camera away.",
-            [key(Untyped, Modifiers::SHIFT, Key::G)], Action::Ghost(GhostMove::Drop);
+            [key(Untyped, Modifiers::SHIFT, Key::G)], GhostAction::Drop;
         Play, "Swap camera and ghost", "Lets camera and frozen camera change places.",
-            [], Action::Ghost(GhostMove::Swap);
+            [], GhostAction::Swap;
     ]
 }
 
 #[rustfmt::skip]
 fn pixel_steps() -> Vec<UiCommand> {
     use When::View;
-    let go = |rows, columns| Action::Step { rows, columns };
+    let go = |rows, columns| Action::Select { rows, columns };
     const FAR: Modifiers = Modifiers::SHIFT;
     verbs![
         Views, "Pixel above", "Selects the pixel above.", [plain(View, Key::ArrowUp)], go(-1, 0);
@@ -223,30 +225,30 @@ fn verb(
     group: Group,
     name: impl Into<Cow<'static, str>>,
     about: impl Into<Cow<'static, str>>,
-    action: Action,
+    action: impl Into<Action>,
 ) -> UiCommand {
     let about: Cow<'static, str> = about.into();
     let about = if about.ends_with('.') { about } else { Cow::Owned(format!("{about}.")) };
-    UiCommand { group, name: name.into(), about, keys: &[], action }
+    UiCommand { group, name: name.into(), about, keys: &[], action: action.into() }
 }
 
 fn layouts() -> impl Iterator<Item = UiCommand> {
-    ViewLayout::LISTED
-        .into_iter()
-        .map(|layout| verb(Group::Layout, layout.label(), layout.about(), Action::Layout(layout)))
+    ViewLayout::LISTED.into_iter().map(|layout| {
+        verb(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
+    })
 }
 
 fn translations() -> impl Iterator<Item = UiCommand> {
     Target::all().map(|target| {
         let name = format!("translate into {}", target.label());
         let about = "Shows the camera in these terms.";
-        verb(Group::Layout, name, about, Action::TranslateInto(target.name()))
+        verb(Group::Layout, name, about, ExchangeAction::TranslateInto(target.name()))
     })
 }
 
 fn switches() -> Vec<UiCommand> {
     let of = |switch: Switch, group, name: Cow<'static, str>, about: Cow<'static, str>| {
-        verb(group, name, about, Action::Toggle(switch))
+        verb(group, name, about, LookAction::Toggle(switch))
     };
     let mut verbs: Vec<UiCommand> = Item::ALL
         .into_iter()
@@ -273,8 +275,8 @@ fn switches() -> Vec<UiCommand> {
             "Reduced motion".into(),
             "Lets nothing move by itself: no transitions.".into(),
         ),
-        verb(Group::Numbers, "More digits", "Shows one digit more.", Action::DigitsBy(1)),
-        verb(Group::Numbers, "Fewer digits", "Shows one digit less.", Action::DigitsBy(-1)),
+        verb(Group::Numbers, "More digits", "Shows one digit more.", LookAction::DigitsBy(1)),
+        verb(Group::Numbers, "Fewer digits", "Shows one digit less.", LookAction::DigitsBy(-1)),
     ]);
     verbs
 }
@@ -283,17 +285,22 @@ fn looks() -> Vec<UiCommand> {
     let mut verbs = Vec::new();
     for shade in ShadeName::ALL {
         let name = format!("shade by {}", Shade::from(shade).name());
-        verbs.push(verb(Group::Colours, name, shade.about(), Action::Shade(shade)));
+        verbs.push(verb(Group::Colours, name, shade.about(), LookAction::Shade(shade)));
     }
     for theme in ThemeName::ALL {
         let about = "Colours the window's background.";
-        verbs.push(verb(Group::Colours, theme.label(), about, Action::Theme(theme)));
+        verbs.push(verb(Group::Colours, theme.label(), about, LookAction::Theme(theme)));
     }
     for scheme in Scheme::ALL {
-        verbs.push(verb(Group::Colours, scheme.label(), scheme.about(), Action::Scheme(scheme)));
+        verbs.push(verb(
+            Group::Colours,
+            scheme.label(),
+            scheme.about(),
+            LookAction::Scheme(scheme),
+        ));
     }
     for &method in Method::ALL {
-        let action = Action::Method(MethodName(method));
+        let action = LookAction::Method(MethodName(method));
         verbs.push(verb(Group::Method, method.name(), method.about(), action));
     }
     verbs
@@ -302,7 +309,7 @@ fn looks() -> Vec<UiCommand> {
 fn places() -> Vec<UiCommand> {
     let mut verbs = Vec::new();
     for scene in builtin::all() {
-        let action = Action::Open(SceneSource::Builtin(scene));
+        let action = Leave::Open(SceneSource::Builtin(scene));
         verbs.push(verb(Group::Scene, scene.name, scene.summary(), action));
     }
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
@@ -310,10 +317,10 @@ fn places() -> Vec<UiCommand> {
     }
     for &exercise in Exercise::ALL {
         let name = title(exercise);
-        verbs.push(verb(Group::Exercise, name, "Asks this.", Action::Exercise(exercise)));
+        verbs.push(verb(Group::Exercise, name, "Asks this.", LookAction::Exercise(exercise)));
     }
     for &mistake in Mistake::GALLERY {
-        let action = Action::Mistake(mistake);
+        let action = LookAction::Mistake(mistake);
         verbs.push(verb(Group::Mistake, mistake.name(), mistake.shows(), action));
     }
     verbs
@@ -325,7 +332,7 @@ pub fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let steps = lesson.steps.iter().enumerate().map(|(step, of)| {
         let name = format!("{title}, {}. {}", step + 1, of.title);
         let about = "Shows this step of the lesson.";
-        verb(Group::Step, name, about, Action::GoTo(Place { lesson: which, step }))
+        verb(Group::Step, name, about, Leave::GoTo(Place { lesson: which, step }))
     });
     steps.collect()
 }
