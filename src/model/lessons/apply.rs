@@ -1,13 +1,15 @@
 //! From a step to what is edited and how it is looked at: the one place where a step's fields become
 //! the window's.
 
-use super::lesson::Step;
+use pinhole_core::lecture::mistakes::Mistake;
+
+use super::lesson::{AskedExercise, Looks, Step};
 use crate::document::Document;
 use crate::exercises::Exercises;
 use crate::mistakes::Gallery;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
-use crate::model::session::Session;
+use crate::model::session::{Session, Settings};
 
 /// Sets what the step says and leaves alone what it does not, and what was typed in answer to its
 /// question.
@@ -26,7 +28,7 @@ pub fn apply(
 /// Takes away what was typed in answer to the step's question.
 pub fn clear_answers(step: &Step, session: &mut Session) {
     if let Some(asked) = step.looks.exercise {
-        session.exercises = Exercises::open(asked.exercise, asked.seed);
+        session.exercises = opened(asked);
     }
 }
 
@@ -40,12 +42,16 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.walked = looks.t;
     set(&mut session.lines, looks.lines.clone());
     if let Some(chosen) = looks.mistake {
-        session.gallery = Gallery { chosen, ..Gallery::default() };
+        session.gallery = gallery(chosen);
     }
     if let Some(asked) = looks.exercise {
         session.exercises.show(asked.exercise, asked.seed);
     }
-    let settings = &mut session.settings;
+    session.settings = settings_said(looks, session.settings);
+}
+
+/// The settings as a step says them.
+fn settings_said(looks: &Looks, mut settings: Settings) -> Settings {
     set(&mut settings.layout, looks.layout);
     if let Some(items) = looks.items {
         // Steps are there to be dragged; whether by handles is the user's to say.
@@ -57,6 +63,7 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut settings.digits, looks.digits);
     set(&mut settings.keep_picture, looks.keep_picture);
     set(&mut settings.teaching, looks.teaching);
+    settings
 }
 
 /// Gives back what lessons set: the window as it was before the first of them. Selection and
@@ -85,13 +92,26 @@ pub fn differs(
     document: &Document,
     session: &Session,
 ) -> bool {
-    if step.document != *document {
-        return true;
-    }
-    let mut looked_at = session.clone();
-    clear_answers(step, &mut looked_at);
-    look(step, seen_from, &mut looked_at);
-    looked_at != *session
+    let looks = &step.looks;
+    let is_as_said = step.document == *document
+        && step.selection == session.selection
+        && looks.observer.or(seen_from).is_none_or(|said| session.observer == Some(said))
+        && looks.ledger.is_none_or(|said| session.sections == said)
+        && looks.lit.is_none_or(|said| session.lit == said)
+        && looks.t == session.walked
+        && looks.lines.as_ref().is_none_or(|said| session.lines == *said)
+        && looks.mistake.is_none_or(|said| session.gallery == gallery(said))
+        && looks.exercise.is_none_or(|said| session.exercises == opened(said))
+        && settings_said(looks, session.settings) == session.settings;
+    !is_as_said
+}
+
+fn gallery(chosen: Mistake) -> Gallery {
+    Gallery { chosen, ..Gallery::default() }
+}
+
+fn opened(asked: AskedExercise) -> Exercises {
+    Exercises::open(asked.exercise, asked.seed)
 }
 
 fn set<T>(value: &mut T, said: Option<T>) {

@@ -4,10 +4,20 @@ use egui::{Grid, Ui};
 use pinhole_core::{Pixel, PosedCamera};
 
 use crate::model::session::Selection;
+use crate::ui::changed::Changed;
 use crate::ui::widgets::number::NumberField;
 
 /// Edits the selection of a camera that has a basis.
 pub(crate) fn ui(
+    ui: &mut Ui,
+    selection: &mut Selection,
+    posed: Option<&PosedCamera>,
+    count_from_one: bool,
+) -> Changed {
+    Changed::in_session(selection, |selection| fields(ui, selection, posed, count_from_one))
+}
+
+fn fields(
     ui: &mut Ui,
     selection: &mut Selection,
     posed: Option<&PosedCamera>,

@@ -234,7 +234,7 @@ fn verb(
 }
 
 fn layouts() -> impl Iterator<Item = Verb> {
-    ViewLayout::LISTED.into_iter().map(|layout| {
+    ViewLayout::listed().map(|layout| {
         verb(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
     })
 }
