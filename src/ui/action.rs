@@ -14,6 +14,7 @@ use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
 use crate::model::presenting::Full;
 use crate::model::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
+use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::SceneSource;
@@ -380,6 +381,29 @@ impl Action {
             | Action::Select { .. }
             | Action::Look(_)
             | Action::Overlay(_) => PlayEnd::GoesOn,
+        }
+    }
+
+    /// Tells what it may change that something on the screen shows, other than what is derived.
+    pub(crate) fn changes(&self) -> Changed {
+        match self {
+            Action::Steer(steer) => match steer {
+                Steer::Look(..) | Steer::Orbit(..) | Steer::Dolly(_) => Changed::POSE,
+                Steer::Zoom(_) => Changed::CAMERA,
+            },
+            Action::Object(_) => Changed::OBJECTS,
+            Action::Observe(_) | Action::Figure(_) => Changed::NOTHING,
+            Action::Leave(_)
+            | Action::File(_)
+            | Action::Lesson(_)
+            | Action::History(_)
+            | Action::Exchange(_)
+            | Action::Answers(_)
+            | Action::Play(_)
+            | Action::Ghost(_)
+            | Action::Select { .. }
+            | Action::Look(_)
+            | Action::Overlay(_) => Changed::SESSION,
         }
     }
 

@@ -1,9 +1,10 @@
-//! The window's contents: the order of a frame ([`app`]), one folder per workspace ([`scene`],
-//! [`derivation`], [`ray`], [`practice`], [`tools`]), the panels around them, dialogs, widgets, and
-//! the table of commands.
+//! The window's contents: the order of a frame ([`app`]), the table of workspaces, what is in them
+//! ([`scene`], [`derivation`], [`ray`], [`practice`], [`tools`]), the panels round them, dialogs,
+//! widgets, and the table of commands.
 
 pub mod action;
 pub mod app;
+pub(crate) mod changed;
 pub mod commands_table;
 pub mod derivation;
 pub mod dialogs;
@@ -17,3 +18,4 @@ pub mod scene;
 pub mod tools;
 pub mod view_texture;
 pub mod widgets;
+pub(crate) mod workspaces;

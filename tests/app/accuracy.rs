@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::session::{MethodName, Selection, Settings, ViewLayout};
+use pinhole::model::session::{MethodName, Selection, Settings, Split, Splits, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole::view::derive::MOST_QUESTIONS;
@@ -226,11 +226,13 @@ fn measuring_goes_in_slices_starts_anew_with_an_edit_and_ends() {
 
 #[test]
 fn what_was_chosen_is_remembered() {
+    let mut splits = Splits::default();
+    splits.set(Split::Accuracy, 250.0);
     let settings = Settings {
         layout: ViewLayout::Accuracy,
         method: named("kahan-f64"),
         compared: named("half-b-f32"),
-        accuracy_height: 250.0,
+        splits,
         ..Settings::default()
     };
     let text = serde_json::to_string(&settings).unwrap();

@@ -3,7 +3,7 @@
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::session::{Settings, ViewLayout};
+use pinhole::model::session::{Settings, Split, Splits, ViewLayout};
 use pinhole::model::store::Remembered;
 use pinhole::ui::app::App;
 use pinhole_core::{Counts, Steps};
@@ -85,12 +85,13 @@ fn a_fault_leaves_the_last_counts() {
 
 #[test]
 fn the_view_is_remembered() {
-    let settings =
-        Settings { layout: ViewLayout::Frame, frame_height: 321.0, ..Settings::default() };
+    let mut splits = Splits::default();
+    splits.set(Split::Frame, 321.0);
+    let settings = Settings { layout: ViewLayout::Frame, splits, ..Settings::default() };
     let text = serde_json::to_string(&settings).unwrap();
     assert_eq!(serde_json::from_str::<Settings>(&text).unwrap(), settings);
-    let wild = Settings { frame_height: f32::NAN, ..settings.clone() };
-    assert_eq!(wild.in_range().frame_height, Settings::default().frame_height);
+    splits.set(Split::Frame, f32::NAN);
+    assert_eq!(splits, Splits::default());
     let remembered = Remembered { settings, ..Remembered::default() };
     let window = window_with("canonical", remembered, None);
     assert_eq!(texts_with(&window, "Camera view, all decisions: ").len(), 1);

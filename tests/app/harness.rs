@@ -23,7 +23,7 @@ pub(crate) fn window_with(
     store: Option<Store>,
 ) -> Harness<'static, App> {
     let source = SceneSource::from_argument(scene.as_ref()).unwrap();
-    let settings = remembered.settings.clone();
+    let settings = remembered.settings;
     let app = App::new(OpenDocument::new(source.load().unwrap(), source), remembered, store);
     let mut harness = support::harness()
         .with_size(SIZE)

@@ -108,7 +108,7 @@ fn arrows_choose_and_escape_closes_without_doing_anything() {
 #[test]
 fn a_letter_that_nothing_has_finds_nothing() {
     let mut harness = window("canonical");
-    let before = harness.state().session().settings.clone();
+    let before = harness.state().session().settings;
     look_for(&mut harness, "qqqq");
     assert_eq!(listed(&harness).0, Vec::<String>::new());
     press(&mut harness, Modifiers::NONE, Key::Enter);

@@ -4,6 +4,7 @@ use std::fs;
 
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
+use pinhole::model::session::Split;
 use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
@@ -242,8 +243,10 @@ fn a_small_or_much_enlarged_window_still_has_its_views_afterwards() {
         window.set_size(size.into());
         window.run();
     }
-    let settings = window.state().session().settings.clone();
-    assert!(settings.views_split.is_finite() && settings.readouts_height.is_finite());
+    let settings = window.state().session().settings;
+    assert!(
+        [Split::Views, Split::Readouts].into_iter().all(|s| settings.splits.get(s).is_finite())
+    );
     for view in ["World view", "Camera view"] {
         let rect = window.get_by_role_and_label(Role::Image, view).rect();
         assert!(rect.width() > 100.0 && rect.height() > 100.0, "{view}: {rect:?}");
@@ -254,7 +257,9 @@ fn a_small_or_much_enlarged_window_still_has_its_views_afterwards() {
 fn settings_out_of_range_are_brought_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("state.json");
-    fs::write(&path, r#"{"settings": {"digits": 70000, "views_split": -3}}"#).unwrap();
+    fs::write(&path, r#"{"settings": {"digits": 70000, "splits": {"views": -3}}}"#).unwrap();
     let window = window_with("canonical", Store::at(&path).load(), None);
-    assert_eq!(window.state().session().settings.digits, 17);
+    let settings = window.state().session().settings;
+    assert_eq!(settings.digits, 17);
+    assert!((0.0..=1.0).contains(&settings.splits.get(Split::Views)));
 }

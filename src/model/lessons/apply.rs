@@ -1,12 +1,14 @@
 //! Applies a lesson's step to the document and the session: the only place where a step's fields
 //! become the window's state.
 
-use super::lesson::Step;
+use pinhole_lecture::mistakes::Mistake;
+
+use super::lesson::{AskedExercise, Step, StepView};
 use crate::model::exercises::Exercises;
 use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
-use crate::model::session::Session;
+use crate::model::session::{Session, Settings};
 use pinhole_exchange::document::Document;
 
 /// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.
@@ -25,7 +27,7 @@ pub fn apply(
 /// Clears the answers to the step's question.
 pub fn clear_answers(step: &Step, session: &mut Session) {
     if let Some(asked) = step.looks.exercise {
-        session.exercises = Exercises::open(asked.exercise, asked.seed);
+        session.exercises = opened(asked);
     }
 }
 
@@ -39,12 +41,16 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     session.ray_point_t = looks.t;
     set(&mut session.lines, looks.lines.clone());
     if let Some(chosen) = looks.mistake {
-        session.mistakes_view = MistakesView { chosen, ..MistakesView::default() };
+        session.mistakes_view = mistakes_view(chosen);
     }
     if let Some(asked) = looks.exercise {
         session.exercises.show(asked.exercise, asked.seed);
     }
-    let settings = &mut session.settings;
+    session.settings = settings_said(looks, session.settings);
+}
+
+/// The settings as a step says them.
+fn settings_said(looks: &StepView, mut settings: Settings) -> Settings {
     set(&mut settings.layout, looks.layout);
     if let Some(items) = looks.items {
         // The pictures of steps can be dragged; the user decides about handles.
@@ -56,6 +62,7 @@ fn look(step: &Step, seen_from: Option<Observer>, session: &mut Session) {
     set(&mut settings.digits, looks.digits);
     set(&mut settings.keep_picture, looks.keep_picture);
     set(&mut settings.teaching, looks.teaching);
+    settings
 }
 
 /// Restores what lessons set: the window as it was before the first lesson. Selection and observer
@@ -84,13 +91,26 @@ pub fn differs(
     document: &Document,
     session: &Session,
 ) -> bool {
-    if step.document != *document {
-        return true;
-    }
-    let mut looked_at = session.clone();
-    clear_answers(step, &mut looked_at);
-    look(step, seen_from, &mut looked_at);
-    looked_at != *session
+    let looks = &step.looks;
+    let is_as_said = step.document == *document
+        && step.selection == session.selection
+        && looks.observer.or(seen_from).is_none_or(|said| session.observer == Some(said))
+        && looks.derivation.is_none_or(|said| session.sections == said)
+        && looks.highlighted.is_none_or(|said| session.highlighted == said)
+        && looks.t == session.ray_point_t
+        && looks.lines.as_ref().is_none_or(|said| session.lines == *said)
+        && looks.mistake.is_none_or(|said| session.mistakes_view == mistakes_view(said))
+        && looks.exercise.is_none_or(|said| session.exercises == opened(said))
+        && settings_said(looks, session.settings) == session.settings;
+    !is_as_said
+}
+
+fn mistakes_view(chosen: Mistake) -> MistakesView {
+    MistakesView { chosen, ..MistakesView::default() }
+}
+
+fn opened(asked: AskedExercise) -> Exercises {
+    Exercises::open(asked.exercise, asked.seed)
 }
 
 fn set<T>(value: &mut T, said: Option<T>) {

@@ -56,20 +56,6 @@ const STEP: [&str; 21] = [
     "seed",
 ];
 
-/// The layouts that a step can choose, by name.
-const LAYOUTS: [(&str, ViewLayout); 10] = [
-    ("both", ViewLayout::Both),
-    ("world", ViewLayout::World),
-    ("camera", ViewLayout::Camera),
-    ("derivation", ViewLayout::Derivation),
-    ("plot", ViewLayout::Plot),
-    ("lines", ViewLayout::Lines),
-    ("mistakes", ViewLayout::Mistakes),
-    ("compare", ViewLayout::Compare),
-    ("translator", ViewLayout::Translator),
-    ("exercises", ViewLayout::Exercises),
-];
-
 /// Reads a lesson file.
 ///
 /// # Errors
@@ -243,8 +229,11 @@ fn read_looks(section: &Section, looks: &mut StepView, objects: usize) -> Result
     }
     say(section, "observer", &mut looks.observer, |field| observer(&field.section()?))?;
     say(section, "layout", &mut looks.layout, |field| {
-        let name = field.one_of(&LAYOUTS.map(|(name, _)| name))?;
-        Ok(LAYOUTS.into_iter().find(|l| l.0 == name).map_or(ViewLayout::Both, |l| l.1))
+        let layouts = ViewLayout::ALL;
+        let names: Vec<&str> = layouts.iter().filter_map(|layout| layout.name()).collect();
+        let name = field.one_of(&names)?;
+        let layout = layouts.iter().copied().find(|layout| layout.name() == Some(name));
+        Ok(layout.unwrap_or(ViewLayout::Both))
     })?;
     say(section, "show", &mut looks.items, items)?;
     say(section, "shade", &mut looks.shade, shade)?;

@@ -1,12 +1,14 @@
 //! How the document is looked at: what a scene file does not hold.
 
 mod names;
+mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Viewport};
 use serde::{Deserialize, Serialize};
 
 pub use names::{EyeKeeps, MethodName, ShadeName, ThemeName, ViewLayout};
+pub use splits::{Split, Splits};
 
 use crate::model::color_scheme::Scheme;
 use crate::model::concept::{Concept, Hovered};
@@ -74,8 +76,11 @@ pub enum Selection {
 /// How many significant digits the readouts can have.
 pub(crate) const DIGITS: (usize, usize) = (2, 17);
 
+/// Zoom of the window, at least and at most.
+pub(crate) const ZOOM: (f32, f32) = (0.5, 4.0);
+
 /// Preferences, kept across runs.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Settings {
     /// Which views are shown.
@@ -96,30 +101,10 @@ pub struct Settings {
     pub eye_keeps: EyeKeeps,
     /// The camera panel's part for teaching is unfolded.
     pub teaching: bool,
-    /// The world view's share of the width.
-    pub views_split: f32,
-    /// The readouts' height, in points.
-    pub readouts_height: f32,
-    /// The height of plot and table in the accuracy view, in points.
-    pub accuracy_height: f32,
-    /// The height of times and counts in the frame view, in points.
-    pub frame_height: f32,
-    /// The height of the plot of f(p + t d), in points.
-    pub plot_height: f32,
-    /// In that plot, values beyond 1 unit are compressed.
+    /// Where the boundaries between the window's areas are.
+    pub splits: Splits,
+    /// In the plot of f(p + t d), values beyond 1 unit are compressed.
     pub plot_compressed: bool,
-    /// The height of what is said of a wrong camera, in points.
-    pub mistakes_height: f32,
-    /// The height of what is said of a student's answers, in points.
-    pub answers_height: f32,
-    /// The height of both cameras in numbers, in points.
-    pub compare_height: f32,
-    /// The derivation's share of the width.
-    pub derivation_split: f32,
-    /// The world view's share of the width, where the ghost's picture is beside the camera's.
-    pub compare_split: f32,
-    /// The world view's share of the height, where the camera view is below it.
-    pub stack_split: f32,
     /// What draws the camera's picture: the ladder, unless one wants to see what another does wrong.
     pub method: MethodName,
     /// The method of the error map.
@@ -149,18 +134,8 @@ impl Default for Settings {
             keep_picture: false,
             eye_keeps: EyeKeeps::At,
             teaching: false,
-            views_split: 0.54,
-            readouts_height: 200.0,
-            accuracy_height: 370.0,
-            frame_height: 350.0,
-            plot_height: 300.0,
+            splits: Splits::default(),
             plot_compressed: false,
-            mistakes_height: 330.0,
-            answers_height: 230.0,
-            compare_height: 230.0,
-            derivation_split: 0.5,
-            stack_split: 0.55,
-            compare_split: 0.42,
             method: MethodName(Method::Ladder),
             compared: MethodName(Method::Known(Formula::Textbook, Precision::F32)),
             theme: ThemeName::System,
@@ -185,26 +160,9 @@ impl Settings {
         let finite = |x: f32, otherwise: f32| if x.is_finite() { x } else { otherwise };
         let default = Settings::default();
         self.digits = self.digits.clamp(DIGITS.0, DIGITS.1);
-        self.views_split = finite(self.views_split, default.views_split).clamp(0.0, 1.0);
-        self.readouts_height =
-            finite(self.readouts_height, default.readouts_height).clamp(0.0, 10_000.0);
-        self.accuracy_height =
-            finite(self.accuracy_height, default.accuracy_height).clamp(0.0, 10_000.0);
-        self.frame_height = finite(self.frame_height, default.frame_height).clamp(0.0, 10_000.0);
-        self.plot_height = finite(self.plot_height, default.plot_height).clamp(0.0, 10_000.0);
-        self.mistakes_height =
-            finite(self.mistakes_height, default.mistakes_height).clamp(0.0, 10_000.0);
-        self.answers_height =
-            finite(self.answers_height, default.answers_height).clamp(0.0, 10_000.0);
-        self.compare_height =
-            finite(self.compare_height, default.compare_height).clamp(0.0, 10_000.0);
-        self.derivation_split =
-            finite(self.derivation_split, default.derivation_split).clamp(0.0, 1.0);
-        self.stack_split = finite(self.stack_split, default.stack_split).clamp(0.0, 1.0);
         self.smallest_text = finite(self.smallest_text, default.smallest_text)
             .clamp(SMALLEST_TEXT.least, SMALLEST_TEXT.most);
-        self.compare_split = finite(self.compare_split, default.compare_split).clamp(0.0, 1.0);
-        self.zoom = finite(self.zoom, default.zoom).clamp(0.5, 4.0);
+        self.zoom = finite(self.zoom, default.zoom).clamp(ZOOM.0, ZOOM.1);
         self
     }
 }

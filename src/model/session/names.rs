@@ -5,101 +5,69 @@ use pinhole_core::methods::Method;
 use pinhole_core::steering::Keep;
 use serde::{Deserialize, Serialize};
 
-/// Which of the two views are shown.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum ViewLayout {
-    /// Side by side.
-    #[default]
-    Both,
-    /// The world view alone.
-    World,
-    /// The camera view alone.
-    Camera,
-    /// The camera view, where another method errs in it, and error against run time.
-    Accuracy,
-    /// Both views, and what a frame takes and leaves out.
-    Frame,
-    /// Both views, one above the other, and the derivation of every number beside them.
-    Derivation,
-    /// The derivation of every number alone.
-    DerivationAlone,
-    /// Both views, and every object's f(p + t d) against t below them.
-    Plot,
-    /// Lines in two dimensions, implicit and parametric.
-    Lines,
-    /// The right picture beside that of a classic wrong camera.
-    Mistakes,
-    /// World view, camera view and what the ghost sees, and both cameras in numbers.
-    Compare,
-    /// The camera in other programs' terms, beside both views.
-    Translator,
-    /// Questions with fields for the answers.
-    Exercises,
-    /// The camera's picture, and where a student's answers are wrong in it.
-    Answers,
+/// The layouts, a row each: how a lesson's step names it, if it can, what it is called, and what it
+/// shows.
+macro_rules! layouts {
+    ($($layout:ident: $name:expr, $label:literal, $about:literal;)*) => {
+        /// What the window shows of the scene, and beside it.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+        pub enum ViewLayout {
+            $(#[doc = concat!($about, ".")] $layout),*
+        }
+
+        impl ViewLayout {
+            /// All of them.
+            pub const ALL: &[ViewLayout] = &[$(ViewLayout::$layout),*];
+
+            /// What a lesson's step calls it; none that has no place in a lesson.
+            pub fn name(self) -> Option<&'static str> {
+                match self {
+                    $(ViewLayout::$layout => $name),*
+                }
+            }
+
+            /// What it is called.
+            pub fn label(self) -> &'static str {
+                match self {
+                    $(ViewLayout::$layout => $label),*
+                }
+            }
+
+            /// What it shows.
+            pub fn about(self) -> &'static str {
+                match self {
+                    $(ViewLayout::$layout => $about),*
+                }
+            }
+        }
+    };
+}
+
+layouts! {
+    Both: Some("both"), "Both views", "World view and camera view side by side";
+    World: Some("world"), "World", "The world view alone";
+    Camera: Some("camera"), "Camera", "The camera view alone";
+    Derivation: Some("derivation"), "Derivation", "Every number's derivation, line by line";
+    Plot: Some("plot"), "Plot", "Every object's f(p + t d) against t";
+    Lines: Some("lines"), "Lines", "Implicit and parametric lines in two dimensions";
+    Mistakes: Some("mistakes"), "Mistakes", "The classic wrong cameras beside the right one";
+    Compare: Some("compare"), "Compare", "The camera against the one that was frozen by G";
+    Translator: Some("translator"), "Translator", "The camera in other programs’ terms";
+    Exercises: Some("exercises"), "Exercises", "Questions, and what is wrong with an answer";
+    Accuracy: None, "Accuracy", "How right each method is here, and how fast";
+    Frame: None, "Frame", "What the pictures left out, and what was left to do";
+    DerivationAlone: None, "Derivation alone", "Every number's derivation, without the views";
+    Answers: None, "Answers", "A student’s answers, and the mistake that explains them";
 }
 
 impl ViewLayout {
     /// Those that one chooses from; the derivation alone is for presenting, and answers are there only
     /// once there are some.
-    pub const LISTED: [ViewLayout; 12] = [
-        ViewLayout::Both,
-        ViewLayout::World,
-        ViewLayout::Camera,
-        ViewLayout::Derivation,
-        ViewLayout::Plot,
-        ViewLayout::Lines,
-        ViewLayout::Mistakes,
-        ViewLayout::Compare,
-        ViewLayout::Translator,
-        ViewLayout::Exercises,
-        ViewLayout::Accuracy,
-        ViewLayout::Frame,
-    ];
-
-    /// Whether it is about the camera and what it looks at, so that both can be edited beside it.
-    pub fn shows_the_scene(self) -> bool {
-        !matches!(self, ViewLayout::Lines | ViewLayout::Exercises)
-    }
-
-    /// What it is called.
-    pub fn label(self) -> &'static str {
-        match self {
-            ViewLayout::Both => "Both views",
-            ViewLayout::World => "World",
-            ViewLayout::Camera => "Camera",
-            ViewLayout::Derivation => "Derivation",
-            ViewLayout::DerivationAlone => "Derivation alone",
-            ViewLayout::Plot => "Plot",
-            ViewLayout::Lines => "Lines",
-            ViewLayout::Mistakes => "Mistakes",
-            ViewLayout::Compare => "Compare",
-            ViewLayout::Translator => "Translator",
-            ViewLayout::Exercises => "Exercises",
-            ViewLayout::Answers => "Answers",
-            ViewLayout::Accuracy => "Accuracy",
-            ViewLayout::Frame => "Frame",
-        }
-    }
-
-    /// What it shows.
-    pub fn about(self) -> &'static str {
-        match self {
-            ViewLayout::Both => "World view and camera view side by side",
-            ViewLayout::World => "The world view alone",
-            ViewLayout::Camera => "The camera view alone",
-            ViewLayout::Derivation => "Every number's derivation, line by line",
-            ViewLayout::DerivationAlone => "Every number's derivation, without the views",
-            ViewLayout::Plot => "Every object's f(p + t d) against t",
-            ViewLayout::Lines => "Implicit and parametric lines in two dimensions",
-            ViewLayout::Mistakes => "The classic wrong cameras beside the right one",
-            ViewLayout::Compare => "The camera against the one that was frozen by G",
-            ViewLayout::Translator => "The camera in other programs’ terms",
-            ViewLayout::Exercises => "Questions, and what is wrong with an answer",
-            ViewLayout::Answers => "A student’s answers, and the mistake that explains them",
-            ViewLayout::Accuracy => "How right each method is here, and how fast",
-            ViewLayout::Frame => "What the pictures left out, and what was left to do",
-        }
+    pub fn listed() -> impl Iterator<Item = ViewLayout> {
+        let is_listed = |layout: &ViewLayout| {
+            !matches!(layout, ViewLayout::DerivationAlone | ViewLayout::Answers)
+        };
+        ViewLayout::ALL.iter().copied().filter(is_listed)
     }
 
     /// Whether the derivation is on the screen.

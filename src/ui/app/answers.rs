@@ -5,11 +5,11 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::App;
-use crate::model::session::ViewLayout;
+use super::scene::OpenScene;
+use crate::model::session::{Session, ViewLayout};
 use crate::model::student_answers::{AnswersAtHand, AnswersFile};
 use crate::ui::action::{Action, AnswersAction, Leave};
-use crate::ui::dialogs::dialog::{Dialog, PathField};
+use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 use pinhole_exchange::scenes::SceneSource;
 use pinhole_exchange::{FileError, answers};
 
@@ -27,56 +27,48 @@ pub(super) fn dropped(path: PathBuf) -> Action {
     }
 }
 
-impl App {
-    pub(super) fn answers(&mut self, action: AnswersAction) {
-        match action {
-            AnswersAction::Ask => self.ask_answers(),
-            AnswersAction::Check(path) => self.check_answers(&path),
-            AnswersAction::PutAway => self.put_answers_away(),
+/// Does it, or returns what there is to ask or to tell.
+pub(super) fn apply(scene: &mut OpenScene, action: AnswersAction) -> Option<Dialog> {
+    let session = &mut scene.session;
+    match action {
+        AnswersAction::Ask => {
+            // Near the last one, or the scene.
+            let last = session.answers.as_ref().map(|answers| &*answers.file.path);
+            let field = PathField::answers_near(last.or(scene.open.file()));
+            return Some(Dialog::Answers(field));
         }
-    }
-
-    /// Asks for the file of answers, near the last one or the scene.
-    fn ask_answers(&mut self) {
-        let last = self.session.answers.as_ref().map(|answers| answers.file.path.clone());
-        let near = last.as_deref().or(self.open.file());
-        self.dialog = Some(Dialog::Answers(PathField::answers_near(near)));
-    }
-
-    /// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
-    /// the file.
-    fn check_answers(&mut self, path: &Path) {
-        let size = fs::metadata(path).map_or(0, |file| file.len());
-        if size > MOST_BYTES {
-            let problem = format!(
-                "{} has {} MB, and the window would stand still for long: pinhole check grades it",
-                path.display(),
-                size / 1_000_000
-            );
-            self.tell("These answers are too many", problem);
-            return;
-        }
-        match fs::read(path) {
-            Ok(bytes) => {
-                let known = self.session.answers.as_ref().filter(|known| known.file.path == path);
-                let count_from = known.map_or(0, |known| known.count_from);
-                let kind = answers::kind_of(&bytes);
-                let file = Arc::new(AnswersFile { path: path.to_owned(), bytes, kind });
-                self.session.answers = Some(AnswersAtHand { file, count_from });
-                self.session.settings.layout = ViewLayout::Answers;
-            }
-            Err(error) => {
-                let error = FileError::unreadable(path, &error).to_string();
-                self.tell("These answers cannot be read", error);
+        AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Message),
+        AnswersAction::PutAway => {
+            session.answers = None;
+            if session.settings.layout == ViewLayout::Answers {
+                session.settings.layout = ViewLayout::Both;
             }
         }
     }
+    None
+}
 
-    /// Forgets the answers, and goes back to both views.
-    fn put_answers_away(&mut self) {
-        self.session.answers = None;
-        if self.session.settings.layout == ViewLayout::Answers {
-            self.session.settings.layout = ViewLayout::Both;
-        }
+/// Shows the grade of a file of answers. They are read once: the grade follows the scene, and not
+/// the file.
+fn check(session: &mut Session, path: &Path) -> Result<(), Message> {
+    let size = fs::metadata(path).map_or(0, |file| file.len());
+    if size > MOST_BYTES {
+        let problem = format!(
+            "{} has {} MB, and the window would stand still for long: pinhole check grades it",
+            path.display(),
+            size / 1_000_000
+        );
+        return Err(Message::new("These answers are too many", problem));
     }
+    let bytes = fs::read(path).map_err(|error| {
+        let error = FileError::unreadable(path, &error);
+        Message::new("These answers cannot be read", error)
+    })?;
+    let known = session.answers.as_ref().filter(|known| known.file.path == path);
+    let count_from = known.map_or(0, |known| known.count_from);
+    let kind = answers::kind_of(&bytes);
+    let file = Arc::new(AnswersFile { path: path.to_owned(), bytes, kind });
+    session.answers = Some(AnswersAtHand { file, count_from });
+    session.settings.layout = ViewLayout::Answers;
+    Ok(())
 }

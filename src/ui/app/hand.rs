@@ -2,50 +2,49 @@
 
 use egui::{Context, Id, Rect, Ui};
 
-use super::App;
-use crate::ui::scene::handles::Edited;
+use super::scene::OpenScene;
+use crate::ui::scene::handles::{Edited, HandInput};
+use crate::ui::scene::navigation::Navigation;
 use crate::ui::scene::places::Places;
 use crate::ui::scene::views;
+use crate::view::derive::Derived;
 
-impl App {
-    /// What mouse and keys do to handles, and in the camera view.
-    pub(super) fn hand_inputs(&mut self, ctx: &Context) {
-        let is_covered = self.is_covered();
-        let mut edited = Edited {
-            document: &mut self.open.document,
-            session: &mut self.session,
-            chosen_object: &mut self.chosen_object,
-        };
+/// Handles in the world view, and the camera view's navigation.
+#[derive(Default)]
+pub(super) struct InHand {
+    handles: HandInput,
+    pub(super) navigation: Navigation,
+}
+
+impl InHand {
+    /// Takes what mouse and keys do to handles, and in the camera view; nothing where something lies
+    /// over the window.
+    pub(super) fn take(
+        &mut self,
+        ctx: &Context,
+        scene: &mut OpenScene,
+        shown: &Derived,
+        is_covered: bool,
+    ) {
+        let OpenScene { open, session, chosen_object, .. } = scene;
         if is_covered {
-            edited.session.hand.is_busy = false;
-            self.hand.let_go(edited.session);
+            session.hand.is_busy = false;
+            self.handles.let_go(session);
             self.navigation.let_go();
             return;
         }
-        self.hand.take(ctx, &mut edited, &self.derived);
+        let mut edited = Edited { document: &mut open.document, session, chosen_object };
+        self.handles.take(ctx, &mut edited, shown);
         self.navigation.take(ctx, &mut edited);
-        self.drawn_as_it_is();
     }
 
-    /// Nothing of this pass is drawn yet: what has changed until now makes nothing stale.
-    fn drawn_as_it_is(&mut self) {
-        let has_changed = self.known.as_ref().is_some_and(|(document, session, _)| {
-            *document != self.open.document || *session != self.session
-        });
-        if has_changed {
-            let marks = [self.open.has_changes(), self.differs_from_step()];
-            self.known = Some((self.open.document.clone(), self.session.clone(), marks));
-        }
-    }
-
-    /// What there is to say of that; where the views are now.
-    pub(super) fn tell_hand(&mut self, ui: &Ui, places: &Places) {
+    /// Tells what there is to say of that; takes note of where the views are now.
+    pub(super) fn tell(&mut self, ui: &Ui, places: &Places, scene: &OpenScene, shown: &Derived) {
         let place = |rect: Option<Rect>, name: &str| -> Option<(Rect, Id)> {
             Some((rect?, ui.scope_id().with(name)))
         };
-        let (document, session) = (&self.open.document, &self.session);
-        let world = place(places.world, views::WORLD);
-        self.hand.tell(ui, world, &self.derived, document, session);
+        let (document, session) = (&scene.open.document, &scene.session);
+        self.handles.tell(ui, place(places.world, views::WORLD), shown, document, session);
         let camera = place(places.camera, views::CAMERA);
         self.navigation.tell(ui, camera, &document.camera, session);
     }

@@ -1,18 +1,17 @@
-//! Going through the lessons: the strip, its keys, and carrying out what they ask for.
+//! The way through the lessons.
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use egui::{Context, Panel, Ui};
+use egui::{Panel, Ui};
 
-use super::App;
+use super::scene::{OpenScene, Opened};
 use crate::model::files::{OpenDocument, Origin, argument_of};
 use crate::model::lessons::{Lesson, OpenLesson, Place, Which, apply};
 use crate::model::observer::Observer;
 use crate::model::session::{Session, Settings};
-use crate::ui::action::{Action, PlayAction};
+use crate::ui::action::Action;
 use crate::ui::panels::lesson_strip;
-use crate::view::derive::Deriver;
 
 /// The lesson that is open, and what is needed to leave it without a trace.
 #[derive(Clone, Debug, Default)]
@@ -30,8 +29,8 @@ pub(super) struct Lessons {
 
 impl Lessons {
     /// The world view was framed anew.
-    pub(super) fn framed(&mut self, observer: Option<Observer>) {
-        self.seen_from = self.seen_from.or(observer);
+    pub(super) fn framed(&mut self, observer: Observer) {
+        self.seen_from = self.seen_from.or(Some(observer));
     }
 
     /// The settings without what lessons have set.
@@ -57,70 +56,63 @@ impl Lessons {
     }
 }
 
-impl App {
+impl OpenScene {
     /// Shows a lesson from this step on; `file` is the lesson if it comes from a file. Nothing happens
     /// where there is no such step.
-    pub fn open_lesson(&mut self, place: Place, file: Option<Arc<Lesson>>) {
-        if file.is_some() {
-            self.lessons.file = file;
-        }
-        let Some(next) = OpenLesson::at(place, self.lessons.file.as_ref()) else { return };
+    pub(super) fn open_lesson(
+        &mut self,
+        place: Place,
+        file: Option<Arc<Lesson>>,
+    ) -> Option<Opened> {
+        let lessons = &mut self.lessons;
+        lessons.file = file.or(lessons.file.take());
+        let next = OpenLesson::at(place, lessons.file.as_ref())?;
         let is_step = matches!(self.open.origin(), Origin::Step(_));
         let same_scene =
-            is_step && self.lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
+            is_step && lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
         if !same_scene {
-            // What was good in another scene is nothing to show in this one.
-            self.deriver = Deriver::default();
             self.session.observer = None;
             self.chosen_object = 0;
         }
-        self.lessons.before.get_or_insert_with(|| self.session.clone());
+        lessons.before.get_or_insert_with(|| self.session.clone());
         if let Some(scene) = argument_of(self.open.origin()) {
-            self.lessons.scene_before = Some(scene);
+            lessons.scene_before = Some(scene);
         }
-        self.lessons.seen_from = None;
         let title = format!("{}, step {}", next.short_title(), place.step + 1);
         self.open = OpenDocument::of_step(next.step().document.clone(), title);
         apply::apply(next.step(), None, &mut self.open.document, &mut self.session);
-        self.lessons.seen_from = self.session.observer;
-        // In the next pass, which knows what the step's ray hits.
+        lessons.seen_from = self.session.observer;
         let play = next.step().looks.play;
-        self.waiting.extend(play.map(|kind| PlayAction::Open(kind).into()));
-        self.lessons.open = Some(next);
-        self.settled();
+        lessons.open = Some(next);
+        Some(Opened { is_another: !same_scene, play })
     }
 
-    /// The lesson that is open.
-    pub fn lesson(&self) -> Option<&OpenLesson> {
-        self.lessons.open.as_ref()
-    }
-
-    pub(super) fn go_to(&mut self, ctx: &Context, place: Place) {
+    /// Shows another step.
+    pub(super) fn go_to(&mut self, place: Place) -> Opened {
         self.session.ghost = None;
-        self.open_lesson(place, None);
-        ctx.request_discard("another step of a lesson");
+        self.open_lesson(place, None).unwrap_or_default()
     }
 
-    /// Everything as the open step says, where anything is not.
-    pub(super) fn back_to_step(&mut self, ctx: &Context) {
-        if let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) {
-            let seen_from = self.lessons.seen_from;
-            apply::clear_answers(open.step(), &mut self.session);
-            self.open_lesson(open.place(), None);
-            self.session.observer = open.step().looks.observer.or(seen_from);
-            self.lessons.seen_from = seen_from;
-            ctx.request_discard("back to the step");
-        }
+    /// Sets everything as the open step says, where anything is not.
+    pub(super) fn back_to_step(&mut self) -> Opened {
+        let (Some(open), true) = (self.lessons.open.clone(), self.differs_from_step()) else {
+            return Opened::default();
+        };
+        let seen_from = self.lessons.seen_from;
+        apply::clear_answers(open.step(), &mut self.session);
+        let opened = self.open_lesson(open.place(), None).unwrap_or_default();
+        self.session.observer = open.step().looks.observer.or(seen_from);
+        self.lessons.seen_from = seen_from;
+        opened
     }
 
     /// Closes the strip; the step's scene stays, and counts as a scene like any other.
-    pub(super) fn close_lesson(&mut self, ctx: &Context) {
+    pub(super) fn close_lesson(&mut self) {
         self.lessons.open = None;
         if let Some(before) = self.lessons.before.take() {
             apply::give_back(&before, &mut self.session);
         }
         self.open.leave_lesson();
-        ctx.request_discard("the lesson is closed");
     }
 
     /// Whether anything was changed since the step of the open lesson was set.
@@ -131,14 +123,14 @@ impl App {
         })
     }
 
-    pub(super) fn lesson_strip(&self, ui: &mut Ui, actions: &mut Vec<Action>) {
+    /// Shows the lesson's strip; `differs`: something is not as the step says.
+    pub(super) fn lesson_strip(&self, ui: &mut Ui, differs: bool, actions: &mut Vec<Action>) {
         let Some(open) = &self.lessons.open else { return };
         Panel::top("lesson").show(ui, |ui| {
-            let file = self.lessons.file.as_deref();
             if self.session.presenting.is_some() {
                 lesson_strip::slim(ui, open);
             } else {
-                lesson_strip::ui(ui, open, file, self.differs_from_step(), actions);
+                lesson_strip::ui(ui, open, self.lessons.file.as_deref(), differs, actions);
             }
         });
     }

@@ -47,13 +47,30 @@ pub enum Dialog {
         /// What follows.
         then: Leave,
     },
-    /// Shows a message.
-    Message {
-        /// The title, a single line.
-        title: String,
-        /// The full text.
-        text: String,
-    },
+    /// Something to read and close.
+    Message(Message),
+}
+
+/// Something to tell the user.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Message {
+    /// One line.
+    title: String,
+    /// The whole story.
+    text: String,
+}
+
+impl Message {
+    pub(crate) fn new(title: &str, text: impl ToString) -> Message {
+        Message { title: title.to_owned(), text: text.to_string() }
+    }
+}
+
+impl Dialog {
+    /// Something to read and close.
+    pub(crate) fn message(title: &str, text: impl ToString) -> Dialog {
+        Dialog::Message(Message::new(title, text))
+    }
 }
 
 /// A field for a path, typed or chosen from a list.
@@ -253,7 +270,7 @@ pub(crate) fn ui(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec<A
                 ui.add_space(8.0);
                 close |= ui.button("Cancel").clicked();
             }
-            Dialog::Message { title, text } => {
+            Dialog::Message(Message { title, text }) => {
                 ui.heading(title.as_str());
                 ui.label(text.as_str());
                 ui.add_space(8.0);

@@ -9,12 +9,15 @@ use super::teaching;
 use crate::model::letters::typeset_message;
 use crate::model::session::Settings;
 use crate::model::symbols::{Kind, words};
+use crate::ui::changed::Changed;
 use crate::ui::widgets::number::{NumberField, vector_color, vector_row};
 use crate::view::typesetting::theme::error_color;
 
-/// Edits the camera. The setting `keep_pixel_shape` locks the pixels' present shape, the ratio of
-/// width : height to W : H; `keep_picture` locks distance : width : height.
-pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
+/// Edits the camera. Of the settings, `keep_pixel_shape` is the lock that keeps the pixels' shape,
+/// width : height against W : H, whatever it is, and `keep_picture` the one that keeps
+/// distance : width : height.
+pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) -> Changed {
+    let before = (*camera, *settings);
     ui.horizontal(|ui| {
         ui.heading("Camera");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -37,6 +40,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
     ui.checkbox(&mut settings.keep_pixel_shape, "Keep the pixels' shape").on_hover_text(hint);
     pixel_shape(ui, camera);
     teaching::ui(ui, camera, settings);
+    Changed::of_camera(&before.0, camera) | Changed::SESSION.when(*settings != before.1)
 }
 
 /// Shows the choice of how the camera is given, and converts the camera.

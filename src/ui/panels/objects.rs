@@ -4,6 +4,7 @@ use egui::{Button, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 
 use crate::model::letters::typeset_message;
+use crate::ui::changed::Changed;
 use crate::ui::widgets::number::{NumberField, vector_row};
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
@@ -12,27 +13,30 @@ use pinhole_exchange::document::{Document, Item, Shared};
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
 
-/// Edits the objects; `chosen` is the index of the object whose fields are shown.
-pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) {
+/// Edits the objects; `chosen` is the index of the one whose fields are shown.
+pub(crate) fn ui(ui: &mut Ui, document: &mut Document, chosen: &mut usize) -> Changed {
+    let mut changed = Changed::NOTHING;
     ui.horizontal(|ui| {
         ui.heading("Objects");
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if ui.button("+ Plane").on_hover_text("Add a plane").clicked() {
                 *chosen = add_plane(document);
+                changed = Changed::OBJECTS;
             }
             if ui.button("+ Sphere").on_hover_text("Add a sphere").clicked() {
                 *chosen = add_sphere(document);
+                changed = Changed::OBJECTS;
             }
         });
     });
     if document.object_count() == 0 {
         ui.weak("Nothing to see yet: add a sphere or a plane.");
-        return;
+        return changed;
     }
     *chosen = (*chosen).min(document.object_count() - 1);
     list(ui, document, chosen);
     ui.add_space(4.0);
-    editor(ui, document, *chosen);
+    changed | editor(ui, document, *chosen)
 }
 
 /// Adds a sphere that the camera sees. Returns its index.
@@ -119,7 +123,7 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
     ui.painter().rect_filled(rect, 3.0, egui::Color32::from_rgb(r, g, b));
 }
 
-fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
+fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Changed {
     let spheres = document.spheres.len();
     let first_plane = document.sphere_count();
     let color = document.color_of(index as u32);
@@ -127,30 +131,33 @@ fn editor(ui: &mut Ui, document: &mut Document, index: usize) {
         let mut item = document.spheres[index].clone();
         if heading(ui, &mut item, color) {
             document.spheres.remove(index);
-            return;
+            return Changed::OBJECTS;
         }
         sphere(ui, &mut item.shape);
-        put(&mut document.spheres, index, item);
+        put(&mut document.spheres, index, item)
     } else if index < first_plane {
         ui.label(row_of_file(document, index));
+        Changed::NOTHING
     } else {
         let index = index - first_plane;
         let mut item = document.planes[index].clone();
         if heading(ui, &mut item, color) {
             document.planes.remove(index);
-            return;
+            return Changed::OBJECTS;
         }
         plane(ui, &mut item.shape);
-        put(&mut document.planes, index, item);
+        put(&mut document.planes, index, item)
     }
 }
 
 /// Stores an object if it was edited: the list is shared with the steps of the history, and copied
 /// when it is written to.
-fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) {
-    if items[index] != item {
+fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) -> Changed {
+    let is_new = items[index] != item;
+    if is_new {
         items[index] = item;
     }
+    Changed::OBJECTS.when(is_new)
 }
 
 /// Shows the name, the colour (`shown` in the views) and the remove button. Returns true if the

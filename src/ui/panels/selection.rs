@@ -4,10 +4,20 @@ use egui::{Grid, Ui};
 use pinhole_core::{Pixel, ResolvedCamera};
 
 use crate::model::session::Selection;
+use crate::ui::changed::Changed;
 use crate::ui::widgets::number::NumberField;
 
 /// Edits the selection of a valid camera.
 pub(crate) fn ui(
+    ui: &mut Ui,
+    selection: &mut Selection,
+    resolved: Option<&ResolvedCamera>,
+    count_from_one: bool,
+) -> Changed {
+    Changed::in_session(selection, |selection| fields(ui, selection, resolved, count_from_one))
+}
+
+fn fields(
     ui: &mut Ui,
     selection: &mut Selection,
     resolved: Option<&ResolvedCamera>,

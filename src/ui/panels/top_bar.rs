@@ -15,6 +15,7 @@ use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, HistoryAction,
     Leave, LookAction, Observe, Overlay,
 };
+use crate::ui::changed::Changed;
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
 use crate::ui::scene::compare;
@@ -39,7 +40,8 @@ pub(crate) fn ui(
     there: Available,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
-) {
+) -> Changed {
+    let before = *settings;
     MenuBar::new().ui(ui, |ui| {
         ui.menu_button("File", |ui| file_menu(ui, recent, actions));
         ui.menu_button("Edit", |ui| edit_menu(ui, steps, actions));
@@ -69,6 +71,7 @@ pub(crate) fn ui(
         ui.separator();
         ui.add(egui::Label::new(RichText::new(&title).strong()).truncate()).on_hover_text(title);
     });
+    Changed::SESSION.when(*settings != before)
 }
 
 /// Minimum width of the scene's name, and width of a separator, in points.
@@ -211,7 +214,7 @@ fn numbers_menu(ui: &mut Ui, settings: &mut Settings) {
 /// reserved for what follows.
 fn layout(ui: &mut Ui, has_answers: bool, settings: &mut Settings, after: f32) {
     let answers = has_answers.then_some(ViewLayout::Answers);
-    let layouts: Vec<ViewLayout> = ViewLayout::LISTED.into_iter().chain(answers).collect();
+    let layouts: Vec<ViewLayout> = ViewLayout::listed().chain(answers).collect();
     let widths: Vec<f32> = layouts.iter().map(|layout| width_of(ui, layout.label())).collect();
     let room = ui.available_width() - after;
     let fits = |room: f32| {

@@ -3,7 +3,7 @@
 
 use egui::{
     Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
-    pos2, vec2,
+    vec2,
 };
 use pinhole_lecture::grading::{Cell, Graded};
 
@@ -11,7 +11,7 @@ use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::{Action, AnswersAction, LookAction};
-use crate::ui::scene::places::STRIP;
+use crate::ui::scene::places::strip_above;
 use crate::ui::scene::views;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
@@ -42,21 +42,18 @@ fn why_not(derived: &Derived) -> &'static str {
 
 /// Shows the title above the map: the name of the answers.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, answers: Option<&AnswersAtHand>, has_map: bool) {
-    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
-        ui.horizontal_centered(|ui| {
-            let title = match answers {
-                Some(answers) if area.width() < NARROW => answers.name(),
-                Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
-                None => views::ANSWERS.to_owned(),
-            };
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                if has_map {
-                    legend(ui, area.width() >= NARROWEST);
-                }
-                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
-                });
+    strip_above(ui, area, |ui| {
+        let title = match answers {
+            Some(answers) if area.width() < NARROW => answers.name(),
+            Some(answers) => format!("{}: {}", views::ANSWERS, answers.name()),
+            None => views::ANSWERS.to_owned(),
+        };
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if has_map {
+                legend(ui, area.width() >= NARROWEST);
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                ui.add(egui::Label::new(RichText::new(title).strong()).truncate());
             });
         });
     });

@@ -1,10 +1,10 @@
 //! The comparison with the ghost: its picture or the differences beside the camera view, and both
 //! cameras in numbers below.
 
-use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
+use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
 
-use super::places::STRIP;
+use super::places::strip_above;
 use super::readouts::NumberStyle;
 use super::views;
 use crate::model::ghost::{Beside, Ghost};
@@ -42,17 +42,14 @@ pub(crate) fn menu(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
 
 /// Shows the choice of picture, above the picture beside the camera view.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, ghost: &mut Option<Ghost>) {
-    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
-        ui.horizontal_centered(|ui| match ghost {
-            None => {
-                ui.strong(views::GHOST);
-            }
-            Some(Ghost { beside, .. }) => {
-                ui.selectable_value(beside, Beside::Picture, views::GHOST);
-                ui.selectable_value(beside, Beside::Differences, "Differences");
-            }
-        });
+    strip_above(ui, area, |ui| match ghost {
+        None => {
+            ui.strong(views::GHOST);
+        }
+        Some(Ghost { beside, .. }) => {
+            ui.selectable_value(beside, Beside::Picture, views::GHOST);
+            ui.selectable_value(beside, Beside::Differences, "Differences");
+        }
     });
 }
 

@@ -1,10 +1,9 @@
-//! The rectangles of the views and of the content beside them, for every layout of the window.
+//! Where the views and what stands beside them lie, and the handles between them.
 
-use egui::{Key, Rect, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Key, Rect, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
 use pinhole_core::ImageSize;
 
-use crate::model::session::{Settings, ViewLayout};
-use crate::ui::tools::accuracy;
+use crate::model::session::{Split, Splits};
 
 /// Height of the strip above each view, in points.
 pub(crate) const STRIP: f32 = 26.0;
@@ -34,118 +33,119 @@ pub(crate) struct Places {
     pub rest: Rect,
 }
 
-/// Lays out views and readouts, with handles between them that change `settings`.
-pub(crate) fn places(
-    ui: &mut Ui,
-    settings: &mut Settings,
-    image: ImageSize,
-    presenting: bool,
-) -> Places {
-    let area = ui.available_rect_before_wrap();
-    let (views, rest) = match settings.layout {
-        ViewLayout::Lines | ViewLayout::Exercises | ViewLayout::DerivationAlone => {
-            return Places::of([None; 3], area, image, 1.0, 0.0);
-        }
-        // Only the views.
-        ViewLayout::Both | ViewLayout::World | ViewLayout::Camera if presenting => {
-            (area, Rect::from_min_size(area.left_bottom(), Vec2::ZERO))
-        }
-        ViewLayout::Derivation | ViewLayout::Translator => {
-            split_across(ui, area, &mut settings.derivation_split, "derivation handle")
-        }
-        _ => split_at_bottom(ui, area, settings),
-    };
-    let parts = match settings.layout {
-        ViewLayout::World => [Some(views), None, None],
-        ViewLayout::Camera => [None, Some(views), None],
-        ViewLayout::Accuracy => {
-            // Both pictures have the same size, so both leave room for the map's legend.
-            let bottom = (views.bottom() - accuracy::LEGEND).max(views.top() + STRIP + 1.0);
-            let (left, right) = halves(Rect::from_min_max(views.min, pos2(views.right(), bottom)));
-            [None, Some(left), Some(right)]
-        }
-        ViewLayout::Mistakes | ViewLayout::Answers => {
-            let (left, right) = halves(views);
-            [None, Some(left), Some(right)]
-        }
-        ViewLayout::Compare => {
-            let (left, right) =
-                split_across(ui, views, &mut settings.compare_split, "views handle");
-            let (middle, right) = halves(right);
-            [Some(left), Some(middle), Some(right)]
-        }
-        ViewLayout::Derivation | ViewLayout::Translator => {
-            let (top, bottom) = split_down(ui, views, &mut settings.stack_split);
-            [Some(top), Some(bottom), None]
-        }
-        _ => {
-            let (left, right) = split_across(ui, views, &mut settings.views_split, "views handle");
-            [Some(left), Some(right), None]
-        }
-    };
-    // The picture beside the camera view keeps its title and legend while presenting.
-    let strip = if presenting && parts[2].is_none() { 0.0 } else { STRIP };
-    Places::of(parts, rest, image, ui.ctx().pixels_per_point(), strip)
+/// The parts of the middle of the window, strips included.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Areas {
+    pub(crate) world: Option<Rect>,
+    pub(crate) camera: Option<Rect>,
+    /// A picture beside the camera view's, as large.
+    pub(crate) beside: Option<Rect>,
+    pub(crate) rest: Rect,
 }
 
-impl Places {
-    /// Returns the rectangles of the world view, the camera view and the picture beside it for
-    /// these areas, which include the strips.
-    fn of(
-        parts: [Option<Rect>; 3],
-        rest: Rect,
-        image: ImageSize,
-        per_point: f32,
-        strip: f32,
-    ) -> Places {
-        let below_strip = |rect: Rect| {
-            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
-        };
-        let [world, camera_area, beside_area] = parts.map(|part| part.map(below_strip));
-        let fitted = |area| fitted(area, image, per_point);
-        let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
-        Places { world, camera_area, camera, beside_area, beside, rest }
+/// The middle of the window while it is divided, with handles between the parts that move `splits`.
+pub(crate) struct Divider<'a> {
+    pub(crate) ui: &'a Ui,
+    pub(crate) whole: Rect,
+    pub(crate) splits: &'a mut Splits,
+    /// Before an audience there are no readouts, and no titles above the two views.
+    pub(crate) presenting: bool,
+}
+
+impl Divider<'_> {
+    /// Nothing but what a workspace has in the views' place.
+    pub(crate) fn no_views(&self) -> Areas {
+        Areas { world: None, camera: None, beside: None, rest: self.whole }
+    }
+
+    /// Both views side by side, and what is below.
+    pub(crate) fn both_above(&mut self, split: Split) -> Areas {
+        let (views, rest) = self.above(split);
+        self.both(views, rest)
+    }
+
+    /// Both views side by side.
+    pub(crate) fn both(&mut self, views: Rect, rest: Rect) -> Areas {
+        let (left, right) = self.across(views, Split::Views, "views handle");
+        Areas { world: Some(left), camera: Some(right), beside: None, rest }
+    }
+
+    /// The camera's picture and another one beside it, and what is below.
+    pub(crate) fn pair_above(&mut self, split: Split) -> Areas {
+        let (views, rest) = self.above(split);
+        let (left, right) = halves(views);
+        Areas { world: None, camera: Some(left), beside: Some(right), rest }
+    }
+
+    /// Both views, one above the other, and what is beside them.
+    pub(crate) fn stack_beside(&mut self, split: Split, name: &str) -> Areas {
+        let (views, rest) = self.across(self.whole, split, name);
+        let (top, bottom) = self.down(views, Split::Stack);
+        Areas { world: Some(top), camera: Some(bottom), beside: None, rest }
+    }
+
+    /// The views, and the readouts below them.
+    pub(crate) fn above_readouts(&mut self) -> (Rect, Rect) {
+        if self.presenting {
+            return (self.whole, Rect::from_min_size(self.whole.left_bottom(), Vec2::ZERO));
+        }
+        self.above(Split::Readouts)
+    }
+
+    /// The views, and below them what the workspace has there, as high as it was last dragged to.
+    pub(crate) fn above(&mut self, split: Split) -> (Rect, Rect) {
+        let area = self.whole;
+        let most = (area.height() - SMALLEST - STRIP).max(80.0);
+        let height = self.splits.get(split).clamp(80.0, most);
+        let boundary = area.bottom() - height;
+        let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
+        self.splits.set(split, height - drag(self.ui, handle, "readouts handle").y);
+        let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
+        (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
+    }
+
+    /// Left and right, with a handle between them.
+    pub(crate) fn across(&mut self, area: Rect, split: Split, name: &str) -> (Rect, Rect) {
+        let share = within(self.splits.get(split), area.width());
+        let x = area.left() + share * area.width();
+        let handle = Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, area.y_range());
+        self.splits.set(split, share + drag(self.ui, handle, name).x / area.width().max(1.0));
+        let left = Rect::from_min_max(area.min, pos2(handle.left(), area.bottom()));
+        (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
+    }
+
+    /// Top and bottom, with a handle between them.
+    fn down(&mut self, area: Rect, split: Split) -> (Rect, Rect) {
+        let share = within(self.splits.get(split), area.height());
+        let y = area.top() + share * area.height();
+        let handle = Rect::from_x_y_ranges(area.x_range(), y - HANDLE / 2.0..=y + HANDLE / 2.0);
+        let dragged = drag(self.ui, handle, "stack handle").y;
+        self.splits.set(split, share + dragged / area.height().max(1.0));
+        let top = Rect::from_min_max(area.min, pos2(area.right(), handle.top()));
+        (top, Rect::from_min_max(pos2(area.left(), handle.bottom()), area.max))
     }
 }
 
-/// Splits the area into the views and the layout's content below them, whose height the user drags.
-fn split_at_bottom(ui: &Ui, area: Rect, settings: &mut Settings) -> (Rect, Rect) {
-    let most = (area.height() - SMALLEST - STRIP).max(80.0);
-    let height = match settings.layout {
-        ViewLayout::Accuracy => &mut settings.accuracy_height,
-        ViewLayout::Frame => &mut settings.frame_height,
-        ViewLayout::Plot => &mut settings.plot_height,
-        ViewLayout::Mistakes => &mut settings.mistakes_height,
-        ViewLayout::Compare => &mut settings.compare_height,
-        ViewLayout::Answers => &mut settings.answers_height,
-        _ => &mut settings.readouts_height,
-    };
-    *height = height.clamp(80.0, most);
-    let boundary = area.bottom() - *height;
-    let handle = Rect::from_x_y_ranges(area.x_range(), boundary - HANDLE..=boundary);
-    *height -= drag(ui, handle, "readouts handle").y;
-    let views = Rect::from_min_max(area.min, pos2(area.right(), boundary - HANDLE));
-    (views, Rect::from_min_max(pos2(area.left(), boundary), area.max))
+impl Places {
+    /// Where everything lies in these areas, with a title above each picture.
+    pub(crate) fn new(areas: Areas, image: ImageSize, per_point: f32, presenting: bool) -> Places {
+        // What is beside the camera view has its title and legend before an audience, too.
+        let strip = if presenting && areas.beside.is_none() { 0.0 } else { STRIP };
+        let below_strip = |rect: Rect| {
+            snapped(Rect::from_min_max(pos2(rect.left(), rect.top() + strip), rect.max), per_point)
+        };
+        let [world, camera_area, beside_area] =
+            [areas.world, areas.camera, areas.beside].map(|part| part.map(below_strip));
+        let fitted = |area| fitted(area, image, per_point);
+        let (camera, beside) = (camera_area.map(fitted), beside_area.map(fitted));
+        Places { world, camera_area, camera, beside_area, beside, rest: areas.rest }
+    }
 }
 
-/// Splits the area into left and right, with a handle between them.
-fn split_across(ui: &Ui, area: Rect, share: &mut f32, name: &str) -> (Rect, Rect) {
-    *share = within(*share, area.width());
-    let x = area.left() + *share * area.width();
-    let handle = Rect::from_x_y_ranges(x - HANDLE / 2.0..=x + HANDLE / 2.0, area.y_range());
-    *share += drag(ui, handle, name).x / area.width().max(1.0);
-    let left = Rect::from_min_max(area.min, pos2(handle.left(), area.bottom()));
-    (left, Rect::from_min_max(pos2(handle.right(), area.top()), area.max))
-}
-
-/// Splits the area into top and bottom, with a handle between them.
-fn split_down(ui: &Ui, area: Rect, share: &mut f32) -> (Rect, Rect) {
-    *share = within(*share, area.height());
-    let y = area.top() + *share * area.height();
-    let handle = Rect::from_x_y_ranges(area.x_range(), y - HANDLE / 2.0..=y + HANDLE / 2.0);
-    *share += drag(ui, handle, "stack handle").y / area.height().max(1.0);
-    let top = Rect::from_min_max(area.min, pos2(area.right(), handle.top()));
-    (top, Rect::from_min_max(pos2(area.left(), handle.bottom()), area.max))
+/// The title of a picture, above its area.
+pub(crate) fn strip_above(ui: &mut Ui, area: Rect, content: impl FnOnce(&mut Ui)) {
+    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| ui.horizontal_centered(content));
 }
 
 /// Clamps a share so that both sides are large enough; if there is no room for two, both get half.
@@ -154,8 +154,8 @@ fn within(share: f32, length: f32) -> f32 {
     share.clamp(least, 1.0 - least)
 }
 
-/// Splits the area into two of equal size.
-fn halves(area: Rect) -> (Rect, Rect) {
+/// Two areas of equal size.
+pub(crate) fn halves(area: Rect) -> (Rect, Rect) {
     let x = area.center().x;
     let left = Rect::from_min_max(area.min, pos2(x - HANDLE / 2.0, area.bottom()));
     (left, Rect::from_min_max(pos2(x + HANDLE / 2.0, area.top()), area.max))

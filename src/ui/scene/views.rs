@@ -9,8 +9,9 @@ use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
 use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
+use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
-use crate::ui::scene::places::{Places, STRIP};
+use crate::ui::scene::places::{Places, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
 use crate::view::derive::{Derived, Shown, ViewSizes};
@@ -34,37 +35,35 @@ pub(crate) const ANSWERS: &str = "Answers";
 /// Name of the ghost's picture.
 pub(crate) const GHOST: &str = "Ghost";
 
-/// Returns the sizes of the views, in physical pixels.
-pub(crate) fn sizes(ui: &Ui, places: &Places, layout: ViewLayout) -> ViewSizes {
-    let per_point = ui.ctx().pixels_per_point();
-    let physical = |rect: Rect| {
-        let size = rect.size() * per_point;
-        let most = ui.input(|i| i.max_texture_side) as f32;
-        [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
-    };
-    let beside = |of: ViewLayout| places.beside.filter(|_| layout == of).map(physical);
+/// How large the two views are, in physical pixels.
+pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
     ViewSizes {
-        world: places.world.map(physical),
-        camera: places.camera.map(physical),
-        map: beside(ViewLayout::Accuracy),
-        wrong: beside(ViewLayout::Mistakes),
-        ghost: beside(ViewLayout::Compare),
-        answers: beside(ViewLayout::Answers),
-        scale: per_point,
+        world: places.world.map(|rect| physical(ui, rect)),
+        camera: places.camera.map(|rect| physical(ui, rect)),
+        scale: ui.ctx().pixels_per_point(),
         style: theme::style(ui),
         ..ViewSizes::default()
     }
 }
 
-/// Applies the input of mouse and keys in the views. `shown` is the last frame, which the user
-/// reacts to.
+/// The size of an area in physical pixels.
+pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
+    let size = rect.size() * ui.ctx().pixels_per_point();
+    let most = ui.input(|i| i.max_texture_side) as f32;
+    [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
+}
+
+/// What mouse and keys did in the views, of which the one beside the camera view is called `beside`.
+/// `shown` is what they were done to: the last frame.
 pub(crate) fn inputs(
     ui: &mut Ui,
     places: &Places,
+    beside: &str,
     session: &mut Session,
     shown: &Derived,
     actions: &mut Vec<Action>,
-) {
+) -> Changed {
+    let selected = session.selection;
     let mut views = Vec::new();
     if let Some(rect) = places.world {
         let response = view(ui, rect, WORLD);
@@ -77,13 +76,7 @@ pub(crate) fn inputs(
         views.push(response);
     }
     if let Some(rect) = places.beside {
-        let name = match session.settings.layout {
-            ViewLayout::Mistakes => WRONG,
-            ViewLayout::Compare => GHOST,
-            ViewLayout::Answers => ANSWERS,
-            _ => MAP,
-        };
-        let response = view(ui, rect, name);
+        let response = view(ui, rect, beside);
         camera_input(ui, &response, session, shown);
         views.push(response);
     }
@@ -104,6 +97,7 @@ pub(crate) fn inputs(
         });
         actions.extend(pressed.into_iter().map(|(_, action)| action));
     }
+    Changed::SESSION.when(session.selection != selected)
 }
 
 /// Creates a view's area, which takes clicks, drags and the focus.
@@ -281,24 +275,27 @@ pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Documen
 /// Width of a view, in points, below which its title leaves out the image's size.
 const NARROW: f32 = 310.0;
 
-/// Shows the titles above the views, each with a button that maximises the view.
-pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
+/// Titles above the views, with a button that gives one all the room.
+pub(crate) fn strips(
+    ui: &mut Ui,
+    places: &Places,
+    settings: &mut Settings,
+    image: ImageSize,
+) -> Changed {
+    let before = *settings;
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
-        let above = Rect::from_min_max(pos2(rect.left(), rect.top() - STRIP), rect.right_top());
-        ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
-            ui.horizontal_centered(|ui| {
-                ui.strong(text).on_hover_text(hint);
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    let alone = settings.layout == own;
-                    let (text, to) =
-                        if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
-                    if ui.small_button(text).clicked() {
-                        settings.layout = to;
-                    }
-                    if own == ViewLayout::World {
-                        eye_keeps(ui, &mut settings.eye_keeps);
-                    }
-                });
+        strip_above(ui, rect, |ui| {
+            ui.strong(text).on_hover_text(hint);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let alone = settings.layout == own;
+                let (text, to) =
+                    if alone { ("Both views", ViewLayout::Both) } else { ("Maximise", own) };
+                if ui.small_button(text).clicked() {
+                    settings.layout = to;
+                }
+                if own == ViewLayout::World {
+                    eye_keeps(ui, &mut settings.eye_keeps);
+                }
             });
         });
     };
@@ -316,6 +313,7 @@ pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, imag
                     wheel: field of view; Ctrl and wheel: dolly.";
         strip(rect, text, hint, ViewLayout::Camera);
     }
+    Changed::SESSION.when(*settings != before)
 }
 
 /// Shows what a moved eye keeps in the world view, as a button that switches to the other choice.

@@ -22,7 +22,7 @@ fn lessons_open_from_the_bar_and_close_without_a_trace() {
     let settings = Settings { layout: ViewLayout::Camera, digits: 9, ..Settings::default() };
     let remembered = Remembered { settings, ..Remembered::default() };
     let mut window = window_with("planet", remembered, None);
-    let before = window.state().session().settings.clone();
+    let before = window.state().session().settings;
     window.get_by_label("Lessons").click();
     window.run();
     window.get_by_label("Lesson 9: When it breaks").click();

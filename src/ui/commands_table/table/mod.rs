@@ -233,7 +233,7 @@ fn verb(
 }
 
 fn layouts() -> impl Iterator<Item = UiCommand> {
-    ViewLayout::LISTED.into_iter().map(|layout| {
+    ViewLayout::listed().map(|layout| {
         verb(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout))
     })
 }

@@ -10,7 +10,7 @@ use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 use crate::model::mistakes_view::MistakesView;
 use crate::model::number::grouped;
 use crate::model::session::Session;
-use crate::ui::scene::places::STRIP;
+use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::scene::views;
 use crate::ui::widgets::number::vector_color;
@@ -33,11 +33,8 @@ const LETTER: f32 = 16.0;
 
 /// Shows the title above the wrong picture.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, mistakes_view: &MistakesView) {
-    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
-        ui.horizontal_centered(|ui| {
-            ui.strong(RichText::new(title(mistakes_view)).color(error_color(ui)));
-        });
+    strip_above(ui, area, |ui| {
+        ui.strong(RichText::new(title(mistakes_view)).color(error_color(ui)));
     });
 }
 

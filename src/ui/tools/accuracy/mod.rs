@@ -10,7 +10,7 @@ use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, shortest, 
 
 use crate::model::number::short;
 use crate::model::session::{MethodName, Selection, Session, Settings};
-use crate::ui::scene::places::STRIP;
+use crate::ui::scene::places::strip_above;
 use crate::ui::scene::readouts;
 use crate::ui::scene::views::MAP;
 use crate::ui::tools::measuring::Measuring;
@@ -42,12 +42,9 @@ pub(crate) fn method(ui: &mut Ui, name: &str, chosen: &mut MethodName) {
 
 /// Shows the title above the map, with the choice of its method.
 pub(crate) fn strip(ui: &mut Ui, area: Rect, settings: &mut Settings) {
-    let above = Rect::from_min_max(pos2(area.left(), area.top() - STRIP), area.right_top());
-    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| {
-        ui.horizontal_centered(|ui| {
-            ui.strong(MAP);
-            method(ui, "error map of", &mut settings.compared);
-        });
+    strip_above(ui, area, |ui| {
+        ui.strong(MAP);
+        method(ui, "error map of", &mut settings.compared);
     });
 }
 

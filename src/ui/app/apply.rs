@@ -1,0 +1,238 @@
+//! Carrying out what was asked for: each action by the part that it is about.
+
+use std::path::Path;
+
+use egui::{Context, ViewportCommand};
+
+use super::App;
+use super::answers;
+use super::exchange;
+use super::figures::Screen;
+use super::look;
+use super::playback::Seen;
+use super::scene::Opened;
+use crate::figures::derivation_of;
+use crate::model::files::title_of;
+use crate::model::session::ViewLayout;
+use crate::model::translator::pasted;
+use crate::ui::action::{
+    Action, ExchangeAction, FigureAction, FileAction, GhostAction, HistoryAction, Leave,
+    LessonAction, PlayAction,
+};
+use crate::ui::changed::Changed;
+use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
+use crate::view::derive::Deriver;
+use pinhole_exchange::scenes::SceneSource;
+
+/// What the step of the history is called that puts the camera where the ghost is.
+const SWAP: &str = "swap with the ghost";
+/// And the one that sets it from the clipboard.
+const PASTE: &str = "paste a camera";
+
+impl App {
+    /// Does it, or asks what stands in its way; what it may have changed.
+    pub(super) fn apply(&mut self, ctx: &Context, action: Action) -> Changed {
+        let changes = action.changes();
+        // An animation that moves the camera is all that there is to undo.
+        let is_undone = action == Action::from(HistoryAction::Undo) && self.playback.plays_camera();
+        self.playback.end(ctx, action.play_end(), &mut self.scene, &mut self.history);
+        let dialog = if is_undone { None } else { self.carry_out(ctx, action) };
+        if dialog.is_some() {
+            self.over.dialog = dialog;
+        }
+        ctx.request_repaint();
+        changes
+    }
+
+    /// Does it; the dialog to open, if there is something to ask or to tell.
+    fn carry_out(&mut self, ctx: &Context, action: Action) -> Option<Dialog> {
+        match action {
+            Action::Leave(leave) => return self.leave(ctx, leave),
+            Action::File(action) => return self.file(ctx, action),
+            Action::Lesson(action) => return self.lesson_action(ctx, action),
+            Action::History(action) => {
+                let opened = self.history.apply(ctx, action, &mut self.scene);
+                self.show_opened(opened);
+            }
+            Action::Figure(action) => return self.figure(ctx, action),
+            Action::Exchange(action) => return self.exchange(ctx, action),
+            Action::Answers(action) => return answers::apply(&mut self.scene, action),
+            Action::Play(action) => self.play(ctx, action),
+            Action::Ghost(action) => self.ghost(ctx, action),
+            Action::Steer(steer) => {
+                let time = ctx.input(|i| i.time);
+                self.hand.navigation.steer(steer, &mut self.scene.open.document.camera, time);
+            }
+            Action::Observe(observe) => self.scene.observe(observe, self.views.world_aspect()),
+            Action::Object(action) => return self.scene.change_objects(action),
+            Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
+            Action::Look(action) => look::apply(&mut self.scene.session, action),
+            Action::Overlay(overlay) => self.over.apply(overlay),
+        }
+        None
+    }
+
+    /// Goes elsewhere, or asks first about unsaved changes.
+    fn leave(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
+        if leave == Leave::BackToStep && !self.scene.differs_from_step() {
+            return None;
+        }
+        if self.scene.open.has_changes() {
+            return Some(self.ask_about_changes(leave));
+        }
+        self.proceed(ctx, leave)
+    }
+
+    pub(super) fn ask_about_changes(&self, then: Leave) -> Dialog {
+        Dialog::Unsaved { title: title_of(self.scene.open.origin()), then }
+    }
+
+    /// Opens the other scene or step, or closes the window: nothing stands in the way any more.
+    fn proceed(&mut self, ctx: &Context, leave: Leave) -> Option<Dialog> {
+        self.history.settle(ctx, &self.scene.open.document);
+        let before = self.scene.clone();
+        let opened = match leave {
+            Leave::Open(source) => self.open(source),
+            Leave::Show(made_up) => Ok(self.scene.show(*made_up)),
+            Leave::GoTo(place) => Ok(self.scene.go_to(place)),
+            Leave::BackToStep => Ok(self.scene.back_to_step()),
+            Leave::Quit => {
+                self.window.close(ctx);
+                Ok(Opened::default())
+            }
+        };
+        let problem = opened.map(|opened| self.show_opened(opened)).err();
+        self.history.went_elsewhere(before, &self.scene);
+        problem.map(Dialog::Message)
+    }
+
+    fn open(&mut self, source: SceneSource) -> Result<Opened, Message> {
+        let path = match &source {
+            SceneSource::File(path) => Some(path.clone()),
+            SceneSource::Builtin(_) => None,
+        };
+        let opened = self.scene.load(source)?;
+        if let Some(path) = path {
+            self.window.remember(&path);
+        }
+        Ok(opened)
+    }
+
+    /// Goes on with what is shown now.
+    pub(super) fn show_opened(&mut self, Opened { is_another, play }: Opened) {
+        if is_another {
+            self.views.deriver = Deriver::default();
+        }
+        // In the next pass, which knows what the step's ray hits.
+        self.waiting.extend(play.map(|kind| PlayAction::Open(kind).into()));
+    }
+
+    fn file(&mut self, ctx: &Context, action: FileAction) -> Option<Dialog> {
+        match action {
+            FileAction::AskOpen => Some(Dialog::Open(PathField::to_open(self.scene.open.file()))),
+            FileAction::Save => self.save(ctx, None),
+            FileAction::AskSaveAs => Some(self.ask_save_as(None)),
+            FileAction::SaveAs { path, then } => self.save_to(ctx, &path, then),
+            FileAction::SaveThen(leave) => self.save(ctx, Some(leave)),
+            FileAction::Discard(leave) => {
+                self.window.discarded = leave == Leave::Quit;
+                self.proceed(ctx, leave)
+            }
+        }
+    }
+
+    /// Saves to the scene's own file, or asks for one.
+    fn save(&mut self, ctx: &Context, then: Option<Leave>) -> Option<Dialog> {
+        match self.scene.open.scene_file().map(Path::to_owned) {
+            Some(path) => self.save_to(ctx, &path, then),
+            None => Some(self.ask_save_as(then)),
+        }
+    }
+
+    fn save_to(&mut self, ctx: &Context, path: &Path, then: Option<Leave>) -> Option<Dialog> {
+        if let Err(reason) = self.scene.open.save_to(path) {
+            return Some(Dialog::message("The scene was not saved", reason));
+        }
+        self.history.take_as_settled(&self.scene.open.document);
+        self.window.remember(path);
+        self.leave(ctx, then?)
+    }
+
+    fn ask_save_as(&self, then: Option<Leave>) -> Dialog {
+        let open = &self.scene.open;
+        Dialog::SaveAs { field: PathField::to_save(open.file(), &open.file_name()), then }
+    }
+
+    fn lesson_action(&mut self, ctx: &Context, action: LessonAction) -> Option<Dialog> {
+        let open = self.scene.lessons.open.as_ref()?;
+        let to = match action {
+            LessonAction::Next => open.next(),
+            LessonAction::Previous => open.previous(),
+            LessonAction::Close => {
+                self.scene.close_lesson();
+                return None;
+            }
+        };
+        let leave = Leave::GoTo(to?);
+        self.playback.give_back(&mut self.scene);
+        self.leave(ctx, leave)
+    }
+
+    fn figure(&mut self, ctx: &Context, action: FigureAction) -> Option<Dialog> {
+        let (scene, derived) = (&self.scene, &self.views.derived);
+        let screen = Screen { ctx, scene, derived, derivation: &self.tools.derivation };
+        match action {
+            FigureAction::Ask => Some(screen.ask_export()),
+            FigureAction::Export { order, path } => screen.export(&order, &path),
+            FigureAction::AskAnimation => {
+                let player = self.playback.player.as_mut()?;
+                player.running = false;
+                Some(screen.ask_export_animation(player.kind))
+            }
+            FigureAction::ExportAnimation { order, frames, path } => {
+                self.playback.export(order, frames, path, scene)
+            }
+            FigureAction::CopyDerivation(markup) => {
+                let derivation = derivation_of(&scene.open.document, &scene.session);
+                ctx.copy_text(derivation.written_in(markup));
+                None
+            }
+        }
+    }
+
+    fn exchange(&mut self, ctx: &Context, action: ExchangeAction) -> Option<Dialog> {
+        match action {
+            // It comes as if it was pasted by its keys.
+            ExchangeAction::AskPaste => ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
+            ExchangeAction::Paste(text) => {
+                let (camera, said) = pasted(&text, &self.scene.open.document.camera);
+                if let Some(camera) = camera {
+                    self.playback.keep(ctx, &mut self.scene, &mut self.history);
+                    self.history.settle(ctx, &self.scene.open.document);
+                    self.scene.replace_camera(camera);
+                    self.history.settle_as(ctx, &self.scene.open.document, Some(PASTE));
+                }
+                self.scene.session.translator.pasted = Some(said);
+            }
+            ExchangeAction::TranslateInto(name) => {
+                self.scene.session.translator.target = name;
+                self.scene.session.settings.layout = ViewLayout::Translator;
+            }
+            ExchangeAction::AskSave => return exchange::ask_where_to_save(&self.scene),
+            ExchangeAction::Save(path) => return exchange::save(&self.scene, &path),
+        }
+        None
+    }
+
+    fn ghost(&mut self, ctx: &Context, action: GhostAction) {
+        if self.scene.change_ghost(action) {
+            self.history.settle_as(ctx, &self.scene.open.document, Some(SWAP));
+        }
+    }
+
+    fn play(&mut self, ctx: &Context, action: PlayAction) {
+        let aspect = self.views.world_aspect();
+        let seen = Seen { inspection: self.views.derived.inspection.as_deref(), aspect };
+        self.playback.apply(ctx, action, &mut self.scene, &mut self.history, &seen);
+    }
+}

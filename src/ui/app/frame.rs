@@ -1,0 +1,274 @@
+//! The order of a frame, and nowhere else: inputs, apply, derive, outputs.
+//!
+//! Panels are drawn from the top while they are edited, and say what they changed. Where something
+//! above them shows that, egui is asked to run the pass again before anything is presented: nothing on
+//! the screen is older than the rest.
+
+use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, UiBuilder};
+
+use super::App;
+use super::answers;
+use super::exchange;
+use super::look;
+use crate::model::concept::Hovered;
+use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction};
+use crate::ui::changed::Changed;
+use crate::ui::commands_table::{self, When};
+use crate::ui::panels::{camera, objects, selection, top_bar};
+use crate::ui::scene::places::{Divider, Places};
+use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::views;
+use crate::ui::workspaces::{Desk, Frame, Workspace, workspace};
+
+impl App {
+    /// One frame.
+    pub fn ui(&mut self, ui: &mut Ui) {
+        let ctx = ui.ctx().clone();
+        let mut actions = std::mem::take(&mut self.waiting);
+        let mut changed = std::mem::take(&mut self.changed);
+        self.hand.take(&ctx, &mut self.scene, &self.views.derived, self.over.covers());
+        self.window_inputs(&ctx, &mut actions);
+        let marks = self.scene.marks();
+        changed |= self.panels(ui, marks, &mut actions);
+        CentralPanel::default().show(ui, |ui| {
+            let (places, divided) = self.places(ui);
+            changed |= divided | self.view_inputs(ui, &places, &mut actions);
+            for action in actions {
+                changed |= self.apply(&ctx, action);
+            }
+            self.derive(ui, &places);
+            changed |= self.outputs(ui, &places);
+        });
+        self.over.marks(ui, self.scene.session.spotlight);
+        changed |= exchange::paste_notice(&ctx, &mut self.scene);
+        self.keep_history(&ctx);
+        self.playback.record(&ctx, &mut self.over.dialog);
+        self.window.follow(&ctx, &self.scene);
+        if changed.is_shown_above() || self.scene.marks() != marks {
+            ctx.request_discard("an edit changed what is drawn above it");
+        }
+    }
+
+    fn workspace(&self) -> &'static Workspace {
+        workspace(self.scene.session.settings.layout)
+    }
+
+    /// What comes from outside the panels: keys, the clipboard, dropped files and the close button.
+    fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        // Not under a dialog: its answer would then be about another scene.
+        if !self.over.covers() {
+            self.keys(ctx, actions);
+            let pasted = exchange::pasted_text(ctx);
+            actions.extend(pasted.map(|text| ExchangeAction::Paste(text).into()));
+            let dropped = ctx.input(|i| i.raw.dropped_files.first().map(|f| f.path().to_owned()));
+            actions.extend(dropped.map(answers::dropped));
+        }
+        if self.window.is_to_close(ctx) {
+            self.playback.give_back(&mut self.scene);
+            let has_changes = self.scene.open.has_changes();
+            self.window.let_close(ctx, !has_changes);
+            if has_changes {
+                self.over.dialog = Some(self.ask_about_changes(Leave::Quit));
+            }
+        }
+        self.window.geometry.update(ctx);
+    }
+
+    /// The keys of all commands but those of the views, which [`views`] knows.
+    fn keys(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        let is_typing = ctx.text_edit_focused();
+        let has_focus = ctx.memory(|memory| memory.focused().is_some());
+        let has_lesson = self.scene.lessons.open.is_some();
+        let presenting = self.scene.session.presenting.is_some();
+        let pressed = commands_table::pressed(ctx, |when| match when {
+            When::Anywhere => true,
+            When::Untyped => !is_typing,
+            When::Lesson => has_lesson,
+            When::LessonUntyped => has_lesson && !is_typing,
+            When::LessonUnfocused => has_lesson && !has_focus,
+            When::Presenting => presenting && !is_typing,
+            When::View | When::CameraView | When::WorldView => false,
+        });
+        for (when, action) in pressed {
+            if matches!(when, When::Anywhere | When::Lesson) {
+                self.after_typing(ctx, action, actions);
+            } else {
+                actions.push(action);
+            }
+        }
+        // Escape ends a drag, closes a menu and lets go of the focus before it ends presenting.
+        let is_busy = has_focus || Popup::is_any_open(ctx) || ctx.input(|i| i.pointer.any_down());
+        if presenting && !is_busy && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape))
+        {
+            actions.push(LookAction::Present.into());
+        }
+    }
+
+    /// Does it now; where something has the focus, in the next pass: a number that is being typed is
+    /// taken over when its field loses the focus.
+    fn after_typing(&mut self, ctx: &Context, action: Action, actions: &mut Vec<Action>) {
+        match ctx.memory(|memory| memory.focused()) {
+            Some(focused) => {
+                ctx.memory_mut(|memory| memory.surrender_focus(focused));
+                self.waiting.push(action);
+                ctx.request_repaint();
+            }
+            None => actions.push(action),
+        }
+    }
+
+    /// What there is for commands to be done to.
+    fn available(&self) -> Available {
+        Available {
+            undo: self.history.undo_name().is_some(),
+            redo: self.history.redo_name().is_some(),
+            lesson: self.scene.lessons.open.is_some(),
+            animation: self.playback.player.is_some(),
+            ghost: self.scene.session.ghost.is_some(),
+            answers: self.scene.session.answers.is_some(),
+        }
+    }
+
+    /// Everything round the views, from the top.
+    fn panels(&mut self, ui: &mut Ui, marks: [bool; 2], actions: &mut Vec<Action>) -> Changed {
+        let there = self.available();
+        let [_, differs_from_step] = marks;
+        let scene = &mut self.scene;
+        let mut changed = Changed::NOTHING;
+        self.over.ui(ui.ctx(), scene, &self.window.recent, there, actions);
+        look::follow(ui.ctx(), &scene.session);
+        let presenting = scene.session.presenting.is_some();
+        if !presenting {
+            let (undo, redo) = (self.history.undo_name(), self.history.redo_name());
+            let steps = top_bar::Steps { undo, redo };
+            let (open, recent) = (&scene.open, &self.window.recent);
+            let settings = &mut scene.session.settings;
+            Panel::top("top bar").show(ui, |ui| {
+                changed |= top_bar::ui(ui, open, recent, steps, there, settings, actions);
+            });
+        }
+        scene.lesson_strip(ui, differs_from_step, actions);
+        let inspection = self.views.derived.inspection.as_deref();
+        self.playback.go_on(ui, scene, &mut self.history, inspection, actions);
+        if !presenting && self.workspace().has_panel {
+            let panel =
+                Panel::left("panel").resizable(true).default_size(336.0).size_range(316.0..=560.0);
+            panel.show(ui, |ui| {
+                ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                    changed |= self.left_panel(ui);
+                });
+            });
+        }
+        changed
+    }
+
+    fn left_panel(&mut self, ui: &mut Ui) -> Changed {
+        let scene = &mut self.scene;
+        let document = &mut scene.open.document;
+        ui.add_space(4.0);
+        if !document.note.is_empty() {
+            egui::CollapsingHeader::new("What to look for").default_open(true).show(ui, |ui| {
+                for paragraph in document.note.split("\n\n") {
+                    ui.label(paragraph.replace('\n', " "));
+                }
+            });
+            ui.separator();
+        }
+        let settings = &mut scene.session.settings;
+        let before = document.camera;
+        let mut changed = camera::ui(ui, &mut document.camera, settings);
+        let now = &document.camera;
+        let selected = &mut scene.session.selection;
+        *selected = selected.in_another_image(before.image, now.image);
+        if settings.keep_picture {
+            *selected = selected.in_another_viewport(before.viewport, now.viewport);
+        }
+        ui.separator();
+        let resolved = document.camera.resolve().ok();
+        changed |= selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        ui.separator();
+        changed |= objects::ui(ui, document, &mut scene.chosen_object);
+        ui.add_space(8.0);
+        changed
+    }
+
+    /// Where the views lie, and what is beside them.
+    fn places(&mut self, ui: &mut Ui) -> (Places, Changed) {
+        let areas = self.workspace().areas;
+        let session = &mut self.scene.session;
+        let presenting = session.presenting.is_some();
+        let image = self.scene.open.document.camera.image;
+        let before = session.settings.splits;
+        let splits = &mut session.settings.splits;
+        let whole = ui.available_rect_before_wrap();
+        let areas = areas(&mut Divider { ui, whole, splits, presenting });
+        let changed = Changed::SESSION.when(session.settings.splits != before);
+        let per_point = ui.ctx().pixels_per_point();
+        (Places::new(areas, image, per_point, presenting), changed)
+    }
+
+    /// What mouse and keys do in the views, and what they point at.
+    fn view_inputs(&mut self, ui: &mut Ui, places: &Places, actions: &mut Vec<Action>) -> Changed {
+        let workspace = self.workspace();
+        let (scene, shown) = (&mut self.scene, &self.views.derived);
+        if let Some(rect) = places.world {
+            scene.frame(rect.aspect_ratio());
+        }
+        let mut changed = Changed::NOTHING;
+        let mut hovered: Option<Hovered> = None;
+        if !self.over.covers() {
+            let beside = workspace.beside.map_or("", |beside| beside.name);
+            changed = views::inputs(ui, places, beside, &mut scene.session, shown, actions);
+            hovered = views::hovered(ui, places, shown)
+                .or_else(|| (workspace.hovered)(ui.ctx(), &self.tools, shown));
+        }
+        scene.session.hovered = hovered;
+        changed
+    }
+
+    fn derive(&mut self, ui: &Ui, places: &Places) {
+        let mut sizes = views::sizes(ui, places);
+        if let (Some(beside), Some(rect)) = (self.workspace().beside, places.beside) {
+            (beside.derive)(&mut sizes, views::physical(ui, rect));
+        }
+        self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
+    }
+
+    /// The views, and what the workspace has beside them.
+    fn outputs(&mut self, ui: &mut Ui, places: &Places) -> Changed {
+        let workspace = self.workspace();
+        let actions = &mut self.waiting;
+        let mut changed = self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
+        let settings = self.scene.session.settings;
+        let mut desk = Desk {
+            open: &self.scene.open,
+            session: &mut self.scene.session,
+            derived: &self.views.derived,
+            tools: &mut self.tools,
+            style: NumberStyle {
+                digits: settings.digits,
+                count_from_one: settings.count_from_one,
+                exact: false,
+            },
+            actions,
+        };
+        if let (Some(beside), Some(area), Some(rect)) =
+            (workspace.beside, places.beside_area, places.beside)
+        {
+            changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
+        }
+        ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
+            ui.set_clip_rect(places.rest);
+            changed |= (workspace.rest)(ui, &mut desk);
+        });
+        changed
+    }
+
+    /// A change of the document becomes a step of the history as soon as the hand rests, no button is
+    /// held and nothing plays: a drag is one step.
+    fn keep_history(&mut self, ctx: &Context) {
+        if !self.playback.plays_camera() && ctx.input(|i| !i.pointer.any_down()) {
+            self.history.settle(ctx, &self.scene.open.document);
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! What lies over the window: dialogs, the command palette, the list of keys, the ring round what has
+//! the focus, and the spotlight.
+
+use egui::{Context, Ui};
+
+use super::scene::OpenScene;
+use crate::model::lessons::Which;
+use crate::ui::action::{Action, Available, Leave, ObjectAction, Overlay};
+use crate::ui::commands_table::{self, Group, UiCommand};
+use crate::ui::dialogs::dialog::{self, Dialog};
+use crate::ui::dialogs::key_list;
+use crate::ui::dialogs::palette::{self, Palette};
+use crate::view::typesetting::theme;
+use pinhole_exchange::document::Document;
+
+/// Of more objects, the palette lists the first ones.
+const LISTED_OBJECTS: usize = 200;
+
+/// What lies over the window until it is closed.
+#[derive(Default)]
+pub(super) struct Over {
+    pub(super) dialog: Option<Dialog>,
+    palette: Option<Palette>,
+    shows_keys: bool,
+    /// The focus was moved by the keyboard, and is shown by a ring.
+    by_keyboard: bool,
+}
+
+impl Over {
+    /// Whether something lies over the window, which takes mouse and keys.
+    pub(super) fn covers(&self) -> bool {
+        self.dialog.is_some() || self.palette.is_some() || self.shows_keys
+    }
+
+    /// Opens the palette, or the list of keys.
+    pub(super) fn apply(&mut self, overlay: Overlay) {
+        match overlay {
+            Overlay::Palette => self.palette = Some(Palette::default()),
+            Overlay::Keys => self.shows_keys = true,
+        }
+    }
+
+    /// Shows what lies over the window; what was chosen in it goes into `actions`.
+    pub(super) fn ui(
+        &mut self,
+        ctx: &Context,
+        scene: &OpenScene,
+        recent: &[std::path::PathBuf],
+        there: Available,
+        actions: &mut Vec<Action>,
+    ) {
+        dialog::ui(ctx, &mut self.dialog, actions);
+        if self.shows_keys {
+            self.shows_keys = key_list::ui(ctx);
+        }
+        if let Some(palette) = &mut self.palette {
+            let extra = commands_of_what_is_open(scene, recent);
+            let commands = commands_table::all().iter().chain(&extra);
+            let commands: Vec<&UiCommand> =
+                commands.filter(|verb| verb.action.is_possible(there)).collect();
+            if !palette::ui(ctx, palette, &commands, &scene.session, actions) {
+                self.palette = None;
+            }
+        }
+    }
+
+    /// The ring round what has the focus, and the spotlight.
+    pub(super) fn marks(&mut self, ui: &Ui, spotlight: bool) {
+        let (pressed, moved) = ui.input(|i| {
+            let moves = [egui::Key::Tab, egui::Key::ArrowDown, egui::Key::ArrowUp];
+            (i.pointer.any_pressed(), moves.iter().any(|key| i.key_pressed(*key)))
+        });
+        self.by_keyboard = (self.by_keyboard || moved) && !pressed;
+        if self.by_keyboard {
+            theme::focus_ring(ui);
+        }
+        if spotlight {
+            theme::spotlight(ui.ctx());
+        }
+    }
+}
+
+/// Commands for the steps of a lesson from a file, recent files and the scene's objects.
+fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) -> Vec<UiCommand> {
+    let open = scene.lessons.open.as_ref();
+    let own = open.filter(|open| open.place().lesson == Which::File);
+    let mut commands =
+        own.map_or_else(Vec::new, |own| commands_table::of_lesson(Which::File, own.lesson()));
+    commands.extend(recent.iter().map(|path| open_again(path)));
+    let document = &scene.open.document;
+    let count = document.object_count().min(LISTED_OBJECTS);
+    commands.extend((0..count).map(|index| object(document, index)));
+    commands
+}
+
+/// An object to choose.
+fn object(document: &Document, index: usize) -> UiCommand {
+    UiCommand {
+        group: Group::Objects,
+        name: format!("choose {}", document.title_of(index)).into(),
+        about: "Shows its fields, and its handles in the world view.".into(),
+        keys: &[],
+        action: ObjectAction::Choose(index).into(),
+    }
+}
+
+/// A file that was opened lately.
+fn open_again(path: &std::path::Path) -> UiCommand {
+    use pinhole_exchange::scenes::SceneSource;
+    UiCommand {
+        group: Group::File,
+        name: format!("open {}", path.display()).into(),
+        about: "Opens it again.".into(),
+        keys: &[],
+        action: Leave::Open(SceneSource::File(path.to_owned())).into(),
+    }
+}

@@ -1,0 +1,209 @@
+//! The open scene: the document, how it is looked at, and the lesson that it belongs to.
+
+use std::sync::Arc;
+
+use pinhole_core::Camera;
+
+use super::lessons::Lessons;
+use crate::model::files::OpenDocument;
+use crate::model::ghost::{Beside, Ghost};
+use crate::model::hand::Hand;
+use crate::model::lessons::{self, Place, Which};
+use crate::model::observer::Observer;
+use crate::model::play::Kind;
+use crate::model::session::{Selection, Session, Settings, ViewLayout};
+use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
+use crate::ui::dialogs::dialog::{Dialog, Message};
+use crate::ui::panels::objects;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::SceneSource;
+
+/// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
+/// times nearer.
+const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
+const PAN: f64 = 0.05;
+const ZOOM: f64 = 1.15;
+
+/// All that going back to a scene brings back.
+#[derive(Clone, Debug)]
+pub(super) struct OpenScene {
+    pub(super) open: OpenDocument,
+    pub(super) session: Session,
+    pub(super) lessons: Lessons,
+    pub(super) chosen_object: usize,
+}
+
+/// What showing a scene asks of the other parts.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Opened {
+    /// It is another scene: what was good in the one before is nothing to show in this one.
+    pub(super) is_another: bool,
+    /// The animation to open as soon as it is known what the ray hits.
+    pub(super) play: Option<Kind>,
+}
+
+impl OpenScene {
+    pub(super) fn new(open: OpenDocument, session: Session) -> OpenScene {
+        OpenScene { open, session, lessons: Lessons::default(), chosen_object: 0 }
+    }
+
+    /// Opens a scene, or a lesson from a file.
+    pub(super) fn load(&mut self, source: SceneSource) -> Result<Opened, Message> {
+        if let SceneSource::File(path) = &source
+            && lessons::is_lesson(path)
+        {
+            let problem = |error| Message::new("This lesson cannot be opened", error);
+            let lesson = lessons::load(path).map_err(problem)?;
+            let place = Place { lesson: Which::File, step: 0 };
+            return Ok(self.open_lesson(place, Some(Arc::new(lesson))).unwrap_or_default());
+        }
+        let problem = |error| Message::new("This scene cannot be opened", error);
+        let document = source.load().map_err(problem)?;
+        Ok(self.replace(OpenDocument::new(document, source), Session::default().selection))
+    }
+
+    /// Opens a document from no file, with both views beside it.
+    pub(super) fn show(&mut self, made_up: MadeUp) -> Opened {
+        let MadeUp { document, title, uv } = made_up;
+        let mut open = OpenDocument::of_step(document, title);
+        // It can be got again, but what is changed in it counts.
+        open.leave_lesson();
+        let opened = self.replace(open, uv.map_or(Session::default().selection, Selection::Uv));
+        self.session.settings.layout = ViewLayout::Both;
+        opened
+    }
+
+    fn replace(&mut self, open: OpenDocument, selection: Selection) -> Opened {
+        self.close_lesson();
+        self.open = open;
+        self.session.observer = None;
+        self.session.ghost = None;
+        self.session.selection = selection;
+        self.chosen_object = 0;
+        Opened { is_another: true, play: None }
+    }
+
+    /// Whether there are unsaved changes, and whether anything is not as the lesson's step says.
+    pub(super) fn marks(&self) -> [bool; 2] {
+        [self.open.has_changes(), self.differs_from_step()]
+    }
+
+    /// Lets the observer, if there is none yet, see everything in a view of this proportion.
+    pub(super) fn frame(&mut self, aspect: f32) {
+        if self.session.observer.is_none() {
+            let document = &self.open.document;
+            // An object at fault is not there yet; the camera is.
+            let scene = document.scene().unwrap_or_default();
+            let framed = Observer::frame_all(&document.camera, &scene, f64::from(aspect));
+            self.session.observer = Some(framed);
+            self.lessons.framed(framed);
+        }
+    }
+
+    /// Moves the observer; `aspect` is width by height of the world view.
+    pub(super) fn observe(&mut self, observe: Observe, aspect: f64) {
+        let Some(observer) = &mut self.session.observer else { return };
+        match observe {
+            Observe::Orbit(right, up) => {
+                observer.orbit(TURN * f64::from(right), TURN * f64::from(up));
+            }
+            Observe::Pan(right, up) => observer.pan(-PAN * f64::from(right), PAN * f64::from(up)),
+            Observe::Zoom(steps) => observer.zoom(ZOOM.powi(steps)),
+            Observe::FrameCamera => {
+                *observer = observer.framing_camera(&self.open.document.camera, aspect);
+            }
+            // The next pass, which knows the view's proportions, frames everything.
+            Observe::FrameAll => self.session.observer = None,
+        }
+    }
+
+    /// Adds, removes or chooses an object; what there is to tell if that cannot be done.
+    pub(super) fn change_objects(&mut self, action: ObjectAction) -> Option<Dialog> {
+        let document = &mut self.open.document;
+        let count = document.object_count();
+        let chosen = self.chosen_object.min(count.saturating_sub(1));
+        match action {
+            ObjectAction::AddSphere => self.chosen_object = objects::add_sphere(document),
+            ObjectAction::AddPlane => self.chosen_object = objects::add_plane(document),
+            ObjectAction::Choose(index) if index < count => self.chosen_object = index,
+            ObjectAction::Next(by) if count > 0 => {
+                let next = (chosen as i64 + i64::from(by)).rem_euclid(count as i64);
+                self.chosen_object = next as usize;
+            }
+            ObjectAction::Remove if count > 0 => {
+                let removed = objects::remove(document, chosen);
+                let problem = |reason| Dialog::message("This object was not removed", reason);
+                return removed.err().map(problem);
+            }
+            ObjectAction::Choose(_) | ObjectAction::Next(_) | ObjectAction::Remove => {}
+        }
+        None
+    }
+
+    /// Puts another camera in the place of this one; the selected pixel stays where it is in the image.
+    pub(super) fn replace_camera(&mut self, camera: Camera) {
+        let before = std::mem::replace(&mut self.open.document.camera, camera);
+        let selection = self.session.selection;
+        self.session.selection = selection.in_another_image(before.image, camera.image);
+    }
+
+    /// Freezes the camera, drops the ghost, or lets both change places. Whether the camera is another
+    /// one.
+    pub(super) fn change_ghost(&mut self, action: GhostAction) -> bool {
+        let camera = &mut self.open.document.camera;
+        let ghost = &mut self.session.ghost;
+        match (action, ghost.as_mut()) {
+            (GhostAction::Freeze, known) => {
+                let beside = known.map_or(Beside::default(), |known| known.beside);
+                *ghost = Some(Ghost { camera: *camera, beside });
+            }
+            (GhostAction::Drop, _) => *ghost = None,
+            (GhostAction::Swap, Some(known)) => {
+                let next = std::mem::replace(&mut known.camera, *camera);
+                self.replace_camera(next);
+                return true;
+            }
+            (GhostAction::Swap, None) => {}
+        }
+        false
+    }
+
+    /// Selects another pixel.
+    pub(super) fn step_selection(&mut self, rows: i64, columns: i64) {
+        if let Ok(resolved) = self.open.document.camera.resolve() {
+            let selection = self.session.selection.inside(resolved.image());
+            self.session.selection = selection.stepped(&resolved, rows, columns);
+        }
+    }
+
+    /// Takes over the same scene with other numbers; the selected place goes along as when they are
+    /// edited.
+    pub(super) fn edit_back(&mut self, document: Document) {
+        let (old, new) = (self.open.document.camera, document.camera);
+        let selection = self.session.selection.in_another_image(old.image, new.image);
+        self.session.selection = match selection {
+            Selection::Uv(_) if self.session.settings.keep_picture => {
+                selection.in_another_viewport(old.viewport, new.viewport)
+            }
+            other => other,
+        };
+        self.open.document = document;
+    }
+
+    /// Goes back to another scene or step, looked at as it was then. What belongs to the window stays.
+    pub(super) fn go_back(&mut self, to: OpenScene) {
+        let now = &self.session.settings;
+        let settings = Settings {
+            theme: now.theme,
+            scheme: now.scheme,
+            reduced_motion: now.reduced_motion,
+            smallest_text: now.smallest_text,
+            zoom: now.zoom,
+            ..to.session.settings
+        };
+        let (presenting, spotlight) = (self.session.presenting, self.session.spotlight);
+        let hand = Hand::default();
+        let session = Session { settings, presenting, spotlight, hand, ..to.session };
+        *self = OpenScene { session, ..to };
+    }
+}

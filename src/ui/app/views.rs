@@ -1,0 +1,146 @@
+//! The views: deriving what they show, keeping up with the hand, and putting their pictures on the
+//! screen.
+
+use std::time::Duration;
+
+use egui::{Context, Key, Ui, Vec2};
+
+use super::hand::InHand;
+use super::scene::OpenScene;
+use crate::model::fault::Fault;
+use crate::model::letters::typeset_message;
+use crate::ui::action::{Action, Observe};
+use crate::ui::changed::Changed;
+use crate::ui::frame_times::{FrameWork, Stopwatch};
+use crate::ui::scene::places::Places;
+use crate::ui::scene::{framing, views};
+use crate::ui::tools::accuracy;
+use crate::ui::view_texture::ViewTexture;
+use crate::view::adaptive_resolution::{AdaptiveResolution, REST, Subsampling};
+use crate::view::derive::{Derived, Deriver, ViewSizes};
+
+/// Keys that move the camera, the observer or a handle as long as they are held.
+const STEERING: [Key; 7] = [
+    Key::ArrowLeft,
+    Key::ArrowRight,
+    Key::ArrowUp,
+    Key::ArrowDown,
+    Key::Plus,
+    Key::Equals,
+    Key::Minus,
+];
+
+/// What is derived, and its pictures on their way to the screen.
+#[derive(Default)]
+pub(super) struct Views {
+    pub(super) deriver: Deriver,
+    pub(super) derived: Derived,
+    pub(super) adaptive_resolution: AdaptiveResolution,
+    /// What went into the last frame, for those who keep a log.
+    pub(super) frame_work: Option<FrameWork>,
+    world: ViewTexture,
+    camera: ViewTexture,
+}
+
+impl Views {
+    /// Width by height of the world view as it was seen last.
+    pub(super) fn world_aspect(&self) -> f64 {
+        let seen = self.derived.world_view.as_ref().map(|shown| shown.image.size);
+        seen.map_or(1.25, |[width, height]| width as f64 / height.max(1) as f64)
+    }
+
+    /// Derives everything that is shown; `plays`: an animation moves the camera.
+    pub(super) fn derive(
+        &mut self,
+        ctx: &Context,
+        scene: &OpenScene,
+        sizes: ViewSizes,
+        plays: bool,
+    ) {
+        let time = ctx.input(|i| i.time);
+        let subsampling = self.adaptive_resolution.now(plays || is_hand_moving(ctx), time);
+        let under_hand = self.adaptive_resolution.is_followed(time);
+        let sizes = ViewSizes { subsampling, under_hand, ..sizes };
+        // Whose spheres are then changed in place, not copied.
+        self.derived.scene = None;
+        let stopwatch = Stopwatch::start();
+        let tell = |work| stopwatch.tell(work);
+        let (document, session) = (&scene.open.document, &scene.session);
+        self.derived = self.deriver.derive_watched(document, session, &sizes, &tell);
+        let times = stopwatch.stop();
+        if let Some(traced) = times.traced() {
+            self.adaptive_resolution.took(subsampling, traced);
+        }
+        if let Some(frame_work) = &mut self.frame_work {
+            frame_work.add(ctx.cumulative_frame_nr(), times);
+        }
+        // What is coarse is made finer as soon as the hand rests. A grade may have been put off, too.
+        let waits = self.adaptive_resolution.is_followed(time) && session.answers.is_some();
+        let is_coarse = |shown: Subsampling| shown != Subsampling::NONE;
+        if waits || self.derived.subsampling.into_iter().any(is_coarse) {
+            ctx.request_repaint_after(Duration::from_secs_f64(REST));
+        }
+    }
+
+    /// Shows the pictures with what is written on them.
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        places: &Places,
+        scene: &mut OpenScene,
+        hand: &mut InHand,
+        actions: &mut Vec<Action>,
+    ) -> Changed {
+        let derived = &self.derived;
+        let mut changed = Changed::NOTHING;
+        if scene.session.presenting.is_none() {
+            let image = scene.open.document.camera.image;
+            changed |= views::strips(ui, places, &mut scene.session.settings, image);
+        }
+        let (document, session) = (&scene.open.document, &scene.session);
+        if let (Some(rect), Some(shown)) = (places.world, &derived.world_view) {
+            let stale = matches!(derived.fault, Some(Fault::Scene(_)));
+            views::show(ui, rect, shown, &mut self.world, stale);
+            views::speak(ui, views::WORLD, &views::spoken(derived));
+        }
+        if let (Some(rect), Some(shown)) = (places.camera, &derived.camera_view) {
+            views::show(ui, rect, shown, &mut self.camera, derived.fault.is_some());
+            views::speak(ui, views::CAMERA, &views::spoken(derived));
+        }
+        // One of them speaks at a time.
+        let is_steered = hand.navigation.has_word(ui.input(|i| i.time));
+        if session.hand.over.is_none() && !is_steered {
+            views::tell_pointed(ui, session.hovered, document);
+        }
+        let mark = accuracy::drawn_by(derived, session.settings.method.0);
+        if let (Some(rect), Some(text)) = (places.camera.or(places.world), mark) {
+            views::drawn_by(ui, rect, &text);
+        }
+        if let (Some(rect), Some(fault)) = (places.camera.or(places.world), derived.fault) {
+            views::reason(ui, rect, &typeset_message(fault));
+        }
+        for (place, subsampling) in
+            [places.camera, places.world].into_iter().zip(derived.subsampling)
+        {
+            if let (Some(rect), Some(text)) = (place, subsampling.message()) {
+                views::coarse(ui, rect, &text);
+            }
+        }
+        hand.tell(ui, places, scene, derived);
+        let is_wanted = |rect| framing::hint(ui, rect, derived, document, session);
+        if places.world.is_some_and(is_wanted) {
+            actions.push(Observe::FrameCamera.into());
+            ui.ctx().request_repaint();
+        }
+        changed
+    }
+}
+
+/// Whether mouse or keys move what is seen.
+fn is_hand_moving(ctx: &Context) -> bool {
+    ctx.input(|i| {
+        let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;
+        let scrolls = i.smooth_scroll_delta() != Vec2::ZERO || i.zoom_delta() != 1.0;
+        drags || scrolls || STEERING.into_iter().any(|key| i.key_down(key))
+    })
+}

@@ -1,0 +1,121 @@
+//! The window itself: its title and place, closing it, and what the next run is to remember.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use egui::{Context, ViewportCommand};
+
+use super::scene::OpenScene;
+use crate::model::files::{argument_of, remember, title_of};
+use crate::model::session::Settings;
+use crate::model::store::{Remembered, Store};
+use crate::model::window_geometry::WindowGeometry;
+
+/// The window's own state.
+pub(super) struct AppWindow {
+    store: Option<Store>,
+    pub(super) geometry: WindowGeometry,
+    /// Files opened or saved lately.
+    pub(super) recent: Vec<PathBuf>,
+    title: String,
+    /// What draws the window, in words.
+    pub(super) renderer: String,
+    may_close: bool,
+    /// The user chose to lose the changes.
+    pub(super) discarded: bool,
+}
+
+impl AppWindow {
+    pub(super) fn new(
+        store: Option<Store>,
+        geometry: WindowGeometry,
+        recent: Vec<PathBuf>,
+    ) -> AppWindow {
+        AppWindow {
+            store,
+            geometry,
+            recent,
+            title: String::new(),
+            renderer: String::new(),
+            may_close: false,
+            discarded: false,
+        }
+    }
+
+    /// Puts a file at the head of the recent ones.
+    pub(super) fn remember(&mut self, path: &Path) {
+        remember(&mut self.recent, path);
+    }
+
+    /// Closes the window: nothing stands in the way any more.
+    pub(super) fn close(&mut self, ctx: &Context) {
+        self.may_close = true;
+        ctx.send_viewport_cmd(ViewportCommand::Close);
+    }
+
+    /// Whether the close button was pressed, and nobody has said yet that it may be.
+    pub(super) fn is_to_close(&self, ctx: &Context) -> bool {
+        ctx.input(|i| i.viewport().close_requested()) && !self.may_close
+    }
+
+    /// Lets the window go, or keeps it open for now.
+    pub(super) fn let_close(&mut self, ctx: &Context, may_close: bool) {
+        self.may_close = may_close;
+        if !may_close {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+        }
+    }
+
+    /// Says in the title what is open.
+    pub(super) fn follow(&mut self, ctx: &Context, scene: &OpenScene) {
+        let changed = if scene.open.has_changes() { "*" } else { "" };
+        let title = format!("{}{changed} - Pinhole", title_of(scene.open.origin()));
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
+    /// Remembers settings, window, recent files and the open scene for the next run. Changes that
+    /// nobody was asked about, because display or adapter went away, are saved beside them.
+    pub(super) fn end(&mut self, scene: &mut OpenScene) {
+        let Some(store) = &self.store else { return };
+        if scene.open.has_changes() && !self.discarded {
+            let path = store.unsaved();
+            match scene.open.save_to(&path) {
+                Ok(()) => {
+                    remember(&mut self.recent, &path);
+                    complain(&format!("the unsaved changes are in {}", path.display()));
+                }
+                Err(reason) => complain(&format!("the unsaved changes are lost: {reason}")),
+            }
+        }
+        let argument = argument_of(scene.open.origin());
+        let remembered = Remembered {
+            settings: settings_to_remember(scene),
+            window: self.geometry,
+            selection: argument.is_some().then(|| scene.session.selection.into()),
+            recent: self.recent.clone(),
+            renderer: self.renderer.clone(),
+            last: argument.or_else(|| scene.lessons.scene_before()),
+            lesson: scene.lessons.remembered(),
+        };
+        if let Err(error) = store.save(&remembered) {
+            complain(&format!("settings were not saved: {error}"));
+        }
+    }
+}
+
+/// The settings without what lessons and presenting have set.
+fn settings_to_remember(scene: &OpenScene) -> Settings {
+    let mut session = scene.session.clone();
+    if let Some(presenting) = session.presenting {
+        session.settings.layout = presenting.before(session.settings.layout);
+    }
+    scene.lessons.settings_without(&session)
+}
+
+/// Says something on standard error; where that is closed, there is nobody to tell.
+pub(crate) fn complain(text: &str) {
+    let _ = writeln!(std::io::stderr(), "pinhole: {text}");
+}

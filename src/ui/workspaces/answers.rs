@@ -1,0 +1,41 @@
+//! The camera's picture, and where a student's answers are wrong in it.
+
+use egui::Ui;
+
+use super::workspace::{Beside, Desk, Frame, Workspace};
+use crate::figures::Subject;
+use crate::model::session::{Session, Split};
+use crate::ui::changed::Changed;
+use crate::ui::practice::answers;
+use crate::ui::scene::views;
+
+pub(super) const ANSWERS: Workspace = Workspace {
+    areas: |divider| divider.pair_above(Split::Answers),
+    beside: Some(&Beside {
+        name: views::ANSWERS,
+        derive: |sizes, size| sizes.answers = Some(size),
+        show: map,
+    }),
+    rest: |ui, desk| {
+        let chosen = |session: &Session| {
+            (session.selection, session.answers.as_ref().map(|answers| answers.count_from))
+        };
+        let before = chosen(desk.session);
+        answers::ui(ui, desk.derived, desk.session, desk.actions);
+        Changed::SESSION.when(chosen(desk.session) != before)
+    },
+    figure: Subject::Camera,
+    ..Workspace::VIEWS
+};
+
+fn map(ui: &mut Ui, desk: &mut Desk<'_>, Frame { area, rect }: Frame) -> Changed {
+    let derived = desk.derived;
+    let has_map = derived.answers_view.is_some();
+    answers::strip(ui, area, desk.session.answers.as_ref(), has_map);
+    views::speak(ui, views::ANSWERS, &answers::spoken(derived, desk.session));
+    match &derived.answers_view {
+        Some(shown) => desk.picture(ui, rect, shown, false),
+        None => answers::no_map(ui, rect, derived, desk.session),
+    }
+    Changed::NOTHING
+}

@@ -1,0 +1,27 @@
+//! The derivation of every number, beside both views or alone.
+
+use egui::Ui;
+
+use super::workspace::{Desk, Workspace};
+use crate::figures::Subject;
+use crate::model::session::{Session, Split};
+use crate::ui::changed::Changed;
+
+pub(super) const DERIVATION: Workspace = Workspace {
+    areas: |divider| divider.stack_beside(Split::Derivation, "derivation handle"),
+    rest: derivation,
+    hovered: |ctx, tools, _| tools.derivation.hovered(ctx),
+    figure: Subject::Derivation,
+    ..Workspace::VIEWS
+};
+
+pub(super) const ALONE: Workspace = Workspace { areas: |divider| divider.no_views(), ..DERIVATION };
+
+fn derivation(ui: &mut Ui, desk: &mut Desk<'_>) -> Changed {
+    let Some(derivation) = &desk.derived.derivation else { return Changed::NOTHING };
+    let highlighted = desk.session.highlighted();
+    let Session { sections, hovered, .. } = &mut *desk.session;
+    Changed::in_session(sections, |sections| {
+        desk.tools.derivation.ui(ui, derivation, sections, *hovered, highlighted);
+    })
+}

@@ -1,0 +1,17 @@
+//! The lab of lines in two dimensions.
+
+use super::workspace::Workspace;
+use crate::figures::Subject;
+use crate::ui::changed::Changed;
+use crate::ui::ray::lines;
+
+pub(super) const LINES: Workspace = Workspace {
+    has_panel: false,
+    areas: |divider| divider.no_views(),
+    rest: |ui, desk| {
+        let digits = desk.style.digits;
+        Changed::in_session(&mut desk.session.lines, |lab| lines::ui(ui, lab, digits))
+    },
+    figure: Subject::Lines,
+    ..Workspace::VIEWS
+};

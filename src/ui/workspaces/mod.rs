@@ -1,0 +1,39 @@
+//! The workspaces, a file each, and the table of them: what a layout of the window shows and where. A
+//! new one is a file here, a line in [`workspace`], and a row in the model's table of layouts.
+
+mod accuracy;
+mod answers;
+mod compare;
+mod derivation;
+mod exercises;
+mod frame;
+mod lines;
+mod mistakes;
+mod plot;
+mod translator;
+mod views;
+mod workspace;
+
+pub(crate) use self::workspace::{Desk, Frame, Tools, Workspace};
+
+use crate::model::session::ViewLayout;
+
+/// The workspace of a layout.
+pub(crate) fn workspace(layout: ViewLayout) -> &'static Workspace {
+    match layout {
+        ViewLayout::Both => &views::BOTH,
+        ViewLayout::World => &views::WORLD,
+        ViewLayout::Camera => &views::CAMERA,
+        ViewLayout::Derivation => &derivation::DERIVATION,
+        ViewLayout::DerivationAlone => &derivation::ALONE,
+        ViewLayout::Plot => &plot::PLOT,
+        ViewLayout::Lines => &lines::LINES,
+        ViewLayout::Mistakes => &mistakes::MISTAKES,
+        ViewLayout::Compare => &compare::COMPARE,
+        ViewLayout::Translator => &translator::TRANSLATOR,
+        ViewLayout::Exercises => &exercises::EXERCISES,
+        ViewLayout::Answers => &answers::ANSWERS,
+        ViewLayout::Accuracy => &accuracy::ACCURACY,
+        ViewLayout::Frame => &frame::FRAME,
+    }
+}

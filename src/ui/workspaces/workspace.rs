@@ -1,0 +1,91 @@
+//! What a workspace is: where its parts lie, what it has derived, what it draws.
+
+use egui::{Context, Rect, Ui};
+
+use crate::figures::Subject;
+use crate::model::concept::Hovered;
+use crate::model::files::OpenDocument;
+use crate::model::session::{Session, Split};
+use crate::ui::action::Action;
+use crate::ui::changed::Changed;
+use crate::ui::derivation::DerivationPanel;
+use crate::ui::scene::places::{Areas, Divider};
+use crate::ui::scene::readouts::NumberStyle;
+use crate::ui::scene::views;
+use crate::ui::tools::measuring::Measuring;
+use crate::ui::tools::translator::TranslatorPanel;
+use crate::ui::view_texture::ViewTexture;
+use crate::view::derive::{Derived, Shown, ViewSizes};
+
+/// A layout of the window.
+pub(crate) struct Workspace {
+    /// Whether camera and objects can be edited beside it.
+    pub(crate) has_panel: bool,
+    /// Where its parts lie.
+    pub(crate) areas: fn(&mut Divider<'_>) -> Areas,
+    /// The picture beside the camera's, if it has one.
+    pub(crate) beside: Option<&'static Beside>,
+    /// Shows what it has below the views, beside them or in their place.
+    pub(crate) rest: fn(&mut Ui, &mut Desk<'_>) -> Changed,
+    /// What the mouse or the focus is on in that.
+    pub(crate) hovered: fn(&Context, &Tools, &Derived) -> Option<Hovered>,
+    /// The figure that it is about.
+    pub(crate) figure: Subject,
+}
+
+/// A picture beside the camera's, as large.
+pub(crate) struct Beside {
+    /// Its name, for screen readers.
+    pub(crate) name: &'static str,
+    /// Asks for it in this size.
+    pub(crate) derive: fn(&mut ViewSizes, [u32; 2]),
+    /// Shows it in a place, with its title above the area.
+    pub(crate) show: fn(&mut Ui, &mut Desk<'_>, Frame) -> Changed,
+}
+
+/// The area of a picture, and where in it the picture is.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub(crate) area: Rect,
+    pub(crate) rect: Rect,
+}
+
+/// What workspaces keep from one pass to the next.
+#[derive(Default)]
+pub(crate) struct Tools {
+    pub(crate) derivation: DerivationPanel,
+    pub(crate) translator: TranslatorPanel,
+    pub(crate) measuring: Measuring,
+    /// The picture beside the camera's.
+    pub(crate) beside: ViewTexture,
+}
+
+/// What a workspace shows, and what it may change.
+pub(crate) struct Desk<'a> {
+    pub(crate) open: &'a OpenDocument,
+    pub(crate) session: &'a mut Session,
+    pub(crate) derived: &'a Derived,
+    pub(crate) tools: &'a mut Tools,
+    pub(crate) style: NumberStyle,
+    /// What is to be done in the next pass.
+    pub(crate) actions: &'a mut Vec<Action>,
+}
+
+impl Workspace {
+    /// Both views, and nothing below them.
+    pub(crate) const VIEWS: Workspace = Workspace {
+        has_panel: true,
+        areas: |divider| divider.both_above(Split::Readouts),
+        beside: None,
+        rest: |_, _| Changed::NOTHING,
+        hovered: |_, _, _| None,
+        figure: Subject::World,
+    };
+}
+
+impl Desk<'_> {
+    /// Shows the picture beside the camera's.
+    pub(crate) fn picture(&mut self, ui: &Ui, rect: Rect, shown: &Shown, dimmed: bool) {
+        views::show(ui, rect, shown, &mut self.tools.beside, dimmed);
+    }
+}
