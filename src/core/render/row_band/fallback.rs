@@ -62,9 +62,7 @@ impl RowBand<'_> {
         let place = (row - self.rows.start) * self.plan.rays.n.len() + column;
         // The ladder counts this decision at its own step.
         self.steps.f64 -= 1;
-        let Some(root) = seen.first_root(&ray, &mut self.steps) else {
-            return;
-        };
+        let Some(root) = seen.first_root(&ray, &mut self.steps) else { return };
         let hit = Hit { index, seen, root };
         let known = self.object[place];
         if known != NO_OBJECT
