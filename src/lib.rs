@@ -1,9 +1,68 @@
 //! Pinhole: what a pinhole camera sees, and why. The program behind `src/main.rs`, as a library so
-//! that its tests can drive it.
+//! that its tests can drive it. This page is the map of the house.
 //!
-//! The way of one edit: a panel changes the [`pinhole_exchange::document::Document`] in place; [`ui::app`] runs inputs,
-//! apply, derive, outputs, once; [`view::derive`] is pure; overlay, readouts and upload get what it
-//! made and nothing else.
+//! # Floors
+//!
+//! A folder is a room, and a room stands on what it uses. Nothing reaches up, and no circle runs
+//! between folders; `tests/layout.rs` reads that off the code's own `use` lines.
+//!
+//! ```text
+//! platform                         the window, the graphics driver, the CPU painter
+//! ui, cli                          what is in the window; the commands, a file each
+//! figures, report                  SVG, PDF and PNG; error against run time
+//! view                             from document and session to what is shown: pure
+//! model                            what is edited and remembered
+//! lecture, exchange                crates: every step with its numbers; files on disk
+//! core                             crate: cameras, scenes, exact answers, pictures
+//! ```
+//!
+//! `reference` (the oracle) and `yardstick` (the bench rig) are crates for tests and benches. Of the
+//! program, only `pinhole report` asks the oracle.
+//!
+//! # The way of one edit
+//!
+//! A drag of eye.x, in the order of [`ui::app`]'s `frame.rs`:
+//!
+//! 1. *Inputs*: the camera panel writes [`Document::camera`](pinhole_exchange::document::Document)
+//!    `.eye.x` in place, and says that it changed the pose.
+//! 2. *Apply*: what keys, menus and the views asked for, as
+//!    [`Action`](ui::action::Action)s, each carried out by the part that owns the state.
+//! 3. *Derive*: [`view::derive`] makes everything that is shown from the document and the session
+//!    ([`model::session`]), and remembers it on its inputs: an idle window does no work.
+//! 4. *Outputs*: views, readouts and textures get the [`Derived`](view::derive::Derived) and nothing
+//!    else, so that all of them show the same frame.
+//!
+//! A camera without a basis is a typed error on this way, and reaches the screen as a reason over the
+//! last good picture.
+//!
+//! # The way of one sphere
+//!
+//! From scene to pixels, in [`pinhole_core`]'s `render`: the frame's plan drops what cannot be seen and
+//! chooses how each sphere is drawn; bands of rows are drawn in `f32` with bounds of the error; a pixel
+//! in doubt goes up the ladder (double-double, then exact integers); then the band is shaded. Its
+//! `mod.rs` names every step.
+//!
+//! # Where to look
+//!
+//! | for | open |
+//! | --- | --- |
+//! | how a hit gets its colour | `core/render/shade/` |
+//! | the error bound of the row kernel | `core/render/rows/` |
+//! | a basis, and why there is none | `core/camera/basis.rs` |
+//! | a mistake, its name and its texts | `lecture/mistakes/table.rs` |
+//! | a new exercise | `lecture/exercises/` |
+//! | a line of the derivation | `lecture/derivation/` for its numbers, `view/derivation/` for its form |
+//! | the format of scene files | `exchange/scene_file/` |
+//! | another export format | `exchange/programs/`, a folder or file each |
+//! | a mark over a view | `view/overlay/` |
+//! | a workspace of the window | `ui/workspaces/`, a file each |
+//! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
+//! | a command, its key and its menu | `ui/commands_table/` |
+//! | an argument of the command line | `cli/arguments.rs` |
+//! | the built-in scenes and lessons | `assets/scenes/`, `assets/lessons/` |
+//!
+//! Pure functions stand in the middle; clocks, files and the display at the edge (`model/files.rs`,
+//! `model/store.rs`, `cli`, `platform`).
 
 pub mod cli;
 pub mod figures;

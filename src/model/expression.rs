@@ -2,8 +2,11 @@
 
 use std::f64::consts::{E, PI, TAU};
 
+/// A function of one number, with its name.
+type NamedFunction = (&'static str, fn(f64) -> f64);
+
 /// Functions of one number, by name.
-const FUNCTIONS: [(&str, fn(f64) -> f64); 26] = [
+const FUNCTIONS: [NamedFunction; 26] = [
     ("abs", f64::abs),
     ("signum", f64::signum),
     ("sin", f64::sin),

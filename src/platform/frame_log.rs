@@ -1,4 +1,7 @@
 //! The log of the window's frame times, written to a file for measurements.
+//!
+//! `PINHOLE_FRAME_TIMES=times.csv pinhole` writes, when the window is closed, the time of each frame,
+//! input to presented, in milliseconds. `tests/drag-latency.sh` takes the medians of it.
 
 use std::ffi::OsString;
 use std::fmt::Write as _;

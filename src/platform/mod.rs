@@ -9,6 +9,9 @@
 //!
 //! Both use the same event loop (`window.rs`, `open.rs`), so everything else about the window is
 //! the same. Only `gpu.rs` uses wgpu.
+//!
+//! egui's own framework for windows cannot fall back to another renderer in the same process, so one
+//! event loop of ours drives both.
 
 mod cpu;
 mod display;

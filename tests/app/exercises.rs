@@ -319,7 +319,7 @@ fn the_solution_is_exact_where_it_can_be_and_is_hidden_again() {
 #[test]
 fn the_questions_camera_opens_and_asks_about_changes_first() {
     let mut window = open(Exercise::Distance);
-    click(&mut window, "Both views");
+    click(&mut window, "Both");
     type_into(&mut window, "eye x", "1");
     click(&mut window, "Exercises");
     click(&mut window, "Open its camera");

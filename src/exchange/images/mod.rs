@@ -1,5 +1,6 @@
-//! Pictures as files: PNG and OpenEXR; what every SVG has in common, and colours as text.
+//! Pictures as files, PNG and OpenEXR; colours as text.
 
 pub mod color;
+#[cfg(feature = "exr")]
 pub mod exr;
 pub mod png;

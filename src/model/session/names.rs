@@ -44,7 +44,7 @@ macro_rules! layouts {
 }
 
 layouts! {
-    Both: Some("both"), "Both views", "World view and camera view side by side";
+    Both: Some("both"), "Both", "World view and camera view side by side";
     World: Some("world"), "World", "The world view alone";
     Camera: Some("camera"), "Camera", "The camera view alone";
     Derivation: Some("derivation"), "Derivation", "Every number's derivation, line by line";
