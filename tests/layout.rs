@@ -85,7 +85,6 @@ fn what_is_pure_knows_no_effect() {
                 "src/view/formula/",
                 "src/view/derivation/",
                 "src/exchange/programs/",
-                "src/exchange/code/",
             ]
             .iter()
             .any(|f| name.starts_with(f))

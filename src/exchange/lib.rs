@@ -6,8 +6,8 @@
 //! - [`scenes`]: the scenes that come with the program, and what a scene on the command line means.
 //! - [`csv`]: tables of spheres and of rays.
 //! - [`answers`]: a student's basis, rays, hits or picture.
-//! - [`images`]: PNG, OpenEXR and what every SVG has in common.
-//! - [`format`]: what every other program's format has: conventions, a scene to export, what is imported.
+//! - [`images`]: PNG and OpenEXR.
+//! - [`format`](mod@format): what every other program's format has: conventions, a scene to export, what is imported.
 //! - [`programs`]: other programs' cameras and scenes, written, and read where they are files or literal
 //!   numbers.
 //! - [`code`]: the camera at hand as a short program in six languages.

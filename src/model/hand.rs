@@ -1,10 +1,9 @@
 //! The handles of the world view, and the constraints of a drag.
 
-use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep, ViewportCorner};
+use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, ResolvedCamera};
 
 use crate::model::overlay_items::Item;
-use crate::model::session::Settings;
 
 /// A handle in the world view. Objects are given by their index in the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -157,13 +156,4 @@ pub struct Grasp {
     pub length: f64,
     /// Unit vector from a sphere's centre to the held point of its surface.
     pub toward: DVec3,
-}
-
-/// Returns what the settings keep fixed during drags. `other` is the modifier key that swaps what a
-/// moved eye keeps.
-pub fn keeps_of(settings: &Settings, other: bool) -> (Keep, CornerKeeps, DistanceKeeps) {
-    let eye = if other { settings.eye_keeps.other() } else { settings.eye_keeps };
-    let corner = if settings.keep_pixel_shape { CornerKeeps::Ratio } else { CornerKeeps::Nothing };
-    let distance = if settings.keep_picture { DistanceKeeps::Picture } else { DistanceKeeps::Size };
-    (eye.into(), corner, distance)
 }

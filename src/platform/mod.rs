@@ -3,7 +3,7 @@
 //! [`run`] opens the window and shows a [`Program`] in it. It is drawn by:
 //!
 //! - a graphics adapter, through wgpu, if there is one that is hardware;
-//! - otherwise [`painter`], on the CPU: if there is no adapter, if the adapter fails to start, and
+//! - otherwise [`painter`](crate::view::painter), on the CPU: if there is no adapter, if the adapter fails to start, and
 //!   if it is itself software, because software drivers take many times as long for the same
 //!   picture.
 //!

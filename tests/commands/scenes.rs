@@ -10,7 +10,7 @@ use super::run;
 fn a_line_for_each_scene() {
     let list = run("scenes").done();
     let lines: Vec<&str> = list.lines().collect();
-    assert_eq!(lines.len(), 13);
+    assert_eq!(lines.len(), 12);
     assert_eq!(lines[0], "canonical           The lecture's canonical camera, and its warm-up.");
     for line in lines {
         let (name, summary) = line.split_once("  ").unwrap();

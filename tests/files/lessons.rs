@@ -254,8 +254,8 @@ const STEPS: Cases = &[
         "7:10: step 1.uv[1] is \"a\": it must be a number",
     ),
     (
-        "scene = \"canonical\"\nlayout = \"leger\"\n",
-        "7:10: step 1.layout is \"leger\": did you mean \"derivation\"?",
+        "scene = \"canonical\"\nlayout = \"deriwation\"\n",
+        "7:10: step 1.layout is \"deriwation\": did you mean \"derivation\"?",
     ),
     (
         "scene = \"canonical\"\nlayout = \"side\"\n",
@@ -271,7 +271,7 @@ const STEPS: Cases = &[
     ),
     (
         "scene = \"canonical\"\nderivation = [\"basics\"]\n",
-        "7:11: step 1.derivation[0] is \"basics\": did you mean \"basis\"?",
+        "7:15: step 1.derivation[0] is \"basics\": did you mean \"basis\"?",
     ),
     (
         "scene = \"canonical\"\nlit = \"up-cross-v\"\n",

@@ -46,13 +46,13 @@ pub(super) fn faults_of_floors(uses: &[Use]) -> Vec<String> {
     faults
 }
 
-/// Returns a sentence for each circle of folders, the shortest through its first folder.
+/// Returns a sentence for each circle of rooms, the shortest through its first room.
 pub(super) fn circles_of_folders(uses: &[Use]) -> Vec<String> {
     let mut graph: BTreeMap<String, BTreeMap<String, &Use>> = BTreeMap::new();
     let files = uses.iter().flat_map(|one| [&one.from, &one.to]);
     let folders: BTreeSet<&str> = files.filter_map(|file| parent(file)).collect();
     for one in uses {
-        let [from, to] = [&one.from, &one.to].map(|file| folder_of(file, &folders));
+        let [from, to] = [&one.from, &one.to].map(|file| room_of(file, &folders));
         // What stands for a folder names its parts.
         let is_own_part = is_page(&one.from, &folders) && to.starts_with(&format!("{from}/"));
         if from != to && !is_own_part {
@@ -99,10 +99,17 @@ fn parent(file: &str) -> Option<&str> {
     file.rsplit_once('/').map(|(folder, _)| folder)
 }
 
-/// Returns the folder that a file belongs to: `src/view/plot.rs` is of `src/view/plot` where that has files.
-fn folder_of(file: &str, folders: &BTreeSet<&str>) -> String {
+/// Returns the room that a file belongs to: its folder, or the file itself where its folder is a floor with
+/// rooms in it. `src/view/plot.rs` is of `src/view/plot` where that has files.
+fn room_of(file: &str, folders: &BTreeSet<&str>) -> String {
     let own = file.trim_end_matches(".rs");
-    if folders.contains(own) { own } else { parent(file).unwrap_or_default() }.to_owned()
+    if folders.contains(own) {
+        return own.to_owned();
+    }
+    let folder = parent(file).unwrap_or_default();
+    let below = format!("{folder}/");
+    let is_floor = folders.iter().any(|other| other.starts_with(&below));
+    if is_floor && !is_page(file, folders) { file } else { folder }.to_owned()
 }
 
 /// Says whether a file stands for its folder.

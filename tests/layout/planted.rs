@@ -196,8 +196,11 @@ fn a_folder_names_its_parts_and_no_other_file_of_it_does() {
     let page = ("src/view/mod.rs", "mod plot; pub use plot::axis::Axis; pub fn derive() {}");
     assert_eq!(circles(&[part, page]), [""; 0]);
     assert_eq!(
-        circles(&[part, ("src/view/a.rs", "use super::plot::axis::Axis;")]),
-        ["src/view: src/view/a.rs:1 uses src/view/plot/axis.rs, \
-          src/view/plot.rs:1 uses src/view/mod.rs"]
+        circles(&[
+            ("src/view/plot/axis.rs", "use super::super::a::line;"),
+            ("src/view/a.rs", "use super::plot::axis::Axis;"),
+        ]),
+        ["src/view/a.rs: src/view/a.rs:1 uses src/view/plot/axis.rs, \
+          src/view/plot/axis.rs:1 uses src/view/a.rs"]
     );
 }

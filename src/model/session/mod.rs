@@ -4,6 +4,7 @@ mod names;
 mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
+use pinhole_core::steering::{CornerKeeps, DistanceKeeps, Keep};
 use pinhole_core::{DVec2, ExactRay, ImageSize, Pixel, RayError, ResolvedCamera, Viewport};
 use serde::{Deserialize, Serialize};
 
@@ -294,4 +295,13 @@ impl Heights {
             _ => y,
         }
     }
+}
+
+/// Returns what the settings keep fixed during drags. `other` is the modifier key that swaps what a
+/// moved eye keeps.
+pub fn keeps_of(settings: &Settings, other: bool) -> (Keep, CornerKeeps, DistanceKeeps) {
+    let eye = if other { settings.eye_keeps.other() } else { settings.eye_keeps };
+    let corner = if settings.keep_pixel_shape { CornerKeeps::Ratio } else { CornerKeeps::Nothing };
+    let distance = if settings.keep_picture { DistanceKeeps::Picture } else { DistanceKeeps::Size };
+    (eye.into(), corner, distance)
 }

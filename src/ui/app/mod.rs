@@ -1,5 +1,5 @@
 //! The window's program: small parts, each with its own state, and the order in which they take their
-//! turns in a frame ([`frame`]).
+//! turns in a frame (`frame`).
 
 mod answers;
 mod apply;

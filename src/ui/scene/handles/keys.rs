@@ -9,7 +9,8 @@ use super::View;
 use super::axis_held;
 use super::how;
 use super::id_of;
-use crate::model::hand::{Along, Axis, Handle, keeps_of};
+use crate::model::hand::{Along, Axis, Handle};
+use crate::model::session::keeps_of;
 use crate::view::handles::{Grip, How, Part, Pull, Start, grips, step_of, turned_by};
 
 /// Angle by which a key press turns the camera, in degrees.

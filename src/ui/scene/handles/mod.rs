@@ -7,8 +7,9 @@ mod tell;
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
 use pinhole_core::{DVec2, ResolvedCamera};
 
-use crate::model::hand::{Along, Axis, Handle, keeps_of};
+use crate::model::hand::{Along, Axis, Handle};
 use crate::model::session::Session;
+use crate::model::session::keeps_of;
 use crate::view::derive::Derived;
 use crate::view::handles::{Grip, How, Part, Pull, Pulled, Stage, Start, grips, hit};
 use crate::view::overlay;
