@@ -23,7 +23,6 @@ pub mod number;
 pub mod observer;
 pub mod overlay_items;
 pub mod play;
-pub mod presenting;
 pub mod session;
 pub mod store;
 pub mod student_answers;

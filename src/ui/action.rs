@@ -12,7 +12,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::Place;
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::presenting::Full;
+use crate::model::session::presenting::Full;
 use crate::model::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
 use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;

@@ -4,7 +4,7 @@ use egui::epaint::Shape;
 use egui::{Key, Modifiers, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pinhole::model::presenting::{WRITTEN, zoom};
+use pinhole::model::session::presenting::{WRITTEN, zoom};
 use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole::ui::app::App;

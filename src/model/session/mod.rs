@@ -1,6 +1,7 @@
 //! How the document is looked at: what a scene file does not hold.
 
 mod names;
+pub mod presenting;
 mod splits;
 
 use pinhole_core::methods::{Formula, Method, Precision};
@@ -21,7 +22,7 @@ use crate::model::lines::LinesLab;
 use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
-use crate::model::presenting::{Presenting, SMALLEST_TEXT};
+use crate::model::session::presenting::{Presenting, SMALLEST_TEXT};
 use crate::model::student_answers::AnswersAtHand;
 use crate::model::translator::Translator;
 

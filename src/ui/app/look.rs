@@ -4,7 +4,7 @@
 use egui::{Context, ThemePreference};
 
 use crate::model::mistakes_view::MistakesView;
-use crate::model::presenting::{self, Presenting, SMALLEST_TEXT};
+use crate::model::session::presenting::{self, Presenting, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Session, ThemeName, ViewLayout, ZOOM};
 use crate::ui::action::LookAction;
 use crate::view::typesetting::theme::{self, Look};

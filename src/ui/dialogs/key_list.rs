@@ -2,7 +2,7 @@
 
 use egui::{Align, Context, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui, vec2};
 
-use crate::model::presenting::WRITTEN;
+use crate::model::session::presenting::WRITTEN;
 use crate::ui::commands_table::{Group, sheet};
 
 /// Minimum and maximum size of the text, in points; it is as large as the window has room for.

@@ -9,7 +9,7 @@ use crate::model::color_scheme::Scheme;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, Place, Which};
 use crate::model::overlay_items::Item;
-use crate::model::presenting::{Range, SMALLEST_TEXT};
+use crate::model::session::presenting::{Range, SMALLEST_TEXT};
 use crate::model::session::{DIGITS, Settings, ShadeName, ThemeName, ViewLayout};
 use crate::ui::action::{
     Action, AnswersAction, Available, ExchangeAction, FigureAction, FileAction, HistoryAction,

@@ -7,8 +7,8 @@ use egui::{
 use pinhole_core::Rgb;
 
 use crate::model::color_scheme::Scheme;
-use crate::model::presenting::WRITTEN;
 use crate::model::session::Settings;
+use crate::model::session::presenting::WRITTEN;
 use crate::view::overlay::Style;
 use crate::view::typesetting::fonts;
 use pinhole_exchange::document::Document;

@@ -32,7 +32,7 @@ use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
 use crate::model::overlay_items::Item;
 use crate::model::play::Kind;
-use crate::model::presenting::Full;
+use crate::model::session::presenting::Full;
 use crate::model::session::{MethodName, ShadeName, ThemeName, ViewLayout};
 use crate::model::translator::Target;
 use crate::ui::action::{
