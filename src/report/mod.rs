@@ -5,6 +5,7 @@
 pub mod columns;
 pub mod csv;
 pub mod json;
+#[cfg(feature = "report")]
 pub mod machine;
 #[cfg(feature = "report")]
 pub mod measure;
