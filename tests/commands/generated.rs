@@ -166,7 +166,7 @@ fn takes_scene(command: &clap::Command) -> bool {
 fn bash_offers_the_built_in_scenes() {
     let offered = |words: &str| {
         let script = format!(
-            "source {}; COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
+            "source '{}'; COMP_WORDS=({words}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); \
              _pinhole pinhole \"${{COMP_WORDS[-1]}}\" \"${{COMP_WORDS[-2]}}\"; \
              echo \"${{COMPREPLY[@]}}\"",
             assets().join("completions/pinhole.bash").display()
