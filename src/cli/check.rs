@@ -8,14 +8,14 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use pinhole_core::ImageSize;
+use pinhole_exchange::images::png;
+use pinhole_exchange::{FileError, answers, atomic};
 use pinhole_lecture::grading::{AnswerKind, Grade, Graded, Truth, grade};
 
 use super::console::{named, to_stdout};
 use super::error::{CommandError, scene_fault};
 use super::load::{load, pose};
 use crate::cli::arguments::CheckArguments;
-use pinhole_exchange::images::png;
-use pinhole_exchange::{FileError, answers, atomic};
 
 /// Whatever cannot be read, the scene too, is no grade: a student must not be blamed for it.
 pub(super) fn run(arguments: &CheckArguments) -> Result<(), CommandError> {

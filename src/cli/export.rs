@@ -1,11 +1,12 @@
 //! `pinhole export`: the camera and the scene in another program's words.
 
+use pinhole_exchange::format::{ExportScene, Include};
+
 use super::console::{to_stdout, warn};
 use super::error::{CommandError, scene_fault};
 use super::load::{load, pose};
 use crate::cli::arguments::ExportArguments;
 use crate::model::files::save_written;
-use pinhole_exchange::format::{ExportScene, Include};
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), CommandError> {
     let document = load(&arguments.scene)?;

@@ -4,6 +4,8 @@
 use std::io::Write as _;
 
 use pinhole_core::{DVec2, ImageSize};
+use pinhole_exchange::atomic;
+use pinhole_exchange::document::Document;
 
 use super::error::{CommandError, scene_fault, unmade};
 use super::load::{load, pose, selection_of};
@@ -17,8 +19,6 @@ use crate::model::overlay_items::Item;
 use crate::model::play::{Kind, Start};
 use crate::model::session::{Selection, Session};
 use crate::view::derive::{Deriver, ViewSizes};
-use pinhole_exchange::atomic;
-use pinhole_exchange::document::Document;
 
 /// The sizes of the world view and of the lab of lines, in dots, and the derivation's width,
 /// unless others are asked for.

@@ -5,14 +5,14 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use pinhole_core::Camera;
-
-use super::console::{to_stdout, warn};
-use super::error::CommandError;
-use crate::cli::arguments::ImportArguments;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::Input;
 use pinhole_exchange::programs::importer_of_file;
 use pinhole_exchange::{FileError, atomic, scene_file};
+
+use super::console::{to_stdout, warn};
+use super::error::CommandError;
+use crate::cli::arguments::ImportArguments;
 
 pub(super) fn run(arguments: &ImportArguments) -> Result<(), CommandError> {
     let path = &arguments.file;

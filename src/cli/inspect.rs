@@ -4,13 +4,13 @@ mod json;
 mod text;
 
 use pinhole_core::{ResolvedCamera, UpAngle};
+use pinhole_exchange::document::Document;
 
 use super::console::to_stdout;
 use super::error::{CommandError, scene_fault};
 use super::load::{load, pose, selection_of};
 use crate::cli::arguments::{InspectArguments, RayArguments};
 use crate::model::inspection::Inspection;
-use pinhole_exchange::document::Document;
 
 /// A ray that is looked at, with all that is said of it.
 struct Readout<'a> {

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use pinhole_core::{CameraError, DVec2, ImageSize, Pixel, ResolvedCamera};
-
-use super::error::{CommandError, scene_fault};
-use crate::model::session::Selection;
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
 use pinhole_exchange::scenes::SceneSource;
+
+use super::error::{CommandError, scene_fault};
+use crate::model::session::Selection;
 
 /// Reads the scene that an argument means.
 pub(super) fn load(scene: &Path) -> Result<Document, CommandError> {

@@ -5,13 +5,13 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use pinhole_exchange::{atomic, scenes::builtin};
 use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::console::{named, to_stdout};
 use super::error::{CommandError, unmade};
 use crate::figures::{Figure, Format};
 use crate::report::plot::PNG_SCALE;
-use pinhole_exchange::{atomic, scenes::builtin};
 
 /// The outputs that were asked for.
 #[derive(Clone, Copy, Default)]

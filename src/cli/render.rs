@@ -1,6 +1,7 @@
 //! `pinhole render`: the picture as PNG, and what the rays meet as OpenEXR.
 
 use pinhole_core::ImageSize;
+use pinhole_exchange::{atomic, images::png};
 
 use super::console::named;
 use super::error::{CommandError, not_built, scene_fault};
@@ -8,7 +9,6 @@ use super::load::{load, pose};
 use super::progress::Progress;
 use super::render_view::{RenderOptions, render_view};
 use crate::cli::arguments::{RenderArguments, View};
-use pinhole_exchange::{atomic, images::png};
 
 pub(super) fn run(arguments: &RenderArguments) -> Result<(), CommandError> {
     if let Some(aov) = &arguments.aov {

@@ -1,6 +1,7 @@
 //! The picture of either view, for `pinhole render`.
 
 use pinhole_core::{Frame, ImageSize, Outputs, Raster, Scene, Shade, shade, trace_reporting};
+use pinhole_exchange::document::Document;
 
 use super::error::CommandError;
 use crate::cli::arguments::View;
@@ -10,7 +11,6 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Session, Settings};
 use crate::view::overlay::Style;
-use pinhole_exchange::document::Document;
 
 /// Options of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

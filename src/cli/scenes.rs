@@ -1,8 +1,9 @@
 //! `pinhole scenes`: the built-in scenes, a line each.
 
+use pinhole_exchange::scenes::builtin;
+
 use super::console::to_stdout;
 use super::error::CommandError;
-use pinhole_exchange::scenes::builtin;
 
 pub(super) fn run() -> Result<(), CommandError> {
     let scenes = builtin::all();

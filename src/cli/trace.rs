@@ -4,14 +4,14 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 
 use pinhole_core::{Ray, Root, Scene};
+use pinhole_exchange::csv::rays;
+use pinhole_exchange::{FileError, atomic};
 use rayon::prelude::*;
 
 use super::console::to_stdout;
 use super::error::{CommandError, scene_fault};
 use super::load::load;
 use crate::cli::arguments::TraceArguments;
-use pinhole_exchange::csv::rays;
-use pinhole_exchange::{FileError, atomic};
 
 /// Rays whose answers are written at a time: enough to keep every core busy, few enough to hold.
 const CHUNK: usize = 1 << 16;

@@ -4,15 +4,15 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
+use pinhole_exchange::atomic::Draft;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::images::png::Animated;
 use tempfile::TempDir;
 
 use super::figure::{Figure, Format};
 use super::order::Order;
 use crate::model::play::{Kind, Start};
 use crate::model::session::Session;
-use pinhole_exchange::atomic::Draft;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::images::png::Animated;
 
 /// The files that frames become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

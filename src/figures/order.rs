@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use pinhole_core::ImageSize;
+use pinhole_exchange::document::Document;
 
 use super::figure::{Figure, Format, Look};
 use super::views::{View, of_view};
@@ -12,7 +13,6 @@ use crate::model::session::{Session, ViewLayout};
 use crate::view::derivation::{Derivation, Markup, Section};
 use crate::view::derive::{Deriver, ViewSizes};
 use crate::view::overlay::Style;
-use pinhole_exchange::document::Document;
 
 /// The subject of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use egui::{Color32, Context, Pos2};
 use pinhole_core::ImageSize;
+use pinhole_exchange::document::Document;
 
 use super::figure::{Figure, Look};
 use crate::model::fault::Fault;
@@ -12,9 +13,7 @@ use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;
 use crate::view::overlay::Drawing;
-use crate::view::typesetting::label_text;
-use crate::view::typesetting::theme;
-use pinhole_exchange::document::Document;
+use crate::view::typesetting::{label_text, theme};
 
 /// One of the two views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,8 +8,7 @@ use crate::view::derivation::{Derivation, Section};
 use crate::view::headless::UiPass;
 use crate::view::lines as lines_lab;
 use crate::view::overlay::Style;
-use crate::view::typesetting::derivation;
-use crate::view::typesetting::theme;
+use crate::view::typesetting::{derivation, theme};
 
 /// Left and right of the derivation, and above and below it, in points.
 pub const MARGIN: f32 = 12.0;

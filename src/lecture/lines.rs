@@ -11,6 +11,7 @@ use std::fmt;
 
 use pinhole_core::arithmetic::{Dyadic, rounded_quotient};
 use pinhole_core::{DVec2, shortest};
+
 /// `a x + b y + c = 0`: all points at which `f(x, y) = a x + b y + c` is 0.
 ///
 /// Any values may stand here; [`ImplicitLine::check`] says whether they make a line.

@@ -2,9 +2,8 @@
 
 use egui::Color32;
 use pinhole_core::Rgb;
-use serde::{Deserialize, Serialize};
-
 use pinhole_exchange::document::default_color;
+use serde::{Deserialize, Serialize};
 
 /// The greys of objects; neighbours in the list differ clearly.
 const GREYS: [u8; 6] = [0xb8, 0x5c, 0xe8, 0x8a, 0x34, 0xd0];

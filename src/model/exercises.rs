@@ -1,12 +1,12 @@
 //! The exercises: which one is open, what was typed, and what is said of it. The questions and
 //! their answers are [`pinhole_lecture`]'s; nothing is counted, stored or sent.
 
+use pinhole_exchange::document::{Document, Item};
 use pinhole_lecture::exercises::{
     Answer, Asked, Exercise, Question, QuestionPart, Verdict, follows, title,
 };
 
 use crate::model::expression::evaluate;
-use pinhole_exchange::document::{Document, Item};
 
 /// The largest seed of a question. The field calculates in `f64`: it would show another number for
 /// some above 2^53.

@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{Exported, Text};
 use pinhole_exchange::scenes::SceneSource;
-
 use pinhole_exchange::{FileError, atomic, scene_file};
 
 /// Maximum number of files in the list of recent files.

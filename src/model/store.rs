@@ -6,13 +6,13 @@ use std::path::{Path, PathBuf};
 
 use etcetera::{AppStrategy, AppStrategyArgs, choose_app_strategy};
 use pinhole_core::{DVec2, Pixel};
+use pinhole_exchange::{FileError, atomic};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::model::lessons::{Place, Which};
 use crate::model::session::{Selection, Settings};
 use crate::model::window_geometry::WindowGeometry;
-use pinhole_exchange::{FileError, atomic};
 
 /// The remembered state as stored on disk.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

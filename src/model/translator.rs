@@ -3,8 +3,6 @@
 use std::path::Path;
 
 use pinhole_core::{Camera, Pixel, shortest};
-
-use crate::model::conventions::{FIELD_OF_VIEW, Row, rows};
 use pinhole_exchange::code::{LANGUAGES, Language};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::format::{
@@ -12,6 +10,8 @@ use pinhole_exchange::format::{
 };
 use pinhole_exchange::programs::{FORMATS, importer_of, unknown_form};
 use pinhole_exchange::{FileError, scene_file};
+
+use crate::model::conventions::{FIELD_OF_VIEW, Row, rows};
 
 /// No more objects than this are written under the drag, and shown.
 pub const MOST_OBJECTS: usize = 500;

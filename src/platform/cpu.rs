@@ -1,17 +1,19 @@
 //! The window drawn by our own painter: an image in memory that is copied to the display.
 
+use std::num::NonZeroU32;
+use std::sync::Arc;
+use std::time::Duration;
+
+use egui::{Color32, ColorImage};
+use rayon::prelude::*;
+use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
+use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
+use winit::window::Window;
+
 use super::RendererInfo;
 use super::window::{Frame, PaintTimes, Surface, timed};
 use crate::cli::arguments::Renderer;
 use crate::view::painter::{Canvas, Painter, PixelRect};
-use egui::{Color32, ColorImage};
-use rayon::prelude::*;
-use std::num::NonZeroU32;
-use std::sync::Arc;
-use std::time::Duration;
-use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
-use winit::raw_window_handle::{HasWindowHandle as _, RawWindowHandle};
-use winit::window::Window;
 
 type Context = softbuffer::Context<OwnedDisplayHandle>;
 type Buffers = softbuffer::Surface<OwnedDisplayHandle, Arc<Window>>;

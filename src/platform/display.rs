@@ -1,9 +1,11 @@
 //! The connection to the display, without panics if there is none.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use winit::event_loop::EventLoop;
+
 use super::PresentError;
 use super::window::UserEvent;
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use winit::event_loop::EventLoop;
 
 /// Creates the event loop, of which a process can have only one.
 pub(super) fn event_loop() -> Result<EventLoop<UserEvent>, PresentError> {

@@ -1,21 +1,23 @@
 //! The window drawn by a graphics adapter. Only this file uses wgpu.
 
-use super::RendererInfo;
-use super::display::without_panic;
-use super::window::{Frame, PaintTimes, Surface, timed};
-use crate::cli::arguments::Renderer;
+use std::num::NonZeroU32;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
 use egui::ViewportId;
 use egui::epaint::textures::TexturesDelta;
 use egui_wgpu::{
     RendererOptions, SurfaceConfig, WgpuConfiguration, WgpuError, WgpuSetup, WgpuSetupCreateNew,
     winit::Painter,
 };
-use std::num::NonZeroU32;
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
 use wgpu::{self, Adapter, AdapterInfo, Backend, DeviceType};
 use winit::event_loop::ActiveEventLoop;
 use winit::window::Window;
+
+use super::RendererInfo;
+use super::display::without_panic;
+use super::window::{Frame, PaintTimes, Surface, timed};
+use crate::cli::arguments::Renderer;
 
 /// Names of software adapters. Some of them claim to be hardware.
 const SOFTWARE: [&str; 7] = [

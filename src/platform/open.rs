@@ -1,21 +1,20 @@
 //! The open window: its events, its frames, and the program's requests to it.
 
-use super::PresentError;
-use super::RendererInfo;
-use super::start;
-use super::window::{Frame, PaintTimes, Surface, UserEvent};
-use crate::ui::program::FrameTimes;
-use crate::ui::program::Program;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
 use egui::epaint::textures::TexturesDelta;
 use egui::{
     FullOutput, ScreenshotCallback, ViewportCommand, ViewportEvent, ViewportId, ViewportInfo,
 };
 use egui_winit::{ActionRequested, accesskit_winit};
-use std::sync::Arc;
-use std::time::{Duration, Instant};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoopProxy};
 use winit::window::Window;
+
+use super::window::{Frame, PaintTimes, Surface, UserEvent};
+use super::{PresentError, RendererInfo, start};
+use crate::ui::program::{FrameTimes, Program};
 
 /// The open window.
 ///

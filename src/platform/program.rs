@@ -5,6 +5,9 @@ use std::io::Cursor;
 use std::path::Path;
 
 use etcetera::{BaseStrategy as _, choose_base_strategy};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::{SceneSource, builtin};
 
 use crate::cli::arguments::WindowArguments;
 use crate::model::files::OpenDocument;
@@ -15,10 +18,6 @@ use crate::platform::{PresentError, WindowOptions};
 use crate::ui::app::{App, complain};
 use crate::ui::motion;
 use crate::ui::program::{FrameTimes, Program};
-use pinhole_exchange::FileError;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::scenes::builtin;
 
 /// A reason why the window did not open, or closed early.
 #[derive(Debug)]

@@ -1,9 +1,9 @@
 //! Opens the window and chooses its renderer.
 
-use super::PresentError;
-use super::WindowOptions;
 use super::cpu::Cpu;
 use super::display::cause;
+use super::{PresentError, WindowOptions};
+
 #[cfg(feature = "wgpu")]
 use super::gpu::Gpu;
 use super::window::Surface;

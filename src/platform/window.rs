@@ -3,22 +3,21 @@
 //!
 //! All renderers share one loop. It sleeps until there is input or until egui asked to be woken.
 
-use super::PresentError;
-use super::RendererInfo;
-use super::WindowOptions;
-use super::open::Open;
-use super::start;
-use crate::cli::arguments::Renderer;
-use crate::ui::program::Program;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
 use egui::ScreenshotCallback;
 use egui::epaint::{ClippedPrimitive, textures::TexturesDelta};
 use egui_winit::accesskit_winit;
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::event::{DeviceEvent, DeviceId, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::window::{Window, WindowId};
+
+use super::open::Open;
+use super::{PresentError, RendererInfo, WindowOptions, start};
+use crate::cli::arguments::Renderer;
+use crate::ui::program::Program;
 
 /// A renderer of the window.
 pub(super) trait Surface {

@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use pinhole_core::DVec2;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::SceneSource;
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 
@@ -16,8 +18,6 @@ use crate::model::session::presenting::Full;
 use crate::model::session::{EyeKeeps, MethodName, Session, ShadeName, ThemeName, ViewLayout};
 use crate::ui::changed::Changed;
 use crate::view::derivation::Markup;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
 
 /// A document from no file.
 #[derive(Clone, Debug, PartialEq)]

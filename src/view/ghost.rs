@@ -2,10 +2,10 @@
 
 use egui::Color32;
 use pinhole_core::{BasisError, Camera, CameraDifference, Frame, NO_OBJECT, ResolvedCamera, Scene};
+use pinhole_lecture::mistakes::ComparedPixels;
 
 use crate::model::inspection::Inspection;
 use crate::model::session::Selection;
-use pinhole_lecture::mistakes::ComparedPixels;
 
 /// The edited camera compared with the ghost.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,10 @@
 //! Headless drawing: draws with egui into a picture, without a window.
 
-use super::painter::Painter;
-use crate::view::typesetting::fonts;
 use egui::epaint::{ClippedPrimitive, ClippedShape};
 use egui::{Color32, LayerId, RawInput, Rect, Vec2, ViewportId};
+
+use super::painter::Painter;
+use crate::view::typesetting::fonts;
 
 /// Draws with egui's painter over pixels; text has the same fonts and glyphs as in the window.
 ///

@@ -5,8 +5,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::ui::app::App;
-use pinhole_core::{Camera, DVec3, trace};
-use pinhole_core::{NO_OBJECT, Outputs, Raster};
+use pinhole_core::{Camera, DVec3, NO_OBJECT, Outputs, Raster, trace};
 
 use crate::harness::{assert_reads, assert_says, texts_with, type_into, window};
 

@@ -6,12 +6,12 @@ use egui::accesskit::Role;
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::ui::app::App;
-
-use crate::support::{self, whole_window};
 use pinhole::model::files::OpenDocument;
 use pinhole::model::store::{Remembered, Store};
+use pinhole::ui::app::App;
 use pinhole_exchange::scenes::SceneSource;
+
+use crate::support::{self, whole_window};
 
 /// The window is this large, in points, unless a test says otherwise.
 pub(crate) const SIZE: egui::Vec2 = vec2(1280.0, 1000.0);

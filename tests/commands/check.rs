@@ -10,11 +10,7 @@ use std::process::Stdio;
 
 use serde_json::{Value, json};
 
-use super::Run;
-use super::command_in;
-use super::entries;
-use super::finished;
-use super::run_in;
+use super::{Run, command_in, entries, finished, run_in};
 
 /// The lecture's sphere, seen by the canonical camera in 40 x 30 pixels.
 const SCENE: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nat = [0, 0, -1]\nup = [0, 1, 0]\n\

@@ -2,11 +2,7 @@
 
 use std::fs;
 
-use super::command_in;
-use super::entries;
-use super::finished;
-use super::run;
-use super::run_in;
+use super::{command_in, entries, finished, run, run_in};
 
 const NAMES: [&str; 11] = [
     "gltf", "three", "mitsuba", "povray", "blender", "weekend", "opengl", "course", "colmap",

@@ -6,9 +6,7 @@ use std::path::Path;
 use egui::Color32;
 use pinhole::view::overlay::Style;
 
-use super::Run;
-use super::entries;
-use super::run_in;
+use super::{Run, entries, run_in};
 
 const VIEWS: [&str; 4] = ["world", "camera", "derivation", "lines"];
 

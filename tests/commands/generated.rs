@@ -11,8 +11,7 @@ use expect_test::expect_file;
 use pinhole::cli::arguments::Arguments;
 use pinhole_exchange::scenes::builtin;
 
-use super::entries;
-use super::run;
+use super::{entries, run};
 
 fn assets() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("assets")

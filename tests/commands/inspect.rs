@@ -5,8 +5,7 @@ use std::fs;
 use expect_test::expect;
 use serde_json::Value;
 
-use super::run;
-use super::run_in;
+use super::{run, run_in};
 
 fn json(line: &str) -> Value {
     serde_json::from_str(&run(line).done()).unwrap()

@@ -1,7 +1,6 @@
 //! `--lesson`: what is refused before a window opens.
 
-use super::run;
-use super::run_in;
+use super::{run, run_in};
 
 #[test]
 fn a_lesson_that_is_not_there_is_refused() {

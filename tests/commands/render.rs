@@ -11,9 +11,7 @@ use pinhole_core::{Frame, ImageSize, NO_OBJECT, Outputs, Raster, Rgb, Shade, sha
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scenes::builtin;
 
-use super::Run;
-use super::entries;
-use super::run_in;
+use super::{Run, entries, run_in};
 
 fn render(folder: &Path, line: &str) -> Run {
     run_in(folder, &format!("render {line}").split(' ').collect::<Vec<_>>())

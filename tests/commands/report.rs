@@ -4,11 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use super::Run;
-use super::command_in;
-use super::entries;
-use super::run;
-use super::run_in;
+use super::{Run, command_in, entries, run, run_in};
 
 /// Small, so that it is soon measured.
 const SCENE: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\

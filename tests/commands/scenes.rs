@@ -3,8 +3,7 @@
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
-use super::command_in;
-use super::run;
+use super::{command_in, run};
 
 #[test]
 fn a_line_for_each_scene() {

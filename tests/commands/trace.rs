@@ -5,10 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Stdio;
 
-use super::command_in;
-use super::entries;
-use super::finished;
-use super::run_in;
+use super::{command_in, entries, finished, run_in};
 
 const SCENE: &str = "pinhole = 1\n[camera]\neye = [0, 0, 0]\nview = [0, 0, -1]\nup = [0, 1, 0]\n\
                      [[sphere]]\ncenter = [0, 0, -5]\nradius = 1\n[[plane]]\npoint = [0, 0, -6]\n\

@@ -5,8 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use pinhole::model::files::OpenDocument;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::{SceneSource, builtin};
 
 const SCENE: &str = "# Many balls.\n\npinhole = 1\nspheres = \"data/balls.csv\" # measured\n\n\
                      [camera] # by hand\neye = [0, 0, 0] # here\nview = [0, 0, -1]\nup = [0, 1, 0]\n";

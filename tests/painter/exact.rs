@@ -1,7 +1,8 @@
 //! Pixels that are known beforehand.
 
-use super::*;
 use pinhole::view::painter::Canvas;
+
+use super::*;
 
 /// A picture of characters: what each colour is called.
 fn text(pixels: &[Color32], width: usize, names: &[(Color32, char)]) -> Vec<String> {

@@ -1,10 +1,11 @@
 //! The painter drawing what egui makes of a user interface.
 
-use crate::support;
 use egui::{Color32, RichText, Stroke, TextureOptions, pos2, vec2};
 use pinhole::view::headless;
 use pinhole::view::painter::Painter;
 use pinhole::view::typesetting::fonts;
+
+use crate::support;
 
 /// A bit of everything that a panel of the program has.
 fn panel(ui: &mut egui::Ui) {

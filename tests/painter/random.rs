@@ -1,11 +1,12 @@
 //! Random triangles, rectangles and frames.
 
-use super::*;
-use crate::support::naive;
 use egui::epaint::WHITE_UV;
 use egui::vec2;
 use pinhole::view::painter::Canvas;
 use proptest::prelude::*;
+
+use super::*;
+use crate::support::naive;
 
 const SIDE: usize = 24;
 

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use pinhole_core::{Camera, OrientationKind, Plane, ResolvedCamera, Rgb, Sphere, Viewport};
-use pinhole_core::{DVec3, Intrinsics, Orientation};
+use pinhole_core::{
+    Camera, DVec3, Intrinsics, Orientation, OrientationKind, Plane, ResolvedCamera, Rgb, Sphere,
+    Viewport,
+};
 
 use super::text::n;
 use crate::document::Document;

@@ -3,10 +3,10 @@
 
 use pinhole_core::{Basis, Sphere};
 
-use crate::format::square_note;
 use crate::format::text::{Text, commas, light, n, quotable, real};
-use crate::format::{Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Unsupported};
+use crate::format::{
+    Conventions, ExportScene, Exported, Format, PixelConvention, Unsupported, square_note,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "blender",

@@ -7,8 +7,10 @@ use super::opencv::{off_centre, stance, translation, viewport_of};
 use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, flipped, n};
-use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
+use crate::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
+    Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "colmap",

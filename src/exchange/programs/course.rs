@@ -7,8 +7,10 @@ use super::literal::{Source, last_part};
 use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, commas, n, real};
-use crate::format::{Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
+use crate::format::{
+    Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
+    Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "course",

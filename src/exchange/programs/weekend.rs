@@ -4,8 +4,7 @@
 use pinhole_core::Sphere;
 
 use crate::format::text::{Text, commas, light, n, real};
-use crate::format::{Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Unsupported};
+use crate::format::{Conventions, ExportScene, Exported, Format, PixelConvention, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
     name: "weekend",

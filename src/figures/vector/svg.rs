@@ -6,12 +6,12 @@ use std::fmt::Write as _;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use egui::Color32;
+use pinhole_exchange::images::png;
 
 use super::part::{Page, Part, Picture, Run, Text};
 use super::subset::subset;
 use super::typeface::{Face, SANS};
 use crate::view::overlay::{Ink, Outline, Path};
-use pinhole_exchange::images::png;
 
 /// The whole file.
 pub(in crate::figures) fn write(page: &Page) -> Result<String, String> {

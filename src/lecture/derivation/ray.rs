@@ -2,6 +2,7 @@
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{DVec2, DVec3, Pixel, Ray, RayError, ResolvedCamera};
+
 /// A view ray with every value on the way to it:
 ///
 /// ```text

@@ -1,7 +1,8 @@
 //! Which mistakes explain the answers.
 
-use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 use rayon::prelude::*;
+
+use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 
 /// The mistakes that explain wrong answers.
 #[derive(Clone, Debug, PartialEq)]

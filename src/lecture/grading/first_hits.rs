@@ -6,9 +6,10 @@
 //! be off by more than where it meets head-on. So a right program is not wrong for rounding,
 //! however it rounds.
 
-use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, WhichRoot};
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec3, ExactRay, Object, Plane, Ray, Scene, Sphere};
+
+use crate::mistakes::{Pipeline, PipelineCamera, Quadratic, Sign, WhichRoot};
 
 /// A place where a ray may be said to meet an object first.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::checks::Check::{self, *};
+use super::checks::Check::*;
+use super::checks::Check::{self};
 use super::pipeline::{
     Distance, Extent, Measure, Pipeline, Rows, Sign, Swap, UpAsV, Way, WhichRoot,
 };

@@ -1,7 +1,6 @@
 //! Names for changes of the document: `move eye`, `add sphere 2`.
 
 use pinhole_core::{Camera, Orientation, Plane, Sphere, Viewport};
-
 use pinhole_exchange::document::{Document, Item};
 
 /// A step's name.

@@ -1,6 +1,7 @@
 //! Applies a lesson's step to the document and the session: the only place where a step's fields
 //! become the window's state.
 
+use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::Mistake;
 
 use super::lesson::{AskedExercise, Step, StepView};
@@ -9,7 +10,6 @@ use crate::model::mistakes_view::MistakesView;
 use crate::model::observer::Observer;
 use crate::model::overlay_items::Item;
 use crate::model::session::{Session, Settings};
-use pinhole_exchange::document::Document;
 
 /// Sets what the step specifies. Leaves the rest unchanged, and the answers to its question too.
 ///

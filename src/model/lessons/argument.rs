@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::builtin;
+use pinhole_exchange::FileError;
+
 use super::lesson::Lesson;
 use super::open::{Place, Which};
-use super::read;
-use pinhole_exchange::FileError;
+use super::{builtin, read};
 
 /// A lesson named on the command line.
 #[derive(Clone, Debug, PartialEq, Eq)]

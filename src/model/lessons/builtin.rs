@@ -3,9 +3,10 @@
 use std::path::Path;
 use std::sync::{Arc, LazyLock};
 
+use pinhole_exchange::FileError;
+
 use super::lesson::Lesson;
 use super::read;
-use pinhole_exchange::FileError;
 
 /// A list of the files `assets/lessons/NAME.toml`.
 macro_rules! lessons {

@@ -1,5 +1,6 @@
 //! The contents of a lesson file.
 
+use pinhole_exchange::document::Document;
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::mistakes::Mistake;
 
@@ -10,7 +11,6 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::OverlayItems;
 use crate::model::play::Kind;
 use crate::model::session::{Selection, ShadeName, ViewLayout};
-use pinhole_exchange::document::Document;
 
 /// A lesson: a list of steps.
 #[derive(Clone, Debug, PartialEq)]

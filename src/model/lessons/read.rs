@@ -4,6 +4,11 @@ use std::fs;
 use std::path::Path;
 
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
+use pinhole_exchange::FileError;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::fields::{Field, Section, Source};
+use pinhole_exchange::scene_file::{TABLES, not_toml, tables};
+use pinhole_exchange::scenes::{SceneSource, builtin};
 use pinhole_lecture::exercises::Exercise;
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::mistakes::Mistake;
@@ -18,12 +23,6 @@ use crate::model::observer::Observer;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::play::Kind;
 use crate::model::session::{DIGITS, Selection, Session, ShadeName, ViewLayout};
-use pinhole_exchange::FileError;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::fields::{Field, Section, Source};
-use pinhole_exchange::scene_file::{TABLES, not_toml, tables};
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::scenes::builtin;
 
 /// The format version that this program reads.
 pub const VERSION: i64 = 1;

@@ -5,8 +5,7 @@ use pinhole_core::{
     extent_of_fov,
 };
 
-use super::FOV;
-use super::Observer;
+use super::{FOV, Observer};
 
 /// Size ratio above which a sphere is out of scale: a sphere this many times larger than all
 /// smaller ones and the camera together need not be in sight.

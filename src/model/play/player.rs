@@ -2,10 +2,7 @@
 
 use pinhole_core::Camera;
 
-use super::Kind;
-use super::PlayError;
-use super::Start;
-use super::Still;
+use super::{Kind, PlayError, Start, Still};
 use crate::model::observer::Observer;
 
 /// Maximum time between two frames that counts, in seconds: after the window was hidden, the

@@ -5,13 +5,14 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use pinhole_exchange::scenes::SceneSource;
+use pinhole_exchange::{FileError, answers};
+
 use super::scene::OpenScene;
 use crate::model::session::{Session, ViewLayout};
 use crate::model::student_answers::{AnswersAtHand, AnswersFile};
 use crate::ui::action::{Action, AnswersAction, Leave};
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::{FileError, answers};
 
 /// No larger file is graded in the window: two million answers, which take some seconds.
 const MOST_BYTES: u64 = 100_000_000;

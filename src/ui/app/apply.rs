@@ -3,14 +3,12 @@
 use std::path::Path;
 
 use egui::{Context, ViewportCommand};
+use pinhole_exchange::scenes::SceneSource;
 
-use super::App;
-use super::answers;
-use super::exchange;
 use super::figures::Screen;
-use super::look;
 use super::playback::Seen;
 use super::scene::Opened;
+use super::{App, answers, exchange, look};
 use crate::figures::derivation_of;
 use crate::model::files::title_of;
 use crate::model::session::ViewLayout;
@@ -22,7 +20,6 @@ use crate::ui::action::{
 use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 use crate::view::derive::Deriver;
-use pinhole_exchange::scenes::SceneSource;
 
 /// What the step of the history is called that puts the camera where the ghost is.
 const SWAP: &str = "swap with the ghost";

@@ -1,6 +1,7 @@
 //! A camera from the clipboard, and the translator's text to a file.
 
 use egui::{Context, Event};
+use pinhole_exchange::format::{ExportScene, Exported};
 
 use super::scene::OpenScene;
 use crate::model::files::save_written;
@@ -8,7 +9,6 @@ use crate::model::translator::with;
 use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, PathField};
 use crate::ui::tools::translator;
-use pinhole_exchange::format::{ExportScene, Exported};
 
 /// A text that was pasted while nothing is typed into.
 pub(super) fn pasted_text(ctx: &Context) -> Option<String> {

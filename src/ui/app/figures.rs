@@ -4,6 +4,7 @@ use std::io::Write as _;
 use std::path::Path;
 
 use egui::Context;
+use pinhole_exchange::atomic;
 
 use super::scene::OpenScene;
 use crate::figures::{Content, MARGIN, Order, Subject, derivation_of};
@@ -16,7 +17,6 @@ use crate::ui::ray::lines;
 use crate::ui::workspaces::workspace;
 use crate::view::derive::Derived;
 use crate::view::overlay::Style;
-use pinhole_exchange::atomic;
 
 /// The larger side of a view that is not on the screen, and the size of what else is not, in points.
 const VIEW: f32 = 960.0;

@@ -6,10 +6,7 @@
 
 use egui::{CentralPanel, Context, Key, Modifiers, Panel, Popup, ScrollArea, Ui, UiBuilder};
 
-use super::App;
-use super::answers;
-use super::exchange;
-use super::look;
+use super::{App, answers, exchange, look};
 use crate::model::concept::Hovered;
 use crate::ui::action::{Action, Available, ExchangeAction, Leave, LookAction};
 use crate::ui::changed::Changed;

@@ -1,12 +1,12 @@
 //! Undo and redo: when a change of the document becomes a step, and going back and forth.
 
 use egui::{Context, Id};
+use pinhole_exchange::document::Document;
 
 use super::scene::{OpenScene, Opened};
 use crate::model::files::title_of;
 use crate::model::history::{History, StepName, name_of};
 use crate::ui::action::HistoryAction;
-use pinhole_exchange::document::Document;
 
 /// Seconds within which more of the same change goes on with a step, where no button is held.
 const PAUSE: f64 = 1.0;

@@ -21,6 +21,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use egui::Context;
+use pinhole_exchange::document::Document;
 
 use self::hand::InHand;
 use self::history::SceneHistory;
@@ -42,7 +43,6 @@ use crate::ui::workspaces::Tools;
 use crate::view::adaptive_resolution::AdaptiveResolution;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::{self, Look};
-use pinhole_exchange::document::Document;
 
 pub(crate) use self::window::complain;
 

@@ -2,6 +2,7 @@
 //! the focus, and the spotlight.
 
 use egui::{Context, Ui};
+use pinhole_exchange::document::Document;
 
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
@@ -11,7 +12,6 @@ use crate::ui::dialogs::dialog::{self, Dialog};
 use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
 use crate::view::typesetting::theme;
-use pinhole_exchange::document::Document;
 
 /// Of more objects, the palette lists the first ones.
 const LISTED_OBJECTS: usize = 200;

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use pinhole_core::Camera;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::SceneSource;
 
 use super::lessons::Lessons;
 use crate::model::files::OpenDocument;
@@ -15,8 +17,6 @@ use crate::model::session::{Selection, Session, Settings, ViewLayout};
 use crate::ui::action::{GhostAction, MadeUp, ObjectAction, Observe};
 use crate::ui::dialogs::dialog::{Dialog, Message};
 use crate::ui::panels::objects;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::scenes::SceneSource;
 
 /// A step of the observer by a key: an angle in radians, a share of the picture's height, and how many
 /// times nearer.

@@ -4,11 +4,11 @@
 use std::path::{Path, PathBuf};
 
 use egui::{Context, Id, Modal, ProgressBar, RichText, ScrollArea, TextEdit, Ui};
+use pinhole_exchange::scenes::SceneSource;
 
 use super::export::ExportForm;
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FileAction, Leave};
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::scenes::SceneSource;
 
 /// The open dialog.
 #[derive(Clone, Debug, PartialEq)]

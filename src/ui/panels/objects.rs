@@ -2,13 +2,13 @@
 
 use egui::{Button, RichText, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
+use pinhole_exchange::document::{Document, Item, Shared};
 
 use crate::model::letters::typeset_message;
 use crate::ui::changed::Changed;
 use crate::ui::widgets::number::{NumberField, vector_row};
 use crate::view::typesetting::theme;
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::document::{Document, Item, Shared};
 
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;

@@ -4,6 +4,7 @@ use egui::containers::menu::{MenuButton, MenuConfig};
 use egui::{Color32, MenuBar, PopupCloseBehavior, RichText, TextStyle, Ui};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
+use pinhole_exchange::scenes::{SceneSource, builtin};
 
 use crate::model::color_scheme::Scheme;
 use crate::model::files::{OpenDocument, title_of};
@@ -20,8 +21,6 @@ use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
 use crate::ui::scene::compare;
 use crate::view::derivation::Markup;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::scenes::builtin;
 
 /// The steps that can be undone and redone.
 pub(crate) struct Steps<'a> {

@@ -3,6 +3,7 @@
 
 use egui::{Grid, Rect, RichText, ScrollArea, Ui, UiBuilder};
 use pinhole_core::{DVec3, Orientation, ResolvedCamera, Root};
+use pinhole_exchange::document::Document;
 
 use super::places::strip_above;
 use super::readouts::NumberStyle;
@@ -14,7 +15,6 @@ use crate::ui::action::{Action, GhostAction};
 use crate::ui::widgets::number::vector_color;
 use crate::view::derive::Derived;
 use crate::view::ghost::AgainstGhost;
-use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.5;

@@ -3,6 +3,7 @@
 
 use egui::{Align2, Button, FontId, Rect, RichText, Ui, vec2};
 use pinhole_core::DVec2;
+use pinhole_exchange::document::Document;
 
 use crate::model::overlay_items::Item;
 use crate::model::session::Session;
@@ -10,7 +11,6 @@ use crate::ui::action::Observe;
 use crate::ui::commands_table::shortcut;
 use crate::view::derive::Derived;
 use crate::view::handles::{Stage, grips};
-use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

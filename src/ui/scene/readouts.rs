@@ -4,6 +4,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{FontId, Grid, Label, RichText, ScrollArea, Ui};
 use pinhole_core::{DVec3, Pixel, ResolvedCamera, Root, Steps, UpAngle, shortest};
+use pinhole_exchange::document::Document;
 
 use crate::model::inspection::{Inspection, LISTED_OBJECTS, Parts};
 use crate::model::letters::typeset_message;
@@ -14,7 +15,6 @@ use crate::view::derive::Derived;
 use crate::view::typesetting::fonts;
 use crate::view::typesetting::notation::{self, formula};
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::document::Document;
 
 /// The number format.
 #[derive(Clone, Copy)]

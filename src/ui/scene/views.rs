@@ -4,6 +4,7 @@ use egui::{
     Color32, EventFilter, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 use pinhole_core::{ImageSize, NO_OBJECT};
+use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
 use crate::model::letters::typeset_message;
@@ -16,9 +17,7 @@ use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
-use crate::view::typesetting::label_text;
-use crate::view::typesetting::theme;
-use pinhole_exchange::document::Document;
+use crate::view::typesetting::{label_text, theme};
 
 /// Name of the world view, on the screen and for screen readers.
 pub(crate) const WORLD: &str = "World view";

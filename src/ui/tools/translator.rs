@@ -7,6 +7,8 @@ use egui::{
     Stroke, Ui, WidgetText, vec2,
 };
 use pinhole_core::Pixel;
+use pinhole_exchange::document::Document;
+use pinhole_exchange::format::Text;
 
 use crate::model::conventions::Row;
 use crate::model::letters::typeset_message;
@@ -14,8 +16,6 @@ use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::document::Document;
-use pinhole_exchange::format::Text;
 
 /// Sizes of text, in points.
 const TEXT: f32 = 15.0;

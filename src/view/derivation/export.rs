@@ -2,9 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::Derivation;
-use super::Line;
-use super::left_out;
+use super::{Derivation, Line, left_out};
 use crate::view::formula::latex;
 
 /// The markup language of an exported derivation.

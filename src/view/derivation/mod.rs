@@ -17,18 +17,18 @@ mod tests;
 use std::fmt;
 
 use pinhole_core::{ExactRay, ResolvedCamera, Scene};
+use pinhole_exchange::document::Document;
 use pinhole_lecture::{ObjectDerivation, RayDerivation};
 
 use self::numbers::Numbers;
 use crate::model::concept::Concept;
+use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 use crate::model::fault::Fault;
 use crate::model::inspection::Inspection;
 use crate::model::letters;
 use crate::model::session::Selection;
 use crate::view::formula::{Formula, word};
-use pinhole_exchange::document::Document;
 
-use crate::model::derivation_sections::{DerivationSection, DerivationSections};
 pub use export::Markup;
 
 /// Maximum number of objects that are listed. Of more objects, those that the ray hits first are

@@ -1,8 +1,8 @@
 use expect_test::{Expect, expect};
 use pinhole_core::{DVec2, DVec3, Orientation, Pixel};
+use pinhole_exchange::scenes::SceneSource;
 
 use super::*;
-use pinhole_exchange::scenes::SceneSource;
 
 /// Returns the document of a built-in scene.
 fn document(scene: &str) -> Document {

@@ -4,22 +4,20 @@ use std::sync::Arc;
 
 use egui::Color32;
 use pinhole_core::{Camera, ImageSize, Raster};
+use pinhole_exchange::answers;
+use pinhole_exchange::document::Document;
 use pinhole_lecture::grading::{Cell, Graded, Truth, grade};
 
-use super::Derived;
-use super::Shown;
-use super::ViewSizes;
 use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
 use super::wrong::Right;
+use super::{Derived, Shown, ViewSizes};
 use crate::model::overlay_items::OverlayItems;
 use crate::model::session::{Selection, Session};
 use crate::model::student_answers::AnswersAtHand;
 use crate::view::overlay::{Picture, Style};
-use pinhole_exchange::answers;
-use pinhole_exchange::document::Document;
 
 /// The inputs of a grade: the camera, the objects and their colours by number, and the answers.
 type Key = (Camera, u64, u64, AnswersAtHand);

@@ -2,9 +2,7 @@
 
 use pinhole_core::ResolvedCamera;
 
-use super::Shown;
-use super::ViewSizes;
-use super::blank;
+use super::{Shown, ViewSizes, blank};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::OverlayItems;
 use crate::view::overlay;

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use pinhole_exchange::document::Document;
+
 use super::Derived;
 use crate::model::derivation_sections::DerivationSections;
 use crate::model::fault::Fault;
 use crate::model::session::{Selection, Session};
 use crate::view::derivation::{Derivation, Sources, derivation};
-use pinhole_exchange::document::Document;
 
 /// The last derivation and its inputs.
 #[derive(Debug, Default)]

@@ -3,20 +3,18 @@
 use std::sync::Arc;
 
 use pinhole_core::{Camera, Outputs, Raster, ResolvedCamera, Shade};
+use pinhole_exchange::document::Document;
 
-use super::Derived;
-use super::Shown;
-use super::ViewSizes;
 use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, picture, watched};
+use super::{Derived, Shown, ViewSizes};
 use crate::model::ghost::{Beside, Ghost, resolve};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};
 use crate::view::ghost::{AgainstGhost, difference_map};
 use crate::view::overlay::{Picture, Style};
-use pinhole_exchange::document::Document;
 
 /// The inputs of a comparison: both cameras, the objects and colours by number, the pixels, and the
 /// ray.

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use pinhole_core::{Object, Rgb, Scene, SceneError};
+use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 use crate::model::color_scheme::Scheme;
 use crate::model::observer::{hidden, seen_scene};
-use pinhole_exchange::document::{CsvSpheres, Document, Item};
 
 /// The objects of a document in which all objects are valid.
 #[derive(Clone, Debug)]

@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use pinhole_core::ResolvedCamera;
+use pinhole_exchange::document::Document;
 
 use super::Derived;
 use super::memo::Memo;
 use crate::model::color_scheme::Scheme;
-use crate::model::session::Heights;
-use crate::model::session::{Selection, Session, ViewLayout};
+use crate::model::session::{Heights, Selection, Session, ViewLayout};
 use crate::view::plot::{Curve, Named, Plot, Samples, curves, range, samples, shown, values};
-use pinhole_exchange::document::Document;
 
 /// The inputs of the curves: the camera, the objects by number, the ray, and the objects with a
 /// curve.

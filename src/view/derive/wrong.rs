@@ -6,13 +6,11 @@ use egui::Color32;
 use pinhole_core::{Camera, Paint, Raster, ResolvedCamera, Rgb, Shade};
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake};
 
-use super::Derived;
-use super::Shown;
-use super::ViewSizes;
 use super::beside::shown_beside;
 use super::memo::Memo;
 use super::objects::GoodWorld;
 use super::watch::{Watch, Work, watched};
+use super::{Derived, Shown, ViewSizes};
 use crate::model::inspection::Inspection;
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::{Selection, Session};

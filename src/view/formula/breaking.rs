@@ -2,9 +2,8 @@
 //! relations; a piece that is still too wide is broken before `+`, `×` and other operators; then
 //! vectors are written as columns; then the text gets smaller. No line is wider than the column.
 
-use super::Direction;
-use super::Formula;
 use super::layout::{Layout, Measure, layout, room, row};
+use super::{Direction, Formula};
 
 /// The column in which lines are set.
 #[derive(Clone, Copy, Debug, PartialEq)]

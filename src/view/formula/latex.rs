@@ -1,8 +1,6 @@
 //! Formulas as LaTeX with amsmath, which Markdown's `$...$` also accepts.
 
-use super::Direction;
-use super::Formula;
-use super::Operator;
+use super::{Direction, Formula, Operator};
 
 /// Writes a formula for math mode.
 pub(crate) fn math(formula: &Formula) -> String {

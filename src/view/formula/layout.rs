@@ -1,12 +1,7 @@
 //! Layout of a formula as positioned text and strokes: boxes on a common baseline, as in TeX,
 //! without its refinements.
 
-use super::Direction;
-use super::Formula;
-use super::Gap;
-use super::Ink;
-use super::Operator;
-use super::gap;
+use super::{Direction, Formula, Gap, Ink, Operator, gap};
 use crate::model::letters;
 
 /// The font of a piece of text.

@@ -3,10 +3,7 @@
 
 use std::fmt::{self, Write as _};
 
-use super::Formula;
-use super::Gap;
-use super::Operator;
-use super::gap;
+use super::{Formula, Gap, Operator, gap};
 use crate::model::letters;
 
 impl fmt::Display for Formula {

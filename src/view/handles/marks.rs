@@ -2,13 +2,8 @@
 
 use pinhole_core::DVec3;
 
-use super::Grip;
-use super::Stage;
-use super::grips;
-use crate::model::hand::Along;
-use crate::model::hand::Axis;
-use crate::model::hand::Hand;
-use crate::model::hand::Handle;
+use super::{Grip, Stage, grips};
+use crate::model::hand::{Along, Axis, Hand, Handle};
 use crate::view::overlay::{self, Guide, HandleMark, Handles, Knob, KnobState};
 
 /// Length of the axes at a hovered handle, to either side, in points.

@@ -1,10 +1,10 @@
 //! The values that a handle changes.
 
 use pinhole_core::{Camera, Plane, Sphere};
+use pinhole_exchange::document::Document;
 
 use crate::model::hand::Handle;
 use crate::model::session::Selection;
-use pinhole_exchange::document::Document;
 
 /// The part of document and session that a handle can change, either before or after the change.
 #[derive(Clone, Copy, Debug, PartialEq)]

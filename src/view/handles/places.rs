@@ -2,14 +2,12 @@
 
 use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera};
+use pinhole_exchange::document::Document;
 
-use crate::model::hand::Grasp;
-use crate::model::hand::Hand;
-use crate::model::hand::Handle;
+use crate::model::hand::{Grasp, Hand, Handle};
 use crate::model::overlay_items::{Item, OverlayItems};
 use crate::model::session::Selection;
 use crate::view::overlay;
-use pinhole_exchange::document::Document;
 
 /// Least size of the viewport on the screen, in points; on a smaller one handles would overlap.
 const LEAST_VIEWPORT: f64 = 52.0;

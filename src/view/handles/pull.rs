@@ -10,12 +10,8 @@ use pinhole_core::steering::{
 };
 use pinhole_core::{Camera, DVec2, DVec3, Orientation, ResolvedCamera, Viewport};
 
-use super::Part;
-use super::Solid;
-use crate::model::hand::Along;
-use crate::model::hand::Axis;
-use crate::model::hand::Grasp;
-use crate::model::hand::Handle;
+use super::{Part, Solid};
+use crate::model::hand::{Along, Axis, Grasp, Handle};
 
 /// The state at the start of a drag.
 #[derive(Clone, Copy, Debug)]

@@ -2,12 +2,12 @@
 
 use pinhole_core::steering::ViewportCorner;
 use pinhole_core::{DVec3, Orientation};
+use pinhole_exchange::document::Document;
 
 use super::Part;
 use crate::model::hand::Handle;
 use crate::model::number::written;
 use crate::model::session::Selection;
-use pinhole_exchange::document::Document;
 
 /// Returns a handle's name: `eye`, `sphere 0 “ball”: radius`.
 pub fn label(handle: Handle, document: &Document) -> String {

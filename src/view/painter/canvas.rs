@@ -1,10 +1,12 @@
 //! The picture in the window, and its update by a new frame.
 
-use super::Painter;
-use super::geometry::{PixelRect, extent};
+use std::collections::HashSet;
+
 use egui::epaint::{ClippedPrimitive, Primitive, Vertex};
 use egui::{Color32, Mesh, Rect, TextureId};
-use std::collections::HashSet;
+
+use super::Painter;
+use super::geometry::{PixelRect, extent};
 
 /// Maximum number of separate rectangles; more of them cost more than drawing the area between
 /// them.

@@ -17,10 +17,12 @@ mod triangle;
 pub use canvas::Canvas;
 pub use geometry::PixelRect;
 
+use std::collections::{HashMap, HashSet};
+
 use egui::epaint::{ClippedPrimitive, Primitive, textures::TexturesDelta};
 use egui::{Color32, Mesh, TextureId};
 use rayon::prelude::*;
-use std::collections::{HashMap, HashSet};
+
 use texture::Texture;
 
 /// Number of pixels below which one thread is faster than several.

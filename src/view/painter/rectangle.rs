@@ -2,13 +2,14 @@
 //!
 //! The result is the same, pixel for pixel, as that of the two triangles, with less work per pixel.
 
+use egui::epaint::Vertex;
+use egui::{Color32, Rect, TextureFilter, pos2};
+
 use super::Band;
 use super::blend::{self, Rgba, modulate, over, unpack};
 use super::geometry::{STEPS, first_centre, limit, snap};
 use super::texture::{Coordinate, Texture};
 use super::triangle::{Plane, Reading};
-use egui::epaint::Vertex;
-use egui::{Color32, Rect, TextureFilter, pos2};
 
 /// Two triangles that make up an axis-aligned rectangle of one vertex colour, with texture
 /// coordinates that run along its sides.

@@ -1,9 +1,11 @@
 //! Textures: kept in memory as egui sends them, and sampled texel by texel.
 
-use super::blend::{Rgba, unpack};
+use std::sync::Arc;
+
 use egui::epaint::{ImageData, ImageDelta};
 use egui::{Color32, ColorImage, TextureFilter, TextureOptions, TextureWrapMode};
-use std::sync::Arc;
+
+use super::blend::{Rgba, unpack};
 
 /// One texture.
 #[derive(Debug)]

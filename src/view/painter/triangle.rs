@@ -1,11 +1,12 @@
 //! General triangles: row by row, the pixels whose centres are inside.
 
+use egui::TextureFilter;
+use egui::epaint::Vertex;
+
 use super::Band;
 use super::blend::{self, Rgba, modulate, over, pack, unpack};
 use super::geometry::{STEPS, limit, snap};
 use super::texture::{Coordinate, ONE_TEXEL, Texture};
-use egui::TextureFilter;
-use egui::epaint::Vertex;
 
 /// Position of a vertex, in [`STEPS`].
 type Place = [i64; 2];

@@ -5,8 +5,9 @@
 //! characters come from one font, and Noto Sans has no such arrow, so it would silently be left
 //! out. The circumflex of û exists in all fonts except the one for code.
 
-use egui::{FontData, FontDefinitions, FontFamily};
 use std::sync::Arc;
+
+use egui::{FontData, FontDefinitions, FontFamily};
 
 /// Name of the bold family.
 const BOLD: &str = "bold";

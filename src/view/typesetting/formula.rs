@@ -6,8 +6,7 @@ use egui::{Color32, Context, FontFamily, FontId, Painter, Pos2, Stroke, Ui, Vec2
 use crate::model::letters::plain_scalars;
 use crate::model::symbols::{Kind, words};
 use crate::view::formula::{Column, Face, Formula, Ink, Layout, Measure, Run, lines};
-use crate::view::typesetting::fonts;
-use crate::view::typesetting::theme;
+use crate::view::typesetting::{fonts, theme};
 
 /// Sets a formula in lines of the width of `column`, with the window's fonts.
 pub(crate) fn set(ctx: &Context, formula: &Formula, column: Column) -> Layout {

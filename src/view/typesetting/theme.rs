@@ -5,13 +5,13 @@ use egui::{
     StrokeKind, TextStyle, Theme, Ui, Vec2, Visuals,
 };
 use pinhole_core::Rgb;
+use pinhole_exchange::document::Document;
 
 use crate::model::color_scheme::Scheme;
 use crate::model::session::Settings;
 use crate::model::session::presenting::WRITTEN;
 use crate::view::overlay::Style;
 use crate::view::typesetting::fonts;
-use pinhole_exchange::document::Document;
 
 /// The settings that determine the window's look.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -4,11 +4,7 @@ use egui::Key;
 use egui::accesskit::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use super::Window;
-use super::at_step;
-use super::key;
-use super::place;
-use super::press;
+use super::{Window, at_step, key, place, press};
 use crate::harness::{assert_says, drag_from, says, type_into};
 
 #[test]

@@ -10,11 +10,7 @@ use pinhole::model::session::{Settings, ViewLayout};
 use pinhole::model::store::{Remembered, Store};
 use pinhole_exchange::scene_file;
 
-use super::Window;
-use super::at_step;
-use super::key;
-use super::place;
-use super::press;
+use super::{Window, at_step, key, place, press};
 use crate::harness::{assert_says, type_into, window, window_with};
 
 #[test]

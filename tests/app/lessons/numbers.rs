@@ -8,9 +8,7 @@ use std::collections::BTreeSet;
 use egui_kittest::kittest::NodeT as _;
 use pinhole::model::lessons::builtin;
 
-use super::Window;
-use super::at_step;
-use super::go_to;
+use super::{Window, at_step, go_to};
 
 /// What is there, and how it reads.
 type Reads = (&'static str, &'static str);

@@ -8,12 +8,7 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 use pinhole::model::lessons::builtin;
 
-use super::Window;
-use super::at_step;
-use super::go_to;
-use super::key;
-use super::place;
-use super::press;
+use super::{Window, at_step, go_to, key, place, press};
 use crate::app::exercises::answers;
 use crate::harness::{assert_says, says};
 

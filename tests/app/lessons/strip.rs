@@ -7,9 +7,7 @@ use pinhole::model::lessons::builtin;
 use pinhole::model::session::Selection;
 use pinhole_core::Pixel;
 
-use super::at_step;
-use super::key;
-use super::place;
+use super::{at_step, key, place};
 use crate::harness::{says, type_into, window};
 
 #[test]

@@ -8,11 +8,7 @@ use pinhole::model::lessons::{Step, StepView, builtin};
 use pinhole::model::overlay_items::{Item, OverlayItems};
 use pinhole::ui::app::App;
 
-use super::Window;
-use super::at_step;
-use super::key;
-use super::place;
-use super::press;
+use super::{Window, at_step, key, place, press};
 use crate::harness::{assert_says, drag_from, texts_with, type_into};
 
 /// Whether there are handles is the user's to say, whatever a step shows.

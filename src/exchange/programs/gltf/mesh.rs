@@ -6,9 +6,8 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use pinhole_core::{DVec3, Rgb};
 
-use crate::format::ExportScene;
-use crate::format::square_note;
 use crate::format::text::{light, n, quotable};
+use crate::format::{ExportScene, square_note};
 
 /// Steps from pole to pole, and twice as many round.
 const STEPS: u16 = 32;

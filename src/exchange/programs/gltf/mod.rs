@@ -14,9 +14,9 @@ use crate::format::json::{self, Node};
 use crate::format::pose::Pose;
 use crate::format::text::{Text, n};
 use crate::format::viewport::{in_ratio, shortest_where};
-use crate::format::{Conventions, PixelConvention};
 use crate::format::{
-    ExportScene, Exported, Format, Imported, Importer, Include, Input, Unsupported,
+    Conventions, ExportScene, Exported, Format, Imported, Importer, Include, Input,
+    PixelConvention, Unsupported,
 };
 
 pub(super) const FORMAT: Format = Format {

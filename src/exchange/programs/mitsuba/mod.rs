@@ -7,10 +7,11 @@ mod shapes;
 use pinhole_core::{DVec3, Sphere};
 
 use self::read::read;
-use crate::format::square_note;
 use crate::format::text::{Text, commas, light, n, quotable};
-use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
+    square_note,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "mitsuba",

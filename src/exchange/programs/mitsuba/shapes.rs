@@ -6,8 +6,7 @@ use roxmltree::{Document as Xml, Node};
 use super::file::{File, cells, number};
 use crate::FileError;
 use crate::document::Item;
-use crate::format::left_out::LeftOut;
-use crate::format::left_out::readable;
+use crate::format::left_out::{LeftOut, readable};
 use crate::format::text::{byte_of_light, n};
 use crate::images::color;
 

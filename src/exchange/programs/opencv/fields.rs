@@ -4,8 +4,7 @@
 use serde_json::Value;
 
 use crate::FileError;
-use crate::format::Input;
-use crate::format::json;
+use crate::format::{Input, json};
 use crate::programs::literal::{Source, one_line};
 
 /// A name and what it is given.

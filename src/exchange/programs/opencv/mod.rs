@@ -13,8 +13,9 @@ use pinhole_core::{DVec3, Intrinsics, Viewport};
 use crate::format::pose::Pose;
 use crate::format::text::{Text, flipped, flipped_all, n};
 use crate::format::viewport::{settled, shortest_where};
-use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "opencv",

@@ -3,8 +3,9 @@
 mod read;
 
 use crate::format::text::{Text, commas, n, real};
-use crate::format::{Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{
+    Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "opengl",

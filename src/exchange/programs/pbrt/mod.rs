@@ -12,10 +12,11 @@ mod tokens;
 use pinhole_core::Sphere;
 
 use self::read::read;
-use crate::format::square_note;
 use crate::format::text::{Text, flipped, light, n, one_line, spaces};
-use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
+    square_note,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "pbrt",

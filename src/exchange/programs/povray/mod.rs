@@ -16,8 +16,9 @@ use pinhole_core::{BACKGROUND, Sphere};
 
 use self::read::read;
 use crate::format::text::{Text, commas, flipped_all, light, n, one_line};
-use crate::format::{Axis, Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Importer, Unsupported};
+use crate::format::{
+    Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
+};
 
 pub(super) const FORMAT: Format = Format {
     name: "povray",

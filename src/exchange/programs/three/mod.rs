@@ -15,11 +15,12 @@ use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::json::{self, Node};
 use crate::format::left_out::readable;
 use crate::format::pose::{Mirrored, Pose};
-use crate::format::square_note;
 use crate::format::text::{Text, n, quotable};
 use crate::format::viewport::viewport_of_angle;
-use crate::format::{Conventions, PixelConvention};
-use crate::format::{ExportScene, Exported, Format, Imported, Importer, Input, Unsupported};
+use crate::format::{
+    Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
+    Unsupported, square_note,
+};
 use crate::programs::gltf::columns;
 
 pub(super) const FORMAT: Format = Format {

@@ -5,8 +5,7 @@ use std::path::Path;
 use pinhole_core::{Camera, CameraError, DVec3, ImageSize, Orientation, Viewport};
 use pinhole_exchange::document::Document;
 use pinhole_exchange::scene_file;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::scenes::builtin;
+use pinhole_exchange::scenes::{SceneSource, builtin};
 
 fn read(text: &str) -> Document {
     scene_file::parse(text, Path::new("scene.toml"), Path::new("")).unwrap()

@@ -10,6 +10,7 @@ use pinhole_core::*;
 use pinhole_lecture::grading::*;
 use pinhole_lecture::mistakes::Mistake;
 use proptest::prelude::*;
+
 use student::double::{Student, exactly};
 use student::{Exercise, single};
 

@@ -2,11 +2,7 @@
 
 use egui::{Key, Modifiers};
 
-use super::CTRL;
-use super::CTRL_SHIFT;
-use super::key;
-use super::plain;
-use super::verb;
+use super::{CTRL, CTRL_SHIFT, key, plain, verb};
 use crate::ui::action::{
     FigureAction, LookAction, ObjectAction, Observe, PlayAction, Steer, Switch,
 };

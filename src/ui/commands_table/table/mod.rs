@@ -20,13 +20,11 @@ use std::borrow::Cow;
 use egui::{Key, Modifiers};
 use pinhole_core::Shade;
 use pinhole_core::methods::Method;
+use pinhole_exchange::scenes::{SceneSource, builtin};
 use pinhole_lecture::exercises::{Exercise, title};
 use pinhole_lecture::mistakes::Mistake;
 
-use super::Group;
-use super::Keys;
-use super::UiCommand;
-use super::When;
+use super::{Group, Keys, UiCommand, When};
 use crate::model::color_scheme::Scheme;
 use crate::model::derivation_sections::DerivationSection;
 use crate::model::lessons::{self, Lesson, Place, Which, title_of};
@@ -40,8 +38,6 @@ use crate::ui::action::{
     Leave, LessonAction, LookAction, Observe, Overlay, PlayAction, Switch,
 };
 use crate::view::derivation::Markup;
-use pinhole_exchange::scenes::SceneSource;
-use pinhole_exchange::scenes::builtin;
 
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]

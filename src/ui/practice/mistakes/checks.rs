@@ -3,8 +3,7 @@
 use egui::{RichText, Ui};
 use pinhole_lecture::mistakes::{Checked, ComparedCamera, Value, Wanted};
 
-use super::TEXT;
-use super::cell;
+use super::{TEXT, cell};
 use crate::ui::scene::readouts::NumberStyle;
 use crate::ui::widgets::sign::sign;
 use crate::view::typesetting::theme::error_color;

@@ -5,6 +5,7 @@ mod checks;
 mod guess;
 
 use egui::{Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use pinhole_exchange::document::Document;
 use pinhole_lecture::mistakes::{ComparedCamera, Mistake, WrongCamera};
 
 use crate::model::mistakes_view::MistakesView;
@@ -17,7 +18,6 @@ use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::document::Document;
 
 /// Size of the text, in points.
 const TEXT: f32 = 15.0;

@@ -3,12 +3,7 @@
 use egui::{Context, EventFilter, Key};
 use pinhole_core::{DVec2, DVec3, ResolvedCamera};
 
-use super::Edited;
-use super::HandInput;
-use super::View;
-use super::axis_held;
-use super::how;
-use super::id_of;
+use super::{Edited, HandInput, View, axis_held, how, id_of};
 use crate::model::hand::{Along, Axis, Handle};
 use crate::model::session::keeps_of;
 use crate::view::handles::{Grip, How, Part, Pull, Start, grips, step_of, turned_by};

@@ -6,14 +6,13 @@ mod tell;
 
 use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
 use pinhole_core::{DVec2, ResolvedCamera};
+use pinhole_exchange::document::Document;
 
 use crate::model::hand::{Along, Axis, Handle};
-use crate::model::session::Session;
-use crate::model::session::keeps_of;
+use crate::model::session::{Session, keeps_of};
 use crate::view::derive::Derived;
 use crate::view::handles::{Grip, How, Part, Pull, Pulled, Stage, Start, grips, hit};
 use crate::view::overlay;
-use pinhole_exchange::document::Document;
 
 pub(crate) use self::tell::say;
 

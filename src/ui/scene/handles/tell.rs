@@ -7,11 +7,9 @@ use egui::{
 };
 use pinhole_core::DVec2;
 use pinhole_core::steering::Keep;
+use pinhole_exchange::document::Document;
 
-use super::HandInput;
-use super::View;
-use super::id_of;
-use super::keys;
+use super::{HandInput, View, id_of, keys};
 use crate::model::concept::{HoverSource, Hovered};
 use crate::model::hand::{Along, Axis, Handle};
 use crate::model::letters::{bold, typeset_message};
@@ -20,7 +18,6 @@ use crate::model::session::Session;
 use crate::view::derive::Derived;
 use crate::view::handles::{Part, grips, label, value};
 use crate::view::typesetting::theme::error_color;
-use pinhole_exchange::document::Document;
 
 /// Sizes of the text, in points: of the value, and of the rest.
 const VALUE: f32 = 19.0;

@@ -7,6 +7,7 @@ mod table;
 use egui::{Color32, ComboBox, ProgressBar, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use pinhole_core::methods::{Method, trace_by};
 use pinhole_core::{NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, shortest, trace};
+use pinhole_exchange::document::Document;
 
 use crate::model::number::short;
 use crate::model::session::{MethodName, Selection, Session, Settings};
@@ -17,7 +18,6 @@ use crate::ui::tools::measuring::Measuring;
 use crate::view::accuracy::{self, Comparison, PixelError};
 use crate::view::derive::{Compared, Derived, TooMany};
 use crate::view::typesetting::theme;
-use pinhole_exchange::document::Document;
 
 /// Height of the map's legend, in points.
 pub(crate) const LEGEND: f32 = 44.0;
