@@ -7,7 +7,6 @@ use clap::{Args, Parser, Subcommand};
 use pinhole_core::{DVec2, ImageSize, Pixel, Shade};
 
 use crate::figures::Subject;
-
 pub use crate::figures::View;
 use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;

@@ -17,7 +17,6 @@ use egui::Align;
 use self::frame::{Frame, GAP, MARGIN, TEXT, WEAK, paragraph};
 use self::panel::Errors;
 use self::summary::Summary;
-
 pub(crate) use self::summary::{SINGLE, in_ulps_of_f64};
 use super::model::Report;
 use crate::figures::Figure;

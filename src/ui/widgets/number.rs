@@ -10,7 +10,6 @@ use egui::{Color32, Context, DragValue, FontId, Id, Response, RichText, Ui};
 use pinhole_core::{DVec3, shortest};
 
 use crate::model::expression::evaluate;
-
 pub(crate) use crate::model::number::significant;
 use crate::view::typesetting::theme::{self, error_color};
 

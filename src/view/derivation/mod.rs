@@ -28,7 +28,6 @@ use crate::model::inspection::Inspection;
 use crate::model::letters;
 use crate::model::session::Selection;
 use crate::view::formula::{Formula, word};
-
 pub use export::Markup;
 
 /// Maximum number of objects that are listed. Of more objects, those that the ray hits first are

@@ -22,7 +22,6 @@ use pinhole_core::methods::Method;
 use pinhole_core::{Camera, ResolvedCamera, Rgb, Scene};
 
 use self::answers::GradedAnswers;
-
 pub use self::answers::Grading;
 use self::derivations::Derivations;
 pub use self::derived::{Derived, Purpose, Shown, ViewSizes};

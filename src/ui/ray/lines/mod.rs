@@ -7,7 +7,6 @@ use egui::{Context, Grid, Id, ScrollArea, Slider, Ui, UiBuilder, Vec2};
 
 use crate::model::lines::{LARGEST, LinesLab};
 use crate::ui::widgets::number::NumberField;
-
 pub(crate) use crate::view::lines::canvas::round_step;
 pub(crate) use crate::view::lines::steps::number;
 use crate::view::lines::{TEXT, parts, substitution, text};
