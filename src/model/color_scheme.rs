@@ -1,6 +1,5 @@
 //! The colours that tell objects and vectors apart.
 
-use egui::Color32;
 use pinhole_core::Rgb;
 use pinhole_exchange::document::default_color;
 use serde::{Deserialize, Serialize};
@@ -23,11 +22,6 @@ pub enum Scheme {
 impl Scheme {
     /// All schemes.
     pub const ALL: [Scheme; 3] = [Scheme::Standard, Scheme::ColourBlind, Scheme::Grey];
-
-    /// Returns the grey for an index; the greys of neighbouring indices differ clearly.
-    pub fn grey_of(index: usize) -> Color32 {
-        Color32::from_gray(GREYS[index % GREYS.len()])
-    }
 
     /// Returns the scheme's name in a menu.
     pub fn label(self) -> &'static str {
