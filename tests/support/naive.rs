@@ -5,11 +5,12 @@ use egui::epaint::Vertex;
 use egui::{Color32, ColorImage, TextureFilter};
 
 /// Draws a triangle, vertices in pixels, over the pixels of `canvas`; the texture is clamped at its
-/// edges.
+/// edges, and looked up `shift` texels beside where the vertices say.
 pub(crate) fn draw(
     canvas: &mut ColorImage,
     texture: &ColorImage,
     filter: TextureFilter,
+    shift: [f64; 2],
     t: [&Vertex; 3],
 ) {
     // Places in 1/256 of a pixel, as GPUs snap them; of the two orders, the one that turns right.
@@ -33,7 +34,10 @@ pub(crate) fn draw(
         let mean = |of: &dyn Fn(&Vertex) -> f64| -> f64 {
             (0..3).map(|i| of(t[i]) * parts[i] / area).sum()
         };
-        let texel = sample(texture, filter, mean(&|v| v.uv.x.into()), mean(&|v| v.uv.y.into()));
+        let [u, v] = [mean(&|v| v.uv.x.into()), mean(&|v| v.uv.y.into())];
+        let [texture_width, texture_height] = texture.size.map(|n| n as f64);
+        let texel =
+            sample(texture, filter, u * texture_width + shift[0], v * texture_height + shift[1]);
         let source: [f64; 4] = std::array::from_fn(|channel| {
             mean(&|v| v.color.to_array()[channel].into()) * texel[channel] / 255.0
         });
@@ -60,14 +64,14 @@ fn inside(from: [f64; 2], to: [f64; 2], place: [f64; 2]) -> bool {
     side > 0.0 || (side == 0.0 && left_or_top)
 }
 
-fn sample(texture: &ColorImage, filter: TextureFilter, u: f64, v: f64) -> [f64; 4] {
+/// Returns the colour at `x`, `y`, in texels.
+fn sample(texture: &ColorImage, filter: TextureFilter, x: f64, y: f64) -> [f64; 4] {
     let [width, height] = texture.size;
     let texel = |x: f64, y: f64| {
         let x = x.clamp(0.0, width as f64 - 1.0) as usize;
         let y = y.clamp(0.0, height as f64 - 1.0) as usize;
         texture[(x, y)].to_array().map(f64::from)
     };
-    let (x, y) = (u * width as f64, v * height as f64);
     if filter == TextureFilter::Nearest {
         return texel(x.floor(), y.floor());
     }
