@@ -12,7 +12,7 @@ use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::model::translator::Target;
 use crate::view::overlay::Style;
-use pinhole_exchange::format::Importer;
+use pinhole_exchange::format::{Axis, Importer};
 use pinhole_exchange::programs::{FORMATS, IMPORTERS};
 
 /// See what a pinhole camera sees, and why.
@@ -61,6 +61,7 @@ pub enum Command {
     Trace(TraceArguments),
     /// Grade a student's basis, rays, hits or picture, and name the mistake
     #[command(
+        long_about = include_str!("about/check.txt"),
         after_help = "Status 0: all answers agree; 1: not all do; 2: answers, scene or arguments \
                       cannot be read."
     )]
@@ -68,10 +69,13 @@ pub enum Command {
     /// Measure the error of every method against its run time
     Report(ReportArguments),
     /// Write a view, the derivation or the lab of lines as a figure for slides
+    #[command(long_about = include_str!("about/figure.txt"))]
     Figure(FigureArguments),
     /// Write the camera and the scene as another program has them
+    #[command(long_about = include_str!("about/export.txt"))]
     Export(ExportArguments),
     /// Read another program's camera and scene, and write a scene file
+    #[command(long_about = include_str!("about/import.txt"))]
     Import(ImportArguments),
 }
 
@@ -306,7 +310,14 @@ pub struct ReportArguments {
 }
 
 fn target() -> impl TypedValueParser<Value = Target> {
-    let value = |target: Target| PossibleValue::new(target.name()).help(target.label());
+    let help = |target: Target| match target {
+        Target::Format(format) => {
+            let [x, y, z] = format.conventions.axes.map(Axis::name);
+            format!("{}; its camera's x, y, z are {x}, {y}, {z}", target.label())
+        }
+        Target::Code(_) => target.label().to_owned(),
+    };
+    let value = move |target: Target| PossibleValue::new(target.name()).help(help(target));
     PossibleValuesParser::new(Target::all().map(value))
         .map(|name| Target::named(&name).unwrap_or(Target::Format(&FORMATS[0])))
 }

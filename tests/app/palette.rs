@@ -173,13 +173,6 @@ fn keys_do_what_the_table_says() {
 }
 
 #[test]
-fn the_readme_has_the_table_of_keys() {
-    let readme = include_str!("../../README.md");
-    let table = commands_table::markdown();
-    assert!(readme.contains(&table), "the README's table of keys should be:\n{table}");
-}
-
-#[test]
 fn what_has_nothing_to_be_done_to_is_not_offered() {
     let mut harness = window("canonical");
     let offered = |harness: &mut Harness<'_, App>, text: &str| {

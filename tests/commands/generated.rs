@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 
 use clap::CommandFactory as _;
 use clap_complete::Shell;
-use clap_mangen::roff::{Roff, roman};
+use clap_mangen::roff::{Roff, bold, roman};
 use expect_test::expect_file;
 use pinhole::cli::arguments::Arguments;
+use pinhole::ui::commands_table;
 use pinhole_exchange::scenes::builtin;
 
 use super::{entries, run};
@@ -57,6 +58,9 @@ fn man_page(command: &clap::Command, name: &str) -> String {
     if !notes.is_empty() {
         section(&mut page, "NOTES", notes);
     }
+    if has_commands {
+        keys_section(&mut page);
+    }
     section(&mut page, "EXIT STATUS", status);
     if !has_commands {
         section(&mut page, "SEE ALSO", "pinhole(1)");
@@ -79,6 +83,19 @@ fn section(page: &mut Vec<u8>, title: &str, text: &str) {
             section.control("br", []);
         }
         section.text([roman(line)]);
+    }
+    section.to_writer(page).unwrap();
+}
+
+/// The window's keys, as its own list of keys has them.
+fn keys_section(page: &mut Vec<u8>) {
+    let mut section = Roff::new();
+    section.control("SH", ["KEYS"]);
+    for (group, rows) in commands_table::sheet() {
+        section.control("SS", [group.label()]);
+        for (keys, what) in rows {
+            section.control("TP", []).text([bold(keys)]).text([roman(what)]);
+        }
     }
     section.to_writer(page).unwrap();
 }

@@ -380,13 +380,3 @@ fn an_argument_is_a_number_a_step_or_a_file() {
         assert_eq!(LessonArgument::of(text), Err(message.to_owned()));
     }
 }
-
-#[test]
-fn the_readmes_lesson_is_one() {
-    let readme =
-        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
-    let blocks = readme.split("```").filter_map(|block| block.strip_prefix("toml\n"));
-    let lessons: Vec<&str> = blocks.filter(|text| text.contains("pinhole_lesson")).collect();
-    let [text] = lessons[..] else { panic!("{} lessons", lessons.len()) };
-    assert_eq!(parse(text, Path::new("README.md"), None).unwrap().steps.len(), 2);
-}

@@ -205,17 +205,6 @@ pub fn sheet() -> Vec<(Group, Vec<(String, String)>)> {
     groups
 }
 
-/// The key sheet as a table in Markdown.
-pub fn markdown() -> String {
-    let mut text = String::from("| keys | what they do |\n| --- | --- |\n");
-    for (group, rows) in sheet() {
-        for (keys, name) in rows {
-            text += &format!("| {keys} | {}: {name} |\n", group.label());
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
