@@ -3,8 +3,8 @@
 //!
 //! # Floors
 //!
-//! A folder is a room, and a room stands on what it uses. Nothing reaches up, and no circle runs
-//! between folders; `tests/layout.rs` reads that off the code's own `use` lines.
+//! Each folder uses only folders below it, and no two folders use one another. `tests/layout.rs` reads
+//! that off the code's own `use` lines.
 //!
 //! ```text
 //! platform                         the window, the graphics driver, the CPU painter
@@ -19,7 +19,7 @@
 //! `reference` (the oracle) and `yardstick` (the bench rig) are crates for tests and benches. Of the
 //! program, only `pinhole report` asks the oracle.
 //!
-//! # The way of one edit
+//! # The path of one edit
 //!
 //! A drag of eye.x, in the order of [`ui::app`]'s `frame.rs`:
 //!
@@ -28,14 +28,14 @@
 //! 2. *Apply*: what keys, menus and the views asked for, as
 //!    [`Action`](ui::action::Action)s, each carried out by the part that owns the state.
 //! 3. *Derive*: [`view::derive`] makes everything that is shown from the document and the session
-//!    ([`model::session`]), and remembers it on its inputs: an idle window does no work.
+//!    ([`model::session`]), and caches it by its inputs: an idle window does no work.
 //! 4. *Outputs*: views, readouts and textures get the [`Derived`](view::derive::Derived) and nothing
 //!    else, so that all of them show the same frame.
 //!
-//! A camera without a basis is a typed error on this way, and reaches the screen as a reason over the
+//! A camera without a basis is a typed error on this path, and reaches the screen as a reason over the
 //! last good picture.
 //!
-//! # The way of one sphere
+//! # The path of one sphere
 //!
 //! From scene to pixels, in [`pinhole_core`]'s `render`: the frame's plan drops what cannot be seen and
 //! chooses how each sphere is drawn; bands of rows are drawn in `f32` with bounds of the error; a pixel
@@ -46,20 +46,22 @@
 //!
 //! | for | open |
 //! | --- | --- |
-//! | how a hit gets its colour | `core/render/shade/` |
-//! | the error bound of the row kernel | `core/render/rows/` |
-//! | a basis, and why there is none | `core/camera/basis.rs` |
+//! | how a hit gets its colour | `core/render/shade/shade_rows.rs`; the kinds of shading in `core/render/shade/paint.rs` |
+//! | the error bound of the `f32` row kernel | `core/render/rows/span.rs` |
+//! | a basis, and why there is none | `core/camera/basis.rs`; the picture meanwhile in `view/derive/mod.rs` |
 //! | a mistake, its name and its texts | `lecture/mistakes/table.rs` |
-//! | a new exercise | `lecture/exercises/` |
+//! | a new exercise | `lecture/exercises/question.rs`, then `pick.rs`, `solve.rs`, `question_texts.rs` beside it |
 //! | a line of the derivation | `lecture/derivation/` for its numbers, `view/derivation/` for its form |
-//! | the format of scene files | `exchange/scene_file/` |
-//! | another export format | `exchange/programs/`, a folder or file each |
-//! | a mark over a view | `view/overlay/` |
-//! | a workspace of the window | `ui/workspaces/`, a file each |
+//! | the format of scene files | `exchange/scene_file/mod.rs` |
+//! | the format of lesson files | `model/lessons/`, and the head of `assets/lessons/01-canonical-camera.toml` |
+//! | another export format | `exchange/programs/mod.rs`; a language: `exchange/code/mod.rs` |
+//! | a mark over a view | `view/overlay/world_view.rs`, `view/overlay/camera_view.rs`; its switch in `model/overlay_items.rs` |
+//! | a workspace of the window | `ui/workspaces/mod.rs` |
 //! | the side panel and its width | `ui/app/frame.rs`; its contents in `ui/panels/` |
-//! | a command, its key and its menu | `ui/commands_table/` |
-//! | an argument of the command line | `cli/arguments.rs` |
+//! | a command, its key and its menu | `ui/commands_table/table/mod.rs` |
+//! | an option of a command | `cli/arguments.rs`, carried out in the file of the command's name |
 //! | the built-in scenes and lessons | `assets/scenes/`, `assets/lessons/` |
+//! | tests | `tests/` for the program, `tests/` in the folder of each crate |
 //!
 //! Pure functions stand in the middle; clocks, files and the display at the edge (`model/files.rs`,
 //! `model/store.rs`, `cli`, `platform`).

@@ -160,3 +160,14 @@ fn no_circle_runs_between_folders() {
     let circles = floors::circles_of_folders(&uses::uses(&program()));
     assert!(circles.is_empty(), "{}", circles.join("\n"));
 }
+
+#[test]
+fn the_map_names_what_is_there() {
+    let map = include_str!("../src/lib.rs");
+    let named =
+        map.split('`').skip(1).step_by(2).filter(|name| name.contains('/') && !name.contains(' '));
+    let missing: Vec<&str> = named
+        .filter(|name| !root().join("src").join(name).exists() && !root().join(name).exists())
+        .collect();
+    assert!(map.contains("`core/") && missing.is_empty(), "{missing:?}");
+}

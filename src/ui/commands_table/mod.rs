@@ -237,9 +237,10 @@ mod tests {
         names.sort();
         names.dedup();
         assert_eq!(names.len(), entries, "a name stands twice: {names:?}");
-        let text = markdown();
+        let all_keys: Vec<String> =
+            sheet().into_iter().flat_map(|(_, rows)| rows.into_iter().map(|row| row.0)).collect();
         for keys in ["Arrows", "Shift+arrows", "Alt+arrows", "Ctrl+arrows"] {
-            assert!(text.contains(&format!("| {keys} |")), "{text}");
+            assert!(all_keys.iter().any(|shown| shown == keys), "{keys}: {all_keys:?}");
         }
     }
 
