@@ -84,7 +84,7 @@ fn read(text: &Input, _: &Camera) -> Result<Imported, FileError> {
             None => source.missing("PerspectiveCamera", RIGHT),
         });
     };
-    if last_part(call.called) != "PerspectiveCamera" || call.is_new {
+    if last_part(&call.called) != "PerspectiveCamera" || call.is_new {
         return Err(source.refused(call, RIGHT));
     }
     let [eye, view, up, focal, rows, columns] = &call.arguments[..] else {

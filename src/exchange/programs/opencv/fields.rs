@@ -42,13 +42,13 @@ pub(super) fn fields(
             let [value] = &statement.arguments[..] else {
                 return Err(source.refused(statement, RIGHT));
             };
-            if !(is_known(statement.target) && statement.called.is_empty()) {
+            if !(is_known(&statement.target) && statement.called.is_empty()) {
                 return Err(source.refused(statement, RIGHT));
             }
             found.push(Field {
-                name: statement.target.to_owned(),
+                name: statement.target.clone(),
                 at: value.at,
-                shown: one_line(value.text),
+                shown: one_line(&value.text),
                 numbers: value.numbers.clone().filter(|_| !value.divides_whole),
             });
         }
