@@ -1,5 +1,7 @@
 //! The statements of a text: calls, names that are given a value, and numbers that stand alone.
 
+use crate::programs::pieces::Piece;
+
 /// A statement.
 #[derive(Debug, Default)]
 pub(crate) struct Statement {
@@ -26,10 +28,8 @@ pub(crate) struct Argument {
     pub(crate) text: String,
     /// Its numbers, brackets regardless; `None` where it is not literal.
     pub(crate) numbers: Option<Vec<f64>>,
-    /// The angle in degrees, where `radians(...)` stands around it.
+    /// The angle in degrees of `radians(...)`, which has no numbers.
     pub(crate) degrees: Option<f64>,
-    /// True for a quotient such as 4 / 3, which is 1 in C.
-    pub(crate) divides_whole: bool,
 }
 
 /// Functions that make a list or a vector of their numbers and do nothing else.
@@ -46,13 +46,6 @@ const DECLARATIONS: [&str; 8] =
 
 /// Directives by which lines are left out, which cannot be told without running them.
 const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
-
-/// A piece of a text, and the byte at which it begins.
-#[derive(Clone, Copy)]
-struct Piece<'t> {
-    at: usize,
-    text: &'t str,
-}
 
 /// Last part of a name: `vec3` of `glm::vec3`.
 pub(crate) fn last_part(name: &str) -> &str {
@@ -95,7 +88,7 @@ pub(super) fn statements<'r>(
     right: &'r str,
 ) -> Result<Vec<Statement>, (usize, &'r str)> {
     let (mut open, mut pieces): (Vec<(usize, char)>, Vec<Piece>) = Default::default();
-    let (mut from, mut last) = (0, ' ');
+    let (mut from, mut last, whole) = (0, ' ', Piece { text: plain, at: 0 });
     for (at, c) in plain.char_indices() {
         match c {
             '(' => open.push((at, ')')),
@@ -106,7 +99,7 @@ pub(super) fn statements<'r>(
             }
             // A statement goes on in brackets, and on the line behind what asks for more.
             ';' | '\n' if open.is_empty() && (c == ';' || !"=,:".contains(last)) => {
-                pieces.push(Piece { at: from, text: &plain[from..at] });
+                pieces.push(whole.until(at).from(from));
                 from = at + 1;
             }
             _ => (),
@@ -118,18 +111,13 @@ pub(super) fn statements<'r>(
     if let Some((at, _)) = open.first() {
         return Err((*at, "this bracket is not closed"));
     }
-    pieces.push(Piece { at: from, text: &plain[from..] });
-    let pieces = pieces.into_iter().map(trimmed).filter(|piece| !piece.text.is_empty());
+    pieces.push(whole.from(from));
+    let pieces = pieces.into_iter().map(Piece::trimmed).filter(|piece| !piece.text.is_empty());
     let is_import = |word: &str| ["import", "from"].contains(&word);
     pieces
         .filter(|piece| !piece.text.split_whitespace().next().is_some_and(is_import))
         .map(|piece| statement(piece).ok_or((piece.at, right)))
         .collect()
-}
-
-fn trimmed(piece: Piece) -> Piece {
-    let text = piece.text.trim_start();
-    Piece { at: piece.at + piece.text.len() - text.len(), text: text.trim_end() }
 }
 
 /// `name(...)`, `new Name(...)`, `name = ...`, or numbers; `None` of anything else.
@@ -145,30 +133,26 @@ fn statement(piece: Piece) -> Option<Statement> {
         made.target = name.to_owned();
         value = given;
     }
-    let bare = value.text.strip_prefix("new").filter(|rest| rest.starts_with(char::is_whitespace));
-    let call = trimmed(Piece {
-        at: value.at + value.text.len() - bare.unwrap_or(value.text).len(),
-        text: bare.unwrap_or(value.text),
-    });
+    let is_new = value.text.starts_with("new") && value.text[3..].starts_with(char::is_whitespace);
+    let call = if is_new { value.from(3).trimmed() } else { value };
     match call_of(call) {
         Some((name, inside)) if !MAKERS.contains(&last_part(name)) => {
             made.called = name.to_owned();
-            made.is_new = bare.is_some();
-            made.arguments = split(inside).into_iter().map(argument).collect();
+            made.is_new = is_new;
+            made.arguments = inside.split().into_iter().map(argument).collect();
         }
         _ if !made.target.is_empty() => made.arguments = vec![argument(value)],
         _ if value.text.starts_with(is_of_name) && literal(value.text).is_none() => return None,
-        _ => made.arguments = split(value).into_iter().map(argument).collect(),
+        _ => made.arguments = value.split().into_iter().map(argument).collect(),
     }
     Some(made)
 }
 
 /// The parts before and behind the first `=` or `:` that stands in no bracket and is none of `::`.
 fn assignment(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
-    let head = &piece.text[..piece.text.find(['(', '[', '{']).unwrap_or(piece.text.len())];
-    let joint = head.replace("::", "..");
-    let at = joint.find(['=', ':'])?;
-    Some((&head[..at], trimmed(Piece { at: piece.at + at + 1, text: &piece.text[at + 1..] })))
+    let head = piece.text.split(['(', '[', '{']).next()?.replace("::", "..");
+    let at = head.find(['=', ':'])?;
+    Some((&piece.text[..at], piece.from(at + 1).trimmed()))
 }
 
 /// A name, and what is in the brackets behind it, where these are the whole piece.
@@ -182,44 +166,24 @@ fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
         ")]}".contains(*c) && depth == 0
     });
     let is_call = is_name(name) && close.is_some_and(|(at, _)| at + 1 == piece.text.len());
-    let inside = piece.text.get(open + 1..piece.text.len() - 1)?;
-    is_call.then_some((name, Piece { at: piece.at + open + 1, text: inside }))
-}
-
-/// The pieces between commas that stand in no bracket of their own.
-fn split(piece: Piece) -> Vec<Piece> {
-    let (mut depth, mut from, mut pieces) = (0_i32, 0, Vec::new());
-    for (at, c) in piece.text.char_indices().chain([(piece.text.len(), ',')]) {
-        depth += i32::from("([{".contains(c)) - i32::from(")]}".contains(c));
-        if c == ',' && depth == 0 {
-            pieces.push(trimmed(Piece { at: piece.at + from, text: &piece.text[from..at] }));
-            from = at + 1;
-        }
-    }
-    // A comma may stand behind the last one.
-    pieces.pop_if(|last| last.text.is_empty());
-    pieces
+    is_call.then(|| (name, piece.until(piece.text.len() - 1).from(open + 1)))
 }
 
 fn argument(piece: Piece) -> Argument {
-    let call = call_of(piece);
-    let (name, inside) = call.map_or(("", ""), |(name, inside)| (last_part(name), inside.text));
-    let is_angle = RADIANS.contains(&name);
-    let (numbers, divides_whole) = literal(if is_angle { inside } else { piece.text }).unzip();
-    let (numbers, degrees) = match numbers.as_deref() {
-        Some([degrees]) if is_angle => (Some(vec![degrees.to_radians()]), Some(*degrees)),
-        _ if is_angle => (None, None),
-        // GLM fills a vector with one number.
-        Some([one]) if ["vec3", "dvec3"].contains(&name) => (Some(vec![*one; 3]), None),
-        _ => (numbers, None),
-    };
-    let divides_whole = divides_whole == Some(true);
-    Argument { at: piece.at, text: piece.text.to_owned(), numbers, degrees, divides_whole }
+    let call = call_of(piece).map(|(name, inside)| (last_part(name), inside));
+    let angle = call.filter(|(name, _)| RADIANS.contains(name)).map(|(_, inside)| inside.text);
+    let mut numbers = literal(piece.text);
+    // GLM fills a vector with one number.
+    if let (Some([one]), Some(("vec3" | "dvec3", _))) = (numbers.as_deref(), call) {
+        numbers = Some(vec![*one; 3]);
+    }
+    let degrees = angle.and_then(literal).filter(|angle| angle.len() == 1).map(|angle| angle[0]);
+    Argument { at: piece.at, text: piece.text.to_owned(), numbers, degrees }
 }
 
 /// The numbers of a text which has nothing else but brackets, [`MAKERS`] before them, quotients of two
-/// numbers, and commas or blanks; and true where a whole number is divided by one.
-fn literal(text: &str) -> Option<(Vec<f64>, bool)> {
+/// numbers, and commas or blanks.
+fn literal(text: &str) -> Option<Vec<f64>> {
     let mut spaced = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -229,7 +193,7 @@ fn literal(text: &str) -> Option<(Vec<f64>, bool)> {
             c => spaced.push(c),
         }
     }
-    let (mut numbers, mut commas, mut divides_whole) = (Vec::new(), 0, false);
+    let (mut numbers, mut commas) = (Vec::new(), 0);
     let mut cells = spaced.split_whitespace().peekable();
     while let Some(cell) = cells.next() {
         match cell {
@@ -239,9 +203,7 @@ fn literal(text: &str) -> Option<(Vec<f64>, bool)> {
             cell => {
                 let mut value = number(cell)?;
                 if cells.next_if_eq(&"/").is_some() {
-                    let by = cells.next()?;
-                    divides_whole |= is_whole(cell) && is_whole(by);
-                    value /= number(by)?;
+                    value /= number(cells.next()?)?;
                 }
                 numbers.push(Some(value).filter(|value| value.is_finite())?);
             }
@@ -249,7 +211,7 @@ fn literal(text: &str) -> Option<(Vec<f64>, bool)> {
     }
     // All between commas, of which one may stand behind the last, or all between blanks.
     let count = numbers.len();
-    (commas == 0 || commas == count || commas + 1 == count).then_some((numbers, divides_whole))
+    (commas == 0 || commas == count || commas + 1 == count).then_some(numbers)
 }
 
 /// A number as these languages write it: `-1`, `.5`, `2.`, `1e-3`, `4.0f`.
@@ -257,10 +219,6 @@ fn number(cell: &str) -> Option<f64> {
     let is_float = cell.ends_with(['f', 'F']) && cell.contains(['.', 'e', 'E']);
     let digits = if is_float { &cell[..cell.len() - 1] } else { cell };
     digits.parse().ok().filter(|number: &f64| number.is_finite())
-}
-
-fn is_whole(cell: &str) -> bool {
-    cell.bytes().all(|byte| byte.is_ascii_digit() || b"+-".contains(&byte))
 }
 
 fn is_of_name(c: char) -> bool {

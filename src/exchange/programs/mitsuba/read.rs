@@ -29,9 +29,9 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     if others > 0 {
         notes.push(format!("{others} of sensor left out: the first is taken"));
     }
-    let kind = file.attribute(sensor, "type")?;
-    if !["perspective", "thinlens"].contains(&&*kind) {
-        return Err(file.fault(sensor, "sensor's type", &kind, "it must be perspective"));
+    let kind = file.attribute(sensor, "type");
+    if !["perspective", "thinlens"].contains(&kind) {
+        return Err(file.fault(sensor, "sensor's type", kind, "it must be perspective"));
     }
     if kind == "thinlens" {
         notes.push("the lens's aperture is left out: a pinhole is sharp everywhere".to_owned());
@@ -123,9 +123,7 @@ fn viewport<'x>(
     if !(fov > 0.0 && fov < 180.0) {
         return Err(file.fault(node, "fov", &n(fov), "it must be between 0 and 180 degrees"));
     }
-    let axis = file.named(sensor, "fov_axis").map(|node| file.attribute(node, "value"));
-    let axis = axis.transpose()?;
-    let axis = axis.as_deref().unwrap_or("x");
+    let axis = file.named(sensor, "fov_axis").map_or("x", |node| file.attribute(node, "value"));
     let aspect = image.aspect();
     let across = extent(fov, distance);
     let is_wide = aspect >= 1.0;

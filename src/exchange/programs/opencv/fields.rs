@@ -49,7 +49,7 @@ pub(super) fn fields(
                 name: statement.target.clone(),
                 at: value.at,
                 shown: one_line(&value.text),
-                numbers: value.numbers.clone().filter(|_| !value.divides_whole),
+                numbers: value.numbers.clone().filter(|_| !value.text.contains('/')),
             });
         }
     }

@@ -113,37 +113,43 @@ fn lens(source: &Source, statement: &Statement, is_glu: bool) -> Result<(f64, f6
     source.number("zNear", near)?;
     source.number("zFar", far)?;
     let degrees = degrees(source, fovy, is_glu)?;
-    if aspect.divides_whole {
+    let ratio = source.number("aspect", aspect)?;
+    if divides_whole(aspect) {
         let right =
             "C divides whole numbers without a fraction: write it with a point, as 4.0 / 3.0";
         return Err(source.fault("aspect", aspect, right));
     }
-    let ratio = source.number("aspect", aspect)?;
     let right = "it must be greater than 0";
     (ratio > 0.0).then_some((degrees, ratio)).ok_or_else(|| source.fault("aspect", aspect, right))
 }
 
+/// Returns true for a quotient such as 4 / 3, which is 1 in C.
+fn divides_whole(argument: &Argument) -> bool {
+    argument.text.contains('/') && !argument.text.contains('.')
+}
+
 /// GLU counts in degrees; GLM in radians, which are mostly written as radians(45).
 fn degrees(source: &Source, fovy: &Argument, is_glu: bool) -> Result<f64, FileError> {
-    let given = source.number("fovy", fovy)?;
-    let degrees = match (is_glu, fovy.degrees) {
-        (true, Some(_)) => {
+    let degrees = match fovy.degrees {
+        Some(_) if is_glu => {
             return Err(source.fault("fovy", fovy, "gluPerspective counts in degrees"));
         }
-        (true, None) => given,
-        (false, Some(degrees)) => degrees,
-        (false, None) if (std::f64::consts::PI..180.0).contains(&given) => {
-            let right = format!(
-                "GLM counts in radians, and {} radians are {} degrees: write glm::radians({})",
-                n(given),
-                n(given.to_degrees().round()),
-                one_line(&fovy.text)
-            );
-            return Err(source.fault("fovy", fovy, &right));
+        Some(degrees) => degrees,
+        None => {
+            let given = source.number("fovy", fovy)?;
+            if !is_glu && (std::f64::consts::PI..180.0).contains(&given) {
+                let right = format!(
+                    "GLM counts in radians, and {} radians are {} degrees: write glm::radians({})",
+                    n(given),
+                    n(given.to_degrees().round()),
+                    one_line(&fovy.text)
+                );
+                return Err(source.fault("fovy", fovy, &right));
+            }
+            if is_glu { given } else { given.to_degrees() }
         }
-        (false, None) => given.to_degrees(),
     };
-    if fovy.divides_whole || !(degrees > 0.0 && degrees < 180.0) {
+    if divides_whole(fovy) || !(degrees > 0.0 && degrees < 180.0) {
         return Err(source.fault("fovy", fovy, "it must be between 0 and 180 degrees"));
     }
     Ok(degrees)

@@ -5,7 +5,6 @@
 //! world is left-handed by habit alone: right says which way the picture runs.
 
 mod blocks;
-mod branches;
 mod comments;
 mod objects;
 mod read;

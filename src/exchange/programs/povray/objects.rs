@@ -3,14 +3,15 @@
 use pinhole_core::{DVec3, Plane, Sphere};
 
 use super::blocks::Blocks;
-use super::source::{Code, Piece, after_spaces, is_of_word, trimmed, words};
-use super::values::{Value, Values, vector, word_of};
+use super::source::{Code, words};
+use super::values::{Value, Values, vector};
 use crate::FileError;
 use crate::document::Item;
 use crate::format::affine::Affine;
 use crate::format::left_out::readable;
 use crate::format::text::byte_of_light;
 use crate::format::viewport::settled;
+use crate::programs::pieces::{Piece, is_of_word};
 
 /// Reader of a scene's objects.
 pub(super) struct Objects<'c, 't> {
@@ -61,7 +62,7 @@ impl<'c, 't> Objects<'c, 't> {
             .number(rest)
             .filter(|(radius, _)| *radius > 0.0)
             .ok_or_else(|| self.code.fault("sphere", block, right))?;
-        let placed = self.steps(modifiers, 0)?;
+        let placed = self.steps(modifiers)?;
         let Some(scale) = placed.scale() else { return Ok(None) };
         let (center, radius) = match placed == Affine::IDENTITY {
             true => (center, radius),
@@ -83,7 +84,7 @@ impl<'c, 't> Objects<'c, 't> {
             .filter(|_| normal.try_normalize().is_some())
             .ok_or_else(|| self.code.fault("plane", block, right))?;
         let mut shape = Plane { point: normal.normalize() * distance + DVec3::ZERO, normal };
-        let placed = self.steps(modifiers, 0)?;
+        let placed = self.steps(modifiers)?;
         if placed != Affine::IDENTITY {
             // A normal goes by the inverse transposed: here times the determinant.
             let Affine { x, y, z, .. } = placed;
@@ -116,9 +117,9 @@ impl<'c, 't> Objects<'c, 't> {
             self.values.prefix(block).and_then(|(value, rest)| Some((vector(&value)?, rest)));
         let Some((value, rest)) = found else {
             let right = "it must be a vector of numbers, as <1, 2, 3>";
-            return Err(code.fault(field, given(code, trimmed(block)), right));
+            return Err(code.fault(field, given(code, block.trimmed()), right));
         };
-        let rest = after_spaces(rest);
+        let rest = rest.after_spaces();
         Ok((value, if rest.text.starts_with(',') { rest.from(1) } else { rest }))
     }
 
@@ -130,59 +131,38 @@ impl<'c, 't> Objects<'c, 't> {
         }
     }
 
-    /// Returns the map that an object's modifiers make, one step after the other; `depth` counts the
-    /// `transform { ... }` around them.
-    fn steps(&self, modifiers: Piece, depth: usize) -> Result<Affine, FileError> {
-        const DEEPEST: usize = 8;
-        const RIGHT: &str = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix \
-                         in transform";
+    /// Returns the map that an object's modifiers make, one step after the other.
+    fn steps(&self, modifiers: Piece) -> Result<Affine, FileError> {
         let code = self.code;
         let mut placed = Affine::IDENTITY;
         let mut rest = modifiers;
         while let Some(c) = rest.text.chars().next() {
+            if c == '#' {
+                let right = "no directive must stand in it";
+                return Err(code.fault("object", rest.from(1).word(), right));
+            }
             if !is_of_word(c) {
-                if c == '#' {
-                    return Err(code.fault(
-                        "object",
-                        word_of(rest.from(1)),
-                        "no directive must stand in it",
-                    ));
-                }
                 // What is in the braces of a texture moves the texture.
                 let inside = code.bracketed(rest).filter(|_| c == '{');
                 rest = rest.from(inside.map_or(c.len_utf8(), |inside| inside.text.len() + 2));
                 continue;
             }
-            let word = word_of(rest);
-            let open = after_spaces(rest.from(word.text.len()));
-            let (step, after) = match word.text {
-                "translate" | "scale" | "rotate" | "matrix" => {
-                    let found = self.values.prefix(open);
-                    let found =
-                        found.and_then(|(value, after)| Some((step_of(word.text, &value)?, after)));
-                    let right = match word.text {
-                        "matrix" => RIGHT,
-                        _ => "it must be a vector of numbers, as <1, 2, 3>",
-                    };
-                    found.ok_or_else(|| code.fault(word.text, given(code, open), right))?
-                }
+            let word = rest.word();
+            rest = rest.from(word.text.len()).after_spaces();
+            let right = match word.text {
+                "translate" | "scale" | "rotate" => "it must be a vector of numbers, as <1, 2, 3>",
+                "matrix" => "it must be twelve numbers",
                 "transform" => {
-                    let inside = code.bracketed(open).filter(|_| open.text.starts_with('{'));
-                    let Some(inside) = inside else {
-                        // The name of one that is declared.
-                        return Err(code.fault("transform", word_of(open), RIGHT));
-                    };
-                    if depth == DEEPEST {
-                        return Err(code.fault("transform", inside, RIGHT));
-                    }
-                    (self.steps(inside, depth + 1)?, open.from(inside.text.len() + 2))
+                    let right =
+                        "it must be taken apart: translate, scale, rotate or matrix by itself";
+                    return Err(code.fault("transform", given(code, rest), right));
                 }
-                _ if depth > 0 => return Err(code.fault("transform", word, RIGHT)),
-                _ => {
-                    rest = open;
-                    continue;
-                }
+                _ => continue,
             };
+            let step = self.values.prefix(rest);
+            let step = step.and_then(|(value, after)| Some((step_of(word.text, &value)?, after)));
+            let (step, after) =
+                step.ok_or_else(|| code.fault(word.text, given(code, rest), right))?;
             placed = step.after(&placed);
             rest = after;
         }
@@ -195,7 +175,7 @@ impl<'c, 't> Objects<'c, 't> {
         if pigment.is_none() && words(block, "texture").is_empty() {
             return None;
         }
-        let pigment = pigment.map(|at| after_spaces(block.from(at)));
+        let pigment = pigment.map(|at| block.from(at).after_spaces());
         let inside = pigment.and_then(|open| self.code.bracketed(open));
         let light = inside
             .and_then(|inside| self.values.prefix(inside))
@@ -219,7 +199,7 @@ fn given<'p>(code: &Code, open: Piece<'p>) -> Piece<'p> {
         Some(inside) => inside.text.len() + 2,
         None => open.text.find([',', '{', '}', '\n']).unwrap_or(open.text.len()),
     };
-    Piece { text: &open.text[..end], ..open }
+    open.until(end)
 }
 
 fn step_of(word: &str, value: &Value) -> Option<Affine> {

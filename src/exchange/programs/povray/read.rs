@@ -4,13 +4,14 @@ use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
 use super::blocks::Blocks;
 use super::objects::Objects;
-use super::source::{Code, Piece, trimmed, words};
-use super::values::{Values, has, word_of};
+use super::source::{Code, words};
+use super::values::{Values, has};
 use crate::FileError;
 use crate::format::image_size::{image_of, image_of_ratio, size_note};
 use crate::format::pose::{Mirrored, Pose};
 use crate::format::viewport::settled;
 use crate::format::{Imported, Input};
+use crate::programs::pieces::Piece;
 
 /// Words of a pinhole camera.
 const OWN: [&str; 8] =
@@ -48,7 +49,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     let mut notes = Vec::new();
     let given = size(text);
     let values = Values::new(&code, given.unwrap_or(at_hand.image));
-    let blocks = Blocks::find(&code, &values);
+    let blocks = Blocks::find(&code);
     let camera = blocks.camera(&code, &mut notes)?;
     let (view, image, values) = match given {
         Some(image) => (View::read(&code, &values, camera)?, image, values),
@@ -108,7 +109,7 @@ fn by_ratio<'t>(
     let (aspect, mut said) = (view.aspect(), Vec::new());
     if aspect.is_finite() && aspect > 0.0 {
         let image = image_of_ratio(at_hand, aspect, "the scene", &mut said);
-        let values = values.with_image(image);
+        let values = Values::new(code, image);
         let other = View::read(code, &values, camera)?;
         if image == at_hand || other.aspect() == aspect {
             notes.append(&mut said);
@@ -117,8 +118,7 @@ fn by_ratio<'t>(
     }
     let unsaid = "the scene does not say how many pixels there are";
     notes.push(size_note(unsaid, at_hand, " taken"));
-    let values = Values::new(code, at_hand);
-    Ok((view, at_hand, values))
+    Ok((view, at_hand, Values::new(code, at_hand)))
 }
 
 /// Returns the value of a word of a camera: the text up to the next one.
@@ -126,7 +126,7 @@ fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     let at = *words(camera, word).last()?;
     let rest = camera.from(at + word.len());
     let next = camera_words().flat_map(|word| words(rest, word)).min();
-    Some(trimmed(Piece { text: &rest.text[..next.unwrap_or(rest.text.len())], ..rest }))
+    Some(rest.until(next.unwrap_or(rest.text.len())).trimmed())
 }
 
 /// Values of a camera.
@@ -147,13 +147,13 @@ struct Frame {
 
 impl View {
     fn read(code: &Code, values: &Values, camera: Piece) -> Result<View, FileError> {
-        let first = word_of(trimmed(camera));
-        if !trimmed(camera).text.is_empty() && !camera_words().any(|word| word == first.text) {
+        let first = camera.trimmed().word().text;
+        if !camera.trimmed().text.is_empty() && !camera_words().any(|word| word == first) {
             let right = "it must begin with a word such as location, or be declared in this file";
-            return Err(code.fault("camera", trimmed(camera), right));
+            return Err(code.fault("camera", camera.trimmed(), right));
         }
         if let Some(at) = camera.text.find('#') {
-            let piece = word_of(camera.from(at + 1));
+            let piece = camera.from(at + 1).word();
             return Err(code.fault("camera", piece, "no directive must stand in it"));
         }
         if let Some(other) = OTHER_PROJECTIONS.iter().find(|other| has(camera, other)) {
@@ -171,14 +171,21 @@ impl View {
                 return Ok(Some(vector));
             }
             // Which of its numbers is none.
-            let part = code.vector(word, piece).err().filter(|_| piece.text.starts_with('['));
-            let right = match values.is_changed(piece.text) {
+            let inside = code.bracketed(piece).unwrap_or(piece);
+            let is_none = |part: &Piece| values.number(*part).is_none();
+            if let (3, Some(part)) =
+                (inside.split().len(), inside.split().into_iter().find(is_none))
+            {
+                return Err(code.fault(word, part, "it must be a finite number"));
+            }
+            let right = match values.is_open(piece.text) {
                 true => {
-                    "it is declared more than once, or under a condition: here it must be numbers"
+                    "it is declared more than once, under a condition, or not by plain numbers: here it \
+                     must be numbers"
                 }
                 false => "it must be a vector of numbers, as <1, 2, 3>",
             };
-            Err(part.unwrap_or_else(|| code.fault(word, piece, right)))
+            Err(code.fault(word, piece, right))
         };
         let or = |word: &str, or: DVec3| Ok::<_, FileError>(given(word)?.unwrap_or(or));
         let mut view = View {

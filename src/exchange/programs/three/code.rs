@@ -119,7 +119,7 @@ fn lens(source: &Source, statement: &Statement) -> Result<(f64, f64), FileError>
     let (mut fov, mut aspect) = (50.0, 1.0);
     if let Some(argument) = arguments.first() {
         fov = source.number("fov", argument)?;
-        if argument.degrees.is_some() || !(fov > 0.0 && fov < 180.0) {
+        if !(fov > 0.0 && fov < 180.0) {
             return Err(source.fault("fov", argument, "it must be between 0 and 180 degrees"));
         }
     }
