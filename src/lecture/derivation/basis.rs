@@ -136,8 +136,6 @@ pub struct DotCheck {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct HandednessCheck {
-    /// `u x v`: w of a right-handed basis, -w of a left-handed one.
-    pub u_cross_v: DVec3,
     /// `(u x v) . w`: 1 or -1 of unit vectors at right angles.
     pub along_w: f64,
     /// The verdict: true where that is greater than 0.
@@ -255,13 +253,8 @@ impl BasisByHand {
         };
         let handedness = || {
             let (u, v, w) = (exact3(finite(u)?), exact3(finite(v)?), exact3(finite(w)?));
-            let product = cross(&u, &v);
-            let along = dot(&product, &w);
-            Some(HandednessCheck {
-                u_cross_v: rounded(&product),
-                along_w: along.rounded_times(0),
-                passes: along.sign().is_gt(),
-            })
+            let along = dot(&cross(&u, &v), &w);
+            Some(HandednessCheck { along_w: along.rounded_times(0), passes: along.sign().is_gt() })
         };
         BasisByHand {
             eye: camera.eye,
