@@ -6,6 +6,7 @@ use std::path::Path;
 use pinhole_core::DVec3;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
+use crate::error::one_line;
 use crate::{FileError, Place, suggest};
 
 /// The text that is read, and what messages call it.
@@ -108,7 +109,7 @@ impl<'a> Field<'a> {
     /// `camera.eye[2] is nan: ` and what would be right.
     pub fn error(&self, right: &str) -> FileError {
         let value = match self.item {
-            Entry::Value(_) => shown(&self.source.text[self.span.clone()]),
+            Entry::Value(_) => one_line(&self.source.text[self.span.clone()]),
             Entry::Table(_) => "a table".to_owned(),
             Entry::Tables(_) => "a list of tables".to_owned(),
         };
@@ -269,14 +270,4 @@ impl<'a> Field<'a> {
     ) -> Section<'a> {
         Section { source: self.source, name, table, span }
     }
-}
-
-/// A value as it is written, cut to a length that a message can carry.
-fn shown(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    if line.chars().count() <= LONGEST {
-        return line;
-    }
-    line.chars().take(LONGEST).chain("...".chars()).collect()
 }

@@ -151,6 +151,12 @@ impl<'a> ExportScene<'a> {
         things.map(|(place, shape)| self.thing(first + place, *shape)).collect()
     }
 
+    /// Returns the note on objects that a format has no place for, where there are some.
+    pub(crate) fn objects_left_out(&self, why: &str) -> Option<String> {
+        let is_empty = self.spheres().is_empty() && self.planes().is_empty();
+        (!is_empty).then(|| format!("objects are left out: {why}"))
+    }
+
     fn scene(&self) -> pinhole_core::Scene {
         match self.include {
             Include::CameraAlone => pinhole_core::Scene::default(),

@@ -67,9 +67,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
             n(scale)
         ));
     }
-    if !(subject.spheres().is_empty() && subject.planes().is_empty()) {
-        notes.push("objects are left out: the call makes a camera only".to_owned());
-    }
+    notes.extend(subject.objects_left_out("the call makes a camera only"));
     Ok(Exported::one_file("camera.jl", Text::from_marked(&text), notes))
 }
 

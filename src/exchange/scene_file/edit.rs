@@ -92,40 +92,34 @@ fn optional_table<'a>(
 }
 
 fn edit_orientation(table: &mut dyn TableLike, old: &Orientation, new: &Orientation) -> Option<()> {
-    match (old, new) {
-        (Orientation::At { at: a, up: old_up }, Orientation::At { at: b, up }) => {
-            set_vector(table, "at", *a, *b)?;
-            set_vector(table, "up", *old_up, *up)
-        }
-        (Orientation::View { view: a, up: old_up }, Orientation::View { view: b, up }) => {
-            set_vector(table, "view", *a, *b)?;
-            set_vector(table, "up", *old_up, *up)
-        }
-        (Orientation::Basis(a), Orientation::Basis(b)) => edit_basis(table, a, b),
-        (_, new) => {
-            for key in ["at", "view", "basis", "up"] {
-                table.remove(key);
-            }
-            match new {
-                Orientation::At { at, .. } => set(table, "at", vector(*at)?),
-                Orientation::View { view, .. } => set(table, "view", vector(*view)?),
-                Orientation::Basis(basis) => {
-                    set(table, "basis", write::basis_table(basis).parse().ok()?);
-                }
-            }
-            if let Orientation::At { up, .. } | Orientation::View { up, .. } = new {
-                set(table, "up", vector(*up)?);
-            }
-            Some(())
-        }
+    if std::mem::discriminant(old) == std::mem::discriminant(new) {
+        let table = match new {
+            Orientation::Basis(_) => table.get_mut("basis")?.as_table_like_mut()?,
+            _ => table,
+        };
+        let mut pairs = vectors(old).into_iter().zip(vectors(new));
+        return pairs.try_for_each(|((key, old), (_, new))| set_vector(table, key, old, new));
     }
+    for key in ["at", "view", "basis", "up"] {
+        table.remove(key);
+    }
+    if let Orientation::Basis(basis) = new {
+        set(table, "basis", write::basis_table(basis).parse().ok()?);
+        return Some(());
+    }
+    for (key, value) in vectors(new) {
+        set(table, key, vector(value)?);
+    }
+    Some(())
 }
 
-fn edit_basis(table: &mut dyn TableLike, old: &Basis, new: &Basis) -> Option<()> {
-    let table = table.get_mut("basis")?.as_table_like_mut()?;
-    set_vector(table, "u", old.u, new.u)?;
-    set_vector(table, "v", old.v, new.v)?;
-    set_vector(table, "w", old.w, new.w)
+/// The vectors that an orientation is given by, in the order of the file.
+fn vectors(orientation: &Orientation) -> Vec<(&'static str, DVec3)> {
+    match *orientation {
+        Orientation::At { at, up } => vec![("at", at), ("up", up)],
+        Orientation::View { view, up } => vec![("view", view), ("up", up)],
+        Orientation::Basis(Basis { u, v, w }) => vec![("u", u), ("v", v), ("w", w)],
+    }
 }
 
 /// Functions that write and edit a list of objects.

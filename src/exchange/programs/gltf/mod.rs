@@ -70,16 +70,12 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let mut notes = Vec::new();
     let meshes = match subject.include {
         Include::Meshes => Meshes::new(subject, &mut notes),
-        _ => Meshes::default(),
+        _ => {
+            let why = "glTF has meshes only, which are written when asked for";
+            notes.extend(subject.objects_left_out(why));
+            Meshes::default()
+        }
     };
-    if subject.include == Include::Objects
-        && !(subject.spheres().is_empty() && subject.planes().is_empty())
-    {
-        notes.push(
-            "objects are left out: glTF has meshes only, which are written when asked for"
-                .to_owned(),
-        );
-    }
     let nodes: Vec<String> = (0..=meshes.nodes.len()).map(|k| k.to_string()).collect();
     let text = format!(
         "{{\n  \"asset\": {{ \"version\": \"2.0\", \"generator\": \"Pinhole\" }},\n  \"scene\": 0,\n  \

@@ -10,6 +10,7 @@ mod statements;
 use pinhole_core::DVec3;
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::Input;
 
 pub(crate) use statements::{Argument, Statement, last_part};
@@ -104,14 +105,4 @@ impl<'a> Source<'a> {
 /// Three vectors of nine numbers.
 pub(crate) fn three([a, b, c, d, e, f, g, h, i]: [f64; 9]) -> [DVec3; 3] {
     [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)]
-}
-
-/// A text on one line, and no longer than a message may be.
-pub(crate) fn one_line(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let line = text.split_whitespace().take(LONGEST).collect::<Vec<_>>().join(" ");
-    match line.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &line[..end]),
-        None => line,
-    }
 }

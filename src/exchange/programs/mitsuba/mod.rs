@@ -19,7 +19,7 @@ pub(super) const FORMAT: Format = Format {
     short: "Mitsuba",
     ending: "xml",
     conventions: Conventions {
-        axes: [Axis::MinusU, Axis::V, Axis::MinusW],
+        axes: [Axis::MINUS_U, Axis::V, Axis::MINUS_W],
         given_by: "lookat: origin, target, up",
         pixels: PixelConvention::Corner,
         view: "fov: in degrees, along fov_axis (x: horizontal)",

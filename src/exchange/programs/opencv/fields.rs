@@ -4,8 +4,9 @@
 use serde_json::Value;
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::{Input, json};
-use crate::programs::literal::{Source, one_line};
+use crate::programs::literal::Source;
 
 /// A name and what it is given.
 #[derive(Clone, Debug)]

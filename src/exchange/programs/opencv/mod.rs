@@ -23,7 +23,7 @@ pub(super) const FORMAT: Format = Format {
     short: "OpenCV",
     ending: "json",
     conventions: Conventions {
-        axes: [Axis::U, Axis::MinusV, Axis::MinusW],
+        axes: [Axis::U, Axis::MINUS_V, Axis::MINUS_W],
         given_by: "R from world to camera, t = −R eye",
         pixels: PixelConvention::AtCentre,
         view: "fx, fy: distance / pixel's width and height, in pixels",
@@ -63,9 +63,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         flipped(n(t.y)),
         flipped(n(t.z)),
     );
-    let objects = subject.spheres().len() + subject.planes().len();
-    let left = "objects are left out: K and [R|t] are a camera only";
-    let notes = (objects > 0).then(|| left.to_owned()).into_iter().collect();
+    let notes = subject.objects_left_out("K and [R|t] are a camera only").into_iter().collect();
     Ok(Exported::one_file("camera.json", Text::from_marked(&text), notes))
 }
 

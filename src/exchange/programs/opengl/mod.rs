@@ -65,9 +65,6 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         n(near),
         n(far)
     )];
-    let objects = subject.spheres().len() + subject.planes().len();
-    if objects > 0 {
-        notes.push("objects are left out: OpenGL has triangles only".to_owned());
-    }
+    notes.extend(subject.objects_left_out("OpenGL has triangles only"));
     Ok(Exported::one_file("camera.c", Text::from_marked(&text), notes))
 }

@@ -3,11 +3,12 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::text::n;
 use crate::format::viewport::viewport_of_angle;
 use crate::format::{Imported, Input};
-use crate::programs::literal::{Argument, Source, Statement, one_line, three};
+use crate::programs::literal::{Argument, Source, Statement, three};
 
 const RIGHT: &str = "only gluLookAt, gluPerspective, glViewport, glMatrixMode and glLoadIdentity, or \
                      glm::lookAt and glm::perspective, may stand beside the camera's, each given by numbers";

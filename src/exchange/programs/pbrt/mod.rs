@@ -24,7 +24,7 @@ pub(super) const FORMAT: Format = Format {
     short: "pbrt",
     ending: "pbrt",
     conventions: Conventions {
-        axes: [Axis::U, Axis::V, Axis::MinusW],
+        axes: [Axis::U, Axis::V, Axis::MINUS_W],
         given_by: "LookAt eye at up, after Scale −1 1 1",
         pixels: PixelConvention::Corner,
         view: "fov: of the shorter side, in degrees",

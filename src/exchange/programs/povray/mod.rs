@@ -25,7 +25,7 @@ pub(super) const FORMAT: Format = Format {
     short: "POV-Ray",
     ending: "pov",
     conventions: Conventions {
-        axes: [Axis::U, Axis::V, Axis::MinusW],
+        axes: [Axis::U, Axis::V, Axis::MINUS_W],
         given_by: "location, right = width u, up = height v, direction = −distance w",
         pixels: PixelConvention::Corner,
         view: "length of right and up against that of direction",

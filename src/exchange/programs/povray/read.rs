@@ -55,7 +55,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         Some(image) => (View::read(&code, &values, camera)?, image, values),
         None => by_ratio(&code, values, camera, at_hand.image, &mut notes)?,
     };
-    let Frame { right, up, direction } = view.frame();
+    let View { location: eye, right, up, direction, .. } = view.turned();
     let viewport = Viewport {
         width: tidy(right.length()),
         height: tidy(up.length()),
@@ -67,7 +67,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     if value(camera, BENT).is_some() {
         notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
-    let stance = Pose { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
+    let stance = Pose { eye, right, up, backwards: DVec3::ZERO - direction };
     let (orientation, eye, mirrored) =
         stance.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
     blocks.left_out(&mut notes);
@@ -137,12 +137,6 @@ struct View {
     direction: DVec3,
     sky: DVec3,
     look_at: Option<DVec3>,
-}
-
-struct Frame {
-    right: DVec3,
-    up: DVec3,
-    direction: DVec3,
 }
 
 impl View {
@@ -215,18 +209,19 @@ impl View {
 
     /// Turns the camera towards `look_at` as POV-Ray does: right, up and direction keep their lengths, and
     /// the camera its handedness.
-    fn frame(&self) -> Frame {
-        let View { right, up, direction, .. } = *self;
-        let Some(at) = self.look_at else { return Frame { right, up, direction } };
+    fn turned(self) -> View {
+        let View { right, up, direction, .. } = self;
+        let Some(at) = self.look_at else { return self };
         let left_handed = up.cross(direction).dot(right) > 0.0;
         let ahead = (at - self.location).normalize_or_zero();
         let side = self.sky.cross(ahead).normalize_or_zero();
         let above = ahead.cross(side);
         let side = if left_handed { side } else { -side };
-        Frame {
+        View {
             right: side * right.length(),
             up: above * up.length(),
             direction: ahead * direction.length(),
+            ..self
         }
     }
 }

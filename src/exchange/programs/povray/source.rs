@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::comments::without_comments;
+use crate::error::one_line;
 use crate::format::Input;
-use crate::programs::literal::one_line;
 use crate::programs::pieces::{Piece, is_of_word};
 use crate::{FileError, Place};
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use pinhole_core::Camera;
-use pinhole_exchange::format::{Axis, Importer, Input};
+use pinhole_exchange::format::{Importer, Input};
 use pinhole_exchange::programs::{FORMATS, IMPORTERS, importer_of, importer_of_file};
 
 use super::read;
@@ -188,7 +188,7 @@ fn the_readme_s_table_is_the_table() {
     let readme = include_str!("../../../../README.md");
     for format in &FORMATS {
         let row = readme.lines().find(|line| line.starts_with(&format!("| `{}` | ", format.name)));
-        let axes = format.conventions.axes.map(Axis::name);
+        let axes = format.conventions.axes.map(|axis| axis.name);
         let axes = format!("| {} |", axes.join(", "));
         assert!(row.is_some_and(|row| row.contains(&axes)), "{}: {row:?} {axes}", format.name);
     }
