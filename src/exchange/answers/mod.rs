@@ -11,7 +11,6 @@
 
 mod pixels;
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use pinhole_core::{DVec3, ImageSize};
@@ -79,19 +78,6 @@ fn header(bytes: &[u8]) -> Vec<String> {
     line.split(',').map(name).collect()
 }
 
-/// The file with a first line in small letters, every byte in its place.
-fn in_small_letters(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
-    let start = bytes.iter().position(|byte| !is_end(byte)).unwrap_or(bytes.len());
-    let end = bytes[start..].iter().position(is_end).map_or(bytes.len(), |length| start + length);
-    if !bytes[..end].iter().any(u8::is_ascii_uppercase) {
-        return Cow::Borrowed(bytes);
-    }
-    let mut small = bytes.to_owned();
-    small[..end].make_ascii_lowercase();
-    Cow::Owned(small)
-}
-
 /// Reads the answers of a file's content; `path` is for the messages. `image` is that of the scene
 /// they are about, and `count_from` where their rows and columns begin, 0 or 1.
 ///
@@ -103,13 +89,9 @@ pub fn parse(
     image: ImageSize,
     count_from: u32,
 ) -> Result<Answers, FileError> {
-    let kind = kind_of(bytes);
-    if kind == Some(AnswerKind::Picture) {
-        return picture(path, bytes, image);
-    }
-    let bytes = &in_small_letters(bytes)[..];
-    let answers = match kind {
-        None | Some(AnswerKind::Picture) => return Err(no_answers(path, bytes)),
+    let answers = match kind_of(bytes) {
+        None => return Err(no_answers(path, bytes)),
+        Some(AnswerKind::Picture) => return picture(path, bytes, image),
         Some(AnswerKind::Basis) => return basis(path, bytes),
         Some(AnswerKind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
         Some(AnswerKind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,

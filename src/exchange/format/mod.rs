@@ -14,6 +14,7 @@ use std::path::Path;
 
 use pinhole_core::{Camera, DVec3, Pixel, Plane, Sphere};
 
+use self::pose::mirrored;
 use crate::document::Item;
 use crate::{FileError, Place};
 
@@ -128,6 +129,19 @@ impl Imported {
     /// A camera without objects.
     pub(crate) fn camera(camera: Camera, notes: Vec<String>) -> Imported {
         Imported { camera, spheres: Vec::new(), planes: Vec::new(), notes }
+    }
+
+    /// The scene with its objects mirrored, where the camera's world was.
+    pub(crate) fn mirrored_if(mut self, is_mirrored: bool) -> Imported {
+        if is_mirrored {
+            for sphere in &mut self.spheres {
+                sphere.shape.center = mirrored(sphere.shape.center);
+            }
+            for Plane { point, normal } in self.planes.iter_mut().map(|plane| &mut plane.shape) {
+                (*point, *normal) = (mirrored(*point), mirrored(*normal));
+            }
+        }
+        self
     }
 }
 

@@ -15,16 +15,12 @@ pub(super) struct File<'a, 'x> {
     defaults: HashMap<&'x str, &'x str>,
     /// Elements by their id.
     ids: HashMap<&'x str, Node<'x, 'x>>,
-    /// Before version 2, names were written as `toWorld`.
+    /// Before version 2.
     pub(super) is_old: bool,
 }
 
-/// Names whose old spelling a newer version does not know.
-const RESPELT: &str = "cropHeight cropOffsetX cropOffsetY cropWidth focalLength fovAxis principalPointOffsetX \
-                       principalPointOffsetY toWorld";
-
 impl<'a, 'x> File<'a, 'x> {
-    pub(super) fn new(text: &'a Input<'a>, xml: &'x Xml) -> Result<File<'a, 'x>, FileError> {
+    pub(super) fn new(text: &'a Input<'a>, xml: &'x Xml) -> File<'a, 'x> {
         let version = xml.root_element().attribute("version");
         let major = version.and_then(|version| version.split('.').next()?.trim().parse().ok());
         let is_old = major.is_none_or(|major: u32| major < 2);
@@ -34,26 +30,17 @@ impl<'a, 'x> File<'a, 'x> {
                 file.ids.entry(id).or_insert(node);
             }
             if let (true, Some(name)) = (node.has_tag_name("default"), node.attribute("name")) {
-                // A default may be made of those before it.
+                // A default may be one of those before it.
                 let value = file.attribute(node, "value");
                 file.defaults.entry(name).or_insert(value);
             }
-            let spelt = node.attribute("name").unwrap_or_default();
-            if !is_old && RESPELT.split(' ').any(|old| old == spelt) {
-                let version = version.unwrap_or_default();
-                let right = format!("version {version} spells it {}", snake(spelt));
-                return Err(file.fault(node, "name", spelt, &right));
-            }
         }
-        Ok(file)
+        file
     }
 
-    /// The child of this name.
+    /// The child of this name, which is `toWorld` for `to_world` in old files.
     pub(super) fn named(&self, node: Node<'x, 'x>, name: &str) -> Option<Node<'x, 'x>> {
-        node.children().find(|child| {
-            let spelt = child.attribute("name").unwrap_or_default();
-            spelt == name || self.is_old && !spelt.is_empty() && snake(spelt) == name
-        })
+        node.children().find(|child| child.attribute("name").is_some_and(|n| snake(n) == name))
     }
 
     /// The children, and in the places of `ref` what they refer to.
@@ -120,7 +107,7 @@ impl<'a, 'x> File<'a, 'x> {
     }
 
     pub(super) fn is_look_at(&self, step: Node) -> bool {
-        step.has_tag_name("lookat") || self.is_old && step.has_tag_name("lookAt")
+        ["lookat", "lookAt"].contains(&step.tag_name().name())
     }
 
     /// Steps of a transform, each after those above it.

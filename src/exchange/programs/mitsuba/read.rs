@@ -7,7 +7,7 @@ use super::file::File;
 use super::shapes::{Shapes, shapes};
 use crate::FileError;
 use crate::format::image_size::image_of;
-use crate::format::pose::{Mirrored, Pose};
+use crate::format::pose::Pose;
 use crate::format::text::n;
 use crate::format::viewport::{extent, in_ratio};
 use crate::format::{Imported, Input};
@@ -19,7 +19,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         let problem = format!("no XML: {error}");
         FileError { place: Some(place), ..FileError::of_file(text.path, problem) }
     })?;
-    let file = File::new(text, &xml)?;
+    let file = File::new(text, &xml);
     let mut notes = Vec::new();
     let mut sensors = xml.descendants().filter(|node| node.has_tag_name("sensor"));
     let sensor = sensors.next().ok_or_else(|| {
@@ -46,11 +46,9 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         }
     }
     let (orientation, eye, mirrored) = pose(&file, sensor, &mut notes)?;
-    let Shapes { mut spheres, mut planes, .. } = shapes(&file, &xml, &mut notes);
-    if mirrored {
-        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
-    }
-    Ok(Imported { camera: Camera { eye, orientation, viewport, image }, spheres, planes, notes })
+    let Shapes { spheres, planes, .. } = shapes(&file, &xml, &mut notes);
+    let camera = Camera { eye, orientation, viewport, image };
+    Ok(Imported { camera, spheres, planes, notes }.mirrored_if(mirrored))
 }
 
 /// The film's size; a part of it that is rendered alone is told in a note.

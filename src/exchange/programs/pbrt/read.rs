@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 
-use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
+use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Viewport};
 
 use super::shapes::{Paint, Shapes};
 use super::tokens::{Parameters, Reader, Token};
 use crate::FileError;
 use crate::format::affine::Affine;
 use crate::format::image_size::image_of;
-use crate::format::pose::{MIRRORED, Mirrored, Pose};
+use crate::format::pose::{MIRRORED, Pose, mirrored};
 use crate::format::text::n;
 use crate::format::viewport::{extent, in_ratio};
 use crate::format::{Imported, Input};
@@ -294,32 +294,29 @@ impl<'t> Found<'t> {
         let world_from_camera = transform
             .inverse()
             .ok_or_else(|| error("the camera's transformation has no inverse".to_owned()))?;
-        let stance = Pose {
+        let pose = Pose {
             eye: world_from_camera.at,
             right: world_from_camera.x,
             up: world_from_camera.y,
             backwards: -world_from_camera.z,
         };
-        let Pose { right, up, backwards, .. } = stance;
-        let mirrored = pinhole_core::Basis::is_left_handed(right, up, backwards);
-        let turn = |v: DVec3| if mirrored { v.mirrored() } else { v };
+        let Pose { right, up, backwards, .. } = pose;
+        let is_mirrored = Basis::is_left_handed(right, up, backwards);
+        let turn = |v: DVec3| if is_mirrored { mirrored(v) } else { v };
         let (eye, orientation) = match self.look_at {
             Some([eye, at, up]) => (turn(eye), Orientation::At { at: turn(at), up: turn(up) }),
             None => {
-                let stance = if mirrored { stance.mirrored() } else { stance };
-                let orientation = stance
-                    .orientation(&mut self.notes)
-                    .map_err(|right| text.error_at(self.at, right))?;
-                (stance.eye, orientation)
+                let pose = if is_mirrored { pose.mirrored() } else { pose };
+                let orientation = pose.orientation(&mut self.notes).map_err(&error)?;
+                (pose.eye, orientation)
             }
         };
         self.shapes.tell(&mut self.notes);
-        let mut spheres = self.shapes.spheres;
-        if mirrored {
+        if is_mirrored {
             self.notes.push(MIRRORED.to_owned());
-            spheres = spheres.mirrored();
         }
         let camera = Camera { eye, orientation, viewport, image };
-        Ok(Imported { spheres, ..Imported::camera(camera, self.notes) })
+        let imported = Imported::camera(camera, self.notes);
+        Ok(Imported { spheres: self.shapes.spheres, ..imported }.mirrored_if(is_mirrored))
     }
 }

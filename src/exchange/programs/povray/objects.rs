@@ -31,13 +31,7 @@ impl<'c, 't> Objects<'c, 't> {
         blocks: &Blocks,
         notes: &mut Vec<String>,
     ) -> Vec<Item<Sphere>> {
-        let spheres = blocks.spheres.iter().map(|block| self.sphere(*block));
-        let spheres = readable(spheres, "sphere", notes);
-        let ellipsoids = spheres.iter().filter(|sphere| sphere.is_none()).count();
-        if ellipsoids > 0 {
-            notes.push(format!("{ellipsoids} of sphere left out: scaled to an ellipsoid"));
-        }
-        spheres.into_iter().flatten().collect()
+        readable(blocks.spheres.iter().map(|block| self.sphere(*block)), "sphere", notes)
     }
 
     pub(super) fn planes(&mut self, blocks: &Blocks, notes: &mut Vec<String>) -> Vec<Item<Plane>> {
@@ -54,8 +48,7 @@ impl<'c, 't> Objects<'c, 't> {
         }
     }
 
-    /// `None` of an ellipsoid.
-    fn sphere(&mut self, block: Piece) -> Result<Option<Item<Sphere>>, FileError> {
+    fn sphere(&mut self, block: Piece) -> Result<Item<Sphere>, FileError> {
         let (center, rest) = self.beginning("sphere", "sphere centre", block)?;
         let right = "it must have a radius greater than 0, as sphere { <0, 0, 0>, 1 }";
         let (radius, modifiers) = self
@@ -63,7 +56,8 @@ impl<'c, 't> Objects<'c, 't> {
             .filter(|(radius, _)| *radius > 0.0)
             .ok_or_else(|| self.code.fault("sphere", block, right))?;
         let placed = self.steps(modifiers)?;
-        let Some(scale) = placed.scale() else { return Ok(None) };
+        let right = "it must not be scaled to an ellipsoid";
+        let scale = placed.scale().ok_or_else(|| self.code.fault("sphere", block, right))?;
         let (center, radius) = match placed == Affine::IDENTITY {
             true => (center, radius),
             false => {
@@ -73,7 +67,7 @@ impl<'c, 't> Objects<'c, 't> {
         if !(center.is_finite() && radius.is_finite()) {
             return Err(self.code.fault("sphere", block, "its numbers must be finite"));
         }
-        Ok(Some(Item { name: None, color: self.color(block), shape: Sphere { center, radius } }))
+        Ok(Item { name: None, color: self.color(block), shape: Sphere { center, radius } })
     }
 
     fn plane(&mut self, block: Piece) -> Result<Item<Plane>, FileError> {

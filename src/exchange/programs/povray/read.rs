@@ -8,7 +8,7 @@ use super::source::{Code, words};
 use super::values::{Values, has};
 use crate::FileError;
 use crate::format::image_size::{image_of, image_of_ratio, size_note};
-use crate::format::pose::{Mirrored, Pose};
+use crate::format::pose::Pose;
 use crate::format::viewport::settled;
 use crate::format::{Imported, Input};
 use crate::programs::pieces::Piece;
@@ -67,19 +67,16 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     if value(camera, BENT).is_some() {
         notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
-    let stance = Pose { eye, right, up, backwards: DVec3::ZERO - direction };
+    let pose = Pose { eye, right, up, backwards: DVec3::ZERO - direction };
     let (orientation, eye, mirrored) =
-        stance.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
+        pose.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
     blocks.left_out(&mut notes);
     let mut objects = Objects::new(&code, &values);
-    let mut spheres = objects.spheres(&blocks, &mut notes);
-    let mut planes = objects.planes(&blocks, &mut notes);
+    let spheres = objects.spheres(&blocks, &mut notes);
+    let planes = objects.planes(&blocks, &mut notes);
     objects.colors(&mut notes);
-    if mirrored {
-        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
-    }
     let camera = Camera { eye, orientation, viewport, image };
-    Ok(Imported { camera, spheres, planes, notes })
+    Ok(Imported { camera, spheres, planes, notes }.mirrored_if(mirrored))
 }
 
 /// A length without the digits that a square root adds to a short number.

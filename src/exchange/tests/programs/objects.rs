@@ -50,7 +50,9 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
     }
     let (spheres, notes) = povray("sphere { <1, 2, 3>, 2 scale <1, 2, 1> }");
     assert_eq!(spheres, []);
-    assert_eq!(notes, ["1 of sphere left out: scaled to an ellipsoid"]);
+    let said =
+        "line 2: sphere is <1, 2, 3>, 2 scale <1, 2, 1>: it must not be scaled to an ellipsoid";
+    assert_eq!(notes, [format!("1 of sphere left out: {said}")]);
     let taken =
         read("povray", &format!("{CAMERA}plane {{ y, 2 rotate -90*x translate <0, 0, 3> }}"));
     let plane = taken.unwrap().planes[0].shape;
