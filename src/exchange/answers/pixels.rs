@@ -1,4 +1,4 @@
-//! Which pixels are answered: each one of the image, and once.
+//! The pixels that are answered: each one of the image, and once.
 
 use pinhole_core::{ImageSize, Pixel};
 

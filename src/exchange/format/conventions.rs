@@ -1,4 +1,4 @@
-//! How a format's conventions differ from those here.
+//! Differences of a format's conventions from those here.
 
 use pinhole_core::DVec3;
 

@@ -1,4 +1,4 @@
-//! What is left out of a text, counted by kind.
+//! Things that are left out of a text, counted by kind.
 
 use std::collections::HashMap;
 

@@ -1,4 +1,4 @@
-//! What every format has: its conventions, how it is written, and how its texts are read.
+//! The parts of every format: its conventions, its writer, and the reader of its texts.
 
 pub(crate) mod affine;
 mod conventions;

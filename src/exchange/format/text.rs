@@ -21,16 +21,16 @@ const CLOSE: char = '\u{e001}';
 impl Text {
     /// The text of parts some of which went through [`flipped`].
     pub(crate) fn from_marked(marked: &str) -> Text {
-        let mut sheet = Text::default();
+        let mut made = Text::default();
         let mut from = 0;
         for c in marked.chars() {
             match c {
-                OPEN => from = sheet.text.len(),
-                CLOSE => sheet.flipped.push(from..sheet.text.len()),
-                c => sheet.text.push(c),
+                OPEN => from = made.text.len(),
+                CLOSE => made.flipped.push(from..made.text.len()),
+                c => made.text.push(c),
             }
         }
-        sheet
+        made
     }
 
     pub(crate) fn append(&mut self, other: &Text) {

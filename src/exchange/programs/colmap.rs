@@ -3,7 +3,7 @@
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
-use super::opencv::{off_centre, stance, translation, viewport_of};
+use super::opencv::{off_centre, pose_of, translation, viewport_of};
 use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, flipped, n};
@@ -273,7 +273,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     })?;
     // Its columns are the world's axes in the camera; R's rows are wanted.
     let rows = [0, 1, 2].map(|k| DVec3::new(turn.u[k], turn.v[k], turn.w[k]));
-    let (orientation, eye, _) = stance(rows, DVec3::new(x, y, z))
+    let (orientation, eye, _) = pose_of(rows, DVec3::new(x, y, z))
         .right_handed(&mut notes)
         .map_err(|right| error(image.at, format!("the pose is no rotation: {right}")))?;
     let viewport = viewport_of(&k, size, at_hand.viewport.distance);

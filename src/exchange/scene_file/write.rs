@@ -1,4 +1,4 @@
-//! From a document to a scene file's text.
+//! Writing a document as a scene file's text.
 
 use std::path::Path;
 

@@ -108,7 +108,7 @@ pub struct BasisByHand {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LengthCheck {
-    /// Which one.
+    /// The vector.
     pub vector: BasisVector,
     /// Its length.
     pub length: f64,

@@ -60,7 +60,7 @@ pub enum Given {
     ViewUp {
         /// The direction in which the camera looks.
         view: DVec3,
-        /// Which way is up.
+        /// The direction that is up.
         up: DVec3,
     },
     /// Two points and up.
@@ -69,7 +69,7 @@ pub enum Given {
         eye: DVec3,
         /// The point that it looks at.
         at: DVec3,
-        /// Which way is up.
+        /// The direction that is up.
         up: DVec3,
     },
     /// A ray and a sphere.
@@ -99,11 +99,11 @@ pub enum Asked {
     Direction,
     /// The ray's t.
     T,
-    /// Right in the image.
+    /// The direction that is right in the image.
     U,
-    /// Up in the image.
+    /// The direction that is up in the image.
     V,
-    /// Backwards.
+    /// The direction backwards.
     W,
     /// The point that is hit.
     Point,

@@ -1,4 +1,4 @@
-//! Which mistakes explain the answers.
+//! The mistakes that explain the answers.
 
 use rayon::prelude::*;
 

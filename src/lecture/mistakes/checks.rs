@@ -105,7 +105,7 @@ pub enum Wanted {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Checked {
-    /// Which one.
+    /// The check.
     pub check: Check,
     /// The camera's value; exactly 0 where it is 0 but for rounding.
     pub value: Value,

@@ -93,10 +93,10 @@ fn pose<'x>(
         return Ok((Orientation::At { at, up: part("up")? }, eye, false));
     }
     let to_world = file.transform(transform)?;
-    let stance =
+    let pose =
         Pose { eye: to_world.at, right: -to_world.x, up: to_world.y, backwards: -to_world.z };
     let node = transform.unwrap_or(sensor);
-    stance.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
+    pose.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
 }
 
 fn viewport<'x>(

@@ -100,7 +100,7 @@ pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: 
 }
 
 /// Returns the pose by R's rows and t, in OpenCV's axes.
-pub(super) fn stance([x, y, z]: [DVec3; 3], t: DVec3) -> Pose {
+pub(super) fn pose_of([x, y, z]: [DVec3; 3], t: DVec3) -> Pose {
     // eye = -R^T t
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
     // Nine products and six sums; the digits that they add are not the camera's.

@@ -4,7 +4,7 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics};
 
 use super::fields::{Field, fields};
-use super::{off_centre, stance, viewport_of};
+use super::{off_centre, pose_of, viewport_of};
 use crate::FileError;
 use crate::format::affine::Affine;
 use crate::format::image_size::{image_of, size_note};
@@ -134,7 +134,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
             break;
         }
     }
-    let (orientation, eye, _) = stance(rows, t)
+    let (orientation, eye, _) = pose_of(rows, t)
         .right_handed(&mut notes)
         .map_err(|right| FileError::of_file(text.path, format!("R is no rotation: {right}")))?;
     let viewport = viewport_of(&intrinsics, image, at_hand.viewport.distance);

@@ -219,7 +219,7 @@ fn matrix(m: &[f64]) -> Option<Affine> {
     (m.len() == 12).then(|| Affine { x: row(0), y: row(3), z: row(6), at: row(9) })
 }
 
-/// Without the digits that the sines and cosines of right angles leave.
+/// A vector without the digits that the sines and cosines of right angles leave.
 fn plain(v: DVec3) -> DVec3 {
     let roundings = 4.0 * f64::EPSILON * v.length();
     DVec3::from_array(v.to_array().map(|x| settled(x, roundings)))

@@ -1,4 +1,4 @@
-//! What POV-Ray's expressions come to: numbers and vectors, and the names that have one value.
+//! Values of POV-Ray's expressions: numbers and vectors, and the names that have one value.
 
 use std::collections::HashMap;
 
