@@ -14,40 +14,35 @@ use crate::format::viewport::settled;
 use crate::programs::pieces::{Piece, is_of_word};
 
 /// Reader of a scene's objects.
-pub(super) struct Objects<'c, 't> {
+struct Objects<'c, 't> {
     code: &'c Code<'c>,
     values: &'c Values<'t>,
     /// Colours that are there and could not be read.
     unpainted: usize,
 }
 
-impl<'c, 't> Objects<'c, 't> {
-    pub(super) fn new(code: &'c Code<'c>, values: &'c Values<'t>) -> Objects<'c, 't> {
-        Objects { code, values, unpainted: 0 }
+/// The spheres and planes among a scene's blocks.
+pub(super) fn objects(
+    code: &Code,
+    values: &Values,
+    blocks: &Blocks,
+    notes: &mut Vec<String>,
+) -> (Vec<Item<Sphere>>, Vec<Item<Plane>>) {
+    let mut objects = Objects { code, values, unpainted: 0 };
+    let spheres = blocks.spheres.iter().map(|block| objects.sphere(*block));
+    let spheres = readable(spheres, "sphere", notes);
+    let planes = blocks.planes.iter().map(|block| objects.plane(*block));
+    let planes = readable(planes, "plane", notes);
+    if objects.unpainted > 0 {
+        notes.push(format!(
+            "{} of pigment or texture left out: a colour must be rgb <1, 0.5, 0> or a name such as Red",
+            objects.unpainted
+        ));
     }
+    (spheres, planes)
+}
 
-    pub(super) fn spheres(
-        &mut self,
-        blocks: &Blocks,
-        notes: &mut Vec<String>,
-    ) -> Vec<Item<Sphere>> {
-        readable(blocks.spheres.iter().map(|block| self.sphere(*block)), "sphere", notes)
-    }
-
-    pub(super) fn planes(&mut self, blocks: &Blocks, notes: &mut Vec<String>) -> Vec<Item<Plane>> {
-        readable(blocks.planes.iter().map(|block| self.plane(*block)), "plane", notes)
-    }
-
-    /// Notes colours that are there and could not be read.
-    pub(super) fn colors(&self, notes: &mut Vec<String>) {
-        if self.unpainted > 0 {
-            notes.push(format!(
-                "{} of pigment or texture left out: a colour must be rgb <1, 0.5, 0> or a name such as Red",
-                self.unpainted
-            ));
-        }
-    }
-
+impl Objects<'_, '_> {
     fn sphere(&mut self, block: Piece) -> Result<Item<Sphere>, FileError> {
         let (center, rest) = self.beginning("sphere", "sphere centre", block)?;
         let right = "it must have a radius greater than 0, as sphere { <0, 0, 0>, 1 }";

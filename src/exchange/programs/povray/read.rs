@@ -3,7 +3,7 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
 use super::blocks::Blocks;
-use super::objects::Objects;
+use super::objects::objects;
 use super::source::{Code, words};
 use super::values::{Values, has};
 use crate::FileError;
@@ -68,13 +68,11 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
     let pose = Pose { eye, right, up, backwards: DVec3::ZERO - direction };
-    let (orientation, eye, mirrored) =
-        pose.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
+    let (orientation, eye, mirrored) = pose.right_handed(&mut notes).map_err(|right| {
+        FileError::of_file(text.path, format!("camera is no rotation: {right}"))
+    })?;
     blocks.left_out(&mut notes);
-    let mut objects = Objects::new(&code, &values);
-    let spheres = objects.spheres(&blocks, &mut notes);
-    let planes = objects.planes(&blocks, &mut notes);
-    objects.colors(&mut notes);
+    let (spheres, planes) = objects(&code, &values, &blocks, &mut notes);
     let camera = Camera { eye, orientation, viewport, image };
     Ok(Imported { camera, spheres, planes, notes }.mirrored_if(mirrored))
 }

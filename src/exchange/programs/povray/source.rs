@@ -46,11 +46,6 @@ impl<'a> Code<'a> {
         FileError::of_file(self.path, format!("{field} is missing: {right}"))
     }
 
-    /// Returns the error of axes that are no rotation.
-    pub(super) fn rotation(&self, field: &str, right: &str) -> FileError {
-        FileError::of_file(self.path, format!("{field} is no rotation: {right}"))
-    }
-
     /// Returns the text between the bracket with which the piece begins and the one that closes it.
     pub(super) fn bracketed<'t>(&self, piece: Piece<'t>) -> Option<Piece<'t>> {
         let found = self.brackets.binary_search_by_key(&piece.at, |(open, _)| *open).ok()?;
