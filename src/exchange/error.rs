@@ -28,6 +28,9 @@ pub struct Place {
 }
 
 impl Place {
+    /// The beginning of a text.
+    pub(crate) const START: Place = Place { line: 1, column: 1 };
+
     /// The place of a byte of the text.
     pub fn of_byte(text: &[u8], byte: usize) -> Place {
         let before = &text[..byte.min(text.len())];
@@ -44,6 +47,11 @@ impl FileError {
     /// About the file as a whole.
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
         FileError { file: path.display().to_string(), place: None, problem: problem.into() }
+    }
+
+    /// About a place in the file.
+    pub(crate) fn at(path: &Path, place: Place, problem: impl Into<String>) -> FileError {
+        FileError { place: Some(place), ..FileError::of_file(path, problem) }
     }
 
     /// A file that the system does not let us read.

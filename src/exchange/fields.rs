@@ -43,11 +43,7 @@ enum Entry<'a> {
 impl Source<'_> {
     /// Returns an error at a place of the file.
     pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
-        FileError {
-            file: self.path.display().to_string(),
-            place: Some(Place::of_byte(self.text.as_bytes(), span.start)),
-            problem: problem.into(),
-        }
+        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), span.start), problem)
     }
 }
 

@@ -110,11 +110,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         let problem = format!(
             "the first line has {separator}: commas must stand between cells, and a point in a number"
         );
-        return FileError {
-            file: path.display().to_string(),
-            place: Some(Place { line: 1, column: 1 }),
-            problem,
-        };
+        return FileError::at(path, Place::START, problem);
     }
     if bytes.trim_ascii().is_empty() {
         return FileError::of_file(
@@ -129,8 +125,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         BASIS.join(","),
         RAYS.join(",")
     );
-    let place = (!bytes.is_empty()).then_some(Place { line: 1, column: 1 });
-    FileError { file: path.display().to_string(), place, problem }
+    FileError::at(path, Place::START, problem)
 }
 
 fn picture(path: &Path, bytes: &[u8], image: ImageSize) -> Result<Answers, FileError> {
@@ -179,11 +174,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     let mut hits = Vec::new();
     let names = header(bytes);
     let has = |column: usize| names.iter().any(|name| name == HITS[column]);
-    let problem = |problem: &str| FileError {
-        file: path.display().to_string(),
-        place: Some(Place { line: 1, column: 1 }),
-        problem: problem.to_owned(),
-    };
+    let problem = |problem: &str| FileError::at(path, Place::START, problem);
     let table = CsvTable::new(path, bytes, HITS, 2)?;
     let coordinates = (X..=Z).filter(|column| has(*column)).count();
     if coordinates != 0 && coordinates != 3 {

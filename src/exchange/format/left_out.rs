@@ -1,14 +1,11 @@
 //! Things that are left out of a text, counted by kind.
 
-use std::collections::HashMap;
-
 use crate::FileError;
 
 /// Kinds of things that are left out, with how often, in the order of the text.
 #[derive(Debug, Default)]
 pub(crate) struct LeftOut {
     counts: Vec<(String, usize)>,
-    places: HashMap<String, usize>,
     /// Number of things of kinds beyond the most that are told.
     others: usize,
 }
@@ -21,12 +18,11 @@ impl LeftOut {
     pub(crate) fn add(&mut self, kind: &str, said: &str) {
         let kind: String = kind.chars().filter(|c| !c.is_control()).take(40).collect();
         let note = format!("{kind} {said}");
-        if let Some(place) = self.places.get(&note) {
-            self.counts[*place].1 += 1;
+        if let Some((_, count)) = self.counts.iter_mut().find(|(told, _)| *told == note) {
+            *count += 1;
         } else if self.counts.len() == MOST_KINDS {
             self.others += 1;
         } else {
-            self.places.insert(note.clone(), self.counts.len());
             self.counts.push((note, 1));
         }
     }

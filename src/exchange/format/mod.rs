@@ -146,8 +146,9 @@ impl Imported {
 }
 
 impl Exported {
-    pub(crate) fn one_file(name: &'static str, text: Text, notes: Vec<String>) -> Exported {
-        Exported { files: vec![(name, text)], notes }
+    /// One file of a text whose parts may be marked.
+    pub(crate) fn one_file(name: &'static str, text: &str, notes: Vec<String>) -> Exported {
+        Exported { files: vec![(name, Text::from_marked(text))], notes }
     }
 
     /// All files in one text.
@@ -162,8 +163,7 @@ impl Exported {
 impl Input<'_> {
     /// An error at a byte of the text.
     pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
-        let place = Some(Place::of_byte(self.text.as_bytes(), at));
-        FileError { place, ..FileError::of_file(self.path, problem) }
+        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), at), problem)
     }
 }
 

@@ -6,7 +6,7 @@ use pinhole_core::{Camera, Orientation, Viewport};
 use super::literal::{Source, last_part};
 use crate::FileError;
 use crate::format::image_size::image_of;
-use crate::format::text::{Text, commas, n, real};
+use crate::format::text::{commas, n, real};
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
     Unsupported,
@@ -68,7 +68,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         ));
     }
     notes.extend(subject.objects_left_out("the call makes a camera only"));
-    Ok(Exported::one_file("camera.jl", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("camera.jl", &text, notes))
 }
 
 const RIGHT: &str = "it must be one call of PerspectiveCamera(eye, view, up, focal, height, width), given by \

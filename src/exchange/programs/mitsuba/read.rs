@@ -17,7 +17,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         let pos = error.pos();
         let place = crate::Place { line: pos.row as usize, column: pos.col as usize };
         let problem = format!("no XML: {error}");
-        FileError { place: Some(place), ..FileError::of_file(text.path, problem) }
+        FileError::at(text.path, place, problem)
     })?;
     let file = File::new(text, &xml);
     let mut notes = Vec::new();

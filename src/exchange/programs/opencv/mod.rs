@@ -11,7 +11,7 @@ mod read;
 use pinhole_core::{DVec3, Intrinsics, Viewport};
 
 use crate::format::pose::Pose;
-use crate::format::text::{Text, flipped, flipped_all, n};
+use crate::format::text::{flipped, flipped_all, n};
 use crate::format::viewport::{settled, shortest_where};
 use crate::format::{
     Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
@@ -64,7 +64,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         flipped(n(t.z)),
     );
     let notes = subject.objects_left_out("K and [R|t] are a camera only").into_iter().collect();
-    Ok(Exported::one_file("camera.json", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("camera.json", &text, notes))
 }
 
 /// t = -R eye.

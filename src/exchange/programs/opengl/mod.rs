@@ -2,7 +2,7 @@
 
 mod read;
 
-use crate::format::text::{Text, commas, n, real};
+use crate::format::text::{commas, n, real};
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
 };
@@ -66,5 +66,5 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         n(far)
     )];
     notes.extend(subject.objects_left_out("OpenGL has triangles only"));
-    Ok(Exported::one_file("camera.c", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("camera.c", &text, notes))
 }

@@ -14,7 +14,7 @@ mod values;
 use pinhole_core::{BACKGROUND, Sphere};
 
 use self::read::read;
-use crate::format::text::{Text, commas, flipped_all, light, n, one_line};
+use crate::format::text::{commas, flipped_all, light, n, one_line};
 use crate::format::{
     Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
 };
@@ -95,5 +95,5 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
             one_line(&plane.title)
         ));
     }
-    Ok(Exported::one_file("scene.pov", Text::from_marked(&text), Vec::new()))
+    Ok(Exported::one_file("scene.pov", &text, Vec::new()))
 }

@@ -30,8 +30,7 @@ impl<'a> Code<'a> {
     }
 
     pub(super) fn error(&self, at: usize, problem: impl Into<String>) -> FileError {
-        let place = Some(Place::of_byte(self.text.as_bytes(), at));
-        FileError { place, ..FileError::of_file(self.path, problem) }
+        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), at), problem)
     }
 
     /// `field is value: right`, where the value stands.

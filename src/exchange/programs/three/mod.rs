@@ -15,7 +15,7 @@ use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::json::{self, Node};
 use crate::format::left_out::readable;
 use crate::format::pose::Pose;
-use crate::format::text::{Text, n, quotable};
+use crate::format::text::{n, quotable};
 use crate::format::viewport::viewport_of_angle;
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
@@ -84,7 +84,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         uuid(0),
         children.join(", ")
     );
-    Ok(Exported::one_file("scene.json", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("scene.json", &text, notes))
 }
 
 /// Meshes that stand for the objects.
