@@ -12,7 +12,7 @@ use crate::model::lessons::LessonArgument;
 use crate::model::play::Kind;
 use crate::model::translator::Target;
 use crate::view::overlay::Style;
-use pinhole_exchange::format::{Axis, Importer};
+use pinhole_exchange::format::Importer;
 use pinhole_exchange::programs::{FORMATS, IMPORTERS};
 
 /// See what a pinhole camera sees, and why.
@@ -312,7 +312,7 @@ pub struct ReportArguments {
 fn target() -> impl TypedValueParser<Value = Target> {
     let help = |target: Target| match target {
         Target::Format(format) => {
-            let [x, y, z] = format.conventions.axes.map(Axis::name);
+            let [x, y, z] = format.conventions.axes.map(|axis| axis.name);
             format!("{}; its camera's x, y, z are {x}, {y}, {z}", target.label())
         }
         Target::Code(_) => target.label().to_owned(),

@@ -1,4 +1,4 @@
-//! What is edited and saved: plain data, compared and cloned as a whole.
+//! The document that is edited and saved: plain data, compared and cloned as a whole.
 
 use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! What is wrong with a file.
+//! Errors of files.
 
 use std::fmt;
 use std::io;
@@ -28,6 +28,9 @@ pub struct Place {
 }
 
 impl Place {
+    /// The beginning of a text.
+    pub(crate) const START: Place = Place { line: 1, column: 1 };
+
     /// The place of a byte of the text.
     pub fn of_byte(text: &[u8], byte: usize) -> Place {
         let before = &text[..byte.min(text.len())];
@@ -44,6 +47,11 @@ impl FileError {
     /// About the file as a whole.
     pub fn of_file(path: &Path, problem: impl Into<String>) -> FileError {
         FileError { file: path.display().to_string(), place: None, problem: problem.into() }
+    }
+
+    /// About a place in the file.
+    pub(crate) fn at(path: &Path, place: Place, problem: impl Into<String>) -> FileError {
+        FileError { place: Some(place), ..FileError::of_file(path, problem) }
     }
 
     /// A file that the system does not let us read.
@@ -74,3 +82,13 @@ impl fmt::Display for FileError {
 }
 
 impl std::error::Error for FileError {}
+
+/// A text on one line, and no longer than a message may be.
+pub(crate) fn one_line(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let line = text.split_whitespace().take(LONGEST).collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &line[..end]),
+        None => line,
+    }
+}

@@ -6,6 +6,7 @@ use std::path::Path;
 use pinhole_core::DVec3;
 use toml_edit::{ArrayOfTables, Item, TableLike, Value};
 
+use crate::error::one_line;
 use crate::{FileError, Place, suggest};
 
 /// The text that is read, and what messages call it.
@@ -42,11 +43,7 @@ enum Entry<'a> {
 impl Source<'_> {
     /// Returns an error at a place of the file.
     pub fn error(&self, span: &Range<usize>, problem: impl Into<String>) -> FileError {
-        FileError {
-            file: self.path.display().to_string(),
-            place: Some(Place::of_byte(self.text.as_bytes(), span.start)),
-            problem: problem.into(),
-        }
+        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), span.start), problem)
     }
 }
 
@@ -108,7 +105,7 @@ impl<'a> Field<'a> {
     /// `camera.eye[2] is nan: ` and what would be right.
     pub fn error(&self, right: &str) -> FileError {
         let value = match self.item {
-            Entry::Value(_) => shown(&self.source.text[self.span.clone()]),
+            Entry::Value(_) => one_line(&self.source.text[self.span.clone()]),
             Entry::Table(_) => "a table".to_owned(),
             Entry::Tables(_) => "a list of tables".to_owned(),
         };
@@ -269,14 +266,4 @@ impl<'a> Field<'a> {
     ) -> Section<'a> {
         Section { source: self.source, name, table, span }
     }
-}
-
-/// A value as it is written, cut to a length that a message can carry.
-fn shown(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    if line.chars().count() <= LONGEST {
-        return line;
-    }
-    line.chars().take(LONGEST).chain("...".chars()).collect()
 }

@@ -34,9 +34,9 @@ pub mod mistakes;
 pub mod numbers;
 
 pub use derivation::{
-    BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, ImplicitUnit,
-    LengthCheck, ObjectDerivation, PixelShares, PlaneDerivation, PlaneMeeting, RayDerivation,
-    SphereDerivation, SphereMeeting, UnitOrigin, VectorAndLength,
+    BasisByHand, BasisCheck, BasisDerivation, BasisFromUp, Cross, ImplicitUnit, ObjectDerivation,
+    PixelShares, PlaneDerivation, PlaneMeeting, RayDerivation, SphereDerivation, SphereMeeting,
+    UnitOrigin, VectorAndLength,
 };
 pub use forms::{NumberForm, VectorForm};
 

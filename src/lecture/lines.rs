@@ -2,8 +2,7 @@
 //! put into the other.
 //!
 //! What depends on whether a number is 0 or which sign it has (parallel, coincident, before or
-//! behind
-//! `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown
+//! behind `p`, on which side of a line) is decided exactly on the numbers as given; a value that is shown
 //! is rounded once.
 
 use std::cmp::Ordering;
@@ -64,7 +63,7 @@ pub enum LineError {
     },
 }
 
-/// A parametric line put into an implicit one, with every part:
+/// A parametric line put into an implicit one:
 /// `a (px + t dx) + b (py + t dy) + c = (a dx + b dy) t + (a px + b py + c)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Substitution {
@@ -72,14 +71,6 @@ pub struct Substitution {
     pub line: ImplicitLine,
     /// The parametric line.
     pub ray: ParametricLine,
-    /// `a dx`.
-    pub a_dx: f64,
-    /// `b dy`.
-    pub b_dy: f64,
-    /// `a px`.
-    pub a_px: f64,
-    /// `b py`.
-    pub b_py: f64,
     /// `a dx + b dy`, rounded once: how much f grows where t grows by 1.
     pub rate: f64,
     /// `a px + b py + c`, rounded once: f at `t = 0`.
@@ -157,11 +148,6 @@ impl ImplicitLine {
         let c = (&(&x1 * &y2) - &(&x2 * &y1)).rounded_times(0);
         let line = ImplicitLine { a: first.y - second.y, b: second.x - first.x, c };
         line.check().map(|()| line)
-    }
-
-    /// The familiar `y = slope x + intercept`, all on one side: `slope x - y + intercept = 0`.
-    pub fn from_slope(slope: f64, intercept: f64) -> ImplicitLine {
-        ImplicitLine { a: slope, b: -1.0, c: intercept }
     }
 
     /// `(m, q)` of `y = m x + q`: `m = -a / b`, `q = -c / b`. `None` for a vertical line, which has
@@ -287,15 +273,9 @@ impl Substitution {
         line.check()?;
         ray.check()?;
         let (rate, offset) = terms(&line, &ray);
-        let ImplicitLine { a, b, .. } = line;
-        let ParametricLine { p, d } = ray;
         Ok(Substitution {
             line,
             ray,
-            a_dx: a * d.x,
-            b_dy: b * d.y,
-            a_px: a * p.x,
-            b_py: b * p.y,
             rate: rate.rounded_times(0),
             offset: offset.rounded_times(0),
             meeting: Meeting::new(&ray, &rate, &offset),

@@ -22,7 +22,7 @@ pub struct Row {
 
 /// An axis as a bold letter with its sign.
 fn letter(axis: Axis) -> String {
-    axis.name().chars().map(bold).collect()
+    axis.name.chars().map(bold).collect()
 }
 
 /// The rule by which pixels are counted, and which pixel (0, 0) is.
@@ -92,11 +92,8 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
         !right_handed,
         !right_handed,
     );
-    let looks = |axis: Axis| match axis {
-        Axis::MinusW => "along +z",
-        _ => "along −z",
-    };
-    let forward = conventions.axes[2] == Axis::MinusW;
+    let looks = |axis: Axis| if axis == Axis::MINUS_W { "along +z" } else { "along −z" };
+    let forward = conventions.axes[2] == Axis::MINUS_W;
     line("it looks", looks(Axis::W).into(), looks(conventions.axes[2]).into(), forward, forward);
     let at_or = match subject.document.camera.orientation {
         pinhole_core::Orientation::At { .. } => "eye, at, up",
@@ -155,11 +152,11 @@ pub fn rows(format: &Format, subject: &ExportScene, pixel: Pixel, digits: usize)
 fn axes(conventions: &Conventions, subject: &ExportScene, digits: usize) -> Vec<Row> {
     let basis = subject.resolve().basis();
     let text = |axis: Axis| {
-        let v = basis.to_world_from_camera(axis.direction());
+        let v = basis.to_world_from_camera(axis.direction);
         // 0 has no sign to read.
         let [x, y, z] =
             (v + DVec3::ZERO).to_array().map(|x| crate::model::number::written(x, digits));
-        format!("{} {} = ({x}, {y}, {z})", axis.meaning(), letter(axis))
+        format!("{} {} = ({x}, {y}, {z})", axis.meaning, letter(axis))
     };
     let names = ["x of the camera", "y of the camera", "z of the camera"];
     let pairs = names.into_iter().zip(Conventions::OURS.into_iter().zip(conventions.axes));

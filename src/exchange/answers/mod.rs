@@ -11,7 +11,6 @@
 
 mod pixels;
 
-use std::borrow::Cow;
 use std::path::Path;
 
 use pinhole_core::{DVec3, ImageSize};
@@ -79,19 +78,6 @@ fn header(bytes: &[u8]) -> Vec<String> {
     line.split(',').map(name).collect()
 }
 
-/// The file with a first line in small letters, every byte in its place.
-fn in_small_letters(bytes: &[u8]) -> Cow<'_, [u8]> {
-    let is_end = |byte: &u8| matches!(byte, b'\r' | b'\n');
-    let start = bytes.iter().position(|byte| !is_end(byte)).unwrap_or(bytes.len());
-    let end = bytes[start..].iter().position(is_end).map_or(bytes.len(), |length| start + length);
-    if !bytes[..end].iter().any(u8::is_ascii_uppercase) {
-        return Cow::Borrowed(bytes);
-    }
-    let mut small = bytes.to_owned();
-    small[..end].make_ascii_lowercase();
-    Cow::Owned(small)
-}
-
 /// Reads the answers of a file's content; `path` is for the messages. `image` is that of the scene
 /// they are about, and `count_from` where their rows and columns begin, 0 or 1.
 ///
@@ -103,13 +89,9 @@ pub fn parse(
     image: ImageSize,
     count_from: u32,
 ) -> Result<Answers, FileError> {
-    let kind = kind_of(bytes);
-    if kind == Some(AnswerKind::Picture) {
-        return picture(path, bytes, image);
-    }
-    let bytes = &in_small_letters(bytes)[..];
-    let answers = match kind {
-        None | Some(AnswerKind::Picture) => return Err(no_answers(path, bytes)),
+    let answers = match kind_of(bytes) {
+        None => return Err(no_answers(path, bytes)),
+        Some(AnswerKind::Picture) => return picture(path, bytes, image),
         Some(AnswerKind::Basis) => return basis(path, bytes),
         Some(AnswerKind::Rays) => rays(path, bytes, Pixels::new(image, count_from))?,
         Some(AnswerKind::Hits) => hits(path, bytes, Pixels::new(image, count_from))?,
@@ -128,11 +110,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         let problem = format!(
             "the first line has {separator}: commas must stand between cells, and a point in a number"
         );
-        return FileError {
-            file: path.display().to_string(),
-            place: Some(Place { line: 1, column: 1 }),
-            problem,
-        };
+        return FileError::at(path, Place::START, problem);
     }
     if bytes.trim_ascii().is_empty() {
         return FileError::of_file(
@@ -147,8 +125,7 @@ fn no_answers(path: &Path, bytes: &[u8]) -> FileError {
         BASIS.join(","),
         RAYS.join(",")
     );
-    let place = (!bytes.is_empty()).then_some(Place { line: 1, column: 1 });
-    FileError { file: path.display().to_string(), place, problem }
+    FileError::at(path, Place::START, problem)
 }
 
 fn picture(path: &Path, bytes: &[u8], image: ImageSize) -> Result<Answers, FileError> {
@@ -197,11 +174,7 @@ fn hits(path: &Path, bytes: &[u8], mut pixels: Pixels) -> Result<Answers, FileEr
     let mut hits = Vec::new();
     let names = header(bytes);
     let has = |column: usize| names.iter().any(|name| name == HITS[column]);
-    let problem = |problem: &str| FileError {
-        file: path.display().to_string(),
-        place: Some(Place { line: 1, column: 1 }),
-        problem: problem.to_owned(),
-    };
+    let problem = |problem: &str| FileError::at(path, Place::START, problem);
     let table = CsvTable::new(path, bytes, HITS, 2)?;
     let coordinates = (X..=Z).filter(|column| has(*column)).count();
     if coordinates != 0 && coordinates != 3 {

@@ -1,4 +1,4 @@
-//! Which pixels are answered: each one of the image, and once.
+//! The pixels that are answered: each one of the image, and once.
 
 use pinhole_core::{ImageSize, Pixel};
 
@@ -55,9 +55,9 @@ impl Pixels {
     }
 
     fn outside(&self, row: &Row, column: usize, pixel: Option<Pixel>) -> FileError {
-        let ImageMeasures { what, count } = match column {
-            ROW => ImageMeasures { what: "rows", count: self.image.height() },
-            _ => ImageMeasures { what: "columns", count: self.image.width() },
+        let (what, count) = match column {
+            ROW => ("rows", self.image.height()),
+            _ => ("columns", self.image.width()),
         };
         let (first, last) = (self.count_from, count - 1 + self.count_from);
         let (w, h) = (self.image.width(), self.image.height());
@@ -78,9 +78,4 @@ impl Pixels {
             _ => Ok(()),
         }
     }
-}
-
-struct ImageMeasures {
-    what: &'static str,
-    count: u32,
 }

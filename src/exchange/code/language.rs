@@ -1,10 +1,10 @@
-//! A language: its name, and its function from a camera's numbers to a program.
+//! A language: its name, and its program for a camera.
 
 use std::fmt;
 
 use pinhole_core::ResolvedCamera;
 
-use super::numbers::{Numbers, Precision};
+use super::numbers::{Precision, numbers};
 
 /// A language, or a library for vectors in one.
 #[derive(Debug)]
@@ -17,7 +17,8 @@ pub struct Language {
     pub file: &'static str,
     /// Precision of its numbers.
     pub precision: Precision,
-    pub(super) write: fn(&Numbers) -> String,
+    /// Its program, with the names of numbers in braces, as `{eye}`.
+    pub(super) program: &'static str,
 }
 
 /// A number that a language's precision has no place for.
@@ -56,9 +57,14 @@ impl Language {
     /// # Errors
     /// A number beyond the language's precision.
     pub fn code(&self, camera: &ResolvedCamera) -> Result<String, OutOfRange> {
-        let numbers = Numbers::new(camera, self.precision);
-        let numbers =
-            numbers.map_err(|(field, value)| OutOfRange { language: self.label, field, value })?;
-        Ok((self.write)(&numbers))
+        let numbers = numbers(camera, self.precision).map_err(|(field, value)| OutOfRange {
+            language: self.label,
+            field,
+            value,
+        })?;
+        let put = |program: String, (name, number): (&str, String)| {
+            program.replace(&format!("{{{name}}}"), &number)
+        };
+        Ok(numbers.into_iter().fold(self.program.to_owned(), put))
     }
 }

@@ -11,26 +11,12 @@
 //!
 //! with row i and column j from 0, row 0 on top. Capital U, V, W are the basis vectors, as in the
 //! lecture's formula; columns and rows stand for the image's W and H, which would be taken for them.
-//! A language is one file and one row of [`LANGUAGES`].
+//! A language is a program in [`LANGUAGES`].
 
-mod cpp;
-mod glsl;
-mod javascript;
-mod julia;
 mod language;
+mod languages;
 mod numbers;
-mod python;
-mod rust;
 
 pub use language::{Language, OutOfRange};
+pub use languages::LANGUAGES;
 pub use numbers::Precision;
-
-/// Every language.
-pub static LANGUAGES: [Language; 6] = [
-    julia::LANGUAGE,
-    python::LANGUAGE,
-    cpp::LANGUAGE,
-    glsl::LANGUAGE,
-    rust::LANGUAGE,
-    javascript::LANGUAGE,
-];

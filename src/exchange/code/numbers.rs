@@ -14,52 +14,35 @@ pub enum Precision {
 /// The sizes of numbers that `f32` has with all its digits, with some room.
 const SINGLE: std::ops::RangeInclusive<f64> = 1e-37..=1e38;
 
-/// Every number as text: with a point or an exponent, so that no language takes it for a whole one.
-pub(super) struct Numbers {
-    /// `20.0, 4.0, 10.0`
-    pub(super) eye: String,
-    /// Right.
-    pub(super) u: String,
-    /// Up in the image.
-    pub(super) v: String,
-    /// Backwards.
-    pub(super) w: String,
-    pub(super) width: String,
-    pub(super) height: String,
-    pub(super) distance: String,
-    /// Pixels: whole numbers.
-    pub(super) columns: u32,
-    pub(super) rows: u32,
-}
-
-impl Numbers {
-    /// Or the field and the number that has no place in this precision.
-    pub(super) fn new(
-        camera: &ResolvedCamera,
-        precision: Precision,
-    ) -> Result<Numbers, (&'static str, f64)> {
-        let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
-        let fits = |x: f64| precision == Precision::Double || SINGLE.contains(&x.abs());
-        let one = |field, x: f64| if fits(x) { Ok(real(x, precision)) } else { Err((field, x)) };
-        let three = |v: DVec3| v.to_array().map(|x| real(x, precision)).join(", ");
-        let eye = camera.eye();
-        // A part of it that is too small is as good as 0.
-        let too_far = eye.to_array().into_iter().find(|x| x.abs() > 1.0 && !fits(*x));
-        if let Some(x) = too_far {
-            return Err(("eye", x));
-        }
-        Ok(Numbers {
-            eye: three(eye),
-            u: three(basis.u),
-            v: three(basis.v),
-            w: three(basis.w),
-            width: one("the viewport's width", viewport.width)?,
-            height: one("the viewport's height", viewport.height)?,
-            distance: one("the viewport's distance", viewport.distance)?,
-            columns: image.width(),
-            rows: image.height(),
-        })
+/// Every number of a camera by its name, as text: with a point or an exponent, so that no language takes
+/// it for a whole one, but for the image's columns and rows, which are whole.
+///
+/// # Errors
+/// The field and the number that has no place in this precision.
+pub(super) fn numbers(
+    camera: &ResolvedCamera,
+    precision: Precision,
+) -> Result<[(&'static str, String); 9], (&'static str, f64)> {
+    let (basis, viewport, image) = (camera.basis(), camera.viewport(), camera.image());
+    let fits = |x: f64| precision == Precision::Double || SINGLE.contains(&x.abs());
+    let one = |field, x: f64| if fits(x) { Ok(real(x, precision)) } else { Err((field, x)) };
+    let three = |v: DVec3| v.to_array().map(|x| real(x, precision)).join(", ");
+    let eye = camera.eye();
+    // A part of it that is too small is as good as 0.
+    if let Some(x) = eye.to_array().into_iter().find(|x| x.abs() > 1.0 && !fits(*x)) {
+        return Err(("eye", x));
     }
+    Ok([
+        ("eye", three(eye)),
+        ("u", three(basis.u)),
+        ("v", three(basis.v)),
+        ("w", three(basis.w)),
+        ("width", one("the viewport's width", viewport.width)?),
+        ("height", one("the viewport's height", viewport.height)?),
+        ("distance", one("the viewport's distance", viewport.distance)?),
+        ("columns", image.width().to_string()),
+        ("rows", image.height().to_string()),
+    ])
 }
 
 fn real(x: f64, precision: Precision) -> String {

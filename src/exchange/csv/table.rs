@@ -22,7 +22,8 @@ pub(crate) struct Row<'t, 'a> {
 }
 
 impl<'a> CsvTable<'a> {
-    /// Reads the header: `required` columns, then `optional` ones, in any order. `names` is both.
+    /// Reads the header: `required` columns, then optional ones, in any order, in capitals or small
+    /// letters. `names` is both.
     pub(crate) fn new(
         file: &'a Path,
         bytes: &'a [u8],
@@ -40,7 +41,8 @@ impl<'a> CsvTable<'a> {
         for (field, cell) in header.iter().enumerate() {
             let place = table.place_of(&header, field);
             let name = String::from_utf8_lossy(plain(cell));
-            let Some(column) = names.iter().position(|known| *known == name) else {
+            let Some(column) = names.iter().position(|known| known.eq_ignore_ascii_case(&name))
+            else {
                 return Err(table.error(Some(place), unknown_column(&name, names)));
             };
             if table.fields[column].replace(field).is_some() {

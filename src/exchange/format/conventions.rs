@@ -1,19 +1,18 @@
-//! How a format's conventions differ from those here.
+//! Differences of a format's conventions from those here.
 
 use pinhole_core::DVec3;
 
 use super::export_scene::ExportScene;
 
 /// Direction of an axis of a format's camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "u, v, w of the camera, and their opposites")]
-pub enum Axis {
-    U,
-    V,
-    W,
-    MinusU,
-    MinusV,
-    MinusW,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis {
+    /// Its letter with its sign: `u`, `−w`.
+    pub name: &'static str,
+    /// The direction in words: `right`, `up`, `backwards` and their opposites.
+    pub meaning: &'static str,
+    /// Its vector, in coordinates (u, v, w).
+    pub direction: DVec3,
 }
 
 /// A format's count of pixels, and the place of their centres.
@@ -54,46 +53,18 @@ pub struct Conventions {
     pub lengths: &'static str,
 }
 
+#[allow(missing_docs, reason = "u, v, w of the camera, and their opposites")]
 impl Axis {
-    /// Its letter with its sign: `u`, `−w`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Axis::U => "u",
-            Axis::V => "v",
-            Axis::W => "w",
-            Axis::MinusU => "−u",
-            Axis::MinusV => "−v",
-            Axis::MinusW => "−w",
-        }
-    }
+    pub const U: Axis = Axis { name: "u", meaning: "right", direction: DVec3::X };
+    pub const V: Axis = Axis { name: "v", meaning: "up", direction: DVec3::Y };
+    pub const W: Axis = Axis { name: "w", meaning: "backwards", direction: DVec3::Z };
+    pub const MINUS_U: Axis = Axis { name: "−u", meaning: "left", direction: DVec3::NEG_X };
+    pub const MINUS_V: Axis = Axis { name: "−v", meaning: "down", direction: DVec3::NEG_Y };
+    pub const MINUS_W: Axis = Axis { name: "−w", meaning: "forwards", direction: DVec3::NEG_Z };
 
     /// Returns true for the opposites of u, v and w.
     pub fn is_flipped(self) -> bool {
-        matches!(self, Axis::MinusU | Axis::MinusV | Axis::MinusW)
-    }
-
-    /// Its vector, in coordinates (u, v, w).
-    pub fn direction(self) -> DVec3 {
-        match self {
-            Axis::U => DVec3::X,
-            Axis::V => DVec3::Y,
-            Axis::W => DVec3::Z,
-            Axis::MinusU => DVec3::NEG_X,
-            Axis::MinusV => DVec3::NEG_Y,
-            Axis::MinusW => DVec3::NEG_Z,
-        }
-    }
-
-    /// Returns the direction in words: `right`, `up`, `backwards` and their opposites.
-    pub fn meaning(self) -> &'static str {
-        match self {
-            Axis::U => "right",
-            Axis::V => "up",
-            Axis::W => "backwards",
-            Axis::MinusU => "left",
-            Axis::MinusV => "down",
-            Axis::MinusW => "forwards",
-        }
+        self.direction.element_sum() < 0.0
     }
 }
 
@@ -103,7 +74,7 @@ impl Conventions {
 
     /// Returns true where its camera's axes are right-handed.
     pub fn is_right_handed(&self) -> bool {
-        let [x, y, z] = self.axes.map(Axis::direction);
+        let [x, y, z] = self.axes.map(|axis| axis.direction);
         x.cross(y).dot(z) > 0.0
     }
 

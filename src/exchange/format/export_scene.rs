@@ -1,4 +1,4 @@
-//! What is exported: the camera, and the scene's objects where they are asked for.
+//! The scene that is exported: the camera, and the scene's objects where they are asked for.
 
 use std::fmt;
 
@@ -139,16 +139,22 @@ impl<'a> ExportScene<'a> {
     /// The spheres, where objects are asked for.
     pub(crate) fn spheres(&self) -> Vec<ExportObject<Sphere>> {
         let scene = self.scene();
-        let things = scene.spheres().iter().enumerate();
-        things.map(|(index, shape)| self.thing(index, *shape)).collect()
+        let shapes = scene.spheres().iter().enumerate();
+        shapes.map(|(index, shape)| self.object(index, *shape)).collect()
     }
 
     /// The planes, where objects are asked for.
     pub(crate) fn planes(&self) -> Vec<ExportObject<Plane>> {
         let scene = self.scene();
         let first = scene.spheres().len();
-        let things = scene.planes().iter().enumerate();
-        things.map(|(place, shape)| self.thing(first + place, *shape)).collect()
+        let shapes = scene.planes().iter().enumerate();
+        shapes.map(|(place, shape)| self.object(first + place, *shape)).collect()
+    }
+
+    /// Returns the note on objects that a format has no place for, where there are some.
+    pub(crate) fn objects_left_out(&self, why: &str) -> Option<String> {
+        let is_empty = self.spheres().is_empty() && self.planes().is_empty();
+        (!is_empty).then(|| format!("objects are left out: {why}"))
     }
 
     fn scene(&self) -> pinhole_core::Scene {
@@ -158,7 +164,7 @@ impl<'a> ExportScene<'a> {
         }
     }
 
-    fn thing<S>(&self, index: usize, shape: S) -> ExportObject<S> {
+    fn object<S>(&self, index: usize, shape: S) -> ExportObject<S> {
         let color = self.document.color_of(index as u32);
         ExportObject { shape, color, title: self.document.title_of(index) }
     }

@@ -21,10 +21,7 @@ pub(crate) fn parse(text: &Input) -> Result<Value, FileError> {
     serde_json::from_str(text.text).map_err(|error| {
         let said = error.to_string();
         let problem = said.split(" at line ").next().unwrap_or_default();
-        FileError {
-            place: Some(place(text.text, &error)),
-            ..FileError::of_file(text.path, format!("no JSON: {problem}"))
-        }
+        FileError::at(text.path, place(text.text, &error), format!("no JSON: {problem}"))
     })
 }
 

@@ -1,6 +1,4 @@
-//! What is left out of a text, counted by kind.
-
-use std::collections::HashMap;
+//! Things that are left out of a text, counted by kind.
 
 use crate::FileError;
 
@@ -8,7 +6,6 @@ use crate::FileError;
 #[derive(Debug, Default)]
 pub(crate) struct LeftOut {
     counts: Vec<(String, usize)>,
-    places: HashMap<String, usize>,
     /// Number of things of kinds beyond the most that are told.
     others: usize,
 }
@@ -21,12 +18,11 @@ impl LeftOut {
     pub(crate) fn add(&mut self, kind: &str, said: &str) {
         let kind: String = kind.chars().filter(|c| !c.is_control()).take(40).collect();
         let note = format!("{kind} {said}");
-        if let Some(place) = self.places.get(&note) {
-            self.counts[*place].1 += 1;
+        if let Some((_, count)) = self.counts.iter_mut().find(|(told, _)| *told == note) {
+            *count += 1;
         } else if self.counts.len() == MOST_KINDS {
             self.others += 1;
         } else {
-            self.places.insert(note.clone(), self.counts.len());
             self.counts.push((note, 1));
         }
     }

@@ -1,4 +1,4 @@
-//! What every format has: its conventions, how it is written, and how its texts are read.
+//! The parts of every format: its conventions, its writer, and the reader of its texts.
 
 pub(crate) mod affine;
 mod conventions;
@@ -14,6 +14,7 @@ use std::path::Path;
 
 use pinhole_core::{Camera, DVec3, Pixel, Plane, Sphere};
 
+use self::pose::mirrored;
 use crate::document::Item;
 use crate::{FileError, Place};
 
@@ -129,11 +130,25 @@ impl Imported {
     pub(crate) fn camera(camera: Camera, notes: Vec<String>) -> Imported {
         Imported { camera, spheres: Vec::new(), planes: Vec::new(), notes }
     }
+
+    /// The scene with its objects mirrored, where the camera's world was.
+    pub(crate) fn mirrored_if(mut self, is_mirrored: bool) -> Imported {
+        if is_mirrored {
+            for sphere in &mut self.spheres {
+                sphere.shape.center = mirrored(sphere.shape.center);
+            }
+            for Plane { point, normal } in self.planes.iter_mut().map(|plane| &mut plane.shape) {
+                (*point, *normal) = (mirrored(*point), mirrored(*normal));
+            }
+        }
+        self
+    }
 }
 
 impl Exported {
-    pub(crate) fn one_file(name: &'static str, text: Text, notes: Vec<String>) -> Exported {
-        Exported { files: vec![(name, text)], notes }
+    /// One file of a text whose parts may be marked.
+    pub(crate) fn one_file(name: &'static str, text: &str, notes: Vec<String>) -> Exported {
+        Exported { files: vec![(name, Text::from_marked(text))], notes }
     }
 
     /// All files in one text.
@@ -148,8 +163,7 @@ impl Exported {
 impl Input<'_> {
     /// An error at a byte of the text.
     pub(crate) fn error_at(&self, at: usize, problem: impl Into<String>) -> FileError {
-        let place = Some(Place::of_byte(self.text.as_bytes(), at));
-        FileError { place, ..FileError::of_file(self.path, problem) }
+        FileError::at(self.path, Place::of_byte(self.text.as_bytes(), at), problem)
     }
 }
 

@@ -1,11 +1,10 @@
 //! Eye and axes of a camera as another program gives them, and mirrored worlds.
 
-use pinhole_core::{Basis, DVec3, ORTHONORMAL_TOLERANCE, Orientation, Plane, Sphere};
+use pinhole_core::{Basis, DVec3, ORTHONORMAL_TOLERANCE, Orientation};
 
 use super::affine::Affine;
 use super::text::n;
 use super::viewport::settled;
-use crate::document::Item;
 
 /// A camera's eye and axes as read: right, up and backwards of any length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +30,23 @@ impl Pose {
         &self,
         notes: &mut Vec<String>,
     ) -> Result<(Orientation, DVec3, bool), String> {
-        let mirrored = Basis::is_left_handed(self.right, self.up, self.backwards);
-        let stance = if mirrored { self.mirrored() } else { *self };
-        let orientation = stance.orientation(notes)?;
-        if mirrored {
+        let is_mirrored = Basis::is_left_handed(self.right, self.up, self.backwards);
+        let pose = if is_mirrored { self.mirrored() } else { *self };
+        let orientation = pose.orientation(notes)?;
+        if is_mirrored {
             notes.push(MIRRORED.to_owned());
         }
-        Ok((orientation, stance.eye, mirrored))
+        Ok((orientation, pose.eye, is_mirrored))
+    }
+
+    /// The pose in a world with every z negated.
+    pub(crate) fn mirrored(&self) -> Pose {
+        Pose {
+            eye: mirrored(self.eye),
+            right: mirrored(self.right),
+            up: mirrored(self.up),
+            backwards: mirrored(self.backwards),
+        }
     }
 
     /// The orientation, and what had to be straightened.
@@ -74,46 +83,9 @@ impl Pose {
 pub const MIRRORED: &str = "its world is left-handed, Pinhole's is right-handed: every z is \
                                    negated, so that the picture is the same";
 
-/// A world with every z negated.
-pub(crate) trait Mirrored {
-    #[must_use]
-    fn mirrored(self) -> Self;
-}
-
-impl Mirrored for DVec3 {
-    fn mirrored(self) -> DVec3 {
-        DVec3::new(self.x, self.y, 0.0 - self.z)
-    }
-}
-
-impl Mirrored for Pose {
-    fn mirrored(self) -> Pose {
-        Pose {
-            eye: self.eye.mirrored(),
-            right: self.right.mirrored(),
-            up: self.up.mirrored(),
-            backwards: self.backwards.mirrored(),
-        }
-    }
-}
-
-impl Mirrored for Vec<Item<Sphere>> {
-    fn mirrored(mut self) -> Self {
-        for sphere in &mut self {
-            sphere.shape.center = sphere.shape.center.mirrored();
-        }
-        self
-    }
-}
-
-impl Mirrored for Vec<Item<Plane>> {
-    fn mirrored(mut self) -> Self {
-        for plane in &mut self {
-            plane.shape.point = plane.shape.point.mirrored();
-            plane.shape.normal = plane.shape.normal.mirrored();
-        }
-        self
-    }
+/// A point or direction of a world with every z negated.
+pub(crate) fn mirrored(v: DVec3) -> DVec3 {
+    DVec3::new(v.x, v.y, 0.0 - v.z)
 }
 
 /// An axis whose parts that are a rounding from -1, 0 or 1 of its length are just that.

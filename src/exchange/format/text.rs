@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+pub(crate) use pinhole_core::shortest as n;
 use pinhole_core::{DVec3, Rgb, shortest};
 
 /// A text, and which parts of it have another sign than here.
@@ -21,16 +22,16 @@ const CLOSE: char = '\u{e001}';
 impl Text {
     /// The text of parts some of which went through [`flipped`].
     pub(crate) fn from_marked(marked: &str) -> Text {
-        let mut sheet = Text::default();
+        let mut made = Text::default();
         let mut from = 0;
         for c in marked.chars() {
             match c {
-                OPEN => from = sheet.text.len(),
-                CLOSE => sheet.flipped.push(from..sheet.text.len()),
-                c => sheet.text.push(c),
+                OPEN => from = made.text.len(),
+                CLOSE => made.flipped.push(from..made.text.len()),
+                c => made.text.push(c),
             }
         }
-        sheet
+        made
     }
 
     pub(crate) fn append(&mut self, other: &Text) {
@@ -53,11 +54,6 @@ pub(crate) fn one_line(text: &str) -> String {
 /// A name as it can stand in quotes in every format.
 pub(crate) fn quotable(name: &str) -> String {
     one_line(name).chars().map(|c| if "\"'\\<>&".contains(c) { '_' } else { c }).collect()
-}
-
-/// The shortest decimal that reads back to the same number.
-pub(crate) fn n(x: f64) -> String {
-    shortest(x)
 }
 
 /// Writes a number with a point or an exponent, where `1` would be a whole number and divided as one.

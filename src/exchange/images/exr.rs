@@ -1,4 +1,4 @@
-//! What the camera's rays meet, pixel by pixel, as OpenEXR.
+//! The hits of the camera's rays, pixel by pixel, as OpenEXR.
 
 use std::io::{self, BufWriter};
 use std::path::Path;

@@ -25,7 +25,7 @@ pub fn save(path: &Path, width: u32, height: u32, pixels: &[[u8; 4]]) -> Result<
 /// # Errors
 /// Where `out` does not take them.
 pub fn encode(out: impl Write, width: u32, height: u32, pixels: &[[u8; 4]]) -> io::Result<()> {
-    encode_as::<3>(ColorType::Rgb, out, width, height, pixels)
+    encode_as(out, width, height, pixels, false)
 }
 
 /// Writes a PNG with the pixels' opacity; their colours are not premultiplied.
@@ -38,31 +38,37 @@ pub fn encode_transparent(
     height: u32,
     pixels: &[[u8; 4]],
 ) -> io::Result<()> {
-    encode_as::<4>(ColorType::Rgba, out, width, height, pixels)
+    encode_as(out, width, height, pixels, true)
 }
 
-/// The first `CHANNELS` of each pixel.
-fn encode_as<const CHANNELS: usize>(
-    color: ColorType,
+fn encode_as(
     out: impl Write,
     width: u32,
     height: u32,
     pixels: &[[u8; 4]],
+    transparent: bool,
 ) -> io::Result<()> {
-    let mut encoder = Encoder::new(out, width, height);
-    encoder.set_color(color);
-    encoder.set_depth(BitDepth::Eight);
+    let mut encoder = encoder(out, [width, height], transparent);
     encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
     let mut writer = encoder.write_header().map_err(to_io)?;
     let mut stream = writer.stream_writer().map_err(to_io)?;
-    let mut bytes = Vec::new();
     for row in pixels.chunks(width as usize) {
-        bytes.clear();
-        bytes.extend(row.iter().flat_map(|pixel| &pixel[..CHANNELS]));
-        stream.write_all(&bytes)?;
+        stream.write_all(&bytes_of(row, transparent))?;
     }
     stream.finish().map_err(to_io)?;
     writer.finish().map_err(to_io)
+}
+
+fn encoder<W: Write>(out: W, [width, height]: [u32; 2], transparent: bool) -> Encoder<'static, W> {
+    let mut encoder = Encoder::new(out, width, height);
+    encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
+    encoder.set_depth(BitDepth::Eight);
+    encoder
+}
+
+fn bytes_of(pixels: &[[u8; 4]], transparent: bool) -> Vec<u8> {
+    let channels = if transparent { 4 } else { 3 };
+    pixels.iter().flat_map(|pixel| &pixel[..channels]).copied().collect()
 }
 
 /// An animated PNG (APNG, of the PNG specification's third edition) in the making.
@@ -72,22 +78,19 @@ pub struct Animated<W: Write> {
 }
 
 impl<W: Write> Animated<W> {
-    /// Begins an animation of so many frames of `width` x `height` sRGB pixels, so many a second; shown over and over, or
+    /// Begins an animation of so many frames of this size in sRGB pixels, so many a second; shown over and over, or
     /// once.
     ///
     /// # Errors
     /// Where `out` does not take the header; of no frames.
     pub fn new(
         out: W,
-        [width, height]: [u32; 2],
+        size: [u32; 2],
         (frames, per_second): (u32, u16),
         repeats: bool,
         transparent: bool,
     ) -> io::Result<Self> {
-        let mut encoder = Encoder::new(out, width, height);
-        encoder.set_color(if transparent { ColorType::Rgba } else { ColorType::Rgb });
-        encoder.set_depth(BitDepth::Eight);
-        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
+        let mut encoder = encoder(out, size, transparent);
         // Zero times is for ever.
         encoder.set_animated(frames, u32::from(!repeats)).map_err(to_io)?;
         encoder.set_frame_delay(1, per_second).map_err(to_io)?;
@@ -99,9 +102,7 @@ impl<W: Write> Animated<W> {
     /// # Errors
     /// Where it is not as large as the header says, or one too many, or not taken.
     pub fn push(&mut self, pixels: &[[u8; 4]]) -> io::Result<()> {
-        let channels = if self.transparent { 4 } else { 3 };
-        let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| &pixel[..channels]).copied().collect();
-        self.writer.write_image_data(&bytes).map_err(to_io)
+        self.writer.write_image_data(&bytes_of(pixels, self.transparent)).map_err(to_io)
     }
 
     /// The end, after the last frame.

@@ -3,7 +3,7 @@
 
 use pinhole_core::{Basis, Sphere};
 
-use crate::format::text::{Text, commas, light, n, quotable, real};
+use crate::format::text::{commas, light, n, quotable, real};
 use crate::format::{
     Conventions, ExportScene, Exported, Format, PixelConvention, Unsupported, square_note,
 };
@@ -63,7 +63,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         real(aspect_y),
     );
     text.push_str(&objects(subject, &mut notes));
-    Ok(Exported::one_file("scene.py", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("scene.py", &text, notes))
 }
 
 /// Meshes in the objects' places.

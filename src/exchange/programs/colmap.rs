@@ -3,7 +3,7 @@
 
 use pinhole_core::{Basis, Camera, DVec3, ImageSize, Intrinsics};
 
-use super::opencv::{off_centre, stance, translation, viewport_of};
+use super::opencv::{off_centre, pose_of, translation, viewport_of};
 use crate::FileError;
 use crate::format::image_size::image_of;
 use crate::format::text::{Text, flipped, n};
@@ -18,7 +18,7 @@ pub(super) const FORMAT: Format = Format {
     short: "COLMAP",
     ending: "txt",
     conventions: Conventions {
-        axes: [Axis::U, Axis::MinusV, Axis::MinusW],
+        axes: [Axis::U, Axis::MINUS_V, Axis::MINUS_W],
         given_by: "quaternion w x y z from world to camera, t = −R eye",
         pixels: PixelConvention::Corner,
         view: "fx, fy: distance / pixel's width and height, in pixels",
@@ -73,9 +73,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     );
     let points = "# 3D point list with one line of data per point:\n\
                   #   POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n";
-    let objects = subject.spheres().len() + subject.planes().len();
-    let left = "objects are left out: COLMAP has points only";
-    let notes = (objects > 0).then(|| left.to_owned()).into_iter().collect();
+    let notes = subject.objects_left_out("COLMAP has points only").into_iter().collect();
     let files = vec![
         ("cameras.txt", Text::from_marked(&cameras)),
         ("images.txt", Text::from_marked(&images)),
@@ -275,7 +273,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     })?;
     // Its columns are the world's axes in the camera; R's rows are wanted.
     let rows = [0, 1, 2].map(|k| DVec3::new(turn.u[k], turn.v[k], turn.w[k]));
-    let (orientation, eye, _) = stance(rows, DVec3::new(x, y, z))
+    let (orientation, eye, _) = pose_of(rows, DVec3::new(x, y, z))
         .right_handed(&mut notes)
         .map_err(|right| error(image.at, format!("the pose is no rotation: {right}")))?;
     let viewport = viewport_of(&k, size, at_hand.viewport.distance);

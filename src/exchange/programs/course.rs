@@ -6,7 +6,7 @@ use pinhole_core::{Camera, Orientation, Viewport};
 use super::literal::{Source, last_part};
 use crate::FileError;
 use crate::format::image_size::image_of;
-use crate::format::text::{Text, commas, n, real};
+use crate::format::text::{commas, n, real};
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
     Unsupported,
@@ -67,10 +67,8 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
             n(scale)
         ));
     }
-    if !(subject.spheres().is_empty() && subject.planes().is_empty()) {
-        notes.push("objects are left out: the call makes a camera only".to_owned());
-    }
-    Ok(Exported::one_file("camera.jl", Text::from_marked(&text), notes))
+    notes.extend(subject.objects_left_out("the call makes a camera only"));
+    Ok(Exported::one_file("camera.jl", &text, notes))
 }
 
 const RIGHT: &str = "it must be one call of PerspectiveCamera(eye, view, up, focal, height, width), given by \
@@ -84,7 +82,7 @@ fn read(text: &Input, _: &Camera) -> Result<Imported, FileError> {
             None => source.missing("PerspectiveCamera", RIGHT),
         });
     };
-    if last_part(call.called) != "PerspectiveCamera" || call.is_new {
+    if last_part(&call.called) != "PerspectiveCamera" || call.is_new {
         return Err(source.refused(call, RIGHT));
     }
     let [eye, view, up, focal, rows, columns] = &call.arguments[..] else {

@@ -18,6 +18,7 @@ mod mitsuba;
 mod opencv;
 mod opengl;
 mod pbrt;
+mod pieces;
 mod povray;
 mod three;
 mod weekend;

@@ -3,7 +3,7 @@
 
 use pinhole_core::Sphere;
 
-use crate::format::text::{Text, commas, light, n, real};
+use crate::format::text::{commas, light, n, real};
 use crate::format::{Conventions, ExportScene, Exported, Format, PixelConvention, Unsupported};
 
 pub(super) const FORMAT: Format = Format {
@@ -63,7 +63,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     notes.extend(subject.planes().iter().map(|plane| {
         format!("{} is left out: the book's first volume has spheres only", plane.title)
     }));
-    Ok(Exported::one_file("main.cc", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("main.cc", &text, notes))
 }
 
 /// The ratio from which `int(image_width / aspect_ratio)` is the height.

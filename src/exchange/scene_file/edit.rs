@@ -2,12 +2,10 @@
 
 use std::path::Path;
 
-use pinhole_core::{Basis, Camera, DVec3, Orientation, Viewport};
-use toml_edit::{ArrayOfTables, DocumentMut, Item as TomlItem, Table, TableLike, Value};
+use toml_edit::{ArrayOfTables, DocumentMut, Item, Table, TableLike, Value};
 
 use super::{note, read, write};
-use crate::document::{Document, Item};
-use crate::images::color;
+use crate::document::Document;
 
 /// The previous text with the document's values; `None` where it is no scene file.
 pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
@@ -15,28 +13,8 @@ pub(super) fn edited(document: &Document, previous: &str) -> Option<String> {
     let old = read::document(previous, Path::new(""), None).ok()?;
     let (block, rest) = note::split(previous);
     let mut toml: DocumentMut = rest.parse().ok()?;
-    let root = toml.as_table_mut();
-    let csv_path = |document: &Document| document.csv_spheres.as_ref().map(|csv| csv.path.clone());
-    set_text(root, "spheres", csv_path(&old), csv_path(document))?;
-    edit_camera(root, &old.camera, &document.camera)?;
-    let spheres = Objects {
-        key: "sphere",
-        fields: write::sphere_fields,
-        edit: |table, old, new| {
-            set_vector(table, "center", old.center, new.center)?;
-            set_number(table, "radius", old.radius, new.radius)
-        },
-    };
-    spheres.edit(root, &old.spheres, &document.spheres)?;
-    let planes = Objects {
-        key: "plane",
-        fields: write::plane_fields,
-        edit: |table, old, new| {
-            set_vector(table, "point", old.point, new.point)?;
-            set_vector(table, "normal", old.normal, new.normal)
-        },
-    };
-    planes.edit(root, &old.planes, &document.planes)?;
+    let plain = |document: &Document| write::fresh(document).parse::<DocumentMut>().ok();
+    edit(&mut *toml, &*plain(&old)?, &*plain(document)?)?;
     let rest = toml.to_string();
     let text = if old.note == document.note {
         format!("{block}{rest}")
@@ -50,195 +28,105 @@ fn with_carriage_returns(text: &str) -> String {
     text.replace("\r\n", "\n").replace('\n', "\r\n")
 }
 
-fn edit_camera(root: &mut Table, old: &Camera, new: &Camera) -> Option<()> {
-    let table = root.get_mut("camera")?.as_table_like_mut()?;
-    set_vector(table, "eye", old.eye, new.eye)?;
-    edit_orientation(table, &old.orientation, &new.orientation)?;
-    let (a, b) = (&old.viewport, &new.viewport);
-    let measures = [
-        ("width", a.width, b.width),
-        ("height", a.height, b.height),
-        ("distance", a.distance, b.distance),
-    ];
-    if let Some(table) = optional_table(root, "viewport", *b != Viewport::CANONICAL) {
-        for (key, old, new) in measures {
-            set_number(table, key, old, new)?;
-        }
+/// Makes the change from `old` to `new`, which are as this program writes them, in a table that says the
+/// same as `old` in its own layout. `None` where it cannot.
+fn edit(table: &mut dyn TableLike, old: &dyn TableLike, new: &dyn TableLike) -> Option<()> {
+    for (key, _) in old.iter().filter(|(key, _)| !new.contains_key(key)) {
+        table.remove(key);
     }
-    let (a, b) = (old.image, new.image);
-    if let Some(table) = optional_table(root, "image", b != Camera::CANONICAL.image) {
-        for (key, old, new) in [("width", a.width(), b.width()), ("height", a.height(), b.height())]
-        {
-            if old != new {
-                set(table, key, i64::from(new).into());
-            }
+    for (key, new) in new.iter() {
+        let old = old.get(key);
+        if old.is_some_and(|old| old.to_string() == new.to_string()) {
+            continue;
         }
-    }
-    Some(())
-}
-
-/// A table of the file, which is added behind the camera's if it is wanted and not there.
-fn optional_table<'a>(
-    root: &'a mut Table,
-    key: &str,
-    wanted: bool,
-) -> Option<&'a mut dyn TableLike> {
-    if wanted && !root.contains_key(key) {
-        let mut table = Table::new();
-        table.set_position(root.get("camera")?.as_table().and_then(Table::position));
-        root.insert(key, TomlItem::Table(table));
-    }
-    root.get_mut(key)?.as_table_like_mut()
-}
-
-fn edit_orientation(table: &mut dyn TableLike, old: &Orientation, new: &Orientation) -> Option<()> {
-    match (old, new) {
-        (Orientation::At { at: a, up: old_up }, Orientation::At { at: b, up }) => {
-            set_vector(table, "at", *a, *b)?;
-            set_vector(table, "up", *old_up, *up)
-        }
-        (Orientation::View { view: a, up: old_up }, Orientation::View { view: b, up }) => {
-            set_vector(table, "view", *a, *b)?;
-            set_vector(table, "up", *old_up, *up)
-        }
-        (Orientation::Basis(a), Orientation::Basis(b)) => edit_basis(table, a, b),
-        (_, new) => {
-            for key in ["at", "view", "basis", "up"] {
-                table.remove(key);
-            }
-            match new {
-                Orientation::At { at, .. } => set(table, "at", vector(*at)?),
-                Orientation::View { view, .. } => set(table, "view", vector(*view)?),
-                Orientation::Basis(basis) => {
-                    set(table, "basis", write::basis_table(basis).parse().ok()?);
+        match new {
+            Item::Table(new) => {
+                if !table.contains_key(key) {
+                    // What is not there has the values by default: behind the camera.
+                    let mut added = Table::new();
+                    added.set_position(table.get("camera")?.as_table().and_then(Table::position));
+                    table.insert(key, Item::Table(added));
                 }
+                edit(table.get_mut(key)?.as_table_like_mut()?, old?.as_table_like()?, new)?;
             }
-            if let Orientation::At { up, .. } | Orientation::View { up, .. } = new {
-                set(table, "up", vector(*up)?);
+            Item::ArrayOfTables(new) => {
+                let none = ArrayOfTables::new();
+                let old = old.and_then(Item::as_array_of_tables).unwrap_or(&none);
+                edit_list(tables(table, key)?, old, new)?;
             }
-            Some(())
-        }
-    }
-}
-
-fn edit_basis(table: &mut dyn TableLike, old: &Basis, new: &Basis) -> Option<()> {
-    let table = table.get_mut("basis")?.as_table_like_mut()?;
-    set_vector(table, "u", old.u, new.u)?;
-    set_vector(table, "v", old.v, new.v)?;
-    set_vector(table, "w", old.w, new.w)
-}
-
-/// Functions that write and edit a list of objects.
-struct Objects<S> {
-    key: &'static str,
-    fields: fn(&Item<S>) -> String,
-    edit: fn(&mut dyn TableLike, &S, &S) -> Option<()>,
-}
-
-impl<S> Objects<S> {
-    /// Objects that are the same at both ends of the list keep their tables; between them, one
-    /// after the other is edited, and what is too many or too few is taken out or put in.
-    fn edit(&self, root: &mut Table, old: &[Item<S>], new: &[Item<S>]) -> Option<()> {
-        let same = |(a, b): &(&Item<S>, &Item<S>)| (self.fields)(a) == (self.fields)(b);
-        let head = old.iter().zip(new).take_while(same).count();
-        if head == old.len() && head == new.len() {
-            return Some(());
-        }
-        let (old, new) = (&old[head..], &new[head..]);
-        let tail = old.iter().rev().zip(new.iter().rev()).take_while(same).count();
-        let (old, new) = (&old[..old.len() - tail], &new[..new.len() - tail]);
-        let tables = self.tables(root)?;
-        for (k, (old, new)) in old.iter().zip(new).enumerate() {
-            self.edit_item(tables.get_mut(head + k)?, old, new)?;
-        }
-        for _ in new.len()..old.len() {
-            tables.remove(head + new.len());
-        }
-        for (k, item) in new.iter().enumerate().skip(old.len()) {
-            let mut table = (self.fields)(item).parse::<DocumentMut>().ok()?.into_table();
-            table.set_position(position_at(tables, head + k));
-            tables.insert(head + k, table);
-        }
-        if tables.is_empty() {
-            root.remove(self.key);
-        }
-        Some(())
-    }
-
-    /// The list's tables, from whichever form they have in the file.
-    fn tables<'a>(&self, root: &'a mut Table) -> Option<&'a mut ArrayOfTables> {
-        if !root.contains_array_of_tables(self.key) {
-            let tables = match root.remove(self.key) {
-                None => ArrayOfTables::new(),
-                Some(item) => item.into_array_of_tables().ok()?,
-            };
-            root.insert(self.key, TomlItem::ArrayOfTables(tables));
-        }
-        root.get_mut(self.key)?.as_array_of_tables_mut()
-    }
-
-    fn edit_item(&self, table: &mut Table, old: &Item<S>, new: &Item<S>) -> Option<()> {
-        set_text(table, "name", old.name.clone(), new.name.clone())?;
-        (self.edit)(table, &old.shape, &new.shape)?;
-        set_text(table, "color", old.color.map(color::to_text), new.color.map(color::to_text))
-    }
-}
-
-/// Returns the place in the file of a table that is put into a list: behind the one before it, or before the
-/// first one.
-fn position_at(tables: &ArrayOfTables, index: usize) -> Option<isize> {
-    tables.get(index.saturating_sub(1)).and_then(Table::position)
-}
-
-fn set_number(table: &mut dyn TableLike, key: &str, old: f64, new: f64) -> Option<()> {
-    if old.to_bits() != new.to_bits() {
-        set(table, key, number(new)?);
-    }
-    Some(())
-}
-
-fn set_vector(table: &mut dyn TableLike, key: &str, old: DVec3, new: DVec3) -> Option<()> {
-    let array = table.get_mut(key)?.as_array_mut()?;
-    for (k, (old, new)) in old.to_array().into_iter().zip(new.to_array()).enumerate() {
-        if old.to_bits() != new.to_bits() {
-            array.replace(k, number(new)?);
+            _ => edit_value(table, key, old.and_then(Item::as_value), new.as_value()?)?,
         }
     }
     Some(())
 }
 
-fn set_text(
+/// Tables that are the same at both ends of the list stay; between them, one after the other is
+/// edited, and what is too many or too few is taken out or put in.
+fn edit_list(tables: &mut ArrayOfTables, old: &ArrayOfTables, new: &ArrayOfTables) -> Option<()> {
+    let [old, new] = [old, new].map(|list| list.iter().collect::<Vec<&Table>>());
+    let same = |(a, b): &(&&Table, &&Table)| a.to_string() == b.to_string();
+    let head = old.iter().zip(&new).take_while(same).count();
+    let (old, new) = (&old[head..], &new[head..]);
+    let tail = old.iter().rev().zip(new.iter().rev()).take_while(same).count();
+    let (old, new) = (&old[..old.len() - tail], &new[..new.len() - tail]);
+    for (k, (old, new)) in old.iter().zip(new).enumerate() {
+        edit(tables.get_mut(head + k)?, *old, *new)?;
+    }
+    for _ in new.len()..old.len() {
+        tables.remove(head + new.len());
+    }
+    for (k, added) in new.iter().enumerate().skip(old.len()) {
+        // Behind the one before it, or before the first one.
+        let neighbour = tables.get((head + k).saturating_sub(1));
+        let mut table = (*added).clone();
+        table.set_position(neighbour.and_then(Table::position));
+        tables.insert(head + k, table);
+    }
+    Some(())
+}
+
+/// A list's tables, from whichever form they have in the file.
+fn tables<'a>(root: &'a mut dyn TableLike, key: &str) -> Option<&'a mut ArrayOfTables> {
+    if root.get(key).is_none_or(|item| !item.is_array_of_tables()) {
+        let tables = match root.remove(key) {
+            None => ArrayOfTables::new(),
+            Some(item) => item.into_array_of_tables().ok()?,
+        };
+        root.insert(key, Item::ArrayOfTables(tables));
+    }
+    root.get_mut(key)?.as_array_of_tables_mut()
+}
+
+/// Gives a field a value, with the blanks and the comment of the old one; of a vector only the numbers
+/// that have changed.
+fn edit_value(
     table: &mut dyn TableLike,
     key: &str,
-    old: Option<String>,
-    new: Option<String>,
+    old: Option<&Value>,
+    new: &Value,
 ) -> Option<()> {
-    if old != new {
-        match new {
-            None => drop(table.remove(key)),
-            Some(text) => set(table, key, write::string(&text).parse().ok()?),
+    let Some(item) = table.get_mut(key) else {
+        table.insert(key, Item::Value(new.clone()));
+        return Some(());
+    };
+    match (old, new) {
+        (Some(Value::InlineTable(old)), Value::InlineTable(new)) => {
+            edit(item.as_table_like_mut()?, old, new)?;
+        }
+        (Some(Value::Array(old)), Value::Array(new)) => {
+            let array = item.as_array_mut()?;
+            for (k, (old, new)) in old.iter().zip(new).enumerate() {
+                if old.to_string() != new.to_string() {
+                    array.replace(k, new.clone());
+                }
+            }
+        }
+        _ => {
+            let value = item.as_value_mut()?;
+            let decor = value.decor().clone();
+            *value = new.clone();
+            *value.decor_mut() = decor;
         }
     }
     Some(())
-}
-
-/// Gives a field a value, with the blanks and the comment of the old one.
-fn set(table: &mut dyn TableLike, key: &str, mut value: Value) {
-    match table.get_mut(key).and_then(TomlItem::as_value_mut) {
-        Some(old) => {
-            *value.decor_mut() = old.decor().clone();
-            *old = value;
-        }
-        None => {
-            table.insert(key, TomlItem::Value(value));
-        }
-    }
-}
-
-fn number(x: f64) -> Option<Value> {
-    write::number(x).parse().ok()
-}
-
-fn vector(v: DVec3) -> Option<Value> {
-    write::vector(v).parse().ok()
 }

@@ -1,4 +1,4 @@
-//! Where in a scene file the numbers stand that make no camera.
+//! The place in a scene file of numbers that make no camera.
 
 use std::fs;
 use std::path::Path;

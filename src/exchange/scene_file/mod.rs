@@ -67,9 +67,9 @@ pub const VERSION: i64 = 1;
 /// The first thing that is wrong with it, or with the CSV file that it names.
 pub fn load(path: &Path) -> Result<Document, FileError> {
     let bytes = fs::read(path).map_err(|error| FileError::unreadable(path, &error))?;
-    let text = std::str::from_utf8(&bytes).map_err(|error| FileError {
-        place: Some(Place::of_byte(&bytes, error.valid_up_to())),
-        ..FileError::of_file(path, "not UTF-8 text: a scene file is text in UTF-8")
+    let text = std::str::from_utf8(&bytes).map_err(|error| {
+        let place = Place::of_byte(&bytes, error.valid_up_to());
+        FileError::at(path, place, "not UTF-8 text: a scene file is text in UTF-8")
     })?;
     parse(text, path, path.parent().unwrap_or(Path::new("")))
 }

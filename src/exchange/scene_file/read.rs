@@ -1,4 +1,4 @@
-//! From a scene file's text to a document.
+//! Reading a document from a scene file's text.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! From a document to a scene file's text.
+//! Writing a document as a scene file's text.
 
 use std::path::Path;
 
@@ -25,7 +25,7 @@ fn reads_back_as(text: &str, fresh_text: &str) -> bool {
 }
 
 /// The text without regard to a previous one: the same for documents that are the same to the bit.
-fn fresh(document: &Document) -> String {
+pub(super) fn fresh(document: &Document) -> String {
     let mut text = note::to_block(&document.note);
     if !text.is_empty() {
         text.push('\n');
@@ -61,17 +61,17 @@ fn camera_fields(camera: &Camera) -> String {
     format!("eye = {}\n{way}", vector(camera.eye))
 }
 
-pub(super) fn basis_table(basis: &Basis) -> String {
+fn basis_table(basis: &Basis) -> String {
     let Basis { u, v, w } = basis;
     format!("{{ u = {}, v = {}, w = {} }}", vector(*u), vector(*v), vector(*w))
 }
 
-pub(super) fn sphere_fields(item: &Item<Sphere>) -> String {
+fn sphere_fields(item: &Item<Sphere>) -> String {
     let Sphere { center, radius } = item.shape;
     fields(item, format!("center = {}\nradius = {}\n", vector(center), number(radius)))
 }
 
-pub(super) fn plane_fields(item: &Item<Plane>) -> String {
+fn plane_fields(item: &Item<Plane>) -> String {
     let Plane { point, normal } = item.shape;
     fields(item, format!("point = {}\nnormal = {}\n", vector(point), vector(normal)))
 }
@@ -82,19 +82,19 @@ fn fields<S>(item: &Item<S>, shape: String) -> String {
     [name, Some(shape), color].into_iter().flatten().collect()
 }
 
-pub(super) fn vector(v: DVec3) -> String {
+fn vector(v: DVec3) -> String {
     format!("[{}, {}, {}]", number(v.x), number(v.y), number(v.z))
 }
 
 /// The shortest float of TOML that reads back to the same `f64`, the sign of a zero included.
-pub(super) fn number(x: f64) -> String {
+fn number(x: f64) -> String {
     let text = format!("{x:?}");
     // Rust's word for it is no TOML.
     if x.is_nan() { "nan".to_owned() } else { text }
 }
 
 /// A basic string of TOML, on one line whatever it contains.
-pub(super) fn string(text: &str) -> String {
+fn string(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {
         match c {

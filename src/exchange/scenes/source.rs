@@ -1,4 +1,4 @@
-//! What SCENE on the command line means: a file, or the name of a built-in scene.
+//! The scene that SCENE on the command line means: a file, or the name of a built-in scene.
 
 use std::path::{Path, PathBuf};
 

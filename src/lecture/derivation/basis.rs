@@ -6,7 +6,7 @@ use pinhole_core::arithmetic::{
     Dyadic, Exact3, cross, dot, exact3, is_orthogonal, is_unit, minus, over_root_rounded,
     root_of_quotient,
 };
-use pinhole_core::{Basis, BasisError, BasisVector, Camera, DVec3, Orientation};
+use pinhole_core::{Basis, BasisError, Camera, DVec3, Orientation};
 
 /// The derivation of a camera's basis, by the way in which the camera is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,53 +94,24 @@ pub struct BasisByHand {
     pub v: DVec3,
     /// w, as set.
     pub w: DVec3,
-    /// `|u|`, `|v|`, `|w|`: each has to be 1. `None` where a coordinate is not finite.
-    pub lengths: [Option<LengthCheck>; 3],
-    /// `u . v`, `v . w`, `w . u`: each has to be 0. `None` where a coordinate is not finite.
-    pub dots: [Option<DotCheck>; 3],
-    /// `u x v` against w. `None` where a coordinate is not finite.
-    pub handedness: Option<HandednessCheck>,
+    /// `|u|`, `|v|`, `|w|`: each has to be 1 within
+    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE). `None` where a coordinate is
+    /// not finite, as in all checks.
+    pub lengths: [Option<BasisCheck>; 3],
+    /// `u . v`, `v . w`, `w . u`: each has to be 0 within the same tolerance.
+    pub dots: [Option<BasisCheck>; 3],
+    /// `(u x v) . w`: 1 or -1 of unit vectors at right angles, and greater than 0 of right-handed ones.
+    pub handedness: Option<BasisCheck>,
     /// The whole, or the first thing that is wrong.
     pub basis: Result<Basis, BasisError>,
 }
 
-/// A check that a vector is of length 1.
+/// A check of vectors set by hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct LengthCheck {
-    /// Which one.
-    pub vector: BasisVector,
-    /// Its length.
-    pub length: f64,
-    /// The verdict: true where that is 1 within
-    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE).
-    pub passes: bool,
-}
-
-/// A check that two vectors are at a right angle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct DotCheck {
-    /// One of them.
-    pub first: BasisVector,
-    /// The other.
-    pub second: BasisVector,
-    /// Their dot product.
-    pub dot: f64,
-    /// The verdict: true where that is 0 within
-    /// [`ORTHONORMAL_TOLERANCE`](pinhole_core::ORTHONORMAL_TOLERANCE).
-    pub passes: bool,
-}
-
-/// A check that the three are right-handed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct HandednessCheck {
-    /// `u x v`: w of a right-handed basis, -w of a left-handed one.
-    pub u_cross_v: DVec3,
-    /// `(u x v) . w`: 1 or -1 of unit vectors at right angles.
-    pub along_w: f64,
-    /// The verdict: true where that is greater than 0.
+pub struct BasisCheck {
+    /// The number that is looked at.
+    pub value: f64,
+    /// The verdict.
     pub passes: bool,
 }
 
@@ -241,35 +212,29 @@ impl Cross {
 
 impl BasisByHand {
     fn new(camera: &Camera, Basis { u, v, w }: Basis) -> BasisByHand {
-        use BasisVector::{U, V, W};
         let finite = |a: DVec3| a.is_finite().then_some(a);
-        let length_check = |(vector, value): (BasisVector, DVec3)| {
+        let length_check = |value: DVec3| {
             let value = finite(value)?;
             let length = VectorAndLength::new(&exact3(value)).length;
-            Some(LengthCheck { vector, length, passes: is_unit(value) })
+            Some(BasisCheck { value: length, passes: is_unit(value) })
         };
-        let dot_check = |(first, second, a, b): (BasisVector, BasisVector, DVec3, DVec3)| {
+        let dot_check = |(a, b): (DVec3, DVec3)| {
             let (a, b) = (finite(a)?, finite(b)?);
-            let product = dot(&exact3(a), &exact3(b)).rounded_times(0);
-            Some(DotCheck { first, second, dot: product, passes: is_orthogonal(a, b) })
+            let value = dot(&exact3(a), &exact3(b)).rounded_times(0);
+            Some(BasisCheck { value, passes: is_orthogonal(a, b) })
         };
         let handedness = || {
             let (u, v, w) = (exact3(finite(u)?), exact3(finite(v)?), exact3(finite(w)?));
-            let product = cross(&u, &v);
-            let along = dot(&product, &w);
-            Some(HandednessCheck {
-                u_cross_v: rounded(&product),
-                along_w: along.rounded_times(0),
-                passes: along.sign().is_gt(),
-            })
+            let along = dot(&cross(&u, &v), &w);
+            Some(BasisCheck { value: along.rounded_times(0), passes: along.sign().is_gt() })
         };
         BasisByHand {
             eye: camera.eye,
             u,
             v,
             w,
-            lengths: [(U, u), (V, v), (W, w)].map(length_check),
-            dots: [(U, V, u, v), (V, W, v, w), (W, U, w, u)].map(dot_check),
+            lengths: [u, v, w].map(length_check),
+            dots: [(u, v), (v, w), (w, u)].map(dot_check),
             handedness: handedness(),
             basis: camera.basis(),
         }

@@ -5,10 +5,7 @@ mod implicit_unit;
 mod objects;
 mod ray;
 
-pub use basis::{
-    BasisByHand, BasisDerivation, BasisFromUp, Cross, DotCheck, HandednessCheck, LengthCheck,
-    VectorAndLength,
-};
+pub use basis::{BasisByHand, BasisCheck, BasisDerivation, BasisFromUp, Cross, VectorAndLength};
 pub use implicit_unit::{ImplicitUnit, UnitOrigin};
 pub use objects::{
     ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDerivation, SphereMeeting,

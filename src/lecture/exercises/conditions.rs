@@ -14,11 +14,11 @@ pub enum Finding {
     Coordinate(usize),
     /// The length should be 1, and is this.
     Length(f64),
-    /// It should be at right angles to the named vector; the dot product.
+    /// It should be at right angles to the named vector.
     NotOrthogonal {
         /// `up`, `u`, `w`, ...
         to: &'static str,
-        /// Which should be 0.
+        /// The dot product, which should be 0.
         dot: f64,
     },
     /// It points elsewhere.
@@ -74,7 +74,7 @@ pub enum Finding {
 /// A condition that an answer has to fulfil.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Condition {
-    /// At this t, the ray is on it.
+    /// The ray is on it at this t.
     Meets(Ray, Surface),
     /// The point is on it.
     On(Surface),

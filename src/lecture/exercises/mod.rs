@@ -18,8 +18,8 @@ use pinhole_core::{Camera, DVec2, Plane, Sphere};
 
 pub use conditions::Finding;
 pub use judge::Verdict;
-pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart};
-pub use question_texts::{asked, question, title};
+pub use question::{Answer, Asked, Exercise, Given, Question, QuestionPart, title};
+pub use question_texts::{asked, question};
 pub use solution::solution;
 pub use verdict_texts::follows;
 

@@ -60,7 +60,7 @@ pub enum Given {
     ViewUp {
         /// The direction in which the camera looks.
         view: DVec3,
-        /// Which way is up.
+        /// The direction that is up.
         up: DVec3,
     },
     /// Two points and up.
@@ -69,7 +69,7 @@ pub enum Given {
         eye: DVec3,
         /// The point that it looks at.
         at: DVec3,
-        /// Which way is up.
+        /// The direction that is up.
         up: DVec3,
     },
     /// A ray and a sphere.
@@ -99,11 +99,11 @@ pub enum Asked {
     Direction,
     /// The ray's t.
     T,
-    /// Right in the image.
+    /// The direction that is right in the image.
     U,
-    /// Up in the image.
+    /// The direction that is up in the image.
     V,
-    /// Backwards.
+    /// The direction backwards.
     W,
     /// The point that is hit.
     Point,
@@ -152,6 +152,18 @@ pub struct Question {
     pub parts: Vec<QuestionPart>,
 }
 
+/// Each exercise's name in files and its title, in their order.
+const NAMES: [(&str, &str); Exercise::ALL.len()] = [
+    ("warm-up-ray", "Warm-up 1a: a viewing ray"),
+    ("warm-up-plane", "Warm-up 1b: the wall it meets"),
+    ("distance", "What if the distance is another"),
+    ("turned-basis", "A basis turned by 45°"),
+    ("view-up", "A basis from view and up"),
+    ("eye-at-up", "A basis from eye, at and up"),
+    ("sphere", "A ray and a sphere"),
+    ("lines", "A line and a ray in two dimensions"),
+];
+
 impl Exercise {
     /// All of them, in the lecture's order.
     pub const ALL: &'static [Exercise] = &[
@@ -167,22 +179,18 @@ impl Exercise {
 
     /// The name in files.
     pub fn id(self) -> &'static str {
-        match self {
-            Exercise::WarmUpRay => "warm-up-ray",
-            Exercise::WarmUpPlane => "warm-up-plane",
-            Exercise::Distance => "distance",
-            Exercise::Turned => "turned-basis",
-            Exercise::ViewUp => "view-up",
-            Exercise::EyeAtUp => "eye-at-up",
-            Exercise::Sphere => "sphere",
-            Exercise::Lines => "lines",
-        }
+        NAMES[self as usize].0
     }
 
     /// The exercise of this [`Exercise::id`].
     pub fn from_id(id: &str) -> Option<Exercise> {
         Exercise::ALL.iter().copied().find(|exercise| exercise.id() == id)
     }
+}
+
+/// The title of an exercise in a list.
+pub fn title(exercise: Exercise) -> &'static str {
+    NAMES[exercise as usize].1
 }
 
 impl Asked {

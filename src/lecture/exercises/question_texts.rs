@@ -2,22 +2,8 @@
 
 use pinhole_core::{DVec2, DVec3, Ray, Sphere};
 
-use super::question::{Asked, Exercise, Given, QuestionPart};
+use super::question::{Asked, Given, QuestionPart};
 use super::solution::number;
-
-/// The title of an exercise in a list.
-pub fn title(exercise: Exercise) -> &'static str {
-    match exercise {
-        Exercise::WarmUpRay => "Warm-up 1a: a viewing ray",
-        Exercise::WarmUpPlane => "Warm-up 1b: the wall it meets",
-        Exercise::Distance => "What if the distance is another",
-        Exercise::Turned => "A basis turned by 45°",
-        Exercise::ViewUp => "A basis from view and up",
-        Exercise::EyeAtUp => "A basis from eye, at and up",
-        Exercise::Sphere => "A ray and a sphere",
-        Exercise::Lines => "A line and a ray in two dimensions",
-    }
-}
 
 /// The question, a paragraph each.
 pub fn question(given: &Given) -> Vec<String> {

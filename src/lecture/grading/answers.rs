@@ -75,7 +75,7 @@ pub struct GivenHit {
 }
 
 impl<T> Written<T> {
-    /// With all its digits.
+    /// A value with all its digits.
     pub fn exactly(value: T) -> Written<T> {
         Written { value, rounding: 0.0 }
     }

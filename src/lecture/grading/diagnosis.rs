@@ -1,7 +1,8 @@
-//! Which mistakes explain the answers.
+//! The mistakes that explain the answers.
 
 use rayon::prelude::*;
 
+use super::grade::{Judged, Right};
 use crate::mistakes::{GivenCamera, Mistake, Pipeline, PipelineCamera, Way};
 
 /// The mistakes that explain wrong answers.
@@ -27,7 +28,7 @@ pub struct Diagnosis {
     pub of_every: usize,
 }
 
-/// Answers of some kind, held against a pipeline.
+/// Answers of some kind, held against the truth and against pipelines.
 pub(super) trait Fits: Sync {
     /// The count of answers.
     fn len(&self) -> usize;
@@ -47,6 +48,12 @@ pub(super) trait Fits: Sync {
 
     /// Returns whether the pipeline may have given this answer.
     fn fits(&self, camera: &PipelineCamera, index: usize) -> bool;
+
+    /// The verdict on this answer, and its distance from the truth.
+    fn judged(&self, index: usize) -> Judged;
+
+    /// The right answer in the place of this one.
+    fn right(&self, index: usize) -> Right;
 }
 
 /// Answers that are looked at before all others are.

@@ -1,8 +1,6 @@
 //! Answers that are right as far as they are written, to too few digits.
 
-use pinhole_core::DVec3;
-
-use super::answers::{Answers, Written, WrittenVector};
+use super::answers::{Answers, GivenHit, WrittenVector};
 
 /// The digits to which the numbers of some answers are written. Zeros at the end do not show, so
 /// the longest of them tell for all.
@@ -20,16 +18,16 @@ impl Precision {
         /// More than a number is ever said to lack.
         const MANY: i32 = 12;
         let mut longest: Option<Precision> = None;
-        let mut is_long = false;
-        for_each(answers, |size| {
-            if let Some((digits, decimals)) = written(size).filter(|_| !is_long) {
+        for_each(&mut answers.clone(), |numbers, _| {
+            for (digits, decimals) in numbers.iter().filter_map(|x| written(x.abs())) {
                 let before = longest.unwrap_or(Precision { digits, decimals });
                 let (digits, decimals) = (before.digits.max(digits), before.decimals.max(decimals));
                 longest = Some(Precision { digits, decimals });
-                is_long = digits > MANY;
             }
+            // The first number with all its digits tells enough.
+            longest.is_none_or(|longest| longest.digits <= MANY)
         });
-        longest.filter(|_| !is_long)
+        longest.filter(|longest| longest.digits <= MANY)
     }
 
     /// Half a unit of the last digit of a number of this size.
@@ -44,11 +42,13 @@ impl Precision {
     pub(super) fn allowed(self, answers: &Answers) -> (Answers, i32) {
         let mut fewest = self.digits;
         let mut allowed = answers.clone();
-        for_each_mut(&mut allowed, |size, rounding| {
+        for_each(&mut allowed, |numbers, rounding| {
+            let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
             *rounding = rounding.max(self.half_unit(size));
             if let Some(exponent) = exponent(size) {
                 fewest = fewest.min(exponent + 1 + self.decimals);
             }
+            true
         });
         (allowed, fewest)
     }
@@ -68,54 +68,22 @@ fn written(size: f64) -> Option<(i32, i32)> {
     Some((digits, digits - 1 - exponent.parse::<i32>().ok()?))
 }
 
-/// Calls with the size of each number, and of each coordinate.
-fn for_each(answers: &Answers, mut each: impl FnMut(f64)) {
-    let mut vector = |vector: &WrittenVector| {
-        vector.value.to_array().into_iter().for_each(|coordinate| each(coordinate.abs()));
-    };
+/// Calls with each number, or each vector's numbers, and their rounding, while that returns true.
+fn for_each(answers: &mut Answers, mut each: impl FnMut(&[f64], &mut f64) -> bool) {
+    let mut vector =
+        |vector: &mut WrittenVector| each(&vector.value.to_array(), &mut vector.rounding);
     match answers {
-        Answers::Basis(vectors) => vectors.iter().for_each(vector),
-        Answers::Rays(rays) => rays.iter().for_each(|ray| {
-            vector(&ray.origin);
-            vector(&ray.direction);
-        }),
-        Answers::Hits(hits) => {
-            for hit in hits.iter().filter_map(|answer| answer.hit) {
-                if let Some(t) = hit.t {
-                    vector(&Written::exactly(DVec3::splat(t.value)));
-                }
-                if let Some(point) = &hit.point {
-                    vector(point);
-                }
-            }
+        Answers::Basis(vectors) => drop(vectors.iter_mut().all(vector)),
+        Answers::Rays(rays) => {
+            rays.iter_mut().all(|ray| vector(&mut ray.origin) && vector(&mut ray.direction));
         }
-        Answers::Picture(_) => {}
-    }
-}
-
-/// Calls with the size of each number, and of each vector's largest coordinate; and its rounding.
-fn for_each_mut(answers: &mut Answers, mut each: impl FnMut(f64, &mut f64)) {
-    let mut vector = |vector: &mut WrittenVector| {
-        each(vector.value.abs().max_element(), &mut vector.rounding);
-    };
-    match answers {
-        Answers::Basis(vectors) => vectors.iter_mut().for_each(vector),
-        Answers::Rays(rays) => rays.iter_mut().for_each(|ray| {
-            vector(&mut ray.origin);
-            vector(&mut ray.direction);
-        }),
         Answers::Hits(hits) => {
-            for hit in hits.iter_mut().filter_map(|answer| answer.hit.as_mut()) {
-                if let Some(point) = &mut hit.point {
-                    vector(point);
-                }
-                if let Some(t) = &mut hit.t {
-                    let mut along =
-                        WrittenVector { value: t.value * DVec3::X, rounding: t.rounding };
-                    vector(&mut along);
-                    t.rounding = along.rounding;
-                }
-            }
+            hits.iter_mut().filter_map(|answer| answer.hit.as_mut()).all(
+                |GivenHit { t, point, .. }| {
+                    point.as_mut().is_none_or(|v| each(&v.value.to_array(), &mut v.rounding))
+                        && t.as_mut().is_none_or(|t| each(&[t.value], &mut t.rounding))
+                },
+            );
         }
         Answers::Picture(_) => {}
     }

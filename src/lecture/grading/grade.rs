@@ -32,7 +32,7 @@ pub struct Truth<'a> {
 pub struct Grade {
     /// The kind of answers.
     pub kind: AnswerKind,
-    /// Within which tolerance: a share, or levels of 255 for a picture.
+    /// The tolerance: a share, or levels of 255 for a picture.
     pub tolerance: f64,
     /// The verdict on each answer, in their order.
     pub is_right: Vec<bool>,
@@ -49,8 +49,7 @@ pub struct Grade {
     /// The one t that most answers have where a miss would be right, and that no hit has: it stands
     /// for a miss, and what is found is found with it taken as one.
     pub sentinel: Option<f64>,
-    /// Pixels without an answer, where each of them counts as a wrong one:
-    /// [`Grade::counting_unanswered`].
+    /// Pixels without an answer, where each of them counts as a wrong one.
     pub unanswered: usize,
 }
 
@@ -58,7 +57,7 @@ pub struct Grade {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Worst {
-    /// Which answer it is, counted from 0.
+    /// The answer's index, counted from 0.
     pub index: usize,
     /// The error, in the terms of the tolerance. Infinite where a hit is taken for a miss, or for
     /// one of another object.
@@ -120,11 +119,6 @@ impl Digits {
 }
 
 impl Grade {
-    /// The grade with so many pixels counted as wrong answers, as they have none.
-    pub fn counting_unanswered(self, unanswered: usize) -> Grade {
-        Grade { unanswered, ..self }
-    }
-
     /// The count of answers that there are, or should be.
     pub fn answers(&self) -> usize {
         self.is_right.len() + self.unanswered

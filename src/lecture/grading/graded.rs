@@ -102,7 +102,7 @@ impl Graded {
     pub fn complete(self) -> Graded {
         let is_unanswered = |cell: &&Cell| **cell == Cell::Unanswered;
         let unanswered = self.map().map_or(0, |cells| cells.iter().filter(is_unanswered).count());
-        Graded { grade: self.grade.counting_unanswered(unanswered), ..self }
+        Graded { grade: Grade { unanswered, ..self.grade }, ..self }
     }
 
     /// `3 pixels are not answered`, where that counts as wrong.

@@ -3,14 +3,14 @@
 use std::cmp::Reverse;
 
 use pinhole_core::{Pixel, Rgb, Shade};
+use rayon::prelude::*;
 
-use super::answers::{AnswerKind, Answers, HitAnswer, RayAnswer, WrittenVector};
+use super::answers::{AnswerKind, Answers, HitAnswer};
 use super::diagnosis::{Diagnosis, Fits, diagnose};
 use super::digits::Precision;
 use super::error::GradeError;
 use super::grade::{
-    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Right, Truth, Worst,
-    digits_wanted,
+    Digits, Grade, Hit, Judged, LEVELS_TOLERANCE, RELATIVE_TOLERANCE, Truth, Worst, digits_wanted,
 };
 use super::hits::{Hits, truth_of};
 use super::picture::{Picture, brightest, off, right_pictures};
@@ -86,11 +86,9 @@ impl<'a> Grader<'a> {
     }
 
     fn graded_as_given(&self) -> Grade {
-        let grade = match self.answers {
-            Answers::Basis(vectors) => self.basis(vectors),
-            Answers::Rays(rays) => self.rays(rays),
-            Answers::Hits(hits) => self.hits(hits),
-            Answers::Picture(pixels) => self.picture(pixels),
+        let grade = match self.held(self.answers, self.digits) {
+            Ok(held) => self.graded(&*held),
+            Err(pixels) => return self.picture(pixels),
         };
         // Few digits fit pairs of mistakes by chance, and say nothing of `f32`.
         let least = match grade.diagnosis.mistakes[..] {
@@ -100,9 +98,10 @@ impl<'a> Grader<'a> {
             _ => 3,
         };
         let Some((answers, digits)) = self.few_digits() else { return grade };
-        let diagnosis = match digits >= least && self.are_right_as_written(&answers) {
+        let Ok(held) = self.held(&answers, Digits::as_written()) else { return grade };
+        let diagnosis = match digits >= least && judged(&*held).iter().all(|j| j.is_right) {
             true => Some(Diagnosis::default()),
-            false => self.mistake_in_few_digits(&answers, digits, &grade.is_right),
+            false => self.mistake_in_few_digits(&*held, digits, &grade.is_right),
         };
         match diagnosis {
             Some(diagnosis) => Grade { right_digits: Some(digits), diagnosis, ..grade },
@@ -118,53 +117,39 @@ impl<'a> Grader<'a> {
         too_few.contains(&digits).then_some((answers, digits as u32))
     }
 
-    /// Returns whether the answers, with what their digits leave open, are all right.
-    fn are_right_as_written(&self, answers: &Answers) -> bool {
-        let judged = match answers {
-            Answers::Basis(answers) => self.as_written(answers).judged(&self.given),
-            Answers::Rays(rays) => self.of_rays(rays, Digits::as_written()).judged(&self.given),
-            Answers::Hits(hits) => {
-                self.of_hits(hits, Digits::as_written()).judged(&self.given, &self.first_of(hits))
-            }
-            Answers::Picture(_) => return false,
-        };
-        judged.iter().all(|judged| judged.is_right)
-    }
-
     /// The one mistake that explains the answers as far as they are written, where that is to too
     /// few digits: what they lack is not put down to `f32`.
     fn mistake_in_few_digits(
         &self,
-        answers: &Answers,
+        answers: &dyn Fits,
         digits: u32,
         is_right: &[bool],
     ) -> Option<Diagnosis> {
         const LEAST: u32 = 3;
-        if digits < LEAST {
-            return None;
-        }
-        let explained = |fits: &dyn Fits| diagnose(&self.given, fits, is_right, false);
-        let diagnosis = match answers {
-            Answers::Basis(answers) => explained(&self.as_written(answers)),
-            Answers::Rays(rays) => explained(&self.of_rays(rays, Digits::as_written())),
-            Answers::Hits(hits) => explained(&self.of_hits(hits, Digits::as_written())),
-            Answers::Picture(_) => return None,
-        };
+        let diagnosis =
+            (digits >= LEAST).then(|| diagnose(&self.given, answers, is_right, false))?;
         (diagnosis.mistakes.len() == 1).then_some(diagnosis)
     }
 
-    fn as_written<'b>(&self, answers: &'b [WrittenVector; 3]) -> Vectors<'b> {
-        Vectors { answers, tolerance: self.tolerance, digits: Digits::as_written() }
-    }
-
-    fn of_hits<'b>(&'b self, answers: &'b [HitAnswer], digits: Digits) -> Hits<'b> {
-        Hits { answers, scene: self.truth.scene, tolerance: self.tolerance, digits }
-    }
-
-    fn of_rays<'b>(&self, answers: &'b [RayAnswer], digits: Digits) -> Rays<'b> {
-        let resolved = &self.given.resolved;
-        let (size, image) = (resolved.viewport().distance, resolved.image());
-        Rays { answers, tolerance: self.tolerance, digits, size, image }
+    /// The answers with what they are held against.
+    ///
+    /// # Errors
+    /// The pixels of a picture, whose shading is not known.
+    fn held<'b>(
+        &'b self,
+        answers: &'b Answers,
+        digits: Digits,
+    ) -> Result<Box<dyn Fits + 'b>, &'b [Rgb]> {
+        let (given, tolerance) = (&self.given, self.tolerance);
+        Ok(match answers {
+            Answers::Basis(answers) => Box::new(Vectors { answers, given, tolerance, digits }),
+            Answers::Rays(answers) => Box::new(Rays { answers, given, tolerance, digits }),
+            Answers::Hits(answers) => {
+                let (first, scene) = (self.first_of(answers), self.truth.scene);
+                Box::new(Hits { answers, first, given, scene, tolerance, digits })
+            }
+            Answers::Picture(pixels) => return Err(pixels),
+        })
     }
 
     /// The first hits of the rays of these answers.
@@ -173,40 +158,10 @@ impl<'a> Grader<'a> {
         truth_of(self.truth, &self.given.resolved, &pixels)
     }
 
-    fn basis(&self, vectors: &[WrittenVector; 3]) -> Grade {
-        let Grader { tolerance, digits, .. } = *self;
-        let fits = Vectors { answers: vectors, tolerance, digits };
-        let basis = self.given.resolved.basis();
-        let right = |index: usize| Right::Vector([basis.u, basis.v, basis.w][index]);
-        self.graded(&fits.judged(&self.given), &fits, &right)
-    }
-
-    fn rays(&self, rays: &[RayAnswer]) -> Grade {
-        let resolved = &self.given.resolved;
-        let image = resolved.image();
-        let fits = self.of_rays(rays, self.digits);
-        let right = |index: usize| match rays[index].pixel {
-            pixel if image.contains(pixel) => Right::Ray(resolved.ray_of_pixel(pixel)),
-            _ => Right::NoPixel,
-        };
-        self.graded(&fits.judged(&self.given), &fits, &right)
-    }
-
-    fn hits(&self, hits: &[HitAnswer]) -> Grade {
-        let image = self.given.resolved.image();
-        let fits = self.of_hits(hits, self.digits);
-        let first = self.first_of(hits);
-        let right = |index: usize| match hits[index].pixel {
-            pixel if image.contains(pixel) => Right::Hit(first[index]),
-            _ => Right::NoPixel,
-        };
-        self.graded(&fits.judged(&self.given, &first), &fits, &right)
-    }
-
     /// A picture in the shading that fits best: that in which most pixels agree, or, where no
     /// mistake explains it in that, the one in which the fewest do.
     fn picture(&self, pixels: &[Rgb]) -> Grade {
-        let (pictures, nearest) = right_pictures(self.truth, &self.given);
+        let (pictures, right_camera) = right_pictures(self.truth, &self.given);
         let brightest = brightest(pixels);
         let agree = |right: &[Rgb]| {
             pixels.iter().zip(right).filter(|(a, b)| off(**a, **b) <= self.tolerance).count()
@@ -222,11 +177,10 @@ impl<'a> Grader<'a> {
                 shade: Shade::ALL[place],
                 tolerance: self.tolerance,
                 brightest,
+                right: &pictures[place],
+                right_camera,
             };
-            let right = &pictures[place];
-            let judged = fits.judged(&self.given, right, nearest);
-            let grade = self.graded(&judged, &fits, &|index| Right::Color(right[index]));
-            Grade { shade: Some(fits.shade), ..grade }
+            Grade { shade: Some(fits.shade), ..self.graded(&fits) }
         };
         let mut best = grade(order[0]);
         for place in &order[1..] {
@@ -243,21 +197,20 @@ impl<'a> Grader<'a> {
         best
     }
 
-    fn graded(&self, judged: &[Judged], fits: &dyn Fits, right: &dyn Fn(usize) -> Right) -> Grade {
+    fn graded(&self, answers: &dyn Fits) -> Grade {
+        let judged = judged(answers);
         let is_right: Vec<bool> = judged.iter().map(|judged| judged.is_right).collect();
         let diagnosis = if is_right.iter().all(|is_right| *is_right) {
             Diagnosis::default()
         } else {
-            diagnose(&self.given, fits, &is_right, self.may_be_single)
+            diagnose(&self.given, answers, &is_right, self.may_be_single)
         };
-        let worst =
-            worst_of(judged).map(|(index, error)| Worst { index, error, right: right(index) });
-        let (kind, tolerance) = (self.answers.kind(), self.tolerance);
+        let worst = worst_of(&judged);
         Grade {
-            kind,
-            tolerance,
+            kind: self.answers.kind(),
+            tolerance: self.tolerance,
             is_right,
-            worst,
+            worst: worst.map(|(index, error)| Worst { index, error, right: answers.right(index) }),
             shade: None,
             diagnosis,
             right_digits: None,
@@ -265,6 +218,10 @@ impl<'a> Grader<'a> {
             unanswered: 0,
         }
     }
+}
+
+fn judged(answers: &dyn Fits) -> Vec<Judged> {
+    (0..answers.len()).into_par_iter().map(|index| answers.judged(index)).collect()
 }
 
 /// The number that stands for a miss: of those that no hit has, 0 and less or beyond all hits, the

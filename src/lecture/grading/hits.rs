@@ -2,16 +2,18 @@
 
 use pinhole_core::arithmetic::length;
 use pinhole_core::{DVec3, NO_OBJECT, Outputs, Pixel, Raster, ResolvedCamera, Scene, trace};
-use rayon::prelude::*;
 
 use super::answers::{GivenHit, HitAnswer, WrittenVector};
 use super::diagnosis::Fits;
 use super::first_hits::{FirstHits, PossibleHit, work};
-use super::grade::{Digits, Hit, Judged, Truth};
+use super::grade::{Digits, Hit, Judged, Right, Truth};
 use crate::mistakes::{GivenCamera, Measure, Pipeline, PipelineCamera};
 
 pub(super) struct Hits<'a> {
     pub(super) answers: &'a [HitAnswer],
+    /// The true hits in their places.
+    pub(super) first: Vec<Option<Hit>>,
+    pub(super) given: &'a GivenCamera,
     pub(super) scene: &'a Scene,
     pub(super) tolerance: f64,
     pub(super) digits: Digits,
@@ -37,6 +39,22 @@ impl Fits for Hits<'_> {
             None => first.may_miss,
             Some(given) => first.hits.iter().any(|hit| self.is(camera, direction, hit, &given)),
         }
+    }
+
+    fn judged(&self, index: usize) -> Judged {
+        let Right::Hit(truth) = self.right(index) else {
+            return Judged { is_right: false, error: f64::INFINITY };
+        };
+        let given = self.answers[index].hit;
+        let error = error_of(given.as_ref(), truth.as_ref(), self.given.resolved.eye());
+        let is_right =
+            error <= self.tolerance || self.fits(&self.given.camera_of(Pipeline::RIGHT), index);
+        Judged { is_right, error }
+    }
+
+    fn right(&self, index: usize) -> Right {
+        let is_pixel = self.given.resolved.image().contains(self.answers[index].pixel);
+        if is_pixel { Right::Hit(self.first[index]) } else { Right::NoPixel }
     }
 }
 
@@ -84,22 +102,6 @@ impl Hits<'_> {
             along[0] <= along[1]
         };
         is_object && is_t && given.point.is_none_or(is_point)
-    }
-
-    /// The distance of each answer from the truth.
-    pub(super) fn judged(&self, given: &GivenCamera, truth: &[Option<Hit>]) -> Vec<Judged> {
-        let right = given.camera_of(Pipeline::RIGHT);
-        let image = given.resolved.image();
-        let judge = |index: usize| {
-            let HitAnswer { pixel, hit } = self.answers[index];
-            if !image.contains(pixel) {
-                return Judged { is_right: false, error: f64::INFINITY };
-            }
-            let error = error_of(hit.as_ref(), truth[index].as_ref(), given.resolved.eye());
-            let is_right = error <= self.tolerance || self.fits(&right, index);
-            Judged { is_right, error }
-        };
-        (0..self.answers.len()).into_par_iter().map(judge).collect()
     }
 }
 

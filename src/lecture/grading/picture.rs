@@ -7,11 +7,10 @@ use pinhole_core::{
     BACKGROUND, DVec3, ImageSize, Outputs, Pixel, Raster, Rgb, Scene, Shade, lambert, shade,
     trace_as,
 };
-use rayon::prelude::*;
 
 use super::diagnosis::Fits;
 use super::first_hits::{FirstHits, normal_at, work};
-use super::grade::{Judged, RELATIVE_TOLERANCE, Truth};
+use super::grade::{Judged, RELATIVE_TOLERANCE, Right, Truth};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 /// A picture that is taken to be shaded in one way.
@@ -25,15 +24,23 @@ pub(super) struct Picture<'a> {
     pub(super) tolerance: f64,
     /// The brightest grey pixel: where a picture by t shows the nearest hit.
     pub(super) brightest: Option<usize>,
+    /// The right picture, and the camera that sees it.
+    pub(super) right: &'a [Rgb],
+    pub(super) right_camera: PipelineCamera,
 }
 
-/// The right picture in every shading, as [`Shade::ALL`] lists them, and the nearest hit's t.
-pub(super) fn right_pictures(truth: &Truth, given: &GivenCamera) -> ([Vec<Rgb>; 4], f64) {
+/// The right picture in every shading, as [`Shade::ALL`] lists them, and the camera that sees it.
+pub(super) fn right_pictures(
+    truth: &Truth,
+    given: &GivenCamera,
+) -> ([Vec<Rgb>; 4], PipelineCamera) {
     let raster = Raster::full(given.resolved.image());
     let frame = trace_as::<f32>(truth.scene, &given.resolved, &raster, Outputs::default());
     let nearest = frame.t.iter().copied().fold(f32::INFINITY, f32::min);
     let pictures = Shade::ALL.map(|mode| shade(&frame, truth.scene, mode, truth.color_of, |c| c));
-    (pictures, f64::from(nearest))
+    let mut camera = given.camera_of(Pipeline::RIGHT);
+    camera.nearest = Some(f64::from(nearest));
+    (pictures, camera)
 }
 
 /// The brightest grey pixel, the first among equals.
@@ -76,6 +83,16 @@ impl Fits for Picture<'_> {
             self.is_near(self.pixels[index], [least, most])
         })
     }
+
+    fn judged(&self, index: usize) -> Judged {
+        let error = off(self.pixels[index], self.right[index]);
+        let is_right = error <= self.tolerance || self.fits(&self.right_camera, index);
+        Judged { is_right, error }
+    }
+
+    fn right(&self, index: usize) -> Right {
+        Right::Color(self.right[index])
+    }
 }
 
 impl Picture<'_> {
@@ -114,18 +131,6 @@ impl Picture<'_> {
             value >= f64::from(least[k]) - self.tolerance
                 && value <= f64::from(most[k]) + self.tolerance
         })
-    }
-
-    /// The distance of each pixel from the right picture, in levels of its worst channel.
-    pub(super) fn judged(&self, given: &GivenCamera, right: &[Rgb], nearest: f64) -> Vec<Judged> {
-        let mut camera = given.camera_of(Pipeline::RIGHT);
-        camera.nearest = Some(nearest);
-        let judge = |index: usize| {
-            let error = off(self.pixels[index], right[index]);
-            let is_right = error <= self.tolerance || self.fits(&camera, index);
-            Judged { is_right, error }
-        };
-        (0..self.pixels.len()).into_par_iter().map(judge).collect()
     }
 }
 

@@ -1,16 +1,16 @@
 //! Bases and rays against those of pipelines.
 
+use pinhole_core::DVec3;
 use pinhole_core::arithmetic::{length, unit};
-use pinhole_core::{DVec3, ImageSize};
-use rayon::prelude::*;
 
 use super::answers::{RayAnswer, WrittenVector};
 use super::diagnosis::Fits;
-use super::grade::{Digits, Judged};
+use super::grade::{Digits, Judged, Right};
 use crate::mistakes::{GivenCamera, Pipeline, PipelineCamera};
 
 pub(super) struct Vectors<'a> {
     pub(super) answers: &'a [WrittenVector; 3],
+    pub(super) given: &'a GivenCamera,
     pub(super) tolerance: f64,
     pub(super) digits: Digits,
 }
@@ -30,26 +30,24 @@ impl Fits for Vectors<'_> {
         let off = (self.tolerance + camera.off) * length(wanted) + self.digits.allow(rounding);
         (value - wanted).abs().max_element() <= off
     }
-}
 
-impl Vectors<'_> {
-    pub(super) fn judged(&self, given: &GivenCamera) -> Vec<Judged> {
-        let right = given.camera_of(Pipeline::RIGHT);
-        let judge = |index: usize| Judged {
-            is_right: self.fits(&right, index),
-            error: length(self.answers[index].value - [right.u, right.v, right.w][index]),
-        };
-        (0..3).map(judge).collect()
+    fn judged(&self, index: usize) -> Judged {
+        let right = self.given.camera_of(Pipeline::RIGHT);
+        let error = length(self.answers[index].value - [right.u, right.v, right.w][index]);
+        Judged { is_right: self.fits(&right, index), error }
+    }
+
+    fn right(&self, index: usize) -> Right {
+        let basis = self.given.resolved.basis();
+        Right::Vector([basis.u, basis.v, basis.w][index])
     }
 }
 
 pub(super) struct Rays<'a> {
     pub(super) answers: &'a [RayAnswer],
+    pub(super) given: &'a GivenCamera,
     pub(super) tolerance: f64,
     pub(super) digits: Digits,
-    /// The viewport's distance: how long an origin of 0 is taken to be.
-    pub(super) size: f64,
-    pub(super) image: ImageSize,
 }
 
 impl Fits for Rays<'_> {
@@ -61,36 +59,39 @@ impl Fits for Rays<'_> {
         let RayAnswer { pixel, origin, direction } = self.answers[index];
         let wanted = camera.direction(f64::from(pixel.row), f64::from(pixel.column));
         let rounding = self.digits.allow(direction.rounding) / length(direction.value);
+        let origin_off = self.tolerance * self.size(camera)
+            + camera.epsilon * length(camera.eye)
+            + self.digits.allow(origin.rounding);
         camera.answers_for(pixel)
             && turned(direction.value, wanted) <= self.tolerance + camera.off + rounding
-            && self.is_eye(camera, origin)
+            && (origin.value - camera.eye).abs().max_element() <= origin_off
+    }
+
+    fn judged(&self, index: usize) -> Judged {
+        let RayAnswer { origin, direction, .. } = self.answers[index];
+        let Right::Ray(ray) = self.right(index) else {
+            return Judged { is_right: false, error: f64::INFINITY };
+        };
+        let right = self.given.camera_of(Pipeline::RIGHT);
+        let turned = turned(direction.value, ray.direction);
+        let moved = length(origin.value - right.eye) / self.size(&right);
+        let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
+        let error = if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY };
+        Judged { is_right: self.fits(&right, index), error }
+    }
+
+    fn right(&self, index: usize) -> Right {
+        let (pixel, resolved) = (self.answers[index].pixel, &self.given.resolved);
+        let is_pixel = resolved.image().contains(pixel);
+        if is_pixel { Right::Ray(resolved.ray_of_pixel(pixel)) } else { Right::NoPixel }
     }
 }
 
 impl Rays<'_> {
-    fn is_eye(&self, camera: &PipelineCamera, origin: WrittenVector) -> bool {
-        let size = length(camera.eye).max(self.size);
-        let off = self.tolerance * size
-            + camera.epsilon * length(camera.eye)
-            + self.digits.allow(origin.rounding);
-        (origin.value - camera.eye).abs().max_element() <= off
-    }
-
-    pub(super) fn judged(&self, given: &GivenCamera) -> Vec<Judged> {
-        let right = given.camera_of(Pipeline::RIGHT);
-        let judge = |index: usize| {
-            let RayAnswer { pixel, origin, direction } = self.answers[index];
-            if !self.image.contains(pixel) {
-                return Judged { is_right: false, error: f64::INFINITY };
-            }
-            let size = length(right.eye).max(self.size);
-            let turned = turned(direction.value, given.resolved.ray_of_pixel(pixel).direction);
-            let moved = length(origin.value - right.eye) / size;
-            let is_ray = direction.value.is_finite() && direction.value != DVec3::ZERO;
-            let error = if is_ray && moved.is_finite() { turned.max(moved) } else { f64::INFINITY };
-            Judged { is_right: self.fits(&right, index), error }
-        };
-        (0..self.answers.len()).into_par_iter().map(judge).collect()
+    /// The length that an origin is taken to have: that of the eye, or, where that is larger, the
+    /// viewport's distance.
+    fn size(&self, camera: &PipelineCamera) -> f64 {
+        length(camera.eye).max(self.given.resolved.viewport().distance)
     }
 }
 

@@ -232,7 +232,7 @@ impl Quadratic {
 }
 
 impl Pipeline {
-    /// Without any mistake.
+    /// The pipeline without any mistake.
     pub(crate) const RIGHT: Pipeline = Pipeline {
         basis: BasisChoices::RIGHT,
         distance: Distance::Right,

@@ -2,45 +2,46 @@
 
 use std::fmt;
 
-use super::checks::Check::*;
-use super::checks::Check::{self};
 use super::pipeline::{
     Distance, Extent, Measure, Pipeline, Rows, Sign, Swap, UpAsV, Way, WhichRoot,
 };
 
-/// One line of the table. What a mistake is never asked for is empty.
-struct Entry {
-    id: &'static str,
-    /// A few words for a list.
-    name: &'static str,
-    /// The wrong formula and the right one.
-    formula: &'static str,
-    /// Its effect on the picture.
-    shows: &'static str,
-    /// A camera on which it shows, where it changes nothing.
-    hint: &'static str,
-    /// The checks that find it, where all of its effects show.
-    found_by: &'static [Check],
-    /// Said of a program that makes it.
-    advice: &'static str,
-    /// Said of an exercise's answer that comes from it.
-    told: &'static str,
-    /// The ways to make it on the way from eye, view and up to a hit, the usual one first.
-    ways: &'static [Way],
+/// One line of the table, and what it says of a mistake. What a mistake is never asked for is empty.
+macro_rules! entry {
+    ($($(#[$doc:meta])* $field:ident,)*) => {
+        struct Entry {
+            id: &'static str,
+            $($field: &'static str,)*
+            /// The ways to make it on the way from eye, view and up to a hit, the usual one first.
+            ways: &'static [Way],
+        }
+
+        impl Entry {
+            const EMPTY: Entry = Entry { id: "", $($field: "",)* ways: &[] };
+        }
+
+        impl Mistake {
+            $($(#[$doc])*
+            pub fn $field(self) -> &'static str {
+                self.entry().$field
+            })*
+        }
+    };
 }
 
-impl Entry {
-    const EMPTY: Entry = Entry {
-        id: "",
-        name: "",
-        formula: "",
-        shows: "",
-        hint: "",
-        found_by: &[],
-        advice: "",
-        told: "",
-        ways: &[],
-    };
+entry! {
+    /// A few words for the gallery's list.
+    name,
+    /// The wrong formula and the right one, for the gallery.
+    formula,
+    /// Its effect on the picture, for the gallery.
+    shows,
+    /// The change that makes it show where it changes nothing, for the gallery.
+    hint,
+    /// One sentence on what to look at in a program that makes it.
+    advice,
+    /// One sentence on an exercise's answer that comes from it, and on what to look at.
+    told,
 }
 
 macro_rules! mistakes {
@@ -87,7 +88,6 @@ mistakes! {
         shows: "The camera looks the other way: it sees what is behind it, and nothing else in the \
                 numbers looks wrong.",
         hint: "Any camera given by view, or by at, shows it.",
-        found_by: &[LooksForwards],
         advice: "Look at w: it points backwards, w = -view/|view| = normalize(eye - at), so that w \
                  . view is below 0.",
         told: "𝐰 is made of view without the minus: 𝐰 points backwards, so 𝐰 · view must be below \
@@ -101,7 +101,6 @@ mistakes! {
         formula: "𝐯 ← 𝐮 × 𝐰. Right: 𝐯 ← 𝐰 × 𝐮.",
         shows: "The picture is upside down, but left is still left.",
         hint: "Any camera given by view, or by at, shows it.",
-        found_by: &[RightHanded, UpIsUp],
         advice: "Look at the order of v's cross product: v = w x u, which points up in the image.",
         told: "𝐯 = 𝐮 × 𝐰 points down: the factors are exchanged.",
         ways: &[|p| p.basis.v_swapped ^= true],
@@ -115,7 +114,6 @@ mistakes! {
                 below 1, smaller where it is above. The closer up is to the view, the smaller the \
                 viewport.",
         hint: "Here up × 𝐰 has length 1: give up another length, or tip it towards the view.",
-        found_by: &[LengthU, LengthV],
         advice: "Look for a normalize that is missing: w = -view/|view| and u = up x w / |up x w| \
                  have length 1; and where |d| is not 1, a = d . d is not.",
         told: "𝐮 = up × 𝐰 is not normalized, and 𝐯 = 𝐰 × 𝐮 with it.",
@@ -137,7 +135,6 @@ mistakes! {
         shows: "Heights are distorted, and the middle row is right: up leans towards the view or \
                 away from it, and 𝐯 does not.",
         hint: "Here up is a unit vector at right angles to the view: tip the camera up or down.",
-        found_by: &[LengthV, VDotW],
         advice: "Look at v: up is only a hint, and v = w x u is at right angles to w.",
         told: "up is only a hint: 𝐯 = 𝐰 × 𝐮 is at right angles to 𝐰.",
         ways: &[|p| p.basis.up_as_v = UpAsV::AsGiven, |p| p.basis.up_as_v = UpAsV::Unit],
@@ -149,7 +146,6 @@ mistakes! {
         formula: "𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − 𝐰. Right: 𝐝 ← 𝑢 𝐮 + 𝑣 𝐯 − distance 𝐰.",
         shows: "The field of view is that of distance 1: everything is seen larger or smaller.",
         hint: "Here the distance is 1: give the viewport another distance.",
-        found_by: &[ViewportAtDistance],
         advice: "Look at the direction's part along w: it is -distance w, with the viewport's own \
                  distance.",
         told: "The distance is left out: the part along 𝐰 is −distance.",
@@ -163,7 +159,6 @@ mistakes! {
         shows: "The picture moves by half a pixel, right and down: seen only where pixels are \
                 large.",
         hint: "Any image shows it; one of few pixels shows it best.",
-        found_by: &[CornersBalance],
         advice: "Look at where in a pixel (u, v) is taken: at its centre, (j + 0.5)/W and (i + \
                  0.5)/H, with j and i from 0.",
         ways: &[
@@ -180,7 +175,6 @@ mistakes! {
         formula: "𝑣 ← height ((𝑖 + ½)/𝐻 − ½). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
         shows: "The picture is upside down, with a perfect basis.",
         hint: "Give the image more than one row.",
-        found_by: &[TopLeft, StepDown],
         advice: "Look at the sign of v: row 0 is on top, v = height (0.5 - (i + 0.5)/H).",
         ways: &[|p| p.rows = Rows::SignOfV, |p| p.rows = Rows::FromLast],
     }
@@ -192,7 +186,6 @@ mistakes! {
                   𝑗, 𝑣 from the row 𝑖.",
         shows: "The picture is mirrored in the diagonal from top left to bottom right.",
         hint: "Give the image more than one pixel.",
-        found_by: &[StepRight, StepDown, CornersBalance],
         advice: "Look at which index makes what: u comes from the column j and W, v from the row i \
                  and H.",
         ways: &[
@@ -209,7 +202,6 @@ mistakes! {
                   from 1.",
         shows: "The picture moves by one pixel, right and down.",
         hint: "Any image shows it; one of few pixels shows it best.",
-        found_by: &[CornersBalance],
         advice: "Look at where counting begins: rows, columns and objects count from 0 here, with \
                  (j + 0.5)/W; from 1 it would be (j - 0.5)/W.",
         ways: &[
@@ -227,7 +219,6 @@ mistakes! {
         formula: "𝑣 ← width (½ − (𝑖 + ½)/𝐻). Right: 𝑣 ← height (½ − (𝑖 + ½)/𝐻).",
         shows: "Spheres are stretched or flattened.",
         hint: "Here the viewport is as high as it is wide: give it another width or height.",
-        found_by: &[StepDown],
         advice: "Look at the viewport's measures: u takes its width and v its height, and here \
                  they differ.",
         ways: &[
@@ -245,7 +236,6 @@ mistakes! {
         formula: "𝐮 ← normalize(𝐰 × up), 𝐯 ← 𝐮 × 𝐰. Right: up × 𝐰 and 𝐰 × 𝐮.",
         shows: "The picture is mirrored: left and right are exchanged, up is still up.",
         hint: "Any camera given by view, or by at, shows it.",
-        found_by: &[RightHanded],
         advice: "Look at the order of u's cross product: u = up x w, which points right in the \
                  image.",
         told: "Both cross products are the other way round: up × 𝐰 and 𝐰 × 𝐮.",
@@ -312,7 +302,6 @@ mistakes! {
         formula: "𝐰 ← normalize(at − eye). Right: 𝐰 ← normalize(eye − at).",
         shows: "The camera looks away from at, which is exactly behind it.",
         hint: "Give the camera by eye, at and up.",
-        found_by: &[LooksForwards],
         told: "at − eye is the view: 𝐰 points the other way, from at to eye.",
         ways: &[|p| p.basis.w_forwards = true],
     }
@@ -324,7 +313,6 @@ mistakes! {
         shows: "The viewport is |view| times as far and as high, but not as wide: everything is \
                 stretched sideways where |view| > 1, squeezed where |view| < 1.",
         hint: "Here the view has length 1: move at farther away, or give view another length.",
-        found_by: &[LengthV, LengthW, ViewportAtDistance],
         told: "𝐰 = −view is not normalized, and what is made of it.",
         ways: &[|p| p.basis.set_raw(true, false)],
     }
@@ -335,7 +323,6 @@ mistakes! {
         formula: "𝐮 ← normalize(𝐰 × up). Right: 𝐮 ← normalize(up × 𝐰).",
         shows: "The picture is turned by half a turn: 𝐯, made of 𝐮, is wrong with it.",
         hint: "Any camera given by view, or by at, shows it.",
-        found_by: &[UpIsUp],
         told: "𝐮 = 𝐰 × up points left: the factors are exchanged.",
         ways: &[|p| p.basis.u_swapped ^= true],
     }
@@ -493,25 +480,9 @@ impl Mistake {
     ];
 
     /// The mistakes that a graded program is tried for, in the order in which they are tried and
-    /// named.
-    pub const GRADED: &'static [Mistake] = &[
-        Mistake::WAsPrinted,
-        Mistake::VIsUCrossW,
-        Mistake::NotNormalized,
-        Mistake::UpAsV,
-        Mistake::DistanceDropped,
-        Mistake::PixelCorner,
-        Mistake::RowsFromBottom,
-        Mistake::RowsColumnsSwapped,
-        Mistake::CountedFromOne,
-        Mistake::AspectDropped,
-        Mistake::LeftHanded,
-        Mistake::SinglePrecision,
-        Mistake::BForHalfB,
-        Mistake::FarRoot,
-        Mistake::NegativeT,
-        Mistake::TForDistance,
-    ];
+    /// named: the first of the table, up to this one.
+    pub const GRADED: &'static [Mistake] =
+        Mistake::ALL.split_at(Mistake::TForDistance as usize + 1).0;
 
     /// The name in files and commands: `w-as-printed`, ...
     pub fn id(self) -> &'static str {
@@ -526,41 +497,6 @@ impl Mistake {
     /// Returns whether it has a wrong camera to look at: whether it is one of [`Mistake::GALLERY`].
     pub fn is_in_gallery(self) -> bool {
         Mistake::GALLERY.contains(&self)
-    }
-
-    /// A few words for the gallery's list.
-    pub fn name(self) -> &'static str {
-        self.entry().name
-    }
-
-    /// The wrong formula and the right one, for the gallery.
-    pub fn formula(self) -> &'static str {
-        self.entry().formula
-    }
-
-    /// Its effect on the picture, for the gallery.
-    pub fn shows(self) -> &'static str {
-        self.entry().shows
-    }
-
-    /// The change that makes it show where it changes nothing, for the gallery.
-    pub fn hint(self) -> &'static str {
-        self.entry().hint
-    }
-
-    /// The checks that find it, where all of its effects show.
-    pub fn found_by(self) -> &'static [Check] {
-        self.entry().found_by
-    }
-
-    /// One sentence on what to look at in a program that makes it.
-    pub fn advice(self) -> &'static str {
-        self.entry().advice
-    }
-
-    /// One sentence on an exercise's answer that comes from it, and on what to look at.
-    pub fn told(self) -> &'static str {
-        self.entry().told
     }
 
     /// The pipeline that it usually makes of the right one.

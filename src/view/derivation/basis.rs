@@ -1,6 +1,6 @@
 //! Derivation of u, v, w from view and up, or the checks of a basis that is set by hand.
 
-use pinhole_core::{BasisError, BasisVector, Camera, DVec3};
+use pinhole_core::{BasisError, Camera, DVec3};
 use pinhole_lecture::{BasisByHand, BasisDerivation, BasisFromUp, Cross};
 
 use super::Line;
@@ -113,19 +113,10 @@ fn failed(concept: Concept, formula: Formula, why: Option<BasisError>) -> Line {
     Line { is_fault: true, ..Line::of(concept, formula).noted(why) }
 }
 
-fn name_of(vector: BasisVector) -> (Formula, Concept) {
-    match vector {
-        BasisVector::U => (U, Concept::U),
-        BasisVector::V => (V, Concept::V),
-        BasisVector::W => (W, Concept::W),
-    }
-}
-
 fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
     let mut lines = vec![Line::of(Concept::Eye, row([EYE, numbers.equals_vector(of.eye)]))];
-    for (vector, value) in [(BasisVector::U, of.u), (BasisVector::V, of.v), (BasisVector::W, of.w)]
-    {
-        let (name, concept) = name_of(vector);
+    let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
+    for ((name, concept), value) in names().zip([of.u, of.v, of.w]) {
         lines.push(
             Line::of(concept, row([name, numbers.equals_vector(value)])).noted("set by hand"),
         );
@@ -134,19 +125,20 @@ fn checked(of: &BasisByHand, numbers: Numbers) -> Vec<Line> {
         is_fault: !passes,
         ..line.noted(if passes { right } else { wrong })
     };
-    for check in of.lengths.iter().flatten() {
-        let (name, concept) = name_of(check.vector);
-        let line = Line::of(concept, row([norm(name), numbers.equals(check.length)]));
+    for ((name, concept), check) in names().zip(of.lengths) {
+        let Some(check) = check else { continue };
+        let line = Line::of(concept, row([norm(name), numbers.equals(check.value)]));
         lines.push(verdict(line, check.passes, "of length 1", "must be 1"));
     }
-    for check in of.dots.iter().flatten() {
-        let ((a, concept), (b, _)) = (name_of(check.first), name_of(check.second));
-        let line = Line::of(concept, row([dot(a, b), numbers.equals(check.dot)]));
+    let pairs = [(U, V, Concept::U), (V, W, Concept::V), (W, U, Concept::W)];
+    for ((a, b, concept), check) in pairs.into_iter().zip(of.dots) {
+        let Some(check) = check else { continue };
+        let line = Line::of(concept, row([dot(a, b), numbers.equals(check.value)]));
         lines.push(verdict(line, check.passes, "at right angles", "must be 0"));
     }
     if let Some(check) = of.handedness {
         let formula = dot(parentheses(times(U, V)), W);
-        let line = Line::of(Concept::W, row([formula, numbers.equals(check.along_w)]));
+        let line = Line::of(Concept::W, row([formula, numbers.equals(check.value)]));
         lines.push(verdict(
             line,
             check.passes,

@@ -12,7 +12,7 @@ use crate::format::affine::Affine;
 use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::json::{self, Node};
 use crate::format::pose::Pose;
-use crate::format::text::{Text, n};
+use crate::format::text::n;
 use crate::format::viewport::{in_ratio, shortest_where};
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Imported, Importer, Include, Input,
@@ -70,16 +70,12 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     let mut notes = Vec::new();
     let meshes = match subject.include {
         Include::Meshes => Meshes::new(subject, &mut notes),
-        _ => Meshes::default(),
+        _ => {
+            let why = "glTF has meshes only, which are written when asked for";
+            notes.extend(subject.objects_left_out(why));
+            Meshes::default()
+        }
     };
-    if subject.include == Include::Objects
-        && !(subject.spheres().is_empty() && subject.planes().is_empty())
-    {
-        notes.push(
-            "objects are left out: glTF has meshes only, which are written when asked for"
-                .to_owned(),
-        );
-    }
     let nodes: Vec<String> = (0..=meshes.nodes.len()).map(|k| k.to_string()).collect();
     let text = format!(
         "{{\n  \"asset\": {{ \"version\": \"2.0\", \"generator\": \"Pinhole\" }},\n  \"scene\": 0,\n  \
@@ -99,7 +95,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         meshes.nodes.iter().map(|node| format!(",\n    {node}")).collect::<String>(),
         meshes.tables,
     );
-    Ok(Exported::one_file("scene.gltf", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("scene.gltf", &text, notes))
 }
 
 fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
@@ -143,7 +139,9 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let aspect = aspect.unwrap_or(image.aspect());
     let viewport = upright_radians(fov, aspect, distance);
     let world = world_of(&nodes, index)?;
-    let (orientation, eye) = placed(&world, &mut notes)
+    // Scales are no matter.
+    let (orientation, eye, _) = Pose::from_frame(&world)
+        .right_handed(&mut notes)
         .map_err(|right| nodes[index].fault(&format!("it is no rotation: {right}")))?;
     if nodes.iter().any(|node| node.value.get("mesh").is_some()) {
         notes.push("meshes are left out: Pinhole has spheres and planes".to_owned());
@@ -155,15 +153,6 @@ fn upright_radians(fov: f64, aspect: f64, distance: f64) -> Viewport {
     let near = pinhole_core::extent_of_fov(fov, distance);
     let height = shortest_where(near, |h| pinhole_core::fov_of_extent(h, distance) == fov);
     Viewport { width: in_ratio(height, aspect), height, distance }
-}
-
-/// A camera's orientation and eye from its node's frame in the world. Scales are no matter.
-pub(super) fn placed(
-    world: &Affine,
-    notes: &mut Vec<String>,
-) -> Result<(pinhole_core::Orientation, DVec3), String> {
-    let (orientation, eye, _) = Pose::from_frame(world).right_handed(notes)?;
-    Ok((orientation, eye))
 }
 
 /// A node's frame in the world, by way of the nodes that it is a child of.

@@ -6,45 +6,46 @@
 
 pub(super) mod numbers;
 mod statements;
-mod tokens;
 
 use pinhole_core::DVec3;
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::Input;
 
 pub(crate) use statements::{Argument, Statement, last_part};
 
 /// The statements of a text, and how its faults are told.
-pub(crate) struct Source<'a, 't> {
-    text: &'a Input<'t>,
-    pub(crate) statements: Vec<Statement<'t>>,
+pub(crate) struct Source<'a> {
+    text: &'a Input<'a>,
+    pub(crate) statements: Vec<Statement>,
 }
 
-impl<'a, 't> Source<'a, 't> {
+impl<'a> Source<'a> {
     /// Splits a text into its statements; `right` is what each of them must be.
     ///
     /// # Errors
     /// The first place that is no statement.
-    pub(crate) fn new(text: &'a Input<'t>, right: &str) -> Result<Self, FileError> {
-        let tokens = tokens::tokens(text.text).map_err(|(at, right)| {
-            let shown: String =
-                text.text[at..].chars().take_while(|c| *c != '\n').take(40).collect();
-            text.error_at(at, format!("{shown}: {right}"))
-        })?;
-        let statements = statements::statements(text.text, &tokens)
-            .map_err(|(at, shown)| text.error_at(at, format!("{}: {right}", one_line(shown))))?;
+    pub(crate) fn new(text: &'a Input<'a>, right: &str) -> Result<Self, FileError> {
+        let refused = |plain: &str, (at, right): (usize, &str)| {
+            let rest = plain[at..].split([';', '\n']).next().unwrap_or_default();
+            text.error_at(at, format!("{}: {right}", one_line(rest)))
+        };
+        let plain =
+            statements::without_comments(text.text).map_err(|fault| refused(text.text, fault))?;
+        let statements =
+            statements::statements(&plain, right).map_err(|fault| refused(&plain, fault))?;
         Ok(Source { text, statements })
     }
 
     /// `statement: right`, at its place.
     pub(crate) fn refused(&self, statement: &Statement, right: &str) -> FileError {
-        self.text.error_at(statement.at, format!("{}: {right}", one_line(statement.text)))
+        self.text.error_at(statement.at, format!("{}: {right}", one_line(&statement.text)))
     }
 
     /// `field is value: right`, at the value's place.
     pub(crate) fn fault(&self, field: &str, argument: &Argument, right: &str) -> FileError {
-        self.text.error_at(argument.at, format!("{field} is {}: {right}", one_line(argument.text)))
+        self.text.error_at(argument.at, format!("{field} is {}: {right}", one_line(&argument.text)))
     }
 
     pub(crate) fn missing(&self, field: &str, right: &str) -> FileError {
@@ -95,7 +96,7 @@ impl<'a, 't> Source<'a, 't> {
     ) -> Result<[f64; N], FileError> {
         let mut all = Vec::new();
         for argument in &statement.arguments {
-            all.extend(self.numbers(statement.called, argument)?);
+            all.extend(self.numbers(&statement.called, argument)?);
         }
         all.try_into().map_err(|_| self.refused(statement, &format!("it must have {N} numbers")))
     }
@@ -104,14 +105,4 @@ impl<'a, 't> Source<'a, 't> {
 /// Three vectors of nine numbers.
 pub(crate) fn three([a, b, c, d, e, f, g, h, i]: [f64; 9]) -> [DVec3; 3] {
     [DVec3::new(a, b, c), DVec3::new(d, e, f), DVec3::new(g, h, i)]
-}
-
-/// A text on one line, and no longer than a message may be.
-pub(crate) fn one_line(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let line = text.split_whitespace().take(LONGEST).collect::<Vec<_>>().join(" ");
-    match line.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}...", &line[..end]),
-        None => line,
-    }
 }

@@ -37,7 +37,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
     let mut numbers = Vec::new();
     for statement in &source.statements {
-        let is_matrix = MATRICES.contains(&last_part(statement.target));
+        let is_matrix = MATRICES.contains(&last_part(&statement.target));
         let is_alone = is_matrix && source.statements.len() == 1;
         if !(statement.called.is_empty() && (statement.target.is_empty() || is_alone)) {
             return Err(source.refused(statement, RIGHT));
@@ -49,38 +49,27 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let Some(first) = source.statements.first() else {
         return Err(source.missing("a number", RIGHT));
     };
-    let is_matrix = !first.target.is_empty();
-    match numbers[..] {
-        [ref points @ .., degrees] if numbers.len() == 10 && !is_matrix => {
-            let points = points.try_into().map_err(|_| source.refused(first, RIGHT))?;
-            let is_angle = degrees > 0.0 && degrees < 180.0;
-            let right =
-                "the tenth number is the vertical angle: it must be between 0 and 180 degrees";
-            is_angle
-                .then(|| look_at(points, Some(degrees), at_hand))
-                .ok_or_else(|| source.refused(first, right))
-        }
-        ref points if numbers.len() == 9 && !is_matrix => {
-            let points = points.try_into().map_err(|_| source.refused(first, RIGHT))?;
-            // A rotation alone is no camera.
-            let open: String = first.text.chars().filter(|c| !c.is_whitespace()).take(2).collect();
-            if source.statements.len() == 1
-                && first.arguments.len() == 1
-                && open != "["
-                && open.chars().all(|c| "([{".contains(c))
-            {
-                return Err(source.refused(first, RIGHT));
+    let refused = |right: &str| source.refused(first, right);
+    let is_named = !first.target.is_empty();
+    // A rotation alone, as [[1, 0, 0], ...], is no camera.
+    let mut signs = first.text.chars().filter(|c| !c.is_whitespace());
+    let is_rotation = [signs.next(), signs.next()].iter().flatten().all(|c| "([{".contains(*c))
+        && source.statements.len() == 1
+        && first.arguments.len() == 1;
+    match (numbers.len(), <[f64; 9]>::try_from(numbers.get(..9).unwrap_or_default())) {
+        (9, Ok(points)) if !is_named && !is_rotation => Ok(look_at(points, None, at_hand)),
+        (10, Ok(points)) if !is_named => match numbers[9] {
+            degrees if degrees > 0.0 && degrees < 180.0 => {
+                Ok(look_at(points, Some(degrees), at_hand))
             }
-            Ok(look_at(points, None, at_hand))
-        }
-        ref m => {
-            let is_of_columns = m.len() == 16 && [m[3], m[7], m[11], m[15]] == [0.0, 0.0, 0.0, 1.0];
-            let affine = match Affine::from_rows(m) {
-                None if is_of_columns => Affine::from_columns(m),
-                affine => affine,
-            };
-            let affine = affine.ok_or_else(|| source.refused(first, RIGHT))?;
-            matrix(&affine, at_hand).map_err(|right| source.refused(first, &right))
+            _ => Err(refused(
+                "the tenth number is the vertical angle: it must be between 0 and 180 degrees",
+            )),
+        },
+        _ => {
+            let affine = Affine::from_rows(&numbers).or_else(|| Affine::from_columns(&numbers));
+            let affine = affine.ok_or_else(|| refused(RIGHT))?;
+            matrix(&affine, at_hand).map_err(|right| refused(&right))
         }
     }
 }

@@ -1,37 +1,35 @@
 //! The statements of a text: calls, names that are given a value, and numbers that stand alone.
 
-use super::tokens::{Kind, Token};
+use crate::programs::pieces::Piece;
 
 /// A statement.
-#[derive(Debug)]
-pub(crate) struct Statement<'t> {
+#[derive(Debug, Default)]
+pub(crate) struct Statement {
     /// Byte at which it begins.
     pub(crate) at: usize,
     /// Its text.
-    pub(crate) text: &'t str,
+    pub(crate) text: String,
     /// Name that is given the value, as `view` in `glm::mat4 view = ...`; empty without one.
-    pub(crate) target: &'t str,
+    pub(crate) target: String,
     /// Function that is called; empty where nothing is.
-    pub(crate) called: &'t str,
+    pub(crate) called: String,
     /// True where `new` stands before the call.
     pub(crate) is_new: bool,
     /// Arguments of the call, or values.
-    pub(crate) arguments: Vec<Argument<'t>>,
+    pub(crate) arguments: Vec<Argument>,
 }
 
 /// An argument, or a value.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Argument<'t> {
+#[derive(Debug)]
+pub(crate) struct Argument {
     /// Byte at which it begins.
     pub(crate) at: usize,
     /// Its text.
-    pub(crate) text: &'t str,
+    pub(crate) text: String,
     /// Its numbers, brackets regardless; `None` where it is not literal.
     pub(crate) numbers: Option<Vec<f64>>,
-    /// The angle in degrees, where `radians(...)` stands around it.
+    /// The angle in degrees of `radians(...)`, which has no numbers.
     pub(crate) degrees: Option<f64>,
-    /// True for a quotient such as 4 / 3, which is 1 in C.
-    pub(crate) divides_whole: bool,
 }
 
 /// Functions that make a list or a vector of their numbers and do nothing else.
@@ -46,232 +44,188 @@ const RADIANS: [&str; 4] = ["radians", "deg2rad", "degToRad", "DegToRad"];
 const DECLARATIONS: [&str; 8] =
     ["const", "let", "var", "auto", "static", "export", "mat4", "glm::mat4"];
 
+/// Directives by which lines are left out, which cannot be told without running them.
+const DIRECTIVES: [&str; 4] = ["#if", "#el", "#end", "#define"];
+
 /// Last part of a name: `vec3` of `glm::vec3`.
 pub(crate) fn last_part(name: &str) -> &str {
     name.rsplit(['.', ':']).next().unwrap_or_default()
 }
 
-/// Splits tokens into statements; the error is the text at fault.
-pub(super) fn statements<'t>(
-    text: &'t str,
-    tokens: &[Token<'t>],
-) -> Result<Vec<Statement<'t>>, (usize, &'t str)> {
-    let parts = tokens.split(|token| token.kind == Kind::End).filter(|part| !part.is_empty());
-    let is_import = |kind| matches!(kind, Kind::Name("import" | "from"));
-    parts
-        .filter(|part| !is_import(part[0].kind))
-        .map(|part| {
-            let mut reader = Reader { text, tokens: part, next: 0 };
-            reader.statement().ok_or((part[0].at, reader.text_between(0, part.len())))
-        })
+/// Returns the text with blanks in the places of its comments, byte by byte.
+///
+/// # Errors
+/// The byte of a comment that may be a division, and what would be right.
+pub(super) fn without_comments(text: &str) -> Result<String, (usize, &'static str)> {
+    let mut plain = String::with_capacity(text.len());
+    while let Some(c) = text[plain.len()..].chars().next() {
+        let rest = &text[plain.len()..];
+        let is_directive = DIRECTIVES.iter().any(|directive| rest.starts_with(directive));
+        let blank = if rest.starts_with("//") || c == '#' && !is_directive {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if let Some(inside) = rest.strip_prefix("/*") {
+            inside.find("*/").map_or(rest.len(), |end| end + 4)
+        } else if c == '\u{feff}' {
+            c.len_utf8()
+        } else {
+            plain.push(c);
+            continue;
+        };
+        let before = plain.trim_end_matches([' ', '\t']);
+        if rest.starts_with("//") && before.ends_with(|c: char| c.is_ascii_digit() || c == '.') {
+            let right = "a number must not stand before //, which may divide it, as in Python";
+            return Err((plain.len(), right));
+        }
+        plain.extend(std::iter::repeat_n(' ', blank));
+    }
+    Ok(plain)
+}
+
+/// Splits a text without comments into its statements; the error is the byte at fault and what would be
+/// right.
+pub(super) fn statements<'r>(
+    plain: &str,
+    right: &'r str,
+) -> Result<Vec<Statement>, (usize, &'r str)> {
+    let (mut open, mut pieces): (Vec<(usize, char)>, Vec<Piece>) = Default::default();
+    let (mut from, mut last, whole) = (0, ' ', Piece { text: plain, at: 0 });
+    for (at, c) in plain.char_indices() {
+        match c {
+            '(' => open.push((at, ')')),
+            '[' => open.push((at, ']')),
+            '{' => open.push((at, '}')),
+            ')' | ']' | '}' if open.pop_if(|(_, close)| *close == c).is_none() => {
+                return Err((at, "no bracket is open that it closes"));
+            }
+            // A statement goes on in brackets, and on the line behind what asks for more.
+            ';' | '\n' if open.is_empty() && (c == ';' || !"=,:".contains(last)) => {
+                pieces.push(whole.until(at).from(from));
+                from = at + 1;
+            }
+            _ => (),
+        }
+        if !c.is_whitespace() {
+            last = c;
+        }
+    }
+    if let Some((at, _)) = open.first() {
+        return Err((*at, "this bracket is not closed"));
+    }
+    pieces.push(whole.from(from));
+    let pieces = pieces.into_iter().map(Piece::trimmed).filter(|piece| !piece.text.is_empty());
+    let is_import = |word: &str| ["import", "from"].contains(&word);
+    pieces
+        .filter(|piece| !piece.text.split_whitespace().next().is_some_and(is_import))
+        .map(|piece| statement(piece).ok_or((piece.at, right)))
         .collect()
 }
 
-/// Tokens of one statement, and the next of them.
-struct Reader<'s, 't> {
-    text: &'t str,
-    tokens: &'s [Token<'t>],
-    next: usize,
-}
-
-impl<'t> Reader<'_, 't> {
-    fn peek(&self) -> Option<Kind<'t>> {
-        self.tokens.get(self.next).map(|token| token.kind)
-    }
-
-    fn takes(&mut self, kind: Kind) -> bool {
-        let is_next = self.peek() == Some(kind);
-        self.next += usize::from(is_next);
-        is_next
-    }
-
-    fn name(&mut self) -> Option<&'t str> {
-        let Some(Kind::Name(name)) = self.peek() else { return None };
-        self.next += 1;
-        Some(name)
-    }
-
-    fn at(&self, index: usize) -> usize {
-        self.tokens.get(index).map_or(self.text.len(), |token| token.at)
-    }
-
-    /// Input from one token to before another, without blanks and comments behind it.
-    fn text_between(&self, from: usize, to: usize) -> &'t str {
-        let start = self.at(from);
-        let Some(last) = self.tokens.get(from..to).and_then(<[Token]>::last) else { return "" };
-        let rest = &self.text[last.at..];
-        let length = match last.kind {
-            Kind::Name(name) => name.len(),
-            Kind::Number { .. } => rest
-                .find(|c: char| c.is_whitespace() || ",;)]}/#".contains(c))
-                .unwrap_or(rest.len()),
-            _ => rest.chars().next().map_or(0, char::len_utf8),
-        };
-        &self.text[start..last.at + length]
-    }
-
-    fn statement(&mut self) -> Option<Statement<'t>> {
-        let mut names = Vec::new();
-        while let Some(name) = self.name() {
-            names.push(name);
-        }
-        let mut made = Statement {
-            at: self.at(0),
-            text: self.text_between(0, self.tokens.len()),
-            target: "",
-            called: "",
-            is_new: false,
-            arguments: Vec::new(),
-        };
-        if names.is_empty() {
-            while self.peek().is_some() {
-                made.arguments.push(self.argument());
-                self.takes(Kind::Comma);
-            }
-            return Some(made);
-        }
-        let last = names.pop()?;
-        if self.takes(Kind::Is) {
-            made.target = last;
-            if !names.iter().all(|name| DECLARATIONS.contains(name)) {
-                return None;
-            }
-            let start = self.next;
-            made.is_new = self.takes(Kind::Name("new"));
-            match self.name() {
-                Some(name) if self.peek() == Some(Kind::Open) && !is_maker(name) => {
-                    made.called = name;
-                }
-                _ => {
-                    self.next = start;
-                    made.arguments.push(self.argument());
-                    return self.peek().is_none().then_some(made);
-                }
-            }
-        } else {
-            made.called = last;
-            made.is_new = names == ["new"];
-            if !(names.is_empty() || made.is_new) {
-                return None;
-            }
-        }
-        made.arguments = self.call()?;
-        self.peek().is_none().then_some(made)
-    }
-
-    /// Reads the arguments in the brackets of a call.
-    fn call(&mut self) -> Option<Vec<Argument<'t>>> {
-        let mut arguments = Vec::new();
-        if !self.takes(Kind::Open) {
+/// `name(...)`, `new Name(...)`, `name = ...`, or numbers; `None` of anything else.
+fn statement(piece: Piece) -> Option<Statement> {
+    let mut made = Statement { at: piece.at, text: piece.text.to_owned(), ..Statement::default() };
+    let mut value = piece;
+    if let Some((target, given)) = assignment(piece) {
+        let mut words: Vec<&str> = target.split_whitespace().collect();
+        let name = words.pop().filter(|name| is_name(name))?;
+        if !words.iter().all(|word| DECLARATIONS.contains(word)) {
             return None;
         }
-        while !self.takes(Kind::Close) {
-            arguments.push(self.argument());
-            if !self.takes(Kind::Comma) && self.peek() != Some(Kind::Close) {
-                return None;
-            }
-        }
-        Some(arguments)
+        made.target = name.to_owned();
+        value = given;
     }
-
-    /// Reads an argument, up to a comma, a bracket that closes, or the end.
-    fn argument(&mut self) -> Argument<'t> {
-        let start = self.next;
-        let mut argument = Argument { at: self.at(start), ..Argument::default() };
-        let mut numbers = Vec::new();
-        let is_literal = self.value(&mut numbers, &mut argument).is_some();
-        // Numbers that stand alone may be kept apart by blanks.
-        let ends = match self.peek() {
-            None | Some(Kind::Comma | Kind::Close | Kind::Open) => true,
-            Some(Kind::Number { .. }) => numbers.len() == 1,
-            _ => false,
-        };
-        if is_literal && ends {
-            argument.numbers = Some(numbers);
-        } else {
-            self.next = start;
-            self.skip();
+    let is_new = value.text.starts_with("new") && value.text[3..].starts_with(char::is_whitespace);
+    let call = if is_new { value.from(3).trimmed() } else { value };
+    match call_of(call) {
+        Some((name, inside)) if !MAKERS.contains(&last_part(name)) => {
+            made.called = name.to_owned();
+            made.is_new = is_new;
+            made.arguments = inside.split().into_iter().map(argument).collect();
         }
-        argument.text = self.text_between(start, self.next);
-        argument
+        _ if !made.target.is_empty() => made.arguments = vec![argument(value)],
+        _ if value.text.starts_with(is_of_name) && literal(value.text).is_none() => return None,
+        _ => made.arguments = value.split().into_iter().map(argument).collect(),
     }
-
-    /// Goes on to the comma or bracket that ends an argument.
-    fn skip(&mut self) {
-        let mut depth = 0_usize;
-        while let Some(kind) = self.peek() {
-            match kind {
-                Kind::Comma | Kind::Close if depth == 0 => return,
-                Kind::Open => depth += 1,
-                Kind::Close => depth -= 1,
-                _ => (),
-            }
-            self.next += 1;
-        }
-    }
-
-    /// A number, a quotient of two, a list, or what [`MAKERS`] and [`RADIANS`] make of them.
-    fn value(&mut self, into: &mut Vec<f64>, argument: &mut Argument<'t>) -> Option<()> {
-        match self.peek()? {
-            Kind::Number { value, is_whole } => {
-                self.next += 1;
-                if !self.takes(Kind::Divided) {
-                    into.push(value);
-                    return Some(());
-                }
-                let Kind::Number { value: by, is_whole: by_whole } = self.peek()? else {
-                    return None;
-                };
-                self.next += 1;
-                argument.divides_whole |= is_whole && by_whole;
-                into.push(Some(value / by).filter(|quotient| quotient.is_finite())?);
-                Some(())
-            }
-            Kind::Open => self.list(into, argument),
-            Kind::Name("new") => {
-                self.next += 1;
-                let name = self.name()?;
-                is_maker(name).then(|| self.list(into, argument))?
-            }
-            Kind::Name(name) if is_maker(name) => {
-                self.next += 1;
-                let before = into.len();
-                self.list(into, argument)?;
-                // GLM fills a vector with one number.
-                if matches!(last_part(name), "vec3" | "dvec3") && into.len() == before + 1 {
-                    into.extend([into[before]; 2]);
-                }
-                Some(())
-            }
-            Kind::Name(name) if RADIANS.contains(&last_part(name)) => {
-                self.next += 1;
-                let before = into.len();
-                self.list(into, argument)?;
-                let degrees = into.pop()?;
-                argument.degrees = Some(degrees);
-                into.push(degrees.to_radians());
-                (into.len() == before + 1).then_some(())
-            }
-            _ => None,
-        }
-    }
-
-    /// Values in brackets: all between commas, or all between blanks.
-    fn list(&mut self, into: &mut Vec<f64>, argument: &mut Argument<'t>) -> Option<()> {
-        if !self.takes(Kind::Open) {
-            return None;
-        }
-        let (mut commas, mut values) = (0, 0);
-        while !self.takes(Kind::Close) {
-            self.value(into, argument)?;
-            values += 1;
-            commas += usize::from(self.takes(Kind::Comma));
-        }
-        // A comma may stand behind the last one.
-        (commas == 0 || commas == values || commas + 1 == values).then_some(())
-    }
+    Some(made)
 }
 
-fn is_maker(name: &str) -> bool {
-    MAKERS.contains(&last_part(name))
+/// The parts before and behind the first `=` or `:` that stands in no bracket and is none of `::`.
+fn assignment(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
+    let head = piece.text.split(['(', '[', '{']).next()?.replace("::", "..");
+    let at = head.find(['=', ':'])?;
+    Some((&piece.text[..at], piece.from(at + 1).trimmed()))
+}
+
+/// A name, and what is in the brackets behind it, where these are the whole piece.
+fn call_of(piece: Piece<'_>) -> Option<(&str, Piece<'_>)> {
+    let open = piece.text.find('(')?;
+    let name = piece.text[..open].trim_end();
+    let mut depth = 0_usize;
+    let close = piece.text.char_indices().find(|(_, c)| {
+        depth += usize::from("([{".contains(*c));
+        depth -= usize::from(")]}".contains(*c)).min(depth);
+        ")]}".contains(*c) && depth == 0
+    });
+    let is_call = is_name(name) && close.is_some_and(|(at, _)| at + 1 == piece.text.len());
+    is_call.then(|| (name, piece.until(piece.text.len() - 1).from(open + 1)))
+}
+
+fn argument(piece: Piece) -> Argument {
+    let call = call_of(piece).map(|(name, inside)| (last_part(name), inside));
+    let angle = call.filter(|(name, _)| RADIANS.contains(name)).map(|(_, inside)| inside.text);
+    let mut numbers = literal(piece.text);
+    // GLM fills a vector with one number.
+    if let (Some([one]), Some(("vec3" | "dvec3", _))) = (numbers.as_deref(), call) {
+        numbers = Some(vec![*one; 3]);
+    }
+    let degrees = angle.and_then(literal).filter(|angle| angle.len() == 1).map(|angle| angle[0]);
+    Argument { at: piece.at, text: piece.text.to_owned(), numbers, degrees }
+}
+
+/// The numbers of a text which has nothing else but brackets, [`MAKERS`] before them, quotients of two
+/// numbers, and commas or blanks.
+fn literal(text: &str) -> Option<Vec<f64>> {
+    let mut spaced = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '(' | '[' | '{' => spaced.push_str(" ( "),
+            ')' | ']' | '}' => spaced.push_str(" ) "),
+            ',' | '/' => spaced.extend([' ', c, ' ']),
+            c => spaced.push(c),
+        }
+    }
+    let (mut numbers, mut commas) = (Vec::new(), 0);
+    let mut cells = spaced.split_whitespace().peekable();
+    while let Some(cell) = cells.next() {
+        match cell {
+            "(" | ")" | "new" => (),
+            "," => commas += 1,
+            name if cells.peek() == Some(&"(") && MAKERS.contains(&last_part(name)) => (),
+            cell => {
+                let mut value = number(cell)?;
+                if cells.next_if_eq(&"/").is_some() {
+                    value /= number(cells.next()?)?;
+                }
+                numbers.push(Some(value).filter(|value| value.is_finite())?);
+            }
+        }
+    }
+    // All between commas, of which one may stand behind the last, or all between blanks.
+    let count = numbers.len();
+    (commas == 0 || commas == count || commas + 1 == count).then_some(numbers)
+}
+
+/// A number as these languages write it: `-1`, `.5`, `2.`, `1e-3`, `4.0f`.
+fn number(cell: &str) -> Option<f64> {
+    let is_float = cell.ends_with(['f', 'F']) && cell.contains(['.', 'e', 'E']);
+    let digits = if is_float { &cell[..cell.len() - 1] } else { cell };
+    digits.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+fn is_of_name(c: char) -> bool {
+    c.is_alphabetic() || c == '_' || c == '$'
+}
+
+fn is_name(name: &str) -> bool {
+    let is_inside = |c: char| is_of_name(c) || c.is_numeric() || c == '.' || c == ':';
+    name.starts_with(is_of_name) && name.chars().all(is_inside)
 }

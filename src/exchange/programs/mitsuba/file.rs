@@ -1,6 +1,5 @@
 //! The values in a scene of Mitsuba: names, defaults, numbers and transforms.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 
 use pinhole_core::DVec3;
@@ -13,32 +12,15 @@ use crate::format::affine::Affine;
 pub(super) struct File<'a, 'x> {
     text: &'a Input<'a>,
     /// Values of `$name`.
-    defaults: HashMap<&'x str, String>,
+    defaults: HashMap<&'x str, &'x str>,
     /// Elements by their id.
     ids: HashMap<&'x str, Node<'x, 'x>>,
-    /// Before version 2, names were written as `toWorld`.
+    /// Before version 2.
     pub(super) is_old: bool,
 }
 
-/// Maximum length of a value, and of a default's name.
-const LONGEST: usize = 4096;
-const LONGEST_NAME: usize = 64;
-
-/// Names whose old spelling a newer version does not know.
-const RESPELT: [&str; 9] = [
-    "cropHeight",
-    "cropOffsetX",
-    "cropOffsetY",
-    "cropWidth",
-    "focalLength",
-    "fovAxis",
-    "principalPointOffsetX",
-    "principalPointOffsetY",
-    "toWorld",
-];
-
 impl<'a, 'x> File<'a, 'x> {
-    pub(super) fn new(text: &'a Input<'a>, xml: &'x Xml) -> Result<File<'a, 'x>, FileError> {
+    pub(super) fn new(text: &'a Input<'a>, xml: &'x Xml) -> File<'a, 'x> {
         let version = xml.root_element().attribute("version");
         let major = version.and_then(|version| version.split('.').next()?.trim().parse().ok());
         let is_old = major.is_none_or(|major: u32| major < 2);
@@ -48,26 +30,17 @@ impl<'a, 'x> File<'a, 'x> {
                 file.ids.entry(id).or_insert(node);
             }
             if let (true, Some(name)) = (node.has_tag_name("default"), node.attribute("name")) {
-                // A default may be made of those before it.
-                let value = file.attribute(node, "value")?.into_owned();
+                // A default may be one of those before it.
+                let value = file.attribute(node, "value");
                 file.defaults.entry(name).or_insert(value);
             }
-            let spelt = node.attribute("name").unwrap_or_default();
-            if !is_old && RESPELT.contains(&spelt) {
-                let version = version.unwrap_or_default();
-                let right = format!("version {version} spells it {}", snake(spelt));
-                return Err(file.fault(node, "name", spelt, &right));
-            }
         }
-        Ok(file)
+        file
     }
 
-    /// The child of this name.
+    /// The child of this name, which is `toWorld` for `to_world` in old files.
     pub(super) fn named(&self, node: Node<'x, 'x>, name: &str) -> Option<Node<'x, 'x>> {
-        node.children().find(|child| {
-            let spelt = child.attribute("name").unwrap_or_default();
-            spelt == name || self.is_old && !spelt.is_empty() && snake(spelt) == name
-        })
+        node.children().find(|child| child.attribute("name").is_some_and(|n| snake(n) == name))
     }
 
     /// The children, and in the places of `ref` what they refer to.
@@ -78,49 +51,11 @@ impl<'a, 'x> File<'a, 'x> {
         })
     }
 
-    /// An attribute with the defaults in the places of their names; empty where there is none.
-    pub(super) fn attribute(
-        &self,
-        node: Node<'x, 'x>,
-        name: &str,
-    ) -> Result<Cow<'x, str>, FileError> {
+    /// An attribute, or the default whose `$name` it is; empty where there is none.
+    pub(super) fn attribute(&self, node: Node<'x, 'x>, name: &str) -> &'x str {
         let value = node.attribute(name).unwrap_or_default();
-        if !value.contains('$') {
-            return Ok(Cow::Borrowed(value));
-        }
-        self.with_defaults(value).map(Cow::Owned).ok_or_else(|| {
-            let shown: String = value.chars().take(60).collect();
-            let right = format!("with its defaults it must not be longer than {LONGEST} bytes");
-            self.fault(node, name, &shown, &right)
-        })
-    }
-
-    /// One pass over the value: what a default puts in is not looked through again.
-    fn with_defaults(&self, value: &str) -> Option<String> {
-        let mut whole = String::new();
-        let mut rest = value;
-        while let Some((before, after)) = rest.split_once('$') {
-            whole.push_str(before);
-            // The longest name: $width is not $w and idth.
-            let lengths = (1..=LONGEST_NAME.min(after.len())).rev();
-            let found = lengths.filter_map(|length| after.split_at_checked(length));
-            let found = found.filter_map(|(name, rest)| Some((self.defaults.get(name)?, rest)));
-            match found.into_iter().next() {
-                Some((is, behind)) => {
-                    whole.push_str(is);
-                    rest = behind;
-                }
-                None => {
-                    whole.push('$');
-                    rest = after;
-                }
-            }
-            if whole.len() + rest.len() > LONGEST {
-                return None;
-            }
-        }
-        whole.push_str(rest);
-        Some(whole)
+        let default = value.strip_prefix('$').and_then(|name| self.defaults.get(name));
+        default.copied().unwrap_or(value)
     }
 
     pub(super) fn missing(&self, problem: &str) -> FileError {
@@ -139,8 +74,8 @@ impl<'a, 'x> File<'a, 'x> {
     }
 
     fn numbers(&self, node: Node<'x, 'x>, attribute: &str) -> Result<Vec<f64>, FileError> {
-        let value = self.attribute(node, attribute)?;
-        let numbers: Option<Vec<f64>> = cells(&value).map(number).collect();
+        let numbers: Option<Vec<f64>> =
+            cells(self.attribute(node, attribute)).map(number).collect();
         numbers.ok_or_else(|| self.quoted(node, attribute, attribute, "it must be numbers"))
     }
 
@@ -172,7 +107,7 @@ impl<'a, 'x> File<'a, 'x> {
     }
 
     pub(super) fn is_look_at(&self, step: Node) -> bool {
-        step.has_tag_name("lookat") || self.is_old && step.has_tag_name("lookAt")
+        ["lookat", "lookAt"].contains(&step.tag_name().name())
     }
 
     /// Steps of a transform, each after those above it.

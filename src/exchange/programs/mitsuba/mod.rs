@@ -7,7 +7,7 @@ mod shapes;
 use pinhole_core::{DVec3, Sphere};
 
 use self::read::read;
-use crate::format::text::{Text, commas, light, n, quotable};
+use crate::format::text::{commas, light, n, quotable};
 use crate::format::{
     Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
     square_note,
@@ -19,7 +19,7 @@ pub(super) const FORMAT: Format = Format {
     short: "Mitsuba",
     ending: "xml",
     conventions: Conventions {
-        axes: [Axis::MinusU, Axis::V, Axis::MinusW],
+        axes: [Axis::MINUS_U, Axis::V, Axis::MINUS_W],
         given_by: "lookat: origin, target, up",
         pixels: PixelConvention::Corner,
         view: "fov: in degrees, along fov_axis (x: horizontal)",
@@ -63,7 +63,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
     );
     text.push_str(&objects(subject, &mut notes));
     text.push_str("</scene>\n");
-    Ok(Exported::one_file("scene.xml", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("scene.xml", &text, notes))
 }
 
 /// A light, the spheres, and squares in the planes' places.

@@ -7,7 +7,7 @@ use super::file::File;
 use super::shapes::{Shapes, shapes};
 use crate::FileError;
 use crate::format::image_size::image_of;
-use crate::format::pose::{Mirrored, Pose};
+use crate::format::pose::Pose;
 use crate::format::text::n;
 use crate::format::viewport::{extent, in_ratio};
 use crate::format::{Imported, Input};
@@ -17,9 +17,9 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         let pos = error.pos();
         let place = crate::Place { line: pos.row as usize, column: pos.col as usize };
         let problem = format!("no XML: {error}");
-        FileError { place: Some(place), ..FileError::of_file(text.path, problem) }
+        FileError::at(text.path, place, problem)
     })?;
-    let file = File::new(text, &xml)?;
+    let file = File::new(text, &xml);
     let mut notes = Vec::new();
     let mut sensors = xml.descendants().filter(|node| node.has_tag_name("sensor"));
     let sensor = sensors.next().ok_or_else(|| {
@@ -29,9 +29,9 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     if others > 0 {
         notes.push(format!("{others} of sensor left out: the first is taken"));
     }
-    let kind = file.attribute(sensor, "type")?;
-    if !["perspective", "thinlens"].contains(&&*kind) {
-        return Err(file.fault(sensor, "sensor's type", &kind, "it must be perspective"));
+    let kind = file.attribute(sensor, "type");
+    if !["perspective", "thinlens"].contains(&kind) {
+        return Err(file.fault(sensor, "sensor's type", kind, "it must be perspective"));
     }
     if kind == "thinlens" {
         notes.push("the lens's aperture is left out: a pinhole is sharp everywhere".to_owned());
@@ -46,11 +46,9 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
         }
     }
     let (orientation, eye, mirrored) = pose(&file, sensor, &mut notes)?;
-    let Shapes { mut spheres, mut planes, .. } = shapes(&file, &xml, &mut notes);
-    if mirrored {
-        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
-    }
-    Ok(Imported { camera: Camera { eye, orientation, viewport, image }, spheres, planes, notes })
+    let Shapes { spheres, planes, .. } = shapes(&file, &xml, &mut notes);
+    let camera = Camera { eye, orientation, viewport, image };
+    Ok(Imported { camera, spheres, planes, notes }.mirrored_if(mirrored))
 }
 
 /// The film's size; a part of it that is rendered alone is told in a note.
@@ -95,10 +93,10 @@ fn pose<'x>(
         return Ok((Orientation::At { at, up: part("up")? }, eye, false));
     }
     let to_world = file.transform(transform)?;
-    let stance =
+    let pose =
         Pose { eye: to_world.at, right: -to_world.x, up: to_world.y, backwards: -to_world.z };
     let node = transform.unwrap_or(sensor);
-    stance.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
+    pose.right_handed(notes).map_err(|right| file.fault(node, "to_world", "no rotation", &right))
 }
 
 fn viewport<'x>(
@@ -123,9 +121,7 @@ fn viewport<'x>(
     if !(fov > 0.0 && fov < 180.0) {
         return Err(file.fault(node, "fov", &n(fov), "it must be between 0 and 180 degrees"));
     }
-    let axis = file.named(sensor, "fov_axis").map(|node| file.attribute(node, "value"));
-    let axis = axis.transpose()?;
-    let axis = axis.as_deref().unwrap_or("x");
+    let axis = file.named(sensor, "fov_axis").map_or("x", |node| file.attribute(node, "value"));
     let aspect = image.aspect();
     let across = extent(fov, distance);
     let is_wide = aspect >= 1.0;

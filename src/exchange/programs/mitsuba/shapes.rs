@@ -44,26 +44,26 @@ pub(super) fn shapes<'x>(file: &File<'_, 'x>, xml: &'x Xml, notes: &mut Vec<Stri
 
 impl Shapes {
     fn take<'x>(&mut self, file: &File<'_, 'x>, shape: Node<'x, 'x>) -> Result<(), FileError> {
-        let kind = file.attribute(shape, "type")?;
-        match &*kind {
+        let kind = file.attribute(shape, "type");
+        match kind {
             "sphere" => self.sphere(file, shape)?,
             "rectangle" | "disk" => {
                 let to_world = file.transform(file.named(shape, "to_world"))?;
                 let (point, normal) = (to_world.at, to_world.x.cross(to_world.y));
                 if normal.try_normalize().is_none() || !point.is_finite() {
                     let right = "it must have a normal, and finite numbers";
-                    return Err(file.fault(shape, "shape", &kind, right));
+                    return Err(file.fault(shape, "shape", kind, right));
                 }
-                let color = self.color(file, shape)?;
+                let color = self.color(file, shape);
                 self.planes.push(Item { name: None, color, shape: Plane { point, normal } });
-                self.left.add(&kind, "taken as a plane, which has no end");
+                self.left.add(kind, "taken as a plane, which has no end");
             }
             "shapegroup" | "merge" => {
                 let said = "left out with its parts: Pinhole has whole spheres and planes";
-                self.left.add(&kind, said);
+                self.left.add(kind, said);
             }
             "instance" => {
-                self.left.add(&kind, "left out: an object must stand by itself");
+                self.left.add(kind, "left out: an object must stand by itself");
             }
             other => self.left.add(other, "left out: Pinhole has spheres and planes"),
         }
@@ -92,17 +92,13 @@ impl Shapes {
         if !center.is_finite() {
             return Err(file.fault(shape, "center", &center.to_string(), "it must be finite"));
         }
-        let color = self.color(file, shape)?;
+        let color = self.color(file, shape);
         self.spheres.push(Item { name: None, color, shape: Sphere { center, radius } });
         Ok(())
     }
 
     /// The first colour of a shape's own material, or of the one that it refers to.
-    fn color<'x>(
-        &mut self,
-        file: &File<'_, 'x>,
-        shape: Node<'x, 'x>,
-    ) -> Result<Option<[u8; 3]>, FileError> {
+    fn color<'x>(&mut self, file: &File<'_, 'x>, shape: Node<'x, 'x>) -> Option<[u8; 3]> {
         let mut is_said = false;
         for part in
             file.parts(shape).filter(|part| ["bsdf", "emitter"].contains(&part.tag_name().name()))
@@ -111,12 +107,12 @@ impl Shapes {
             // A material of more layers is not looked through further.
             let rgb = part.descendants().take(100).find(|node| node.has_tag_name("rgb"));
             let Some(rgb) = rgb else { continue };
-            if let Some(color) = light(&file.attribute(rgb, "value")?) {
-                return Ok(Some(color));
+            if let Some(color) = light(file.attribute(rgb, "value")) {
+                return Some(color);
             }
         }
         self.unpainted += usize::from(is_said);
-        Ok(None)
+        None
     }
 }
 

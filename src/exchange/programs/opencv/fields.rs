@@ -4,8 +4,9 @@
 use serde_json::Value;
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::{Input, json};
-use crate::programs::literal::{Source, one_line};
+use crate::programs::literal::Source;
 
 /// A name and what it is given.
 #[derive(Clone, Debug)]
@@ -42,14 +43,14 @@ pub(super) fn fields(
             let [value] = &statement.arguments[..] else {
                 return Err(source.refused(statement, RIGHT));
             };
-            if !(is_known(statement.target) && statement.called.is_empty()) {
+            if !(is_known(&statement.target) && statement.called.is_empty()) {
                 return Err(source.refused(statement, RIGHT));
             }
             found.push(Field {
-                name: statement.target.to_owned(),
+                name: statement.target.clone(),
                 at: value.at,
-                shown: one_line(value.text),
-                numbers: value.numbers.clone().filter(|_| !value.divides_whole),
+                shown: one_line(&value.text),
+                numbers: value.numbers.clone().filter(|_| !value.text.contains('/')),
             });
         }
     }

@@ -11,7 +11,7 @@ mod read;
 use pinhole_core::{DVec3, Intrinsics, Viewport};
 
 use crate::format::pose::Pose;
-use crate::format::text::{Text, flipped, flipped_all, n};
+use crate::format::text::{flipped, flipped_all, n};
 use crate::format::viewport::{settled, shortest_where};
 use crate::format::{
     Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
@@ -23,7 +23,7 @@ pub(super) const FORMAT: Format = Format {
     short: "OpenCV",
     ending: "json",
     conventions: Conventions {
-        axes: [Axis::U, Axis::MinusV, Axis::MinusW],
+        axes: [Axis::U, Axis::MINUS_V, Axis::MINUS_W],
         given_by: "R from world to camera, t = −R eye",
         pixels: PixelConvention::AtCentre,
         view: "fx, fy: distance / pixel's width and height, in pixels",
@@ -63,10 +63,8 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         flipped(n(t.y)),
         flipped(n(t.z)),
     );
-    let objects = subject.spheres().len() + subject.planes().len();
-    let left = "objects are left out: K and [R|t] are a camera only";
-    let notes = (objects > 0).then(|| left.to_owned()).into_iter().collect();
-    Ok(Exported::one_file("camera.json", Text::from_marked(&text), notes))
+    let notes = subject.objects_left_out("K and [R|t] are a camera only").into_iter().collect();
+    Ok(Exported::one_file("camera.json", &text, notes))
 }
 
 /// t = -R eye.
@@ -102,7 +100,7 @@ pub(super) fn off_centre(k: &Intrinsics, image: pinhole_core::ImageSize, notes: 
 }
 
 /// Returns the pose by R's rows and t, in OpenCV's axes.
-pub(super) fn stance([x, y, z]: [DVec3; 3], t: DVec3) -> Pose {
+pub(super) fn pose_of([x, y, z]: [DVec3; 3], t: DVec3) -> Pose {
     // eye = -R^T t
     let eye = DVec3::ZERO - (t.x * x + t.y * y + t.z * z);
     // Nine products and six sums; the digits that they add are not the camera's.

@@ -4,7 +4,7 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Intrinsics};
 
 use super::fields::{Field, fields};
-use super::{off_centre, stance, viewport_of};
+use super::{off_centre, pose_of, viewport_of};
 use crate::FileError;
 use crate::format::affine::Affine;
 use crate::format::image_size::{image_of, size_note};
@@ -96,15 +96,11 @@ impl Reader<'_, '_> {
             let Some(numbers) = &field.numbers else { return Err(self.fault(field, right)) };
             if !counts.contains(&numbers.len()) {
                 other = other.or(Some(field));
-                continue;
+            } else if let Some(first) = &taken {
+                return Err(self.given_too(field, first.field));
+            } else {
+                taken = Some(Value { field, numbers });
             }
-            if let Some(first) = &taken
-                && (first.field.name == field.name || !alike(first.numbers, numbers))
-            {
-                let right = format!("{} is given too: only one of them may be", first.field.name);
-                return Err(self.fault(field, &right));
-            }
-            taken = Some(Value { field, numbers });
         }
         match (taken, other) {
             (None, Some(field)) => Err(self.fault(field, right)),
@@ -112,15 +108,13 @@ impl Reader<'_, '_> {
         }
     }
 
+    fn given_too(&self, field: &Field, first: &Field) -> FileError {
+        self.fault(field, &format!("{} is given too: only one of them may be", first.name))
+    }
+
     fn number(&self, name: &str) -> Result<Option<Value<'_>>, FileError> {
         self.one_of(&[name], &[1], "it must be one number")
     }
-}
-
-/// Up to a rounding to a few digits.
-fn alike(a: &[f64], b: &[f64]) -> bool {
-    let size = a.iter().chain(b).fold(0.0_f64, |size, x| size.max(x.abs()));
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-6 * size)
 }
 
 pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
@@ -140,7 +134,7 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
             break;
         }
     }
-    let (orientation, eye, _) = stance(rows, t)
+    let (orientation, eye, _) = pose_of(rows, t)
         .right_handed(&mut notes)
         .map_err(|right| FileError::of_file(text.path, format!("R is no rotation: {right}")))?;
     let viewport = viewport_of(&intrinsics, image, at_hand.viewport.distance);
@@ -215,28 +209,18 @@ fn pose(reader: &Reader, notes: &mut Vec<String>) -> Result<([DVec3; 3], DVec3),
     let translation = reader.one_of(&T_NAMES, &[3], "it must be three numbers")?;
     if let Some(whole) = whole {
         if let Some(other) = matrix.or(vector).or(translation) {
-            let right = format!("{} is given too: only one of them may be", whole.field.name);
-            return Err(reader.fault(other.field, &right));
+            return Err(reader.given_too(other.field, whole.field));
         }
         let affine = Affine::from_rows(whole.numbers)
             .ok_or_else(|| reader.fault(whole.field, "its last row must be 0 0 0 1"))?;
         return Ok((rows(&affine), affine.at));
     }
-    let by_vector = vector.map(|vector| by_vector(&vector, notes));
-    let rotation = match (&matrix, by_vector) {
-        (Some(matrix), Some((vector, turn))) => {
-            let turned: Vec<f64> = turn.iter().flat_map(|row| row.to_array()).collect();
-            if !alike(matrix.numbers, &turned) {
-                let right = format!(
-                    "{} is another rotation: only one of them may be given",
-                    matrix.field.name
-                );
-                return Err(reader.fault(vector, &right));
-            }
-            turn
+    let rotation = match (matrix, vector) {
+        (Some(matrix), Some(vector)) => {
+            return Err(reader.given_too(vector.field, matrix.field));
         }
         (Some(matrix), None) => [0, 3, 6].map(|k| DVec3::from_slice(&matrix.numbers[k..])),
-        (None, Some((_, turn))) => turn,
+        (None, Some(vector)) => by_vector(&vector, notes),
         (None, None) => {
             let right = "the rotation must be nine numbers, or rvec three";
             return Err(reader.missing("R", right));
@@ -252,7 +236,7 @@ fn rows(turn: &Affine) -> [DVec3; 3] {
 }
 
 /// The rows of the rotation that a vector gives as OpenCV has it: about it, by its length in radians.
-fn by_vector<'r>(value: &Value<'r>, notes: &mut Vec<String>) -> (&'r Field, [DVec3; 3]) {
+fn by_vector(value: &Value, notes: &mut Vec<String>) -> [DVec3; 3] {
     let vector = DVec3::from_slice(value.numbers);
     if vector.length() > std::f64::consts::TAU {
         let note =
@@ -260,5 +244,5 @@ fn by_vector<'r>(value: &Value<'r>, notes: &mut Vec<String>) -> (&'r Field, [DVe
         notes.push(format!("{} {note}", value.field.name));
     }
     let turn = Affine::rotation(vector.length().to_degrees(), vector);
-    (value.field, rows(&turn.unwrap_or(Affine::IDENTITY)))
+    rows(&turn.unwrap_or(Affine::IDENTITY))
 }

@@ -2,7 +2,7 @@
 
 mod read;
 
-use crate::format::text::{Text, commas, n, real};
+use crate::format::text::{commas, n, real};
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
 };
@@ -65,9 +65,6 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         n(near),
         n(far)
     )];
-    let objects = subject.spheres().len() + subject.planes().len();
-    if objects > 0 {
-        notes.push("objects are left out: OpenGL has triangles only".to_owned());
-    }
-    Ok(Exported::one_file("camera.c", Text::from_marked(&text), notes))
+    notes.extend(subject.objects_left_out("OpenGL has triangles only"));
+    Ok(Exported::one_file("camera.c", &text, notes))
 }

@@ -3,11 +3,12 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Orientation};
 
 use crate::FileError;
+use crate::error::one_line;
 use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::text::n;
 use crate::format::viewport::viewport_of_angle;
 use crate::format::{Imported, Input};
-use crate::programs::literal::{Argument, Source, Statement, one_line, three};
+use crate::programs::literal::{Argument, Source, Statement, three};
 
 const RIGHT: &str = "only gluLookAt, gluPerspective, glViewport, glMatrixMode and glLoadIdentity, or \
                      glm::lookAt and glm::perspective, may stand beside the camera's, each given by numbers";
@@ -20,15 +21,12 @@ struct Calls {
     lens: Option<(f64, f64)>,
     lens_name: &'static str,
     size: Option<ImageSize>,
-    matrix: Option<Matrix>,
+    /// Matrix that `glMatrixMode` chooses; empty before the first.
+    mode: String,
 }
 
-/// The matrix that `glMatrixMode` chooses.
-#[derive(Clone, Copy, PartialEq)]
-enum Matrix {
-    Projection,
-    ModelView,
-}
+const PROJECTION: &str = "GL_PROJECTION";
+const MODEL_VIEW: &str = "GL_MODELVIEW";
 
 pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
     let source = Source::new(text, RIGHT)?;
@@ -57,28 +55,30 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
 
 impl Calls {
     fn take(&mut self, source: &Source, statement: &Statement) -> Result<(), FileError> {
-        match statement.called {
+        let called = &statement.called[..];
+        if matches!(
+            (called, &self.mode[..]),
+            ("gluLookAt", PROJECTION) | ("gluPerspective", MODEL_VIEW)
+        ) {
+            let right = "glMatrixMode before it must choose its own matrix";
+            return Err(source.refused(statement, right));
+        }
+        match called {
             "gluLookAt" => {
-                self.must_not_be(source, statement, Matrix::Projection)?;
-                let points = three(source.all_numbers(statement)?);
-                source.once(&mut self.points, points, statement)
+                source.once(&mut self.points, three(source.all_numbers(statement)?), statement)
             }
             "lookAt" | "glm::lookAt" => {
                 let [eye, center, up] = &statement.arguments[..] else {
                     return Err(source.refused(statement, "it must be eye, center, up"));
                 };
-                let point = |argument| source.vector(statement.called, argument);
+                let point = |argument| source.vector(called, argument);
                 let points = [point(eye)?, point(center)?, point(up)?];
                 source.once(&mut self.points, points, statement)
             }
-            "gluPerspective" => {
-                self.must_not_be(source, statement, Matrix::ModelView)?;
-                self.lens_name = "gluPerspective";
-                source.once(&mut self.lens, lens(source, statement, true)?, statement)
-            }
-            "perspective" | "glm::perspective" => {
-                self.lens_name = "perspective";
-                source.once(&mut self.lens, lens(source, statement, false)?, statement)
+            "gluPerspective" | "perspective" | "glm::perspective" => {
+                let is_glu = called == "gluPerspective";
+                self.lens_name = if is_glu { "gluPerspective" } else { "perspective" };
+                source.once(&mut self.lens, lens(source, statement, is_glu)?, statement)
             }
             "glViewport" => {
                 let [_, _, width, height] = source.all_numbers(statement)?;
@@ -87,37 +87,22 @@ impl Calls {
                 source.once(&mut self.size, size, statement)
             }
             "glMatrixMode" => {
-                let mode = statement.arguments.first().map(|argument| argument.text);
-                self.matrix = match mode {
-                    Some("GL_PROJECTION") => Some(Matrix::Projection),
-                    Some("GL_MODELVIEW") => Some(Matrix::ModelView),
+                self.mode = match &statement.arguments[..] {
+                    [mode] if [PROJECTION, MODEL_VIEW].contains(&&mode.text[..]) => {
+                        mode.text.clone()
+                    }
                     _ => return Err(source.refused(statement, RIGHT)),
                 };
                 Ok(())
             }
             "glLoadIdentity" => {
-                let is_lost = match self.matrix {
-                    Some(Matrix::Projection) => self.lens.is_some(),
-                    Some(Matrix::ModelView) => self.points.is_some(),
-                    None => self.lens.is_some() || self.points.is_some(),
-                };
+                let is_lost = self.lens.is_some() && self.mode != MODEL_VIEW
+                    || self.points.is_some() && self.mode != PROJECTION;
                 let right = "it must stand before the camera's call, which it undoes";
                 if is_lost { Err(source.refused(statement, right)) } else { Ok(()) }
             }
             _ => Err(source.refused(statement, RIGHT)),
         }
-    }
-
-    fn must_not_be(
-        &self,
-        source: &Source,
-        statement: &Statement,
-        matrix: Matrix,
-    ) -> Result<(), FileError> {
-        if self.matrix != Some(matrix) {
-            return Ok(());
-        }
-        Err(source.refused(statement, "glMatrixMode before it must choose its own matrix"))
     }
 }
 
@@ -129,37 +114,43 @@ fn lens(source: &Source, statement: &Statement, is_glu: bool) -> Result<(f64, f6
     source.number("zNear", near)?;
     source.number("zFar", far)?;
     let degrees = degrees(source, fovy, is_glu)?;
-    if aspect.divides_whole {
+    let ratio = source.number("aspect", aspect)?;
+    if divides_whole(aspect) {
         let right =
             "C divides whole numbers without a fraction: write it with a point, as 4.0 / 3.0";
         return Err(source.fault("aspect", aspect, right));
     }
-    let ratio = source.number("aspect", aspect)?;
     let right = "it must be greater than 0";
     (ratio > 0.0).then_some((degrees, ratio)).ok_or_else(|| source.fault("aspect", aspect, right))
 }
 
+/// Returns true for a quotient such as 4 / 3, which is 1 in C.
+fn divides_whole(argument: &Argument) -> bool {
+    argument.text.contains('/') && !argument.text.contains('.')
+}
+
 /// GLU counts in degrees; GLM in radians, which are mostly written as radians(45).
 fn degrees(source: &Source, fovy: &Argument, is_glu: bool) -> Result<f64, FileError> {
-    let given = source.number("fovy", fovy)?;
-    let degrees = match (is_glu, fovy.degrees) {
-        (true, Some(_)) => {
+    let degrees = match fovy.degrees {
+        Some(_) if is_glu => {
             return Err(source.fault("fovy", fovy, "gluPerspective counts in degrees"));
         }
-        (true, None) => given,
-        (false, Some(degrees)) => degrees,
-        (false, None) if (std::f64::consts::PI..180.0).contains(&given) => {
-            let right = format!(
-                "GLM counts in radians, and {} radians are {} degrees: write glm::radians({})",
-                n(given),
-                n(given.to_degrees().round()),
-                one_line(fovy.text)
-            );
-            return Err(source.fault("fovy", fovy, &right));
+        Some(degrees) => degrees,
+        None => {
+            let given = source.number("fovy", fovy)?;
+            if !is_glu && (std::f64::consts::PI..180.0).contains(&given) {
+                let right = format!(
+                    "GLM counts in radians, and {} radians are {} degrees: write glm::radians({})",
+                    n(given),
+                    n(given.to_degrees().round()),
+                    one_line(&fovy.text)
+                );
+                return Err(source.fault("fovy", fovy, &right));
+            }
+            if is_glu { given } else { given.to_degrees() }
         }
-        (false, None) => given.to_degrees(),
     };
-    if fovy.divides_whole || !(degrees > 0.0 && degrees < 180.0) {
+    if divides_whole(fovy) || !(degrees > 0.0 && degrees < 180.0) {
         return Err(source.fault("fovy", fovy, "it must be between 0 and 180 degrees"));
     }
     Ok(degrees)

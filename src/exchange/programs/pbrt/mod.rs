@@ -12,7 +12,7 @@ mod tokens;
 use pinhole_core::Sphere;
 
 use self::read::read;
-use crate::format::text::{Text, flipped, light, n, one_line, spaces};
+use crate::format::text::{flipped, light, n, one_line, spaces};
 use crate::format::{
     Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
     square_note,
@@ -24,7 +24,7 @@ pub(super) const FORMAT: Format = Format {
     short: "pbrt",
     ending: "pbrt",
     conventions: Conventions {
-        axes: [Axis::U, Axis::V, Axis::MinusW],
+        axes: [Axis::U, Axis::V, Axis::MINUS_W],
         given_by: "LookAt eye at up, after Scale −1 1 1",
         pixels: PixelConvention::Corner,
         view: "fov: of the shorter side, in degrees",
@@ -103,5 +103,5 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         ));
         notes.push(square_note(&plane.title, "pbrt", half));
     }
-    Ok(Exported::one_file("scene.pbrt", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("scene.pbrt", &text, notes))
 }

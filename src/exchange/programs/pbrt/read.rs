@@ -2,50 +2,24 @@
 
 use std::collections::HashMap;
 
-use pinhole_core::{Camera, DVec3, ImageSize, Orientation, Viewport};
+use pinhole_core::{Basis, Camera, DVec3, ImageSize, Orientation, Viewport};
 
 use super::shapes::{Paint, Shapes};
 use super::tokens::{Parameters, Reader, Token};
 use crate::FileError;
 use crate::format::affine::Affine;
 use crate::format::image_size::image_of;
-use crate::format::pose::{MIRRORED, Mirrored, Pose};
+use crate::format::pose::{MIRRORED, Pose, mirrored};
 use crate::format::text::n;
 use crate::format::viewport::{extent, in_ratio};
 use crate::format::{Imported, Input};
 
 /// Directives with strings and parameters behind them, or nothing, in all versions of pbrt.
-const WITH_PARAMETERS: [&str; 27] = [
-    "Accelerator",
-    "AreaLightSource",
-    "Attribute",
-    "Camera",
-    "ColorSpace",
-    "Exterior",
-    "Film",
-    "Integrator",
-    "Interior",
-    "LightSource",
-    "MakeNamedMaterial",
-    "MakeNamedMedium",
-    "Material",
-    "MediumInterface",
-    "NamedMaterial",
-    "Option",
-    "PixelFilter",
-    "Renderer",
-    "ReverseOrientation",
-    "Sampler",
-    "SearchPath",
-    "Shape",
-    "SurfaceIntegrator",
-    "Texture",
-    "Volume",
-    "VolumeIntegrator",
-    "WorldEnd",
-];
-
-const MOTION: &str = "motion is left out: everything stands as when the shutter opens";
+const WITH_PARAMETERS: &str = "Accelerator AreaLightSource Attribute Camera ColorSpace Exterior Film Integrator \
+                               Interior LightSource MakeNamedMaterial MakeNamedMedium Material \
+                               MediumInterface NamedMaterial Option PixelFilter Renderer \
+                               ReverseOrientation Sampler SearchPath Shape SurfaceIntegrator Texture \
+                               Volume VolumeIntegrator WorldEnd";
 
 /// Attributes in force.
 #[derive(Clone, Copy)]
@@ -54,19 +28,14 @@ struct State {
     transform: Affine,
     /// `LookAt`'s three, where nothing but a mirror stands beside it.
     look_at: Option<[DVec3; 3]>,
-    /// True where transformations go for the time when the shutter opens.
-    at_start: bool,
     paint: Paint,
 }
 
 impl State {
     const INITIAL: State =
-        State { transform: Affine::IDENTITY, look_at: None, at_start: true, paint: Paint::Unsaid };
+        State { transform: Affine::IDENTITY, look_at: None, paint: Paint::Unsaid };
 
     fn take(&mut self, step: &Step) {
-        if !self.at_start {
-            return;
-        }
         let mirror = Affine::scaling(DVec3::new(-1.0, 1.0, 1.0));
         let alone = [Affine::IDENTITY, mirror].contains(&self.transform);
         self.look_at = step.look_at.filter(|_| alone);
@@ -194,11 +163,10 @@ impl<'t> Found<'t> {
                 *state = State::INITIAL;
                 self.systems.insert("world", Affine::IDENTITY);
             }
-            "ActiveTransform" => {
-                state.at_start = reader.name(word, at)? != "EndTime";
-                self.tell_once(MOTION);
+            "ActiveTransform" | "TransformTimes" => {
+                let right = "nothing must move while the shutter is open";
+                return Err(reader.error(at, format!("{word}: {right}")));
             }
-            "TransformTimes" => reader.numbers::<2>(word, at).map(|_| ())?,
             "CoordinateSystem" => {
                 self.systems.insert(reader.name(word, at)?, state.transform);
             }
@@ -212,18 +180,12 @@ impl<'t> Found<'t> {
                     },
                 );
             }
-            _ if WITH_PARAMETERS.contains(&word) => {
+            _ if WITH_PARAMETERS.split(' ').any(|known| known == word) => {
                 self.with_parameters(reader, word, at, state)?
             }
             _ => return Err(reader.error(at, format!("{word}: no directive of pbrt"))),
         }
         Ok(())
-    }
-
-    fn tell_once(&mut self, note: &str) {
-        if !self.notes.iter().any(|told| told == note) {
-            self.notes.push(note.to_owned());
-        }
     }
 
     fn with_parameters(
@@ -332,32 +294,29 @@ impl<'t> Found<'t> {
         let world_from_camera = transform
             .inverse()
             .ok_or_else(|| error("the camera's transformation has no inverse".to_owned()))?;
-        let stance = Pose {
+        let pose = Pose {
             eye: world_from_camera.at,
             right: world_from_camera.x,
             up: world_from_camera.y,
             backwards: -world_from_camera.z,
         };
-        let Pose { right, up, backwards, .. } = stance;
-        let mirrored = pinhole_core::Basis::is_left_handed(right, up, backwards);
-        let turn = |v: DVec3| if mirrored { v.mirrored() } else { v };
+        let Pose { right, up, backwards, .. } = pose;
+        let is_mirrored = Basis::is_left_handed(right, up, backwards);
+        let turn = |v: DVec3| if is_mirrored { mirrored(v) } else { v };
         let (eye, orientation) = match self.look_at {
             Some([eye, at, up]) => (turn(eye), Orientation::At { at: turn(at), up: turn(up) }),
             None => {
-                let stance = if mirrored { stance.mirrored() } else { stance };
-                let orientation = stance
-                    .orientation(&mut self.notes)
-                    .map_err(|right| text.error_at(self.at, right))?;
-                (stance.eye, orientation)
+                let pose = if is_mirrored { pose.mirrored() } else { pose };
+                let orientation = pose.orientation(&mut self.notes).map_err(&error)?;
+                (pose.eye, orientation)
             }
         };
         self.shapes.tell(&mut self.notes);
-        let mut spheres = self.shapes.spheres;
-        if mirrored {
+        if is_mirrored {
             self.notes.push(MIRRORED.to_owned());
-            spheres = spheres.mirrored();
         }
         let camera = Camera { eye, orientation, viewport, image };
-        Ok(Imported { spheres, ..Imported::camera(camera, self.notes) })
+        let imported = Imported::camera(camera, self.notes);
+        Ok(Imported { spheres: self.shapes.spheres, ..imported }.mirrored_if(is_mirrored))
     }
 }

@@ -5,9 +5,10 @@ use std::collections::HashMap;
 use pinhole_core::Sphere;
 
 use super::tokens::{Parameters, Reader};
+use crate::FileError;
 use crate::document::Item;
 use crate::format::affine::Affine;
-use crate::format::left_out::LeftOut;
+use crate::format::left_out::{LeftOut, readable};
 use crate::format::text::{byte_of_light, n};
 
 /// A material's colour, as far as it gives one.
@@ -33,8 +34,8 @@ pub(super) struct Shapes<'t> {
     pub(super) spheres: Vec<Item<Sphere>>,
     pub(super) left: LeftOut,
     materials: HashMap<&'t str, Paint>,
-    /// Spheres whose numbers are wrong, and what is wrong with the first.
-    faults: (usize, String),
+    /// Faults of spheres whose numbers are wrong.
+    faults: Vec<FileError>,
     unpainted: usize,
 }
 
@@ -76,16 +77,11 @@ impl<'t> Shapes<'t> {
         };
         let radius = radius * scale;
         if !(radius > 0.0 && radius.is_finite() && place.at.is_finite()) {
-            if self.faults.0 == 0 {
-                let line = reader.error(at, "").place.map(|place| format!("line {}: ", place.line));
-                let line = line.unwrap_or_default();
-                self.faults.1 = match radius > 0.0 {
-                    true => format!("{line}its numbers must be finite"),
-                    false => format!("{line}radius is {}: it must be greater than 0", n(radius)),
-                };
-            }
-            self.faults.0 += 1;
-            return;
+            let problem = match radius > 0.0 {
+                true => "its numbers must be finite".to_owned(),
+                false => format!("radius is {}: it must be greater than 0", n(radius)),
+            };
+            return self.faults.push(reader.error(at, problem));
         }
         let color = match paint {
             Paint::Plain(color) => Some(color),
@@ -100,10 +96,8 @@ impl<'t> Shapes<'t> {
     }
 
     /// Notes what was left out.
-    pub(super) fn tell(&self, notes: &mut Vec<String>) {
-        if self.faults.0 > 0 {
-            notes.push(format!("{} of sphere left out: {}", self.faults.0, self.faults.1));
-        }
+    pub(super) fn tell(&mut self, notes: &mut Vec<String>) {
+        readable(self.faults.drain(..).map(Err::<(), _>), "sphere", notes);
         self.left.tell(notes);
         if self.unpainted > 0 {
             notes.push(format!(

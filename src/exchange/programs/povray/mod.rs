@@ -5,7 +5,6 @@
 //! world is left-handed by habit alone: right says which way the picture runs.
 
 mod blocks;
-mod branches;
 mod comments;
 mod objects;
 mod read;
@@ -15,7 +14,7 @@ mod values;
 use pinhole_core::{BACKGROUND, Sphere};
 
 use self::read::read;
-use crate::format::text::{Text, commas, flipped_all, light, n, one_line};
+use crate::format::text::{commas, flipped_all, light, n, one_line};
 use crate::format::{
     Axis, Conventions, ExportScene, Exported, Format, Importer, PixelConvention, Unsupported,
 };
@@ -26,7 +25,7 @@ pub(super) const FORMAT: Format = Format {
     short: "POV-Ray",
     ending: "pov",
     conventions: Conventions {
-        axes: [Axis::U, Axis::V, Axis::MinusW],
+        axes: [Axis::U, Axis::V, Axis::MINUS_W],
         given_by: "location, right = width u, up = height v, direction = −distance w",
         pixels: PixelConvention::Corner,
         view: "length of right and up against that of direction",
@@ -96,5 +95,5 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
             one_line(&plane.title)
         ));
     }
-    Ok(Exported::one_file("scene.pov", Text::from_marked(&text), Vec::new()))
+    Ok(Exported::one_file("scene.pov", &text, Vec::new()))
 }

@@ -3,66 +3,56 @@
 use pinhole_core::{DVec3, Plane, Sphere};
 
 use super::blocks::Blocks;
-use super::source::{Code, Piece, after_spaces, is_of_word, trimmed, words};
-use super::values::{Value, Values, vector, word_of};
+use super::source::{Code, words};
+use super::values::{Value, Values, vector};
 use crate::FileError;
 use crate::document::Item;
 use crate::format::affine::Affine;
 use crate::format::left_out::readable;
 use crate::format::text::byte_of_light;
 use crate::format::viewport::settled;
+use crate::programs::pieces::{Piece, is_of_word};
 
 /// Reader of a scene's objects.
-pub(super) struct Objects<'c, 't> {
+struct Objects<'c, 't> {
     code: &'c Code<'c>,
     values: &'c Values<'t>,
     /// Colours that are there and could not be read.
     unpainted: usize,
 }
 
-impl<'c, 't> Objects<'c, 't> {
-    pub(super) fn new(code: &'c Code<'c>, values: &'c Values<'t>) -> Objects<'c, 't> {
-        Objects { code, values, unpainted: 0 }
+/// The spheres and planes among a scene's blocks.
+pub(super) fn objects(
+    code: &Code,
+    values: &Values,
+    blocks: &Blocks,
+    notes: &mut Vec<String>,
+) -> (Vec<Item<Sphere>>, Vec<Item<Plane>>) {
+    let mut objects = Objects { code, values, unpainted: 0 };
+    let spheres = blocks.spheres.iter().map(|block| objects.sphere(*block));
+    let spheres = readable(spheres, "sphere", notes);
+    let planes = blocks.planes.iter().map(|block| objects.plane(*block));
+    let planes = readable(planes, "plane", notes);
+    if objects.unpainted > 0 {
+        notes.push(format!(
+            "{} of pigment or texture left out: a colour must be rgb <1, 0.5, 0> or a name such as Red",
+            objects.unpainted
+        ));
     }
+    (spheres, planes)
+}
 
-    pub(super) fn spheres(
-        &mut self,
-        blocks: &Blocks,
-        notes: &mut Vec<String>,
-    ) -> Vec<Item<Sphere>> {
-        let spheres = blocks.spheres.iter().map(|block| self.sphere(*block));
-        let spheres = readable(spheres, "sphere", notes);
-        let ellipsoids = spheres.iter().filter(|sphere| sphere.is_none()).count();
-        if ellipsoids > 0 {
-            notes.push(format!("{ellipsoids} of sphere left out: scaled to an ellipsoid"));
-        }
-        spheres.into_iter().flatten().collect()
-    }
-
-    pub(super) fn planes(&mut self, blocks: &Blocks, notes: &mut Vec<String>) -> Vec<Item<Plane>> {
-        readable(blocks.planes.iter().map(|block| self.plane(*block)), "plane", notes)
-    }
-
-    /// Notes colours that are there and could not be read.
-    pub(super) fn colors(&self, notes: &mut Vec<String>) {
-        if self.unpainted > 0 {
-            notes.push(format!(
-                "{} of pigment or texture left out: a colour must be rgb <1, 0.5, 0> or a name such as Red",
-                self.unpainted
-            ));
-        }
-    }
-
-    /// `None` of an ellipsoid.
-    fn sphere(&mut self, block: Piece) -> Result<Option<Item<Sphere>>, FileError> {
+impl Objects<'_, '_> {
+    fn sphere(&mut self, block: Piece) -> Result<Item<Sphere>, FileError> {
         let (center, rest) = self.beginning("sphere", "sphere centre", block)?;
         let right = "it must have a radius greater than 0, as sphere { <0, 0, 0>, 1 }";
         let (radius, modifiers) = self
             .number(rest)
             .filter(|(radius, _)| *radius > 0.0)
             .ok_or_else(|| self.code.fault("sphere", block, right))?;
-        let placed = self.steps(modifiers, 0)?;
-        let Some(scale) = placed.scale() else { return Ok(None) };
+        let placed = self.steps(modifiers)?;
+        let right = "it must not be scaled to an ellipsoid";
+        let scale = placed.scale().ok_or_else(|| self.code.fault("sphere", block, right))?;
         let (center, radius) = match placed == Affine::IDENTITY {
             true => (center, radius),
             false => {
@@ -72,7 +62,7 @@ impl<'c, 't> Objects<'c, 't> {
         if !(center.is_finite() && radius.is_finite()) {
             return Err(self.code.fault("sphere", block, "its numbers must be finite"));
         }
-        Ok(Some(Item { name: None, color: self.color(block), shape: Sphere { center, radius } }))
+        Ok(Item { name: None, color: self.color(block), shape: Sphere { center, radius } })
     }
 
     fn plane(&mut self, block: Piece) -> Result<Item<Plane>, FileError> {
@@ -83,7 +73,7 @@ impl<'c, 't> Objects<'c, 't> {
             .filter(|_| normal.try_normalize().is_some())
             .ok_or_else(|| self.code.fault("plane", block, right))?;
         let mut shape = Plane { point: normal.normalize() * distance + DVec3::ZERO, normal };
-        let placed = self.steps(modifiers, 0)?;
+        let placed = self.steps(modifiers)?;
         if placed != Affine::IDENTITY {
             // A normal goes by the inverse transposed: here times the determinant.
             let Affine { x, y, z, .. } = placed;
@@ -116,9 +106,9 @@ impl<'c, 't> Objects<'c, 't> {
             self.values.prefix(block).and_then(|(value, rest)| Some((vector(&value)?, rest)));
         let Some((value, rest)) = found else {
             let right = "it must be a vector of numbers, as <1, 2, 3>";
-            return Err(code.fault(field, given(code, trimmed(block)), right));
+            return Err(code.fault(field, given(code, block.trimmed()), right));
         };
-        let rest = after_spaces(rest);
+        let rest = rest.after_spaces();
         Ok((value, if rest.text.starts_with(',') { rest.from(1) } else { rest }))
     }
 
@@ -130,59 +120,38 @@ impl<'c, 't> Objects<'c, 't> {
         }
     }
 
-    /// Returns the map that an object's modifiers make, one step after the other; `depth` counts the
-    /// `transform { ... }` around them.
-    fn steps(&self, modifiers: Piece, depth: usize) -> Result<Affine, FileError> {
-        const DEEPEST: usize = 8;
-        const RIGHT: &str = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix \
-                         in transform";
+    /// Returns the map that an object's modifiers make, one step after the other.
+    fn steps(&self, modifiers: Piece) -> Result<Affine, FileError> {
         let code = self.code;
         let mut placed = Affine::IDENTITY;
         let mut rest = modifiers;
         while let Some(c) = rest.text.chars().next() {
+            if c == '#' {
+                let right = "no directive must stand in it";
+                return Err(code.fault("object", rest.from(1).word(), right));
+            }
             if !is_of_word(c) {
-                if c == '#' {
-                    return Err(code.fault(
-                        "object",
-                        word_of(rest.from(1)),
-                        "no directive must stand in it",
-                    ));
-                }
                 // What is in the braces of a texture moves the texture.
                 let inside = code.bracketed(rest).filter(|_| c == '{');
                 rest = rest.from(inside.map_or(c.len_utf8(), |inside| inside.text.len() + 2));
                 continue;
             }
-            let word = word_of(rest);
-            let open = after_spaces(rest.from(word.text.len()));
-            let (step, after) = match word.text {
-                "translate" | "scale" | "rotate" | "matrix" => {
-                    let found = self.values.prefix(open);
-                    let found =
-                        found.and_then(|(value, after)| Some((step_of(word.text, &value)?, after)));
-                    let right = match word.text {
-                        "matrix" => RIGHT,
-                        _ => "it must be a vector of numbers, as <1, 2, 3>",
-                    };
-                    found.ok_or_else(|| code.fault(word.text, given(code, open), right))?
-                }
+            let word = rest.word();
+            rest = rest.from(word.text.len()).after_spaces();
+            let right = match word.text {
+                "translate" | "scale" | "rotate" => "it must be a vector of numbers, as <1, 2, 3>",
+                "matrix" => "it must be twelve numbers",
                 "transform" => {
-                    let inside = code.bracketed(open).filter(|_| open.text.starts_with('{'));
-                    let Some(inside) = inside else {
-                        // The name of one that is declared.
-                        return Err(code.fault("transform", word_of(open), RIGHT));
-                    };
-                    if depth == DEEPEST {
-                        return Err(code.fault("transform", inside, RIGHT));
-                    }
-                    (self.steps(inside, depth + 1)?, open.from(inside.text.len() + 2))
+                    let right =
+                        "it must be taken apart: translate, scale, rotate or matrix by itself";
+                    return Err(code.fault("transform", given(code, rest), right));
                 }
-                _ if depth > 0 => return Err(code.fault("transform", word, RIGHT)),
-                _ => {
-                    rest = open;
-                    continue;
-                }
+                _ => continue,
             };
+            let step = self.values.prefix(rest);
+            let step = step.and_then(|(value, after)| Some((step_of(word.text, &value)?, after)));
+            let (step, after) =
+                step.ok_or_else(|| code.fault(word.text, given(code, rest), right))?;
             placed = step.after(&placed);
             rest = after;
         }
@@ -195,7 +164,7 @@ impl<'c, 't> Objects<'c, 't> {
         if pigment.is_none() && words(block, "texture").is_empty() {
             return None;
         }
-        let pigment = pigment.map(|at| after_spaces(block.from(at)));
+        let pigment = pigment.map(|at| block.from(at).after_spaces());
         let inside = pigment.and_then(|open| self.code.bracketed(open));
         let light = inside
             .and_then(|inside| self.values.prefix(inside))
@@ -219,7 +188,7 @@ fn given<'p>(code: &Code, open: Piece<'p>) -> Piece<'p> {
         Some(inside) => inside.text.len() + 2,
         None => open.text.find([',', '{', '}', '\n']).unwrap_or(open.text.len()),
     };
-    Piece { text: &open.text[..end], ..open }
+    open.until(end)
 }
 
 fn step_of(word: &str, value: &Value) -> Option<Affine> {
@@ -245,7 +214,7 @@ fn matrix(m: &[f64]) -> Option<Affine> {
     (m.len() == 12).then(|| Affine { x: row(0), y: row(3), z: row(6), at: row(9) })
 }
 
-/// Without the digits that the sines and cosines of right angles leave.
+/// A vector without the digits that the sines and cosines of right angles leave.
 fn plain(v: DVec3) -> DVec3 {
     let roundings = 4.0 * f64::EPSILON * v.length();
     DVec3::from_array(v.to_array().map(|x| settled(x, roundings)))

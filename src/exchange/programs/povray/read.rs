@@ -3,14 +3,15 @@
 use pinhole_core::{Camera, DVec3, ImageSize, Viewport};
 
 use super::blocks::Blocks;
-use super::objects::Objects;
-use super::source::{Code, Piece, trimmed, words};
-use super::values::{Values, has, word_of};
+use super::objects::objects;
+use super::source::{Code, words};
+use super::values::{Values, has};
 use crate::FileError;
 use crate::format::image_size::{image_of, image_of_ratio, size_note};
-use crate::format::pose::{Mirrored, Pose};
+use crate::format::pose::Pose;
 use crate::format::viewport::settled;
 use crate::format::{Imported, Input};
+use crate::programs::pieces::Piece;
 
 /// Words of a pinhole camera.
 const OWN: [&str; 8] =
@@ -48,13 +49,13 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     let mut notes = Vec::new();
     let given = size(text);
     let values = Values::new(&code, given.unwrap_or(at_hand.image));
-    let blocks = Blocks::find(&code, &values);
+    let blocks = Blocks::find(&code);
     let camera = blocks.camera(&code, &mut notes)?;
     let (view, image, values) = match given {
         Some(image) => (View::read(&code, &values, camera)?, image, values),
         None => by_ratio(&code, values, camera, at_hand.image, &mut notes)?,
     };
-    let Frame { right, up, direction } = view.frame();
+    let View { location: eye, right, up, direction, .. } = view.turned();
     let viewport = Viewport {
         width: tidy(right.length()),
         height: tidy(up.length()),
@@ -66,19 +67,14 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     if value(camera, BENT).is_some() {
         notes.push("the camera's normal is left out: a pinhole's rays are straight".to_owned());
     }
-    let stance = Pose { eye: view.location, right, up, backwards: DVec3::ZERO - direction };
-    let (orientation, eye, mirrored) =
-        stance.right_handed(&mut notes).map_err(|right| code.rotation("camera", &right))?;
+    let pose = Pose { eye, right, up, backwards: DVec3::ZERO - direction };
+    let (orientation, eye, mirrored) = pose.right_handed(&mut notes).map_err(|right| {
+        FileError::of_file(text.path, format!("camera is no rotation: {right}"))
+    })?;
     blocks.left_out(&mut notes);
-    let mut objects = Objects::new(&code, &values);
-    let mut spheres = objects.spheres(&blocks, &mut notes);
-    let mut planes = objects.planes(&blocks, &mut notes);
-    objects.colors(&mut notes);
-    if mirrored {
-        (spheres, planes) = (spheres.mirrored(), planes.mirrored());
-    }
+    let (spheres, planes) = objects(&code, &values, &blocks, &mut notes);
     let camera = Camera { eye, orientation, viewport, image };
-    Ok(Imported { camera, spheres, planes, notes })
+    Ok(Imported { camera, spheres, planes, notes }.mirrored_if(mirrored))
 }
 
 /// A length without the digits that a square root adds to a short number.
@@ -108,7 +104,7 @@ fn by_ratio<'t>(
     let (aspect, mut said) = (view.aspect(), Vec::new());
     if aspect.is_finite() && aspect > 0.0 {
         let image = image_of_ratio(at_hand, aspect, "the scene", &mut said);
-        let values = values.with_image(image);
+        let values = Values::new(code, image);
         let other = View::read(code, &values, camera)?;
         if image == at_hand || other.aspect() == aspect {
             notes.append(&mut said);
@@ -117,8 +113,7 @@ fn by_ratio<'t>(
     }
     let unsaid = "the scene does not say how many pixels there are";
     notes.push(size_note(unsaid, at_hand, " taken"));
-    let values = Values::new(code, at_hand);
-    Ok((view, at_hand, values))
+    Ok((view, at_hand, Values::new(code, at_hand)))
 }
 
 /// Returns the value of a word of a camera: the text up to the next one.
@@ -126,7 +121,7 @@ fn value<'t>(camera: Piece<'t>, word: &str) -> Option<Piece<'t>> {
     let at = *words(camera, word).last()?;
     let rest = camera.from(at + word.len());
     let next = camera_words().flat_map(|word| words(rest, word)).min();
-    Some(trimmed(Piece { text: &rest.text[..next.unwrap_or(rest.text.len())], ..rest }))
+    Some(rest.until(next.unwrap_or(rest.text.len())).trimmed())
 }
 
 /// Values of a camera.
@@ -139,21 +134,15 @@ struct View {
     look_at: Option<DVec3>,
 }
 
-struct Frame {
-    right: DVec3,
-    up: DVec3,
-    direction: DVec3,
-}
-
 impl View {
     fn read(code: &Code, values: &Values, camera: Piece) -> Result<View, FileError> {
-        let first = word_of(trimmed(camera));
-        if !trimmed(camera).text.is_empty() && !camera_words().any(|word| word == first.text) {
+        let first = camera.trimmed().word().text;
+        if !camera.trimmed().text.is_empty() && !camera_words().any(|word| word == first) {
             let right = "it must begin with a word such as location, or be declared in this file";
-            return Err(code.fault("camera", trimmed(camera), right));
+            return Err(code.fault("camera", camera.trimmed(), right));
         }
         if let Some(at) = camera.text.find('#') {
-            let piece = word_of(camera.from(at + 1));
+            let piece = camera.from(at + 1).word();
             return Err(code.fault("camera", piece, "no directive must stand in it"));
         }
         if let Some(other) = OTHER_PROJECTIONS.iter().find(|other| has(camera, other)) {
@@ -171,14 +160,21 @@ impl View {
                 return Ok(Some(vector));
             }
             // Which of its numbers is none.
-            let part = code.vector(word, piece).err().filter(|_| piece.text.starts_with('['));
-            let right = match values.is_changed(piece.text) {
+            let inside = code.bracketed(piece).unwrap_or(piece);
+            let is_none = |part: &Piece| values.number(*part).is_none();
+            if let (3, Some(part)) =
+                (inside.split().len(), inside.split().into_iter().find(is_none))
+            {
+                return Err(code.fault(word, part, "it must be a finite number"));
+            }
+            let right = match values.is_open(piece.text) {
                 true => {
-                    "it is declared more than once, or under a condition: here it must be numbers"
+                    "it is declared more than once, under a condition, or not by plain numbers: here it \
+                     must be numbers"
                 }
                 false => "it must be a vector of numbers, as <1, 2, 3>",
             };
-            Err(part.unwrap_or_else(|| code.fault(word, piece, right)))
+            Err(code.fault(word, piece, right))
         };
         let or = |word: &str, or: DVec3| Ok::<_, FileError>(given(word)?.unwrap_or(or));
         let mut view = View {
@@ -208,18 +204,19 @@ impl View {
 
     /// Turns the camera towards `look_at` as POV-Ray does: right, up and direction keep their lengths, and
     /// the camera its handedness.
-    fn frame(&self) -> Frame {
-        let View { right, up, direction, .. } = *self;
-        let Some(at) = self.look_at else { return Frame { right, up, direction } };
+    fn turned(self) -> View {
+        let View { right, up, direction, .. } = self;
+        let Some(at) = self.look_at else { return self };
         let left_handed = up.cross(direction).dot(right) > 0.0;
         let ahead = (at - self.location).normalize_or_zero();
         let side = self.sky.cross(ahead).normalize_or_zero();
         let above = ahead.cross(side);
         let side = if left_handed { side } else { -side };
-        Frame {
+        View {
             right: side * right.length(),
             up: above * up.length(),
             direction: ahead * direction.length(),
+            ..self
         }
     }
 }

@@ -1,11 +1,11 @@
-//! What POV-Ray's expressions come to: numbers and vectors, and the names that have one value.
+//! Values of POV-Ray's expressions: numbers and vectors, and the names that have one value.
 
-use std::cell::RefCell;
 use std::collections::HashMap;
 
 use pinhole_core::{DVec3, ImageSize};
 
-use super::source::{Code, Piece, after_spaces, is_of_word, words};
+use super::source::{Code, words};
+use crate::programs::pieces::{Piece, is_of_word};
 
 /// The names of `colors.inc` that are read, as light.
 const COLORS: [(&str, [f64; 3]); 9] = [
@@ -32,77 +32,64 @@ const DEEPEST: usize = 32;
 /// One number, or those of a vector or colour.
 pub(super) type Value = Vec<f64>;
 
-/// Declaration of a name.
-#[derive(Clone, Copy)]
-enum Declared<'t> {
-    Once(Piece<'t>),
-    /// More than once, or where it may not come to it.
-    Changed,
-}
-
 /// The names of a text, and what they come to.
 pub(super) struct Values<'t> {
-    names: HashMap<&'t str, Declared<'t>>,
+    /// `None` for a name that is declared more than once, under a condition, or by anything else than
+    /// plain numbers.
+    names: HashMap<&'t str, Option<Value>>,
     image: ImageSize,
-    known: RefCell<HashMap<&'t str, Option<Value>>>,
 }
 
-/// The directives behind which something stands up to `#end`.
-pub(super) const OPENING: [&str; 7] = ["if", "ifdef", "ifndef", "while", "for", "switch", "macro"];
+/// Returns the number of directives that are not ended behind one of this word.
+pub(super) fn depth_behind(word: &str, depth: usize) -> usize {
+    match word {
+        "end" => depth.saturating_sub(1),
+        "if" | "ifdef" | "ifndef" | "while" | "for" | "switch" | "macro" => depth + 1,
+        _ => depth,
+    }
+}
 
 impl<'t> Values<'t> {
+    /// The values of a text where the image has this size.
     pub(super) fn new(code: &'t Code, image: ImageSize) -> Values<'t> {
-        let mut names = HashMap::new();
+        let mut values = Values { names: HashMap::new(), image };
         let mut depth = 0_usize;
         for directive in directives(code) {
-            let behind = after_spaces(directive.from(word_of(directive).text.len()));
-            let name = word_of(behind).text;
-            match word_of(directive).text {
-                "declare" | "local" => {
-                    let rest = after_spaces(behind.from(name.len()));
-                    let value = rest.text.starts_with('=').then(|| rest.from(1));
-                    let declared = match (value, names.contains_key(name), depth) {
-                        (Some(value), false, 0) => Declared::Once(value),
-                        _ => Declared::Changed,
-                    };
-                    names.insert(name, declared);
+            let word = directive.word();
+            let behind = directive.from(word.text.len()).after_spaces();
+            let name = behind.word().text;
+            let rest = behind.from(name.len()).after_spaces();
+            match word.text {
+                "declare" | "local" | "undef" => {
+                    let is_first = depth == 0 && !values.names.contains_key(name);
+                    let value = rest.text.strip_prefix('=').filter(|_| is_first);
+                    let value = value
+                        .and_then(|rest| Reader { values: &values, rest, depth: DEEPEST }.sum());
+                    values.names.insert(name, value);
                 }
-                "undef" => {
-                    names.insert(name, Declared::Changed);
-                }
-                "end" => depth = depth.saturating_sub(1),
-                word if OPENING.contains(&word) => {
-                    depth += 1;
-                    let variables = after_spaces(behind.from(name.len()));
-                    let list = if name.is_empty() { behind } else { variables };
+                "for" | "macro" => {
                     // What a loop or a macro calls its numbers.
-                    if ["for", "macro"].contains(&word)
-                        && let Some(inside) = code.bracketed(list)
-                    {
-                        let variables = inside.text.split(|c| !is_of_word(c));
-                        names.extend(variables.map(|variable| (variable, Declared::Changed)));
-                    }
+                    let list = if name.is_empty() { behind } else { rest };
+                    let variables = code.bracketed(list).map_or("", |inside| inside.text);
+                    let variables = variables.split(|c| !is_of_word(c));
+                    values.names.extend(variables.map(|variable| (variable, None)));
                 }
                 _ => (),
             }
+            depth = depth_behind(word.text, depth);
         }
-        Values { names, image, known: RefCell::default() }
+        values
     }
 
-    /// Returns the names with their values where the image has this size.
-    pub(super) fn with_image(self, image: ImageSize) -> Values<'t> {
-        Values { image, known: RefCell::default(), ..self }
-    }
-
-    /// Returns true for a name that has more than one value.
-    pub(super) fn is_changed(&self, name: &str) -> bool {
-        matches!(self.names.get(name), Some(Declared::Changed))
+    /// Returns true for a name that is declared, and comes to nothing.
+    pub(super) fn is_open(&self, name: &str) -> bool {
+        self.names.get(name) == Some(&None)
     }
 
     /// Evaluates a piece that is one expression and nothing else.
     pub(super) fn whole(&self, piece: Piece) -> Option<Value> {
         let (value, rest) = self.prefix(piece)?;
-        after_spaces(rest).text.is_empty().then_some(value)
+        rest.after_spaces().text.is_empty().then_some(value)
     }
 
     pub(super) fn number(&self, piece: Piece) -> Option<f64> {
@@ -116,28 +103,6 @@ impl<'t> Values<'t> {
         vector(&self.whole(piece)?)
     }
 
-    /// Evaluates a condition: a number that is not 0, or two that are compared. Angle brackets
-    /// stand in it as square ones.
-    pub(super) fn condition(&self, piece: Piece) -> Option<bool> {
-        let (left, rest) = self.prefix(piece)?;
-        let left = one(left)?;
-        let rest = after_spaces(rest);
-        if rest.text.is_empty() {
-            return Some(left != 0.0);
-        }
-        let signs = ["!=", "[=", "]=", "=", "[", "]"];
-        let sign = signs.into_iter().find(|sign| rest.text.starts_with(sign))?;
-        let right = self.number(rest.from(sign.len()))?;
-        Some(match sign {
-            "!=" => left != right,
-            "[=" => left <= right,
-            "]=" => left >= right,
-            "=" => left == right,
-            "[" => left < right,
-            _ => left > right,
-        })
-    }
-
     /// Evaluates the expression with which a piece begins, and returns what follows it too.
     pub(super) fn prefix<'p>(&self, piece: Piece<'p>) -> Option<(Value, Piece<'p>)> {
         let mut reader = Reader { values: self, rest: piece.text, depth: DEEPEST };
@@ -146,20 +111,13 @@ impl<'t> Values<'t> {
         value.iter().all(|x| x.is_finite()).then(|| (value, piece.from(read)))
     }
 
-    fn of_name(&self, name: &str, depth: usize) -> Option<Value> {
-        let Some((name, declared)) = self.names.get_key_value(name) else {
-            let color = COLORS.iter().find(|(color, _)| *color == name);
-            return color.map(|(_, light)| light.to_vec());
-        };
-        let Declared::Once(piece) = declared else { return None };
-        if let Some(known) = self.known.borrow().get(name) {
-            return known.clone();
+    fn named(&self, name: &str) -> Option<Value> {
+        match self.names.get(name) {
+            Some(value) => value.clone(),
+            None => {
+                COLORS.iter().find(|(color, _)| *color == name).map(|(_, light)| light.to_vec())
+            }
         }
-        // Whatever is made of itself comes to nothing.
-        self.known.borrow_mut().insert(name, None);
-        let value = Reader { values: self, rest: piece.text, depth }.sum();
-        self.known.borrow_mut().insert(name, value.clone());
-        value
     }
 }
 
@@ -172,12 +130,6 @@ pub(super) fn vector(value: &[f64]) -> Option<DVec3> {
     }
 }
 
-/// The word with which a piece begins.
-pub(super) fn word_of(piece: Piece) -> Piece {
-    let end = piece.text.find(|c| !is_of_word(c)).unwrap_or(piece.text.len());
-    Piece { text: &piece.text[..end], ..piece }
-}
-
 /// Finds the text behind every `#` that stands in no string.
 fn directives<'t>(code: &'t Code) -> impl Iterator<Item = Piece<'t>> {
     let mut rest = code.whole();
@@ -186,7 +138,7 @@ fn directives<'t>(code: &'t Code) -> impl Iterator<Item = Piece<'t>> {
             let at = rest.text.find(['#', '"'])?;
             let after = rest.from(at + 1);
             if rest.text[at..].starts_with('#') {
-                rest = after_spaces(after);
+                rest = after.after_spaces();
                 return Some(rest);
             }
             rest = after.from(after.text.find(['"', '\n']).map_or(after.text.len(), |at| at + 1));
@@ -262,7 +214,7 @@ impl Reader<'_, '_, '_> {
             return self.takes(')').then_some(inside);
         }
         if self.takes('[') {
-            return self.list(']').and_then(|parts| parts.into_iter().map(one).collect());
+            return self.list(']');
         }
         if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
             return self.literal();
@@ -278,28 +230,21 @@ impl Reader<'_, '_, '_> {
             "pi" => Some(vec![std::f64::consts::PI]),
             "image_width" => Some(vec![f64::from(self.values.image.width())]),
             "image_height" => Some(vec![f64::from(self.values.image.height())]),
-            "on" | "yes" | "true" => Some(vec![1.0]),
-            "off" | "no" | "false" => Some(vec![0.0]),
             _ if OF_COLORS.contains(&word) => {
                 self.depth = self.depth.checked_sub(1)?;
                 let color = self.factor();
                 self.depth += 1;
                 color
             }
-            _ if self.rest.trim_start().starts_with('(') => {
-                self.takes('(');
-                let given = self.list(')')?;
-                function(word, &given)
-            }
-            _ => self.values.of_name(word, self.depth),
+            _ => self.values.named(word),
         }
     }
 
-    /// Values between commas, up to the bracket that closes them.
-    fn list(&mut self, close: char) -> Option<Vec<Value>> {
+    /// Numbers between commas, up to the bracket that closes them.
+    fn list(&mut self, close: char) -> Option<Value> {
         let mut values = Vec::new();
         while values.len() < MOST_NUMBERS {
-            values.push(self.sum()?);
+            values.push(one(self.sum()?)?);
             if self.takes(close) {
                 return Some(values);
             }
@@ -343,33 +288,6 @@ fn together(a: Value, b: Value, with: impl Fn(f64, f64) -> f64) -> Option<Value>
         (a, b) if a.len() == b.len() => Some(a.iter().zip(b).map(|(a, b)| with(*a, *b)).collect()),
         _ => None,
     }
-}
-
-fn function(name: &str, given: &[Value]) -> Option<Value> {
-    if let ("vnormalize", [v]) = (name, given) {
-        return vector(v)?.try_normalize().map(|v| v.to_array().to_vec());
-    }
-    if let ("vlength", [v]) = (name, given) {
-        return Some(vec![vector(v)?.length()]);
-    }
-    let numbers: Vec<f64> = given.iter().cloned().map(one).collect::<Option<_>>()?;
-    let number = match (name, &numbers[..]) {
-        ("sqrt", [x]) => x.sqrt(),
-        ("sin", [x]) => x.sin(),
-        ("cos", [x]) => x.cos(),
-        ("tan", [x]) => x.tan(),
-        ("asin", [x]) => x.asin(),
-        ("acos", [x]) => x.acos(),
-        ("atan2", [y, x]) => y.atan2(*x),
-        ("radians", [x]) => x.to_radians(),
-        ("degrees", [x]) => x.to_degrees(),
-        ("abs", [x]) => x.abs(),
-        ("pow", [x, y]) => x.powf(*y),
-        ("min", [x, y]) => x.min(*y),
-        ("max", [x, y]) => x.max(*y),
-        _ => return None,
-    };
-    number.is_finite().then(|| vec![number])
 }
 
 /// Returns true where a word stands anywhere in a piece.

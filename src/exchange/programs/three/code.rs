@@ -21,9 +21,9 @@ pub(super) fn detect(text: &str) -> bool {
 
 /// Values that the statements give.
 #[derive(Default)]
-struct Given<'t> {
+struct Given {
     /// Name of the camera.
-    name: Option<&'t str>,
+    name: Option<String>,
     /// fov in degrees, and aspect.
     lens: Option<(f64, f64)>,
     position: DVec3,
@@ -58,62 +58,50 @@ pub(super) fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError
     Ok(Imported::camera(Camera { eye: given.position, orientation, viewport, image }, notes))
 }
 
-impl<'t> Given<'t> {
-    fn take(&mut self, source: &Source, statement: &Statement<'t>) -> Result<(), FileError> {
-        let Statement { target, called, .. } = *statement;
+impl Given {
+    fn take(&mut self, source: &Source, statement: &Statement) -> Result<(), FileError> {
+        let (target, called) = (&statement.target[..], &statement.called[..]);
         if matches!(called, "PerspectiveCamera" | "THREE.PerspectiveCamera") && statement.is_new {
-            self.name = Some(target).filter(|name| !name.is_empty());
+            self.name = Some(target.to_owned()).filter(|name| !name.is_empty());
             return source.once(&mut self.lens, lens(source, statement)?, statement);
         }
-        let path = if called.is_empty() { target } else { called };
-        if called.ends_with(".setSize") && target.is_empty() {
+        let is_call = target.is_empty();
+        if called.ends_with(".setSize") && is_call {
             let [width, height] = source.all_numbers(statement)?;
             let size =
                 image_of(width, height).map_err(|right| source.refused(statement, &right))?;
             return source.once(&mut self.size, size, statement);
         }
-        let steps =
-            [".position.set", ".position.x", ".position.y", ".position.z", ".up.set", ".lookAt"];
+        let (path, steps) = match called {
+            "" => (target, [".position.x", ".position.y", ".position.z"]),
+            _ => (called, [".position.set", ".up.set", ".lookAt"]),
+        };
         let step = steps.into_iter().find(|step| path.ends_with(step));
-        let Some(step) = step.filter(|_| called.is_empty() || target.is_empty()) else {
+        let Some(step) = step.filter(|_| called.is_empty() || is_call) else {
             return Err(source.refused(statement, RIGHT));
         };
         let owner = &path[..path.len() - step.len()];
-        if self.lens.is_none() || self.name.is_some_and(|name| name != owner) {
+        if self.lens.is_none() || self.name.as_ref().is_some_and(|name| name != owner) {
             let right = format!(
                 "{owner} must be the camera, made by new THREE.PerspectiveCamera before it"
             );
             return Err(source.refused(statement, &right));
         }
-        self.name = Some(owner);
+        self.name = Some(owner.to_owned());
         if self.at.is_some() {
             let right = "it must stand before lookAt, which turns the camera where it is then";
             return Err(source.refused(statement, right));
         }
-        self.place(source, statement, step)
-    }
-
-    fn place(
-        &mut self,
-        source: &Source,
-        statement: &Statement,
-        step: &str,
-    ) -> Result<(), FileError> {
-        let is_call = !statement.called.is_empty();
-        match (step, &statement.arguments[..]) {
-            (".position.set", _) if is_call => {
-                self.position = DVec3::from_array(source.all_numbers(statement)?);
-            }
-            (".up.set", _) if is_call => {
-                self.up = Some(DVec3::from_array(source.all_numbers(statement)?));
-            }
-            (".lookAt", _) if is_call => {
-                self.at = Some(DVec3::from_array(source.all_numbers(statement)?));
-            }
-            (".position.x", [x]) if !is_call => self.position.x = source.number("x", x)?,
-            (".position.y", [y]) if !is_call => self.position.y = source.number("y", y)?,
-            (".position.z", [z]) if !is_call => self.position.z = source.number("z", z)?,
-            _ => return Err(source.refused(statement, RIGHT)),
+        if let ("", [value]) = (called, &statement.arguments[..]) {
+            let axis = step.chars().last().and_then(|axis| "xyz".find(axis)).unwrap_or_default();
+            self.position[axis] = source.number(&step[".position.".len()..], value)?;
+            return Ok(());
+        }
+        let vector = DVec3::from_array(source.all_numbers(statement)?);
+        match step {
+            ".position.set" => self.position = vector,
+            ".up.set" => self.up = Some(vector),
+            _ => self.at = Some(vector),
         }
         Ok(())
     }
@@ -131,7 +119,7 @@ fn lens(source: &Source, statement: &Statement) -> Result<(f64, f64), FileError>
     let (mut fov, mut aspect) = (50.0, 1.0);
     if let Some(argument) = arguments.first() {
         fov = source.number("fov", argument)?;
-        if argument.degrees.is_some() || !(fov > 0.0 && fov < 180.0) {
+        if !(fov > 0.0 && fov < 180.0) {
             return Err(source.fault("fov", argument, "it must be between 0 and 180 degrees"));
         }
     }

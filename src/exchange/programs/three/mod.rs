@@ -14,8 +14,8 @@ use crate::format::affine::Affine;
 use crate::format::image_size::{image_of, image_of_ratio};
 use crate::format::json::{self, Node};
 use crate::format::left_out::readable;
-use crate::format::pose::{Mirrored, Pose};
-use crate::format::text::{Text, n, quotable};
+use crate::format::pose::Pose;
+use crate::format::text::{n, quotable};
 use crate::format::viewport::viewport_of_angle;
 use crate::format::{
     Conventions, ExportScene, Exported, Format, Imported, Importer, Input, PixelConvention,
@@ -69,7 +69,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         columns(subject),
         n(distance)
     )];
-    let Meshes { geometries, materials, meshes } = things(subject, &mut notes);
+    let Meshes { geometries, materials, meshes } = stand_ins(subject, &mut notes);
     children.extend(meshes);
     let list = |name: &str, items: Vec<String>| match items.is_empty() {
         true => String::new(),
@@ -84,7 +84,7 @@ fn write(subject: &ExportScene) -> Result<Exported, Unsupported> {
         uuid(0),
         children.join(", ")
     );
-    Ok(Exported::one_file("scene.json", Text::from_marked(&text), notes))
+    Ok(Exported::one_file("scene.json", &text, notes))
 }
 
 /// Meshes that stand for the objects.
@@ -95,18 +95,18 @@ struct Meshes {
     meshes: Vec<String>,
 }
 
-fn things(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
-    let mut things = Meshes::default();
+fn stand_ins(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
+    let mut made = Meshes::default();
     let mut add = |title: &str, color: [u8; 3], geometry: &str, matrix: String| {
-        let k = 10 + 3 * things.geometries.len();
+        let k = 10 + 3 * made.geometries.len();
         let (own, shape, looks) = (uuid(k), uuid(k + 1), uuid(k + 2));
-        things.geometries.push(format!("{{ \"uuid\": \"{shape}\", {geometry} }}"));
+        made.geometries.push(format!("{{ \"uuid\": \"{shape}\", {geometry} }}"));
         let [r, g, b] = color.map(u32::from);
-        things.materials.push(format!(
+        made.materials.push(format!(
             "{{ \"uuid\": \"{looks}\", \"type\": \"MeshBasicMaterial\", \"color\": {}, \"side\": 2 }}",
             r << 16 | g << 8 | b
         ));
-        things.meshes.push(format!(
+        made.meshes.push(format!(
             "{{ \"uuid\": \"{own}\", \"type\": \"Mesh\", \"name\": \"{}\", \"geometry\": \"{shape}\", \
              \"material\": \"{looks}\", \"matrix\": [{matrix}] }}",
             quotable(title)
@@ -134,7 +134,7 @@ fn things(subject: &ExportScene, notes: &mut Vec<String>) -> Meshes {
         add(&plane.title, plane.color, &geometry, matrix);
         notes.push(square_note(&plane.title, "three.js", half));
     }
-    things
+    made
 }
 
 fn uuid(k: usize) -> String {
@@ -184,11 +184,7 @@ fn read(text: &Input, at_hand: &Camera) -> Result<Imported, FileError> {
         .map_err(|right| camera.fault(&format!("its matrix is no rotation: {right}")))?;
     let mut taken = Imported::camera(Camera { eye, orientation, viewport, image }, notes);
     objects(&root, &all, &mut taken);
-    if mirrored {
-        taken.spheres = std::mem::take(&mut taken.spheres).mirrored();
-        taken.planes = std::mem::take(&mut taken.planes).mirrored();
-    }
-    Ok(taken)
+    Ok(taken.mirrored_if(mirrored))
 }
 
 /// Every object below this one, each with its frame in the world. JSON that is read has no more than

@@ -22,10 +22,6 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
     for (object, place) in [
         ("sphere { <1, 2, 3>, 2 translate <1, 0, 0> scale 2 }", ([4.0, 4.0, 6.0], 4.0)),
         ("sphere { <1, 2, 3> 2 scale 2 translate x*3 }", ([5.0, 4.0, 6.0], 4.0)),
-        (
-            "sphere { <1, 2, 3>, 2 transform { translate x transform { scale 2 } } pigment { Red } }",
-            ([4.0, 4.0, 6.0], 4.0),
-        ),
         ("sphere { <1, 2, 3>, 0.5 rotate y*90 }", ([3.0, 2.0, -1.0], 0.5)),
         ("sphere { <1, 2, 3>, 0.5 rotate <90, 0, 90> }", ([3.0, 1.0, 2.0], 0.5)),
         (
@@ -37,22 +33,26 @@ fn pov_ray_s_steps_move_an_object_one_after_the_other() {
         let (spheres, notes) = povray(object);
         assert_eq!((spheres, notes), (vec![place], Vec::new()), "{object}");
     }
-    let right = "it must be twelve numbers for matrix, and translate, scale, rotate or matrix in \
-                 transform";
+    let apart = "it must be taken apart: translate, scale, rotate or matrix by itself";
     for (moved, said) in [
-        ("transform { rotate 90*y inverse }", "transform is inverse"),
-        ("transform { Mine }", "transform is Mine"),
-        ("transform Mine", "transform is Mine"),
-        (&"transform { ".repeat(10), "transform is transform { }"),
+        (
+            "transform { rotate 90*y inverse }",
+            format!("transform is {{ rotate 90*y inverse }}: {apart}"),
+        ),
+        ("transform Mine", format!("transform is Mine: {apart}")),
+        ("matrix <1, 0, 0>", "matrix is <1, 0, 0>: it must be twelve numbers".to_owned()),
+        ("scale Big", "scale is Big: it must be a vector of numbers, as <1, 2, 3>".to_owned()),
+        ("#if (1) scale 2 #end", "object is if: no directive must stand in it".to_owned()),
     ] {
-        let closed = "}".repeat(moved.matches('{').count() - moved.matches('}').count());
-        let (spheres, notes) = povray(&format!("sphere {{ <1, 2, 3>, 2 {moved}{closed} }}"));
+        let (spheres, notes) = povray(&format!("sphere {{ <1, 2, 3>, 2 {moved} }}"));
         assert_eq!(spheres, []);
-        assert_eq!(notes, [format!("1 of sphere left out: line 2: {said}: {right}")]);
+        assert_eq!(notes, [format!("1 of sphere left out: line 2: {said}")]);
     }
     let (spheres, notes) = povray("sphere { <1, 2, 3>, 2 scale <1, 2, 1> }");
     assert_eq!(spheres, []);
-    assert_eq!(notes, ["1 of sphere left out: scaled to an ellipsoid"]);
+    let said =
+        "line 2: sphere is <1, 2, 3>, 2 scale <1, 2, 1>: it must not be scaled to an ellipsoid";
+    assert_eq!(notes, [format!("1 of sphere left out: {said}")]);
     let taken =
         read("povray", &format!("{CAMERA}plane {{ y, 2 rotate -90*x translate <0, 0, 3> }}"));
     let plane = taken.unwrap().planes[0].shape;

@@ -48,7 +48,10 @@ fn json_and_yaml_in_the_forms_that_opencv_writes() {
 #[test]
 fn what_is_given_twice_or_makes_no_camera_is_refused() {
     for (text, message) in [
-        (JSON.replace("\"R\":", "\"rvec\": [0, 1, 0], \"R\":"), "R is another rotation"),
+        (
+            JSON.replace("\"R\":", "\"rvec\": [0, 1, 0], \"R\":"),
+            "R is given too: only one of them may be",
+        ),
         (JSON.replace("\"t\":", "\"tvec\": [0, 1, 0], \"t\":"), "only one of them may be"),
         (
             JSON.replace(

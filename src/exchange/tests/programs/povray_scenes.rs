@@ -42,29 +42,24 @@ fn names_of_one_value_are_that_value() {
 }
 
 #[test]
-fn the_camera_of_the_branch_that_is_taken_is_taken() {
+fn the_last_camera_is_taken_and_must_stand_by_itself() {
     let (a, b) = (camera(20), camera(80));
     for (text, degrees) in [
-        (format!("#if (1) {a} #else {b} #end"), 20.0),
-        (format!("#if (0) {a} #else {b} #end"), 80.0),
-        (format!("#declare Wide = 0;\n#if (Wide) {a} #elseif (1) {b} #else {a} #end"), 80.0),
-        (format!("{a} #if (0) {b} #if (1) {b} #end #else #end"), 20.0),
+        (format!("{b}{a}"), 20.0),
         (format!("{a} /* {b} /* {b} */ {b} */"), 20.0),
         (format!("#debug \"/*\"\n// /*\n{a} // \" */"), 20.0),
         (format!("#declare A = {a} #declare B = {b} camera {{ A }}"), 20.0),
+        (format!("#ifdef (Wide)\n{a}#end\n{b}"), 80.0),
+        (format!("#if (1) #if (0) #else #end #end {b}"), 80.0),
     ] {
         assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
     }
-    let told = |which: &str, line: u32| {
-        vec![format!(
-            "1 of camera under a condition that is not worked out: {which} is taken, line {line}"
-        )]
-    };
-    assert_eq!(degrees_of(&format!("#if (clock > 1)\n{a}#end")), (20.0, told("it", 3)));
-    let after = format!("{b}#ifdef (Wide)\n{a}#end");
-    assert_eq!(degrees_of(&after), (80.0, told("the last that stands under none", 2)));
-    assert_eq!(degrees_of(&format!("#ifdef (Wide)\n{a}#end\n{b}")), (80.0, Vec::new()));
+    let lonely = "camera: it must stand by itself, not between #if, #while, #for, #switch or #macro and #end";
     for (text, said) in [
+        (format!("#if (1) {a}#end"), lonely),
+        (format!("{b}#if (clock > 1) {a}#else {b}#end"), lonely),
+        (format!("{a}#switch (1) #case (1) {b} #end"), lonely),
+        (format!("#if (1)\n#declare A = {a}#else\n#declare A = {b}#end camera {{ A }}"), lonely),
         (
             format!("#declare A = {a}camera {{ A angle 30 }}"),
             "camera is A: what is added to it must stand in its declaration",
@@ -74,85 +69,33 @@ fn the_camera_of_the_branch_that_is_taken_is_taken() {
             "camera is Mine: it must begin with a word such as location, or be declared in this file",
         ),
         (
+            format!("#declare A = {a}#declare B = camera {{ A }} camera {{ B }}"),
+            "camera is A: it must begin with a word such as location, or be declared in this file",
+        ),
+        (
             "camera { location 0 #if (Wide) angle 80 #end look_at z }".to_owned(),
             "camera is if: no directive must stand in it",
         ),
     ] {
-        assert_eq!(read("povray", &text).unwrap_err().problem, said);
+        assert_eq!(read("povray", &text).unwrap_err().problem, said, "{text}");
     }
 }
 
 #[test]
-fn conditions_of_plain_numbers_and_names_are_worked_out() {
-    let (a, b) = (camera(20), camera(80));
-    for (condition, holds) in [
-        ("Cam = 1", true),
-        ("Cam = 2", false),
-        ("Cam != 1", false),
-        ("Cam < 2", true),
-        ("Cam > 1", false),
-        ("Cam <= 1", true),
-        ("2*Cam >= 3", false),
-        ("Top", false),
-    ] {
-        let text =
-            format!("#declare Cam = 1;\n#declare Top = no;\n#if ({condition}) {a} #else {b} #end");
-        let degrees = if holds { 20.0 } else { 80.0 };
-        assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
-    }
-    for (switch, degrees) in [
-        (format!("#case (1) {a} #break #case (2) {b} #break"), 20.0),
-        (format!("#case (0) {a} #break #case (1) {b} #break #default {a}"), 80.0),
-        (format!("#case (0) {a} #break #range (2, 3) {a} #break #default {b}"), 80.0),
-        (format!("#range (0, 1) {a} #break #else {b}"), 20.0),
-        (format!("#case (1) {a} #case (2) {b} #break"), 80.0),
-    ] {
-        let text = format!("#declare Cam = 1;\n#switch (Cam) {switch} #end");
-        assert_eq!(degrees_of(&text), (degrees, Vec::new()), "{text}");
-    }
-}
-
-#[test]
-fn cameras_under_conditions_that_are_not_worked_out_are_refused() {
-    let (a, b) = (camera(20), camera(80));
-    for (text, place) in [
-        (format!("#if (clock > 1)\n{a}#else\n{b}#end"), "in:1:6: the condition is clock > 1"),
-        (
-            format!("{a}#switch (clock)\n#case (1) {a} #case (2) {b} #end"),
-            "in:2:10: the condition is clock",
-        ),
-        (
-            format!("#declare A = 1;#if (A = 2)\n{a}#elseif (B)\n{b}#else\n{a}#end"),
-            "in:3:10: the condition is B",
-        ),
-        (
-            format!("#switch (1) #case (1) #if (clock) {a} #break #end {b} #end"),
-            "in:1:28: the condition is clock",
-        ),
-    ] {
-        let error = read("povray", &text).unwrap_err().to_string();
-        let right =
-            "it is not worked out, and 2 of camera stand under such conditions: leave in one";
-        assert_eq!(error, format!("{place}: {right}"), "{text}");
-    }
-    let declared =
-        format!("#if (clock)\n#declare A = {a}#else\n#declare A = {b}#end camera {{ A }}");
-    let error = read("povray", &declared).unwrap_err().to_string();
-    assert_eq!(
-        error,
-        "in:1:6: the condition is clock: it is not worked out, and camera A depends on it"
-    );
-}
-
-#[test]
-fn objects_of_branches_and_other_files_are_taken_or_told() {
+fn objects_under_conditions_and_in_other_files_are_told() {
     let objects = "#include \"colors.inc\"\n#include \"room.inc\"\n#include \"lamp.pov\"\n\
                    #if (1) sphere { <1, 0, 0>, 1 } #else sphere { <2, 0, 0>, 1 } #end\n\
-                   #if (0) #include \"none.inc\" sphere { <3, 0, 0>, 1 } box { 0, 1 } #end\n";
+                   sphere { <3, 0, 0>, 1 }\n";
     let taken = read("povray", &format!("{CAMERA}{objects}")).unwrap();
     let centers: Vec<_> = taken.spheres.iter().map(|item| item.shape.center).collect();
-    assert_eq!(centers, [DVec3::X]);
-    assert_eq!(taken.notes, ["2 of #include left out: what is in other files is not read"]);
+    assert_eq!(centers, [3.0 * DVec3::X]);
+    assert_eq!(
+        taken.notes,
+        [
+            "2 of #include left out: what is in other files is not read",
+            "what stands between #if, #while, #for, #switch or #macro and #end is left out"
+        ]
+    );
 }
 
 #[test]
