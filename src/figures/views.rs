@@ -24,6 +24,16 @@ pub enum View {
     World,
 }
 
+impl View {
+    /// Returns its name in one word, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            View::Camera => "camera",
+            View::World => "world",
+        }
+    }
+}
+
 /// A view, `size` large, of the document as the session looks at it: its ray, items, colours and
 /// observer.
 ///
