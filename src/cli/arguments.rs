@@ -361,7 +361,7 @@ fn pair<'a>(text: &'a str, such_as: &str) -> Result<(&'a str, &'a str), String> 
     }
 }
 
-/// What draws the window.
+/// The renderer of the window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Renderer {
     /// A graphics adapter, through wgpu.

@@ -38,7 +38,7 @@ impl View {
 /// observer.
 ///
 /// # Errors
-/// Why there is nothing to see: as the window says it.
+/// The reason why there is nothing to see: as the window says it.
 pub fn of_view(
     document: &Document,
     session: &Session,

@@ -10,7 +10,7 @@ pub(crate) const WEAK: Color32 = Color32::from_gray(0x5a);
 pub(crate) const FRAME: Color32 = Color32::from_gray(0x70);
 pub(crate) const GRID: Color32 = Color32::from_gray(0xe4);
 
-/// Around all panels.
+/// Margin around all panels.
 pub(crate) const MARGIN: f64 = 28.0;
 
 /// The size of the numbers at a scale.

@@ -14,10 +14,10 @@ use crate::model::student_answers::{AnswersAtHand, AnswersFile};
 use crate::ui::action::{Action, AnswersAction, Leave};
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 
-/// No larger file is graded in the window: two million answers, which take some seconds.
+/// Maximum size of a file that is graded in the window: two million answers, which take some seconds.
 const MOST_BYTES: u64 = 100_000_000;
 
-/// What a file that is dropped on the window is opened as: its first bytes tell.
+/// Returns the action for a file that is dropped on the window: its first bytes tell.
 pub(super) fn dropped(path: PathBuf) -> Action {
     const FIRST: u64 = 1 << 16;
     let mut bytes = Vec::new();

@@ -21,9 +21,9 @@ use crate::ui::changed::Changed;
 use crate::ui::dialogs::dialog::{Dialog, Message, PathField};
 use crate::view::derive::Deriver;
 
-/// What the step of the history is called that puts the camera where the ghost is.
+/// Names of the history's steps that put the camera where the ghost is, and that set it from the
+/// clipboard.
 const SWAP: &str = "swap with the ghost";
-/// And the one that sets it from the clipboard.
 const PASTE: &str = "paste a camera";
 
 impl App {

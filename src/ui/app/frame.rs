@@ -50,7 +50,7 @@ impl App {
         workspace(self.scene.session.settings.layout)
     }
 
-    /// What comes from outside the panels: keys, the clipboard, dropped files and the close button.
+    /// Takes the inputs from outside the panels: keys, the clipboard, dropped files and the close button.
     fn window_inputs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
         // Not under a dialog: its answer would then be about another scene.
         if !self.over.covers() {
@@ -114,7 +114,7 @@ impl App {
         }
     }
 
-    /// What there is for commands to be done to.
+    /// Returns what there is for commands to be done to.
     fn available(&self) -> Available {
         Available {
             undo: self.history.undo_name().is_some(),
@@ -189,7 +189,7 @@ impl App {
         changed
     }
 
-    /// Where the views lie, and what is beside them.
+    /// Lays out the views, and what is beside them.
     fn places(&mut self, ui: &mut Ui) -> (Places, Changed) {
         let areas = self.workspace().areas;
         let session = &mut self.scene.session;
@@ -204,7 +204,7 @@ impl App {
         (Places::new(areas, image, per_point, presenting), changed)
     }
 
-    /// What mouse and keys do in the views, and what they point at.
+    /// Takes the inputs of mouse and keys in the views, and what they point at.
     fn view_inputs(&mut self, ui: &mut Ui, places: &Places, actions: &mut Vec<Action>) -> Changed {
         let workspace = self.workspace();
         let (scene, shown) = (&mut self.scene, &self.views.derived);

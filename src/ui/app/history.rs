@@ -17,11 +17,11 @@ pub(super) struct SceneHistory {
     history: History<Moment>,
     /// The document when the hand last rested.
     settled: Document,
-    /// What the last step was, to tell whether the next change goes on with it.
+    /// The last step, to tell whether the next change goes on with it.
     last: Option<Last>,
 }
 
-/// How it was at a step's beginning, or end.
+/// The state at a step's beginning, or end.
 #[derive(Clone, Debug)]
 enum Moment {
     /// The scene is the same one.
@@ -47,12 +47,12 @@ impl SceneHistory {
         &self.settled
     }
 
-    /// What *Undo* would undo.
+    /// Returns the name of the step that *Undo* would undo.
     pub(super) fn undo_name(&self) -> Option<&str> {
         self.history.undo_name()
     }
 
-    /// What *Redo* would do again.
+    /// Returns the name of the step that *Redo* would do again.
     pub(super) fn redo_name(&self) -> Option<&str> {
         self.history.redo_name()
     }
@@ -102,8 +102,7 @@ impl SceneHistory {
         self.last = None;
     }
 
-    /// What has changed in the document until now is no step: it was written to disk, or it is what
-    /// a lesson begins with.
+    /// Takes the changes until now for no step: they were written to disk, or a lesson begins with them.
     pub(super) fn take_as_settled(&mut self, document: &Document) {
         self.settled = document.clone();
     }

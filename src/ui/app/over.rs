@@ -1,4 +1,4 @@
-//! What lies over the window: dialogs, the command palette, the list of keys, the ring round what has
+//! The overlays of the window: dialogs, the command palette, the list of keys, the ring round what has
 //! the focus, and the spotlight.
 
 use egui::{Context, Ui};
@@ -13,10 +13,10 @@ use crate::ui::dialogs::key_list;
 use crate::ui::dialogs::palette::{self, Palette};
 use crate::view::typesetting::theme;
 
-/// Of more objects, the palette lists the first ones.
+/// Maximum number of objects that the palette lists.
 const LISTED_OBJECTS: usize = 200;
 
-/// What lies over the window until it is closed.
+/// The overlays that are open.
 #[derive(Default)]
 pub(super) struct Over {
     pub(super) dialog: Option<Dialog>,
@@ -27,7 +27,7 @@ pub(super) struct Over {
 }
 
 impl Over {
-    /// Whether something lies over the window, which takes mouse and keys.
+    /// Returns true if something lies over the window, which takes mouse and keys.
     pub(super) fn covers(&self) -> bool {
         self.dialog.is_some() || self.palette.is_some() || self.shows_keys
     }

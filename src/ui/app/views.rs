@@ -30,13 +30,13 @@ const STEERING: [Key; 7] = [
     Key::Minus,
 ];
 
-/// What is derived, and its pictures on their way to the screen.
+/// The derived values, and their pictures on the way to the screen.
 #[derive(Default)]
 pub(super) struct Views {
     pub(super) deriver: Deriver,
     pub(super) derived: Derived,
     pub(super) adaptive_resolution: AdaptiveResolution,
-    /// What went into the last frame, for those who keep a log.
+    /// The work for the last frame, for those who keep a log.
     pub(super) frame_work: Option<FrameWork>,
     world: ViewTexture,
     camera: ViewTexture,
@@ -136,7 +136,7 @@ impl Views {
     }
 }
 
-/// Whether mouse or keys move what is seen.
+/// Returns true if mouse or keys move what is seen.
 fn is_hand_moving(ctx: &Context) -> bool {
     ctx.input(|i| {
         let drags = i.pointer.any_down() && i.pointer.delta() != Vec2::ZERO;

@@ -18,7 +18,7 @@ pub(super) struct AppWindow {
     /// Files opened or saved lately.
     pub(super) recent: Vec<PathBuf>,
     title: String,
-    /// What draws the window, in words.
+    /// The renderer of the window, in words.
     pub(super) renderer: String,
     may_close: bool,
     /// The user chose to lose the changes.
@@ -53,7 +53,7 @@ impl AppWindow {
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    /// Whether the close button was pressed, and nobody has said yet that it may be.
+    /// Returns true if the close button was pressed, and nobody has said yet that it may be.
     pub(super) fn is_to_close(&self, ctx: &Context) -> bool {
         ctx.input(|i| i.viewport().close_requested()) && !self.may_close
     }

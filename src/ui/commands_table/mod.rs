@@ -20,7 +20,7 @@ use egui::Key;
 
 use crate::ui::action::{Action, ObjectAction, Observe, Steer};
 
-/// What a command belongs to: a heading of the key sheet.
+/// The group of a command: a heading of the key sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// Opening, saving, quitting.
@@ -29,7 +29,7 @@ pub enum Group {
     Edit,
     /// The way through a lesson.
     Lesson,
-    /// In front of an audience.
+    /// Presenter mode.
     Presenting,
     /// The selected pixel and the observer.
     Views,
@@ -41,13 +41,13 @@ pub enum Group {
     Play,
     /// The program itself.
     Program,
-    /// Which views are shown.
+    /// The views that are shown.
     Layout,
-    /// What is drawn over the views.
+    /// The items drawn over the views.
     Overlay,
-    /// How pictures and window are coloured.
+    /// The colours of pictures and window.
     Colours,
-    /// How numbers are written.
+    /// The form of numbers.
     Numbers,
     /// The built-in scenes.
     Scene,
@@ -57,12 +57,12 @@ pub enum Group {
     Exercise,
     /// The wrong cameras.
     Mistake,
-    /// What draws the camera's picture.
+    /// The method that draws the camera's picture.
     Method,
 }
 
 impl Group {
-    /// Its heading, which the palette writes before a command's name.
+    /// Returns the heading, which the palette writes before a command's name.
     pub fn label(self) -> &'static str {
         match self {
             Group::File => "File",
@@ -90,25 +90,25 @@ impl Group {
 /// A command.
 #[derive(Clone, Debug)]
 pub struct UiCommand {
-    /// What it belongs to.
+    /// The heading that it stands under.
     pub group: Group,
-    /// What it is called within its group.
+    /// The name within its group.
     pub name: Cow<'static, str>,
-    /// What it does, in one sentence.
+    /// A sentence about it.
     pub about: Cow<'static, str>,
     /// The keys that do it; the first one is the one that menus tell.
     pub keys: &'static [Keys],
-    /// What is done.
+    /// The action.
     pub action: Action,
 }
 
 impl UiCommand {
-    /// What the palette calls it.
+    /// Returns the name in the palette.
     pub fn title(&self) -> String {
         format!("{}: {}", self.group.label(), self.name)
     }
 
-    /// Its keys in words, such as `Ctrl+Shift+Z, Ctrl+Y`.
+    /// Returns its keys in words, such as `Ctrl+Shift+Z, Ctrl+Y`.
     pub fn keys_text(&self) -> String {
         let texts: Vec<String> = self.keys.iter().map(Keys::text).collect();
         texts.join(", ")
@@ -139,7 +139,7 @@ fn with_action(action: &Action) -> Option<&'static UiCommand> {
     all().iter().find(|verb| verb.action == *action)
 }
 
-/// What commands that are one but for their direction are called together.
+/// Returns the common name of commands that are one but for their direction.
 fn family(action: &Action) -> Option<&'static str> {
     match action {
         Action::Select { rows: -1..=1, columns: -1..=1 } => Some("The next pixel"),
@@ -152,19 +152,7 @@ fn family(action: &Action) -> Option<&'static str> {
         Action::Observe(Observe::Pan(..)) => Some("Pan the observer, there"),
         Action::Observe(Observe::Zoom(_)) => Some("Zoom, there"),
         Action::Object(ObjectAction::Next(_)) => Some("Previous and next object"),
-        Action::Observe(Observe::FrameCamera | Observe::FrameAll)
-        | Action::Object(_)
-        | Action::Leave(_)
-        | Action::File(_)
-        | Action::Lesson(_)
-        | Action::History(_)
-        | Action::Figure(_)
-        | Action::Exchange(_)
-        | Action::Answers(_)
-        | Action::Play(_)
-        | Action::Ghost(_)
-        | Action::Look(_)
-        | Action::Overlay(_) => None,
+        _ => None,
     }
 }
 

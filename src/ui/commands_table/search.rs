@@ -18,7 +18,7 @@ pub fn found<'a>(typed: &str, verbs: impl Iterator<Item = &'a UiCommand>) -> Vec
     scored.into_iter().map(|(_, verb)| verb).collect()
 }
 
-/// How well a title fits what was typed: more is better, `None` where a word does not fit at all.
+/// Score of a title for what was typed: more is better, `None` where a word does not fit at all.
 /// Case does not count.
 pub fn score(typed: &str, title: &str) -> Option<u32> {
     let title: Vec<char> = title.to_lowercase().chars().collect();

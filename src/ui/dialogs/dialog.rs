@@ -8,6 +8,7 @@ use pinhole_exchange::scenes::SceneSource;
 
 use super::export::ExportForm;
 use crate::ui::action::{Action, AnswersAction, ExchangeAction, FileAction, Leave};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// The open dialog.
@@ -21,7 +22,7 @@ pub enum Dialog {
     SaveAs {
         /// The path.
         field: PathField,
-        /// What follows once the scene is saved.
+        /// The action that follows once the scene is saved.
         then: Option<Leave>,
     },
     /// Asks for a file to write the camera to, in another program's format.
@@ -44,7 +45,7 @@ pub enum Dialog {
     Unsaved {
         /// The document's name.
         title: String,
-        /// What follows.
+        /// The action that follows.
         then: Leave,
     },
     /// Something to read and close.
@@ -170,8 +171,7 @@ impl PathField {
     fn ui(&mut self, ui: &mut Ui, verb: &str, cancel: &mut bool) -> Option<PathBuf> {
         let mut chosen = None;
         let field = TextEdit::singleline(&mut self.text).hint_text(self.hint);
-        let response = ui.add(field.desired_width(f32::INFINITY));
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("path"));
+        let response = ui.add(field.desired_width(f32::INFINITY)).named("path");
         if response.changed() {
             self.overwrite = None;
         }

@@ -9,6 +9,7 @@ use crate::model::color_scheme::Scheme;
 use crate::model::play::Kind;
 use crate::ui::action::{Action, FigureAction};
 use crate::ui::dialogs::dialog::{PathField, save_ui};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::overlay::Style;
 use crate::view::typesetting::theme::error_color;
 
@@ -147,8 +148,7 @@ impl ExportForm {
         let number = |ui: &mut Ui, value: &mut u32, name: &str| {
             ui.label(name);
             let response = ui.add(DragValue::new(value).range(1..=LARGEST).suffix(" dots"));
-            let label = format!("figure {name}");
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+            let response = response.named(format!("figure {name}"));
             ui.end_row();
             response.changed()
         };
@@ -197,12 +197,10 @@ impl ExportForm {
 /// Shows the number of frames, their rate, and the file format.
 fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
     ui.label("frames");
-    let response = ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames"));
+    ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES)).named("frames");
     ui.end_row();
     ui.label("per second");
-    let response = ui.add(DragValue::new(&mut frames.per_second).range(1..=120));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("frames per second"));
+    ui.add(DragValue::new(&mut frames.per_second).range(1..=120)).named("frames per second");
     ui.end_row();
     ui.label("as");
     ui.horizontal(|ui| {

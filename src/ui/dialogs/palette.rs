@@ -7,6 +7,7 @@ use egui::{
 use crate::model::session::Session;
 use crate::ui::action::{Action, LookAction};
 use crate::ui::commands_table::{UiCommand, found};
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Size of the names, in points.
 const TEXT: f32 = 17.0;
@@ -72,8 +73,7 @@ fn field(ui: &mut Ui, palette: &mut Palette) {
         .font(egui::FontId::proportional(TEXT + 2.0))
         .desired_width(f32::INFINITY)
         .show(ui);
-    let response = field.response.response;
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Command"));
+    let response = field.response.response.named("Command");
     if !response.has_focus() {
         response.request_focus();
     }
@@ -100,8 +100,8 @@ fn list(
                 let layout = Layout::top_down_justified(Align::Min);
                 let entry = entry(verb, k == chosen, session, row);
                 let response = ui.with_layout(layout, |ui| ui.add(entry)).inner;
+                let response = response.named(verb.title());
                 ui.ctx().accesskit_node_builder(response.id, |node| {
-                    node.set_label(verb.title());
                     node.set_selected(k == chosen);
                     node.set_description(verb.about.to_string());
                 });

@@ -1,14 +1,14 @@
 //! The scene's spheres and planes: a list for selection, and the fields of the selected object.
 
-use egui::{Button, RichText, ScrollArea, Ui};
+use egui::{Button, ScrollArea, Ui};
 use pinhole_core::{Camera, DVec2, DVec3, ObjectError, Plane, Rgb, Sphere};
 use pinhole_exchange::document::{Document, Item, Shared};
 
-use crate::model::letters::typeset_message;
 use crate::ui::changed::Changed;
+use crate::ui::widgets::fault::fault_text;
 use crate::ui::widgets::number::{NumberField, vector_row};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme;
-use crate::view::typesetting::theme::error_color;
 
 /// Number of rows of the list that are visible at once.
 const LIST_ROWS: f32 = 6.0;
@@ -165,16 +165,12 @@ fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: It
 fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
     ui.horizontal(|ui| {
         let mut color = shown;
-        let response = ui.color_edit_button_srgb(&mut color);
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("color"));
-        if response.changed() {
+        if ui.color_edit_button_srgb(&mut color).named("color").changed() {
             item.color = Some(color);
         }
         let mut name = item.name.clone().unwrap_or_default();
         let field = egui::TextEdit::singleline(&mut name).hint_text("name").desired_width(150.0);
-        let response = ui.add(field);
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("name"));
-        if response.changed() {
+        if ui.add(field).named("name").changed() {
             item.name = (!name.is_empty()).then_some(name);
         }
         ui.button("Remove").clicked()
@@ -210,6 +206,6 @@ fn plane(ui: &mut Ui, plane: &mut Plane) {
 
 fn reason(ui: &mut Ui, fault: Option<ObjectError>) {
     if let Some(fault) = fault {
-        ui.label(RichText::new(typeset_message(fault)).color(error_color(ui)));
+        ui.label(fault_text(ui, fault));
     }
 }

@@ -4,6 +4,7 @@ use egui::{Button, Checkbox, ComboBox, RichText, Slider, Ui};
 
 use crate::model::play::{Kind, Player};
 use crate::ui::action::{Action, FigureAction, PlayAction};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Size of the text, in points.
@@ -58,9 +59,7 @@ pub(crate) fn ui(ui: &mut Ui, player: &mut Player, actions: &mut Vec<Action>) {
 
 /// Shows a button with its text, its accessible name, and its hint.
 fn button(ui: &mut Ui, [text, name, hint]: [&str; 3], play: PlayAction, actions: &mut Vec<Action>) {
-    let response = ui.add(Button::new(text)).on_hover_text(hint);
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
-    if response.clicked() {
+    if ui.add(Button::new(text)).on_hover_text(hint).named(name).clicked() {
         actions.push(play.into());
     }
 }
@@ -111,8 +110,8 @@ fn place(ui: &mut Ui, player: &mut Player) {
         ui.label(RichText::new(player.place()).strong());
     });
     ui.spacing_mut().slider_width = (ui.available_width() - 12.0).max(60.0);
-    let response = ui.add(Slider::new(&mut player.phase, 0.0..=1.0).show_value(false));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("position"));
+    let response =
+        ui.add(Slider::new(&mut player.phase, 0.0..=1.0).show_value(false)).named("position");
     if response.changed() || response.dragged() {
         (player.begun, player.running) = (true, false);
     }

@@ -6,6 +6,7 @@ use pinhole_core::{Pixel, ResolvedCamera};
 use crate::model::session::Selection;
 use crate::ui::changed::Changed;
 use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::Spoken as _;
 
 /// Edits the selection of a valid camera.
 pub(crate) fn ui(
@@ -80,8 +81,8 @@ fn index_field(
         .speed(0.2)
         .update_while_editing(false)
         .custom_formatter(|index, _| if known { index.to_string() } else { "–".to_owned() });
-    let response = ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y)));
-    ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
+    let response =
+        ui.add(field.min_size(egui::vec2(78.0, ui.spacing().interact_size.y))).named(name);
     *index = shown - from;
     response.changed()
 }

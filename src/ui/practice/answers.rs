@@ -2,8 +2,7 @@
 //! answers, the worst answer, and the mistake that explains the errors.
 
 use egui::{
-    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder,
-    vec2,
+    Align, Color32, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui, vec2,
 };
 use pinhole_lecture::grading::{Cell, Graded};
 
@@ -13,6 +12,7 @@ use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::views;
+use crate::ui::widgets::fault;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
 use crate::view::typesetting::theme::error_color;
@@ -86,20 +86,13 @@ pub(crate) fn spoken(derived: &Derived, session: &Session) -> String {
 
 /// Shows, in place of the map, the reason why there is none.
 pub(crate) fn no_map(ui: &mut Ui, rect: Rect, derived: &Derived, session: &Session) {
-    ui.painter().rect_filled(rect, 4.0, ui.visuals().faint_bg_color);
     let text = match (&derived.answers, &session.answers) {
         (_, None) => NONE,
         (None, Some(_)) => why_not(derived),
         (Some(Err(_)), _) => "These answers cannot be read.",
         (Some(Ok(_)), _) => "A basis has no place in the image.",
     };
-    let inside = rect.shrink(16.0);
-    let layout = Layout::top_down(Align::Center).with_main_align(Align::Center);
-    ui.scope_builder(UiBuilder::new().max_rect(inside).layout(layout), |ui| {
-        ui.set_clip_rect(rect);
-        ui.add_space((0.5 * inside.height() - 40.0).max(0.0));
-        ui.label(RichText::new(text).size(17.0).strong());
-    });
+    fault::no_picture(ui, rect, text);
 }
 
 /// Shows the result of grading, and the actions on the answers.

@@ -1,8 +1,7 @@
 //! The two views: mouse and keyboard input, and display of the finished pictures.
 
-use egui::{
-    Color32, EventFilter, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2,
-};
+use egui::accesskit::Role;
+use egui::{Color32, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
 use pinhole_core::{ImageSize, NO_OBJECT};
 use pinhole_exchange::document::Document;
 
@@ -15,6 +14,7 @@ use crate::ui::commands_table::{self, When};
 use crate::ui::scene::places::{Places, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derive::{Derived, Shown, ViewSizes};
 use crate::view::overlay;
 use crate::view::typesetting::{label_text, theme};
@@ -34,7 +34,7 @@ pub(crate) const ANSWERS: &str = "Answers";
 /// Name of the ghost's picture.
 pub(crate) const GHOST: &str = "Ghost";
 
-/// How large the two views are, in physical pixels.
+/// The sizes of the two views, in physical pixels.
 pub(crate) fn sizes(ui: &Ui, places: &Places) -> ViewSizes {
     ViewSizes {
         world: places.world.map(|rect| physical(ui, rect)),
@@ -52,8 +52,8 @@ pub(crate) fn physical(ui: &Ui, rect: Rect) -> [u32; 2] {
     [size.x.round().clamp(1.0, most) as u32, size.y.round().clamp(1.0, most) as u32]
 }
 
-/// What mouse and keys did in the views, of which the one beside the camera view is called `beside`.
-/// `shown` is what they were done to: the last frame.
+/// Takes the inputs of mouse and keys in the views, of which the one beside the camera view is called
+/// `beside`. They were done to `shown`, the last frame.
 pub(crate) fn inputs(
     ui: &mut Ui,
     places: &Places,
@@ -105,14 +105,7 @@ fn view(ui: &Ui, rect: Rect, name: &str) -> Response {
     if response.clicked() || response.drag_started() {
         response.request_focus();
     }
-    let arrows =
-        EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
-    ui.ctx().accesskit_node_builder(response.id, |node| {
-        node.set_role(egui::accesskit::Role::Image);
-        node.set_label(name);
-    });
-    response
+    response.keep_arrows(true, true).with_role(Role::Image).named(name)
 }
 
 /// Sets the description of a view for screen readers.

@@ -15,6 +15,7 @@ use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Sizes of text, in points.
@@ -159,11 +160,8 @@ fn text(ui: &mut Ui, translation: &Translation, digits: usize) {
             let shown = shortened(sheet, digits);
             let size = code_size(ui, &shown.text);
             let response = ui.add(Label::new(marked(ui, &shown, size)).wrap());
-            ui.ctx().accesskit_node_builder(response.id, |node| {
-                node.set_role(egui::accesskit::Role::Code);
-                node.set_label("translation");
-                node.set_value(exact);
-            });
+            let response = response.with_role(egui::accesskit::Role::Code);
+            response.named("translation").spoken(exact);
         });
     }
     let is_marked = written.files.iter().any(|(_, sheet)| !sheet.flipped.is_empty());

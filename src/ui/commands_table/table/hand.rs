@@ -96,7 +96,7 @@ fn objects() -> Vec<UiCommand> {
     ]
 }
 
-/// What stays when something is dragged.
+/// The switches of what stays when something is dragged.
 fn switches() -> Vec<UiCommand> {
     let of = |switch, name, about| verb(Group::Hand, name, about, LookAction::Toggle(switch));
     vec![

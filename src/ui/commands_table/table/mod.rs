@@ -42,15 +42,15 @@ use crate::view::derivation::Markup;
 /// Something that is done with the mouse, or with keys that are held: listed, not looked up.
 #[derive(Clone, Copy, Debug)]
 pub struct Gesture {
-    /// What it belongs to.
+    /// The heading that it stands under.
     pub group: Group,
-    /// How it is done.
+    /// The way it is done.
     pub how: &'static str,
-    /// What it does.
+    /// The effect.
     pub does: &'static str,
 }
 
-/// What the mouse does.
+/// All gestures.
 pub const GESTURES: &[Gesture] = &[
     Gesture { group: Group::Views, how: "Drag in the world view", does: "Orbit the observer" },
     Gesture { group: Group::Views, how: "Shift+drag there", does: "Pan the observer" },

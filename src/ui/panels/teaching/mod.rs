@@ -8,6 +8,7 @@ use pinhole_core::{Camera, Orientation};
 
 use crate::model::session::Settings;
 use crate::ui::widgets::number::NumberField;
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
 /// Shows the teaching part, folded unless the settings say otherwise.
@@ -77,8 +78,9 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
     let mut degrees = kept.degrees;
     let hint = "Turns up about the view: the camera rolls, and looks along the same line";
     row(ui, "swing up", hint, camera.basis().is_ok(), |ui| {
-        let slider = ui.add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false));
-        ui.ctx().accesskit_node_builder(slider.id, |node| node.set_label("swing up slider"));
+        let slider = ui
+            .add(Slider::new(&mut degrees, -180.0..=180.0).show_value(false))
+            .named("swing up slider");
         let field = NumberField::new("swing up", &mut degrees).suffix("°").width(FIELD).show(ui);
         if !(slider.changed() || field.changed()) {
             return;
@@ -99,8 +101,9 @@ fn tilt(ui: &mut Ui, camera: &mut Camera) {
     row(ui, "up from view", hint, angle.is_ok(), |ui| {
         // Logarithmic scale: fine near both ends, where it matters.
         let mut place = (0.5 * degrees.to_radians()).tan().log10();
-        let slider = ui.add(Slider::new(&mut place, -ENDS..=ENDS).show_value(false));
-        ui.ctx().accesskit_node_builder(slider.id, |node| node.set_label("up from view slider"));
+        let slider = ui
+            .add(Slider::new(&mut place, -ENDS..=ENDS).show_value(false))
+            .named("up from view slider");
         if slider.changed() {
             degrees = (2.0 * 10f64.powf(place).atan()).to_degrees();
         }

@@ -10,6 +10,7 @@ use super::table::color_of;
 use crate::model::number::{grouped, power_of_ten, short};
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
+use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::accuracy::WRONG;
 use crate::view::typesetting::theme;
 
@@ -68,11 +69,8 @@ pub(super) fn ui(ui: &mut Ui, case: &Case) {
             // The first method is on top, as in the plots that are written to files.
             marks.iter().rev().for_each(|mark| draw(plot, mark, wrong));
         });
-    let name = "Every method's error against its time";
-    ui.ctx().accesskit_node_builder(shown.response.id, |node| {
-        node.set_role(egui::accesskit::Role::Image);
-        node.set_label(name);
-    });
+    let response = shown.response.with_role(egui::accesskit::Role::Image);
+    response.named("Every method's error against its time");
 }
 
 fn draw(plot: &mut PlotUi, mark: &Mark, wrong: Color32) {
