@@ -29,17 +29,7 @@ impl Changed {
         if is_so { self } else { Changed::NOTHING }
     }
 
-    /// Edits a part of the session.
-    pub(crate) fn in_session<T: Clone + PartialEq>(
-        part: &mut T,
-        edit: impl FnOnce(&mut T),
-    ) -> Changed {
-        let before = part.clone();
-        edit(part);
-        Changed::SESSION.when(*part != before)
-    }
-
-    /// Returns what of the camera is another one.
+    /// Returns the change from one camera to another.
     pub(crate) fn between_cameras(before: &Camera, now: &Camera) -> Changed {
         if before == now {
             return Changed::NOTHING;

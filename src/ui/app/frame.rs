@@ -37,7 +37,6 @@ impl App {
             changed |= self.outputs(ui, &places);
         });
         self.over.marks(ui, self.scene.session.spotlight);
-        changed |= exchange::paste_notice(&ctx, &mut self.scene);
         self.keep_history(&ctx);
         self.playback.record(&ctx, &mut self.over.dialog);
         self.window.follow(&ctx, &self.scene);
@@ -182,7 +181,9 @@ impl App {
         }
         ui.separator();
         let resolved = document.camera.resolve().ok();
-        changed |= selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        let before = *selected;
+        selection::ui(ui, selected, resolved.as_ref(), settings.count_from_one);
+        changed |= Changed::SESSION.when(*selected != before);
         ui.separator();
         changed |= objects::ui(ui, document, &mut scene.chosen_object);
         ui.add_space(8.0);
@@ -231,11 +232,13 @@ impl App {
         self.views.derive(ui.ctx(), &self.scene, sizes, self.playback.is_running());
     }
 
-    /// The views, and what the workspace has beside them.
+    /// Shows the views, and what the workspace has beside them. Whatever they change of the session is
+    /// derived in the next pass.
     fn outputs(&mut self, ui: &mut Ui, places: &Places) -> Changed {
+        let before = self.scene.session.clone();
         let workspace = self.workspace();
         let actions = &mut self.waiting;
-        let mut changed = self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
+        self.views.show(ui, places, &mut self.scene, &mut self.hand, actions);
         let settings = self.scene.session.settings;
         let mut desk = Desk {
             open: &self.scene.open,
@@ -252,13 +255,14 @@ impl App {
         if let (Some(beside), Some(area), Some(rect)) =
             (workspace.beside, places.beside_area, places.beside)
         {
-            changed |= (beside.show)(ui, &mut desk, Frame { area, rect });
+            (beside.show)(ui, &mut desk, Frame { area, rect });
         }
         ui.scope_builder(UiBuilder::new().max_rect(places.rest), |ui| {
             ui.set_clip_rect(places.rest);
-            changed |= (workspace.rest)(ui, &mut desk);
+            (workspace.rest)(ui, &mut desk);
         });
-        changed
+        exchange::paste_notice(ui.ctx(), &mut self.scene);
+        Changed::SESSION.when(self.scene.session != before)
     }
 
     /// A change of the document becomes a step of the history as soon as the hand rests, no button is

@@ -4,21 +4,11 @@ use egui::{Grid, Ui};
 use pinhole_core::{Pixel, ResolvedCamera};
 
 use crate::model::session::Selection;
-use crate::ui::changed::Changed;
 use crate::ui::widgets::number::NumberField;
 use crate::ui::widgets::spoken::Spoken as _;
 
 /// Edits the selection of a valid camera.
 pub(crate) fn ui(
-    ui: &mut Ui,
-    selection: &mut Selection,
-    resolved: Option<&ResolvedCamera>,
-    count_from_one: bool,
-) -> Changed {
-    Changed::in_session(selection, |selection| fields(ui, selection, resolved, count_from_one))
-}
-
-fn fields(
     ui: &mut Ui,
     selection: &mut Selection,
     resolved: Option<&ResolvedCamera>,

@@ -135,12 +135,11 @@ impl Line {
         let Line { name, ghost, now, between } = self;
         let spoken = format!("{name}: ghost {ghost}, now {now}, difference {between}");
         let text = RichText::new(*name).strong();
-        let response = ui
-            .label(match vector_color(ui, name) {
-                Some(color) => text.color(color),
-                None => text,
-            })
-            .spoken(spoken);
+        let text = match vector_color(ui, name) {
+            Some(color) => text.color(color),
+            None => text,
+        };
+        ui.label(text).spoken(spoken);
     }
 }
 

@@ -205,13 +205,13 @@ pub(crate) fn hovered(ui: &Ui, places: &Places, shown: &Derived) -> Option<Hover
         presenting && matches!(concept, Concept::Object(index) if *index as usize >= planes_from)
     };
     let concept = ui.input(|i| !i.pointer.any_down()).then(|| {
-        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), |at| object_seen(shown, at))
-            .or_else(|| {
-                let rect = places.camera?;
-                let size = rect.size() * ui.ctx().pixels_per_point();
-                let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
-                in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
-            })
+        let sphere = |at| sphere_at(shown, at).map(Concept::Object);
+        in_view(ui, places.world, WORLD, shown.world_view.as_ref(), sphere).or_else(|| {
+            let rect = places.camera?;
+            let size = rect.size() * ui.ctx().pixels_per_point();
+            let seen = |at| object_in_picture(shown, size, at).filter(|seen| !is_ground(seen));
+            in_view(ui, Some(rect), CAMERA, shown.camera_view.as_ref(), seen)
+        })
     })??;
     Some(Hovered { concept, by: HoverSource::View })
 }
@@ -230,14 +230,13 @@ fn in_view(
     overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
 }
 
-/// Returns the sphere at a position of the world view.
-fn object_seen(shown: &Derived, at: Vec2) -> Option<Concept> {
+/// Returns the index of the sphere at a position of the world view, in physical pixels.
+pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
     let frame = shown.world_frame.as_ref()?;
     let image = frame.camera().image();
     let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
     let place = (at.y as usize) * image.width() as usize + at.x as usize;
-    let object = *frame.object.get(place).filter(|object| inside && **object != NO_OBJECT)?;
-    Some(Concept::Object(object))
+    frame.object.get(place).copied().filter(|object| inside && *object != NO_OBJECT)
 }
 
 /// Returns the object at a position of the camera view.
@@ -268,13 +267,7 @@ pub(crate) fn tell_pointed(ui: &Ui, hovered: Option<Hovered>, document: &Documen
 const NARROW: f32 = 310.0;
 
 /// Titles above the views, with a button that gives one all the room.
-pub(crate) fn strips(
-    ui: &mut Ui,
-    places: &Places,
-    settings: &mut Settings,
-    image: ImageSize,
-) -> Changed {
-    let before = *settings;
+pub(crate) fn strips(ui: &mut Ui, places: &Places, settings: &mut Settings, image: ImageSize) {
     let mut strip = |rect: Rect, text: String, hint: &str, own: ViewLayout| {
         strip_above(ui, rect, |ui| {
             ui.strong(text).on_hover_text(hint);
@@ -305,7 +298,6 @@ pub(crate) fn strips(
                     wheel: field of view; Ctrl and wheel: dolly.";
         strip(rect, text, hint, ViewLayout::Camera);
     }
-    Changed::SESSION.when(*settings != before)
 }
 
 /// Shows what a moved eye keeps in the world view, as a button that switches to the other choice.
@@ -324,7 +316,7 @@ fn eye_keeps(ui: &mut Ui, keeps: &mut EyeKeeps) {
 /// Shows a view's finished picture with its labels.
 pub(crate) fn show(ui: &Ui, rect: Rect, shown: &Shown, texture: &mut ViewTexture, dimmed: bool) {
     let tint = if dimmed { Color32::from_gray(130) } else { Color32::WHITE };
-    let texture = texture.of(ui.ctx(), &shown.image);
+    let texture = texture.upload(ui.ctx(), &shown.image);
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     ui.painter_at(rect).image(texture, rect, whole, tint);
     if !dimmed {

@@ -10,6 +10,7 @@ use pinhole_exchange::document::Document;
 
 use crate::model::hand::{Along, Axis, Handle};
 use crate::model::session::{Session, keeps_of};
+use crate::ui::scene::views::sphere_at;
 use crate::view::derive::Derived;
 use crate::view::handles::{Grip, How, Part, Pull, Pulled, Stage, Start, grips, hit};
 use crate::view::overlay;
@@ -165,7 +166,8 @@ impl HandInput {
         session.hand.together = found.map_or(0, |hit| hit.together);
         let over = over.and_then(Handle::object);
         if over.is_none() {
-            let hovered = pointer.and_then(|at| sphere_at(shown, view.dots(at)));
+            let dots = |at| (at - view.rect.min) * view.scale;
+            let hovered = pointer.and_then(|at| sphere_at(shown, dots(at))).map(|k| k as usize);
             let hovered = hovered.filter(|k| *k < document.spheres.len() && chosen != Some(*k));
             session.hand.objects[1] = hovered;
         } else if over == chosen {
@@ -317,14 +319,4 @@ fn how(ctx: &Context, session: &Session) -> How {
     };
     let (eye, corner, distance) = keeps_of(&session.settings, modifiers.alt);
     How { along, snaps: modifiers.command, eye, corner, distance }
-}
-
-/// Returns the index of the sphere that the observer sees at a position.
-fn sphere_at(shown: &Derived, at: DVec2) -> Option<usize> {
-    let frame = shown.world_frame.as_deref()?;
-    let image = frame.camera().image();
-    let inside = at.x >= 0.0 && at.y >= 0.0 && at.x < f64::from(image.width());
-    let place = (at.y as usize) * image.width() as usize + at.x as usize;
-    let object = *frame.object.get(place).filter(|_| inside)?;
-    (object != pinhole_core::NO_OBJECT).then_some(object as usize)
 }
