@@ -32,6 +32,16 @@ impl Subject {
     pub const ALL: [Subject; 4] =
         [Subject::World, Subject::Camera, Subject::Derivation, Subject::Lines];
 
+    /// Returns its title.
+    pub fn title(self) -> &'static str {
+        match self {
+            Subject::World => "World view",
+            Subject::Camera => "Camera view",
+            Subject::Derivation => "Derivation",
+            Subject::Lines => "Lines",
+        }
+    }
+
     /// Returns its name in one word, as the command line has it.
     pub fn name(self) -> &'static str {
         match self {

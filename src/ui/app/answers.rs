@@ -35,7 +35,8 @@ pub(super) fn apply(scene: &mut OpenScene, action: AnswersAction) -> Option<Dial
         AnswersAction::Ask => {
             // Near the last one, or the scene.
             let last = session.answers.as_ref().map(|answers| &*answers.file.path);
-            let field = PathField::answers_near(last.or(scene.open.file()));
+            let hint = "path of a .csv or .png file of answers";
+            let field = PathField::new(last.or(scene.open.file()), "", &["csv", "png"], hint);
             return Some(Dialog::Answers(field));
         }
         AnswersAction::Check(path) => return check(session, &path).err().map(Dialog::Message),

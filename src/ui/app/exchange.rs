@@ -47,7 +47,7 @@ pub(super) fn ask_where_to_save(scene: &OpenScene) -> Option<Dialog> {
         // A folder has no ending.
         _ => (target.name(), ""),
     };
-    let field = PathField::of_exchange(scene.open.file(), name);
+    let field = PathField::new(scene.open.file(), name, &[], "path of the file");
     Some(Dialog::Translate { field, ending })
 }
 

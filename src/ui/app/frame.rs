@@ -116,8 +116,8 @@ impl App {
     /// Returns what there is for commands to be done to.
     fn available(&self) -> Available {
         Available {
-            undo: self.history.undo_name().is_some(),
-            redo: self.history.redo_name().is_some(),
+            undo: self.history.steps.undo_name().is_some(),
+            redo: self.history.steps.redo_name().is_some(),
             lesson: self.scene.lessons.open.is_some(),
             animation: self.playback.player.is_some(),
             ghost: self.scene.session.ghost.is_some(),
@@ -135,8 +135,7 @@ impl App {
         look::follow(ui.ctx(), &scene.session);
         let presenting = scene.session.presenting.is_some();
         if !presenting {
-            let (undo, redo) = (self.history.undo_name(), self.history.redo_name());
-            let steps = top_bar::Steps { undo, redo };
+            let steps = [self.history.steps.undo_name(), self.history.steps.redo_name()];
             let (open, recent) = (&scene.open, &self.window.recent);
             let settings = &mut scene.session.settings;
             Panel::top("top bar").show(ui, |ui| {

@@ -24,7 +24,7 @@ pub(super) struct Lessons {
     /// The session before the first step.
     before: Option<Session>,
     /// The scene that was open before the first step, as the command line names it.
-    scene_before: Option<PathBuf>,
+    pub(super) scene_before: Option<PathBuf>,
 }
 
 impl Lessons {
@@ -40,10 +40,6 @@ impl Lessons {
             apply::give_back(before, &mut session);
         }
         session.settings
-    }
-
-    pub(super) fn scene_before(&self) -> Option<PathBuf> {
-        self.scene_before.clone()
     }
 
     /// The open lesson and its step, counted from 1, if it comes with the program.

@@ -2,7 +2,7 @@
 //! the focus, and the spotlight.
 
 use egui::{Context, Ui};
-use pinhole_exchange::document::Document;
+use pinhole_exchange::scenes::SceneSource;
 
 use super::scene::OpenScene;
 use crate::model::lessons::Which;
@@ -86,32 +86,17 @@ fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) ->
     let own = open.filter(|open| open.place().lesson == Which::File);
     let mut commands =
         own.map_or_else(Vec::new, |own| commands_table::of_lesson(Which::File, own.lesson()));
-    commands.extend(recent.iter().map(|path| open_again(path)));
+    commands.extend(recent.iter().map(|path| {
+        let name = format!("open {}", path.display());
+        let open = Leave::Open(SceneSource::File(path.to_owned()));
+        commands_table::verb(Group::File, name, "Opens it again.", open)
+    }));
     let document = &scene.open.document;
     let count = document.object_count().min(LISTED_OBJECTS);
-    commands.extend((0..count).map(|index| object(document, index)));
+    commands.extend((0..count).map(|index| {
+        let name = format!("choose {}", document.title_of(index));
+        let about = "Shows its fields, and its handles in the world view.";
+        commands_table::verb(Group::Objects, name, about, ObjectAction::Choose(index))
+    }));
     commands
-}
-
-/// An object to choose.
-fn object(document: &Document, index: usize) -> UiCommand {
-    UiCommand {
-        group: Group::Objects,
-        name: format!("choose {}", document.title_of(index)).into(),
-        about: "Shows its fields, and its handles in the world view.".into(),
-        keys: &[],
-        action: ObjectAction::Choose(index).into(),
-    }
-}
-
-/// A file that was opened lately.
-fn open_again(path: &std::path::Path) -> UiCommand {
-    use pinhole_exchange::scenes::SceneSource;
-    UiCommand {
-        group: Group::File,
-        name: format!("open {}", path.display()).into(),
-        about: "Opens it again.".into(),
-        keys: &[],
-        action: Leave::Open(SceneSource::File(path.to_owned())).into(),
-    }
 }

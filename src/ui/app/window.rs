@@ -31,15 +31,8 @@ impl AppWindow {
         geometry: WindowGeometry,
         recent: Vec<PathBuf>,
     ) -> AppWindow {
-        AppWindow {
-            store,
-            geometry,
-            recent,
-            title: String::new(),
-            renderer: String::new(),
-            may_close: false,
-            discarded: false,
-        }
+        let (title, renderer) = (String::new(), String::new());
+        AppWindow { store, geometry, recent, title, renderer, may_close: false, discarded: false }
     }
 
     /// Puts a file at the head of the recent ones.
@@ -97,7 +90,7 @@ impl AppWindow {
             selection: argument.is_some().then(|| scene.session.selection.into()),
             recent: self.recent.clone(),
             renderer: self.renderer.clone(),
-            last: argument.or_else(|| scene.lessons.scene_before()),
+            last: argument.or_else(|| scene.lessons.scene_before.clone()),
             lesson: scene.lessons.remembered(),
         };
         if let Err(error) = store.save(&remembered) {

@@ -14,7 +14,8 @@ use std::sync::LazyLock;
 
 pub use keys::{Keys, When, pressed};
 pub use search::{found, score};
-pub use table::{GESTURES, Gesture, of_lesson};
+pub use table::{GESTURES, Gesture};
+pub(crate) use table::{of_lesson, verb};
 
 use egui::Key;
 

@@ -13,48 +13,29 @@ use crate::view::typesetting::theme::error_color;
 
 /// The open dialog.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Dialog {
+pub(crate) enum Dialog {
     /// Asks for a file to open.
     Open(PathField),
     /// Asks for a student's answers to grade.
     Answers(PathField),
     /// Asks for a file to save to.
-    SaveAs {
-        /// The path.
-        field: PathField,
-        /// The action that follows once the scene is saved.
-        then: Option<Leave>,
-    },
-    /// Asks for a file to write the camera to, in another program's format.
-    Translate {
-        /// The path.
-        field: PathField,
-        /// The extension of the file's name; empty for a folder.
-        ending: &'static str,
-    },
+    SaveAs { field: PathField, then: Option<Leave> },
+    /// Asks for a file to write the camera to, in another program's format; `ending` is empty for a
+    /// folder.
+    Translate { field: PathField, ending: &'static str },
     /// Asks for a figure and a file to write it to.
     Export(ExportForm),
     /// Shows the progress of an animation's export; closing the dialog cancels it.
-    Progress {
-        /// Number of finished frames.
-        done: u32,
-        /// Total number of frames.
-        of: u32,
-    },
+    Progress { done: u32, of: u32 },
     /// Asks for a decision about unsaved changes before they are left.
-    Unsaved {
-        /// The document's name.
-        title: String,
-        /// The action that follows.
-        then: Leave,
-    },
+    Unsaved { title: String, then: Leave },
     /// Something to read and close.
     Message(Message),
 }
 
 /// Something to tell the user.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Message {
+pub(crate) struct Message {
     /// One line.
     title: String,
     /// The whole story.
@@ -76,7 +57,7 @@ impl Dialog {
 
 /// A field for a path, typed or chosen from a list.
 #[derive(Clone, Debug, PartialEq)]
-pub struct PathField {
+pub(crate) struct PathField {
     /// The typed text.
     pub(crate) text: String,
     /// The extensions of the listed files, and the hint in the empty field.
@@ -97,29 +78,9 @@ struct Entry {
 }
 
 impl PathField {
-    /// Creates the field for a scene to open; starts in the folder of `path`.
-    pub(crate) fn to_open(path: Option<&Path>) -> PathField {
-        PathField::of(path, "", &["toml"], "path of a .toml scene")
-    }
-
-    /// Creates the field for a scene to save; starts in the folder of `path`, with a name filled
-    /// in.
-    pub(crate) fn to_save(path: Option<&Path>, name: &str) -> PathField {
-        PathField::of(path, name, &["toml"], "path of a .toml scene")
-    }
-
-    /// Creates the field for a camera in another program's format.
-    pub(crate) fn of_exchange(path: Option<&Path>, name: &str) -> PathField {
-        PathField::of(path, name, &[], "path of the file")
-    }
-
-    /// Creates the field for a student's answers; starts in the folder of `path`.
-    pub(crate) fn answers_near(path: Option<&Path>) -> PathField {
-        PathField::of(path, "", &["csv", "png"], "path of a .csv or .png file of answers")
-    }
-
-    /// Creates the field for files with these extensions.
-    pub(crate) fn of(
+    /// Creates the field for a file with one of these extensions; starts in the folder of `path`, with
+    /// `name` filled in.
+    pub(crate) fn new(
         path: Option<&Path>,
         name: &str,
         endings: &'static [&'static str],

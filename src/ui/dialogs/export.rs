@@ -37,7 +37,7 @@ impl OnScreen {
 
 /// The fields of the dialog.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ExportForm {
+pub(crate) struct ExportForm {
     field: PathField,
     subjects: Vec<OnScreen>,
     chosen: usize,
@@ -58,16 +58,14 @@ impl ExportForm {
     pub(crate) fn new(scene: Option<&Path>, subjects: Vec<OnScreen>, style: Style) -> ExportForm {
         let hint = "path of an .svg, .pdf or .png file";
         let name = subjects.first().map_or("figure", |first| first.subject.name());
-        let field = PathField::of(scene, &format!("{name}.svg"), &ENDINGS, hint);
-        let size = subjects.first().map_or([1, 1], |first| first.dots());
-        let transparent = false;
+        let field = PathField::new(scene, &format!("{name}.svg"), &ENDINGS, hint);
         ExportForm {
             field,
-            subjects,
             chosen: 0,
-            size,
+            size: subjects.first().map_or([1, 1], |first| first.dots()),
+            subjects,
             style,
-            transparent,
+            transparent: false,
             animation: None,
             problem: None,
         }
@@ -129,8 +127,7 @@ impl ExportForm {
     fn subject(&mut self, ui: &mut Ui) -> Option<OnScreen> {
         ui.horizontal(|ui| {
             for (k, shown) in self.subjects.iter().enumerate() {
-                let name = title(shown.subject);
-                if ui.radio(self.chosen == k, name).clicked() && self.chosen != k {
+                if ui.radio(self.chosen == k, shown.subject.title()).clicked() && self.chosen != k {
                     // A name that was not edited follows the subject.
                     let before = self.subjects[self.chosen].subject.name();
                     let renamed = self.field.text.strip_suffix(&format!("{before}.svg"));
@@ -208,13 +205,4 @@ fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
         ui.radio_value(&mut frames.reel, Reel::Numbered, "numbered PNGs");
     });
     ui.end_row();
-}
-
-fn title(subject: Subject) -> &'static str {
-    match subject {
-        Subject::World => "World view",
-        Subject::Camera => "Camera view",
-        Subject::Derivation => "Derivation",
-        Subject::Lines => "Lines",
-    }
 }

@@ -124,35 +124,33 @@ fn swatch(ui: &mut Ui, [r, g, b]: Rgb) {
 }
 
 fn editor(ui: &mut Ui, document: &mut Document, index: usize) -> Changed {
-    let spheres = document.spheres.len();
     let first_plane = document.sphere_count();
     let color = document.color_of(index as u32);
-    if index < spheres {
-        let mut item = document.spheres[index].clone();
-        if heading(ui, &mut item, color) {
-            document.spheres.remove(index);
-            return Changed::OBJECTS;
-        }
-        sphere(ui, &mut item.shape);
-        put(&mut document.spheres, index, item)
+    if index < document.spheres.len() {
+        edit(ui, &mut document.spheres, index, color, sphere)
     } else if index < first_plane {
         ui.label(row_of_file(document, index));
         Changed::NOTHING
     } else {
-        let index = index - first_plane;
-        let mut item = document.planes[index].clone();
-        if heading(ui, &mut item, color) {
-            document.planes.remove(index);
-            return Changed::OBJECTS;
-        }
-        plane(ui, &mut item.shape);
-        put(&mut document.planes, index, item)
+        edit(ui, &mut document.planes, index - first_plane, color, plane)
     }
 }
 
-/// Stores an object if it was edited: the list is shared with the steps of the history, and copied
-/// when it is written to.
-fn put<S: Clone + PartialEq>(items: &mut Shared<Item<S>>, index: usize, item: Item<S>) -> Changed {
+/// Edits an object. It is stored only if it was edited: the list is shared with the steps of the
+/// history, and copied when it is written to.
+fn edit<S: Clone + PartialEq>(
+    ui: &mut Ui,
+    items: &mut Shared<Item<S>>,
+    index: usize,
+    color: Rgb,
+    fields: fn(&mut Ui, &mut S),
+) -> Changed {
+    let mut item = items[index].clone();
+    if heading(ui, &mut item, color) {
+        items.remove(index);
+        return Changed::OBJECTS;
+    }
+    fields(ui, &mut item.shape);
     let is_new = items[index] != item;
     if is_new {
         items[index] = item;
@@ -180,10 +178,7 @@ fn heading<S>(ui: &mut Ui, item: &mut Item<S>, shown: Rgb) -> bool {
 
 fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
     let fault = sphere.check().err();
-    ui.horizontal(|ui| {
-        ui.label("centre");
-        vector_row(ui, "centre", &mut sphere.center);
-    });
+    vector(ui, "centre", &mut sphere.center);
     ui.horizontal(|ui| {
         ui.label("radius");
         NumberField::new("radius", &mut sphere.radius).show(ui);
@@ -193,15 +188,16 @@ fn sphere(ui: &mut Ui, sphere: &mut Sphere) {
 
 fn plane(ui: &mut Ui, plane: &mut Plane) {
     let fault = plane.check().err();
-    ui.horizontal(|ui| {
-        ui.label("point");
-        vector_row(ui, "point", &mut plane.point);
-    });
-    ui.horizontal(|ui| {
-        ui.label("normal");
-        vector_row(ui, "normal", &mut plane.normal);
-    });
+    vector(ui, "point", &mut plane.point);
+    vector(ui, "normal", &mut plane.normal);
     reason(ui, fault);
+}
+
+fn vector(ui: &mut Ui, name: &str, value: &mut DVec3) {
+    ui.horizontal(|ui| {
+        ui.label(name);
+        vector_row(ui, name, value);
+    });
 }
 
 fn reason(ui: &mut Ui, fault: Option<ObjectError>) {

@@ -21,21 +21,19 @@ pub(crate) fn ui(
     };
     *selection = selection.inside(resolved.image());
     let uv = selection.uv(resolved);
-    let inside = match *selection {
-        Selection::Pixel(pixel) => Some(pixel),
-        Selection::Uv(_) => resolved.pixel_of_uv(uv).map(|place| place.pixel),
+    let place = resolved.pixel_of_uv(uv);
+    // A point on an edge or corner belongs to no single pixel.
+    let (inside, known) = match *selection {
+        Selection::Pixel(pixel) => (Some(pixel), true),
+        Selection::Uv(_) => (
+            place.map(|place| place.pixel),
+            place.is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
+        ),
     };
     Grid::new("selected ray").num_columns(4).show(ui, |ui| {
         let from = u32::from(count_from_one);
         let mut pixel = inside.unwrap_or(Pixel { row: 0, column: 0 });
         let image = resolved.image();
-        // A point on an edge or corner belongs to no single pixel.
-        let known = match *selection {
-            Selection::Pixel(_) => true,
-            Selection::Uv(_) => resolved
-                .pixel_of_uv(uv)
-                .is_some_and(|place| place.column_edge.is_none() && place.row_edge.is_none()),
-        };
         let row = index_field(ui, "row", &mut pixel.row, image.height(), from, known);
         let column = index_field(ui, "column", &mut pixel.column, image.width(), from, known);
         ui.end_row();

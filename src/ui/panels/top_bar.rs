@@ -22,20 +22,13 @@ use crate::ui::panels::play;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derivation::Markup;
 
-/// The steps that can be undone and redone.
-pub(crate) struct Steps<'a> {
-    /// The name of the last step.
-    pub(crate) undo: Option<&'a str>,
-    /// The name of the step that was undone last.
-    pub(crate) redo: Option<&'a str>,
-}
-
-/// Shows the bar, and writes the user's choices to `actions` and `settings`.
+/// Shows the bar, and writes the user's choices to `actions` and `settings`. `steps` are the names of
+/// those that can be undone and redone.
 pub(crate) fn ui(
     ui: &mut Ui,
     open: &OpenDocument,
     recent: &[std::path::PathBuf],
-    steps: Steps,
+    steps: [Option<&str>; 2],
     there: Available,
     settings: &mut Settings,
     actions: &mut Vec<Action>,
@@ -143,12 +136,12 @@ fn possible_entry(
     ui.add_enabled_ui(action.is_possible(there), |ui| entry(ui, text, action, actions));
 }
 
-fn edit_menu(ui: &mut Ui, steps: Steps, there: Available, actions: &mut Vec<Action>) {
-    let of_step = |verb: &str, step: Option<&str>| format!("{verb} {}", step.unwrap_or_default());
-    let undo = of_step("Undo", steps.undo);
-    possible_entry(ui, undo.trim_end(), HistoryAction::Undo, there, actions);
-    let redo = of_step("Redo", steps.redo);
-    possible_entry(ui, redo.trim_end(), HistoryAction::Redo, there, actions);
+fn edit_menu(ui: &mut Ui, steps: [Option<&str>; 2], there: Available, actions: &mut Vec<Action>) {
+    let verbs = [("Undo", HistoryAction::Undo), ("Redo", HistoryAction::Redo)];
+    for ((verb, action), step) in verbs.into_iter().zip(steps) {
+        let text = step.map_or(verb.to_owned(), |step| format!("{verb} {step}"));
+        possible_entry(ui, &text, action, there, actions);
+    }
     entry(ui, "Paste a camera", ExchangeAction::AskPaste, actions);
 }
 

@@ -255,22 +255,19 @@ impl RootLines {
     }
 
     fn show(&self, ui: &mut Ui, first: bool) {
+        let visuals = ui.visuals();
+        let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
+        let font = egui::TextStyle::Body.resolve(ui.style());
         let text = |text: &str| if first { RichText::new(text).strong() } else { text.into() };
         ui.horizontal_wrapped(|ui| {
             ui.label(text(&self.object));
-            let visuals = ui.visuals();
-            let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
-            let size = egui::TextStyle::Body.resolve(ui.style()).size;
-            notation::label(ui, self.verdict, size, color);
+            notation::label(ui, self.verdict, font.size, color);
         });
         ui.horizontal_wrapped(|ui| {
             ui.add_space(12.0);
             for (name, value) in &self.numbers {
                 let mut job = name_of(ui, name, first);
-                let size = egui::TextStyle::Body.resolve(ui.style());
-                let visuals = ui.visuals();
-                let color = if first { visuals.strong_text_color() } else { visuals.text_color() };
-                let format = TextFormat { font_id: size, color, ..TextFormat::default() };
+                let format = TextFormat::simple(font.clone(), color);
                 job.append(&format!(" = {value}"), 0.0, format);
                 let response = ui.add(Label::new(job).extend());
                 let response = response.spoken(format!("{name} = {value}"));

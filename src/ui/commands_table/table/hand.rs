@@ -2,7 +2,7 @@
 
 use egui::{Key, Modifiers};
 
-use super::{CTRL, CTRL_SHIFT, key, plain, verb};
+use super::{CTRL, CTRL_SHIFT, key, plain};
 use crate::ui::action::{
     FigureAction, LookAction, ObjectAction, Observe, PlayAction, Steer, Switch,
 };
@@ -97,24 +97,16 @@ fn objects() -> Vec<UiCommand> {
 }
 
 /// The switches of what stays when something is dragged.
+#[rustfmt::skip]
 fn switches() -> Vec<UiCommand> {
-    let of = |switch, name, about| verb(Group::Hand, name, about, LookAction::Toggle(switch));
-    vec![
-        of(
-            Switch::EyeTravels,
-            "Eye travels",
-            "Lets a moved eye take the view along; off, it orbits at.",
-        ),
-        of(
-            Switch::KeepPixelShape,
-            "Keep the pixels’ shape",
-            "Lets width, height and image keep their proportions.",
-        ),
-        of(
-            Switch::KeepPicture,
-            "Keep the picture",
+    verbs![
+        Hand, "Eye travels", "Lets a moved eye take the view along; off, it orbits at.",
+            [], LookAction::Toggle(Switch::EyeTravels);
+        Hand, "Keep the pixels’ shape", "Lets width, height and image keep their proportions.",
+            [], LookAction::Toggle(Switch::KeepPixelShape);
+        Hand, "Keep the picture",
             "Scales distance, width and height together, so that the picture stays.",
-        ),
+            [], LookAction::Toggle(Switch::KeepPicture);
     ]
 }
 

@@ -217,7 +217,8 @@ fn pixel_steps() -> Vec<UiCommand> {
     ]
 }
 
-fn verb(
+/// Returns a command without keys.
+pub(crate) fn verb(
     group: Group,
     name: impl Into<Cow<'static, str>>,
     about: impl Into<Cow<'static, str>>,
@@ -242,37 +243,26 @@ fn translations() -> impl Iterator<Item = UiCommand> {
     })
 }
 
+#[rustfmt::skip]
 fn switches() -> Vec<UiCommand> {
-    let of = |switch: Switch, group, name: Cow<'static, str>, about: Cow<'static, str>| {
-        verb(group, name, about, LookAction::Toggle(switch))
-    };
-    let mut verbs: Vec<UiCommand> = Item::ALL
-        .into_iter()
-        .map(|item| {
-            let about = format!("Shows or hides {}.", item.label());
-            of(Switch::Item(item), Group::Overlay, item.label().into(), about.into())
-        })
-        .collect();
-    verbs.extend(DerivationSection::ALL.into_iter().map(|section| {
+    let mut verbs = Vec::new();
+    for item in Item::ALL {
+        let (name, action) = (item.label(), LookAction::Toggle(Switch::Item(item)));
+        verbs.push(verb(Group::Overlay, name, format!("Shows or hides {name}."), action));
+    }
+    for section in DerivationSection::ALL {
         let name = format!("derivation’s part “{}”", section.label());
         let about = format!("Shows or hides the {name}.");
-        of(Switch::Section(section), Group::Layout, name.into(), about.into())
-    }));
-    verbs.extend([
-        of(
-            Switch::CountFromOne,
-            Group::Numbers,
-            "Count from 1".into(),
-            "Counts rows and columns from 1, or from 0.".into(),
-        ),
-        of(
-            Switch::ReducedMotion,
-            Group::Colours,
-            "Reduced motion".into(),
-            "Lets nothing move by itself: no transitions.".into(),
-        ),
-        verb(Group::Numbers, "More digits", "Shows one digit more.", LookAction::DigitsBy(1)),
-        verb(Group::Numbers, "Fewer digits", "Shows one digit less.", LookAction::DigitsBy(-1)),
+        let action = LookAction::Toggle(Switch::Section(section));
+        verbs.push(verb(Group::Layout, name, about, action));
+    }
+    verbs.extend(verbs![
+        Numbers, "Count from 1", "Counts rows and columns from 1, or from 0.",
+            [], LookAction::Toggle(Switch::CountFromOne);
+        Colours, "Reduced motion", "Lets nothing move by itself: no transitions.",
+            [], LookAction::Toggle(Switch::ReducedMotion);
+        Numbers, "More digits", "Shows one digit more.", [], LookAction::DigitsBy(1);
+        Numbers, "Fewer digits", "Shows one digit less.", [], LookAction::DigitsBy(-1);
     ]);
     verbs
 }
@@ -323,7 +313,7 @@ fn places() -> Vec<UiCommand> {
 }
 
 /// A command for each step of a lesson.
-pub fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
+pub(crate) fn of_lesson(which: Which, lesson: &Lesson) -> Vec<UiCommand> {
     let title = title_of(which, lesson);
     let steps = lesson.steps.iter().enumerate().map(|(step, of)| {
         let name = format!("{title}, {}. {}", step + 1, of.title);

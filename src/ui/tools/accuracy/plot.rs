@@ -8,6 +8,7 @@ use pinhole_core::methods::Method;
 
 use super::table::color_of;
 use crate::model::number::{grouped, power_of_ten, short};
+use crate::report::columns;
 use crate::report::model::{Case, MethodRow};
 use crate::report::plot::{SINGLE, in_ulps_of_f64};
 use crate::ui::widgets::spoken::Spoken as _;
@@ -116,26 +117,11 @@ fn description(row: &MethodRow) -> String {
         format!("{} of {} decisions wrong", grouped(row.wrong), grouped(row.decisions)),
     ];
     if let Some(method) = Method::from_name(&row.name) {
-        lines.extend(wrapped(method.about()));
-        lines.extend(wrapped(method.source()));
+        // The plot does not wrap them.
+        lines.extend(columns::lines(method.about(), 60));
+        lines.extend(columns::lines(method.source(), 60));
     }
     lines.join("\n")
-}
-
-/// Splits a text into short lines, because the plot does not wrap them.
-fn wrapped(text: &str) -> Vec<String> {
-    const MOST: usize = 60;
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + word.chars().count() < MOST => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 fn error_text(exponent: f64) -> String {
