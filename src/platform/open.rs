@@ -51,7 +51,7 @@ impl Open {
     pub(super) fn new(
         event_loop: &ActiveEventLoop,
         ctx: egui::Context,
-        Drawn { window, surface, info: renderer }: Drawn,
+        Drawn { window, surface, renderer, detail }: Drawn,
         proxy: EventLoopProxy<UserEvent>,
         mut app: App,
         log: Option<FrameLog>,
@@ -74,7 +74,7 @@ impl Open {
             input.pixels_per_point = pixels_per_point;
         });
         App::set_up(&ctx, &app.session().settings);
-        app.drawn_by(renderer.to_string());
+        app.drawn_by(format!("{renderer} ({detail})"));
         Self {
             app,
             log,
@@ -89,7 +89,7 @@ impl Open {
             maximizing: false,
             shown: None,
             began: Instant::now(),
-            pace: pace(renderer.renderer, &window),
+            pace: pace(renderer, &window),
             surface,
             window,
         }

@@ -13,7 +13,7 @@ use super::display::cause;
 use super::error::PresentError;
 #[cfg(feature = "wgpu")]
 use super::gpu::Gpu;
-use super::surface::{RendererInfo, Surface};
+use super::surface::Surface;
 use crate::cli::arguments::Renderer;
 use crate::model::window_geometry::WindowGeometry;
 
@@ -78,7 +78,9 @@ fn icon() -> Option<egui::IconData> {
 pub(super) struct Drawn {
     pub(super) window: Arc<Window>,
     pub(super) surface: Box<dyn Surface>,
-    pub(super) info: RendererInfo,
+    pub(super) renderer: Renderer,
+    /// The adapter and its driver, or the reason why the CPU draws.
+    pub(super) detail: String,
 }
 
 /// Returns a window and its renderer: the one the user chose, otherwise the best that works.
@@ -98,7 +100,8 @@ pub(super) fn surface(
         Ok(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| Drawn {
             window,
             surface: Box::new(gpu),
-            info: RendererInfo { renderer: Renderer::Wgpu, detail },
+            renderer: Renderer::Wgpu,
+            detail,
         }))
     };
     #[cfg(not(feature = "wgpu"))]
@@ -117,8 +120,7 @@ pub(super) fn surface(
     let window = open()?;
     let cpu =
         Cpu::new(event_loop, &window).map_err(|error| PresentError::NoWindow(error.to_string()))?;
-    let info = RendererInfo { renderer: Renderer::Cpu, detail };
-    Ok(Drawn { window, surface: Box::new(cpu), info })
+    Ok(Drawn { window, surface: Box::new(cpu), renderer: Renderer::Cpu, detail })
 }
 
 /// Returns the minimum time between two frames of an animation.

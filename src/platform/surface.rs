@@ -1,14 +1,11 @@
 //! A renderer of the window, and the frames that it draws.
 
-use std::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use egui::ScreenshotCallback;
 use egui::epaint::{ClippedPrimitive, textures::TexturesDelta};
 use winit::window::Window;
-
-use crate::cli::arguments::Renderer;
 
 /// A renderer of the window.
 pub(super) trait Surface {
@@ -17,19 +14,6 @@ pub(super) trait Surface {
 
     /// Draws a frame and presents it.
     fn paint(&mut self, frame: Frame<'_>) -> Result<PaintTimes, String>;
-}
-
-/// The renderer of the window, as its driver describes itself.
-pub(super) struct RendererInfo {
-    pub(super) renderer: Renderer,
-    /// The adapter and its driver, or the reason why the CPU draws.
-    pub(super) detail: String,
-}
-
-impl fmt::Display for RendererInfo {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} ({})", self.renderer, self.detail)
-    }
 }
 
 /// A frame to draw.

@@ -57,7 +57,7 @@ impl Over {
             let extra = commands_of_what_is_open(scene, recent);
             let commands = commands_table::all().iter().chain(&extra);
             let commands: Vec<&UiCommand> =
-                commands.filter(|verb| verb.action.is_possible(there)).collect();
+                commands.filter(|command| command.action.is_possible(there)).collect();
             if !palette::ui(ctx, palette, &commands, &scene.session, actions) {
                 self.palette = None;
             }
@@ -89,14 +89,14 @@ fn commands_of_what_is_open(scene: &OpenScene, recent: &[std::path::PathBuf]) ->
     commands.extend(recent.iter().map(|path| {
         let name = format!("open {}", path.display());
         let open = Leave::Open(SceneSource::File(path.to_owned()));
-        commands_table::verb(Group::File, name, "Opens it again.", open)
+        commands_table::command(Group::File, name, "Opens it again.", open)
     }));
     let document = &scene.open.document;
     let count = document.object_count().min(LISTED_OBJECTS);
     commands.extend((0..count).map(|index| {
         let name = format!("choose {}", document.title_of(index));
         let about = "Shows its fields, and its handles in the world view.";
-        commands_table::verb(Group::Objects, name, about, ObjectAction::Choose(index))
+        commands_table::command(Group::Objects, name, about, ObjectAction::Choose(index))
     }));
     commands
 }

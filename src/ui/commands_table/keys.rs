@@ -108,10 +108,10 @@ pub fn pressed(ctx: &Context, counts: impl Fn(When) -> bool) -> Vec<(When, Actio
         return Vec::new();
     }
     let mut actions = Vec::new();
-    for verb in all() {
-        for keys in verb.keys.iter().filter(|keys| counts(keys.when)) {
+    for command in all() {
+        for keys in command.keys.iter().filter(|keys| counts(keys.when)) {
             let times = keys.take(ctx);
-            actions.extend((0..times).map(|_| (keys.when, verb.action.clone())));
+            actions.extend((0..times).map(|_| (keys.when, command.action.clone())));
         }
     }
     actions

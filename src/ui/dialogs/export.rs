@@ -80,13 +80,15 @@ impl ExportForm {
         self
     }
 
-    pub(crate) fn ui(&mut self, ui: &mut Ui, actions: &mut Vec<Action>, close: &mut bool) {
+    /// Shows the form. Returns the export once it is confirmed.
+    pub(crate) fn ui(&mut self, ui: &mut Ui, close: &mut bool) -> Option<Action> {
         let (heading, ending) = match &self.animation {
             Some(_) => ("Export the animation", "png"),
             None => ("Export a figure", "svg"),
         };
         ui.heading(heading);
-        let Some(shown) = self.subject(ui) else { return };
+        let shown = self.subject(ui)?;
+        let mut export = None;
         Grid::new("export").num_columns(2).show(ui, |ui| {
             self.looks(ui, shown);
             if let Some((_, frames)) = &mut self.animation {
@@ -108,12 +110,10 @@ impl ExportForm {
                     let OnScreen { subject, points, .. } = shown;
                     let ExportForm { size, style, transparent, .. } = *self;
                     let order = Order { subject, size, points, style, transparent };
-                    let export = match self.animation {
+                    export = Some(match self.animation {
                         Some((_, frames)) => FigureAction::ExportAnimation { order, frames, path },
                         None => FigureAction::Export { order, path },
-                    };
-                    actions.push(export.into());
-                    *close = true;
+                    });
                 }
                 Err(problem) => self.problem = Some(format!("Export {problem}")),
             }
@@ -121,6 +121,7 @@ impl ExportForm {
         if let Some(problem) = &self.problem {
             ui.label(RichText::new(problem).color(error_color(ui)));
         }
+        export.map(Action::from)
     }
 
     /// Shows the choice of the figure's subject.

@@ -32,7 +32,7 @@ pub(crate) fn ui(ui: &mut Ui, camera: &mut Camera, settings: &mut Settings) {
 
 /// Scales the other two extents of the viewport after an edit of one.
 pub(crate) fn keep_picture(ui: &Ui, before: &Camera, camera: &mut Camera) {
-    let kept = Kept::of(ui, "kept picture", |made| made.viewport == before.viewport, before);
+    let kept = Kept::resume(ui, "kept picture", |made| made.viewport == before.viewport, before);
     let (from, old, edited) = (kept.from.viewport, before.viewport, camera.viewport);
     let Ok(scaled) = kept.from.picture_scaled_as(&old, &edited) else {
         // An invalid extent is reported below the fields, as without the lock; the next valid one
@@ -61,7 +61,7 @@ struct Kept {
 impl Kept {
     /// Returns the state from which `now` was made; a new state from `now` itself if `is_now` is
     /// false for the camera that the control made last.
-    fn of(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
+    fn resume(ui: &Ui, name: &'static str, is_now: impl Fn(&Camera) -> bool, now: &Camera) -> Kept {
         let kept = ui.data(|data| data.get_temp::<Kept>(Id::unique(name)));
         let itself = Kept { from: *now, made: *now, degrees: 0.0 };
         kept.filter(|kept| is_now(&kept.made)).unwrap_or(itself)
@@ -74,7 +74,7 @@ impl Kept {
 
 /// Turns up about the view direction, in degrees from its position before the control was touched.
 fn swing(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::of(ui, "swung camera", |made| made == camera, camera);
+    let kept = Kept::resume(ui, "swung camera", |made| made == camera, camera);
     let mut degrees = kept.degrees;
     let hint = "Turns up about the view: the camera rolls, and looks along the same line";
     row(ui, "swing up", hint, camera.basis().is_ok(), |ui| {
@@ -94,7 +94,7 @@ fn swing(ui: &mut Ui, camera: &mut Camera) {
 
 /// Turns up towards the view or away from it, in the plane of both.
 fn tilt(ui: &mut Ui, camera: &mut Camera) {
-    let kept = Kept::of(ui, "tilted camera", |made| made == camera, camera);
+    let kept = Kept::resume(ui, "tilted camera", |made| made == camera, camera);
     let angle = camera.up_angle();
     let mut degrees = angle.map_or(90.0, |angle| angle.angle.to_degrees());
     let hint = "The angle between up and view: u, v and w stay, but get nervous near 0° and 180°";
