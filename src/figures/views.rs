@@ -9,7 +9,6 @@ use pinhole_exchange::document::Document;
 use super::figure::{Figure, Look};
 use crate::model::fault::Fault;
 use crate::model::session::Session;
-use crate::view::adaptive_resolution::Subsampling;
 use crate::view::derive::{Deriver, Purpose, ViewSizes};
 use crate::view::headless::UiPass;
 use crate::view::overlay::Drawing;
@@ -52,15 +51,10 @@ pub fn of_view(
     let sizes = ViewSizes {
         world: is_world.then_some(dots),
         camera: (!is_world).then_some(dots),
-        map: None,
-        wrong: None,
-        ghost: None,
-        answers: None,
         scale,
         style,
         purpose: Purpose::Figure { clear: transparent },
-        subsampling: Subsampling::NONE,
-        under_hand: false,
+        ..ViewSizes::default()
     };
     let derived = Deriver::default().derive(document, session, &sizes);
     // A camera without a basis still stands in the world.

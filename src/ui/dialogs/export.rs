@@ -143,18 +143,12 @@ impl ExportForm {
     }
 
     fn looks(&mut self, ui: &mut Ui, shown: OnScreen) {
-        let number = |ui: &mut Ui, value: &mut u32, name: &str| {
-            ui.label(name);
-            let response = ui.add(DragValue::new(value).range(1..=LARGEST).suffix(" dots"));
-            let response = response.named(format!("figure {name}"));
-            ui.end_row();
-            response.changed()
-        };
+        let dots = |value| DragValue::new(value).range(1..=LARGEST).suffix(" dots");
         let [across, down] = shown.points;
         let follow =
             |dots: u32, ratio: f32| ((dots as f32 * ratio).round() as u32).clamp(1, LARGEST);
         let [width, height] = &mut self.size;
-        let is_wider = number(ui, width, "width");
+        let is_wider = number(ui, "width", "figure width", dots(width));
         match shown.subject {
             Subject::Derivation => {
                 ui.label("height");
@@ -162,7 +156,7 @@ impl ExportForm {
                 ui.end_row();
             }
             subject => {
-                let is_higher = number(ui, height, "height");
+                let is_higher = number(ui, "height", "figure height", dots(height));
                 // The pixels of the camera's picture keep their shape.
                 if subject == Subject::Camera && is_wider {
                     *height = follow(*width, down / across);
@@ -192,14 +186,20 @@ impl ExportForm {
     }
 }
 
+/// Shows a row with a number. Returns true if it changed.
+fn number(ui: &mut Ui, label: &str, name: &str, field: DragValue) -> bool {
+    ui.label(label);
+    let response = ui.add(field).named(name);
+    ui.end_row();
+    response.changed()
+}
+
 /// Shows the number of frames, their rate, and the file format.
 fn frames_ui(ui: &mut Ui, frames: &mut Frames) {
-    ui.label("frames");
-    ui.add(DragValue::new(&mut frames.count).range(1..=MOST_FRAMES)).named("frames");
-    ui.end_row();
-    ui.label("per second");
-    ui.add(DragValue::new(&mut frames.per_second).range(1..=120)).named("frames per second");
-    ui.end_row();
+    let count = DragValue::new(&mut frames.count).range(1..=MOST_FRAMES);
+    number(ui, "frames", "frames", count);
+    let rate = DragValue::new(&mut frames.per_second).range(1..=120);
+    number(ui, "per second", "frames per second", rate);
     ui.label("as");
     ui.horizontal(|ui| {
         ui.radio_value(&mut frames.reel, Reel::Animated, "one animated PNG");
