@@ -8,6 +8,7 @@ use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, vec2};
 use crate::model::lessons::{Lesson, OpenLesson, Place, Which, builtin, title_of};
 use crate::ui::action::{Action, Leave, LessonAction};
 use crate::ui::commands_table::{keys_text, shortcut};
+use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::marked_text;
 use crate::ui::widgets::spoken::Spoken as _;
 
@@ -143,8 +144,6 @@ fn entries(
     for (index, step) in lesson.steps.iter().enumerate() {
         let place = Place { lesson: which, step: index };
         let text = RichText::new(format!("{}. {}", index + 1, step.title)).size(BUTTON);
-        if ui.selectable_label(place == open.place(), text).clicked() {
-            actions.push(Leave::GoTo(place).into());
-        }
+        ui.selectable_label(place == open.place(), text).asks(Leave::GoTo(place), actions);
     }
 }

@@ -19,6 +19,7 @@ use crate::ui::action::{
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::shortcut;
 use crate::ui::panels::play;
+use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::derivation::Markup;
 
@@ -39,9 +40,9 @@ pub(crate) fn ui(
         ui.menu_button("Edit", |ui| edit_menu(ui, steps, there, actions));
         ui.menu_button("Scenes", |ui| {
             for scene in builtin::all() {
-                if ui.button(scene.name).on_hover_text(scene.summary()).clicked() {
-                    actions.push(Leave::Open(SceneSource::Builtin(scene)).into());
-                }
+                ui.button(scene.name)
+                    .on_hover_text(scene.summary())
+                    .asks(Leave::Open(SceneSource::Builtin(scene)), actions);
             }
         });
         ui.menu_button("Lessons", |ui| lessons_menu(ui, actions));
@@ -80,9 +81,8 @@ fn width_of(ui: &Ui, text: &str) -> f32 {
 fn lessons_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     for (index, lesson) in lessons::builtin::all().iter().enumerate() {
         let which = Which::Builtin(index);
-        if ui.button(lessons::title_of(which, lesson)).clicked() {
-            actions.push(Leave::GoTo(Place { lesson: which, step: 0 }).into());
-        }
+        ui.button(lessons::title_of(which, lesson))
+            .asks(Leave::GoTo(Place { lesson: which, step: 0 }), actions);
     }
 }
 
@@ -107,9 +107,8 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
             ui.weak("no file yet");
         }
         for path in recent {
-            if ui.button(path.display().to_string()).clicked() {
-                actions.push(Leave::Open(SceneSource::File(path.clone())).into());
-            }
+            ui.button(path.display().to_string())
+                .asks(Leave::Open(SceneSource::File(path.clone())), actions);
         }
     });
     ui.separator();
@@ -119,9 +118,7 @@ fn file_menu(ui: &mut Ui, recent: &[std::path::PathBuf], actions: &mut Vec<Actio
 /// Shows a menu entry with its key.
 fn entry(ui: &mut Ui, text: &str, action: impl Into<Action>, actions: &mut Vec<Action>) {
     let action = action.into();
-    if ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).clicked() {
-        actions.push(action);
-    }
+    ui.add(egui::Button::new(text).shortcut_text(shortcut(action.clone()))).asks(action, actions);
 }
 
 /// Shows a menu entry that is disabled while there is nothing to do it to.

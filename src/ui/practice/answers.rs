@@ -12,6 +12,7 @@ use crate::model::student_answers::AnswersAtHand;
 use crate::ui::action::{Action, AnswersAction, LookAction};
 use crate::ui::scene::places::strip_above;
 use crate::ui::scene::views;
+use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::fault;
 use crate::ui::widgets::sign::sign;
 use crate::view::derive::Derived;
@@ -118,16 +119,12 @@ pub(crate) fn ui(ui: &mut Ui, derived: &Derived, session: &mut Session, actions:
 
 fn buttons(ui: &mut Ui, session: &mut Session, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
-        if ui.button("Check answers…").clicked() {
-            actions.push(AnswersAction::Ask.into());
-        }
+        ui.button("Check answers…").asks(AnswersAction::Ask, actions);
         let Some(answers) = &mut session.answers else { return };
-        if ui.button("Read again").on_hover_text("Reads the file as it is now").clicked() {
-            actions.push(AnswersAction::Check(answers.file.path.clone()).into());
-        }
-        if ui.button("Put away").clicked() {
-            actions.push(AnswersAction::PutAway.into());
-        }
+        ui.button("Read again")
+            .on_hover_text("Reads the file as it is now")
+            .asks(AnswersAction::Check(answers.file.path.clone()), actions);
+        ui.button("Put away").asks(AnswersAction::PutAway, actions);
         if !answers.are_numbered() {
             return;
         }
@@ -167,8 +164,9 @@ fn found(ui: &mut Ui, graded: &Graded, selection: &mut Selection, actions: &mut 
     ui.label(text.color(error_color(ui)));
     for mistake in &grade.diagnosis.mistakes {
         ui.label(typeset_message(mistake.advice()));
-        if mistake.is_in_gallery() && ui.button(format!("See it: {}", mistake.name())).clicked() {
-            actions.push(LookAction::Mistake(*mistake).into());
+        if mistake.is_in_gallery() {
+            let see = ui.button(format!("See it: {}", mistake.name()));
+            see.asks(LookAction::Mistake(*mistake), actions);
         }
     }
     for remark in graded.remarks() {

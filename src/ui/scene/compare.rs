@@ -12,6 +12,7 @@ use crate::model::ghost::{Beside, Ghost};
 use crate::model::inspection::Inspection;
 use crate::model::number::grouped;
 use crate::ui::action::{Action, GhostAction};
+use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::fault;
 use crate::ui::widgets::number::vector_color;
 use crate::ui::widgets::spoken::Spoken as _;
@@ -110,9 +111,7 @@ fn buttons(ui: &mut Ui, has_ghost: bool, actions: &mut Vec<Action>) {
         ("Drop", "Drop it", GhostAction::Drop, true),
     ] {
         let button = egui::Button::new(text);
-        if ui.add_enabled(has_ghost || !needs_one, button).named(name).clicked() {
-            actions.push(ghost.into());
-        }
+        ui.add_enabled(has_ghost || !needs_one, button).named(name).asks(ghost, actions);
     }
 }
 

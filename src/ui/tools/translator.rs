@@ -15,6 +15,7 @@ use crate::model::letters::typeset_message;
 use crate::model::session::{Selection, Session};
 use crate::model::translator::{MOST_OBJECTS, Pasted, Target, Translation, Translator, shortened};
 use crate::ui::action::{Action, ExchangeAction};
+use crate::ui::widgets::asking::Asking as _;
 use crate::ui::widgets::spoken::Spoken as _;
 use crate::view::typesetting::theme::error_color;
 
@@ -66,12 +67,9 @@ impl TranslatorPanel {
             {
                 ui.ctx().copy_text(written.joined().text);
             }
-            if ui.add_enabled(can, egui::Button::new("Save as a file…")).clicked() {
-                actions.push(ExchangeAction::AskSave.into());
-            }
-            if ui.button("Paste a camera").clicked() {
-                actions.push(ExchangeAction::AskPaste.into());
-            }
+            ui.add_enabled(can, egui::Button::new("Save as a file…"))
+                .asks(ExchangeAction::AskSave, actions);
+            ui.button("Paste a camera").asks(ExchangeAction::AskPaste, actions);
             let few = document.object_count() <= MOST_OBJECTS;
             let objects = egui::Checkbox::new(&mut choice.objects, "objects, too");
             let many = "There are too many to show: pinhole export writes them";
