@@ -2,7 +2,7 @@
 
 use egui::accesskit::Role;
 use egui::{Color32, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, pos2, vec2};
-use pinhole_core::{ImageSize, NO_OBJECT};
+use pinhole_core::ImageSize;
 use pinhole_exchange::document::Document;
 
 use crate::model::concept::{Concept, HoverSource, Hovered};
@@ -11,6 +11,7 @@ use crate::model::session::{EyeKeeps, Selection, Session, Settings, ViewLayout};
 use crate::ui::action::Action;
 use crate::ui::changed::Changed;
 use crate::ui::commands_table::{self, When};
+use crate::ui::scene::handles::sphere_at;
 use crate::ui::scene::places::{Places, strip_above};
 use crate::ui::scene::walking;
 use crate::ui::view_texture::ViewTexture;
@@ -228,15 +229,6 @@ fn in_view(
     let per_point = ui.ctx().pixels_per_point();
     let at = (pointer - rect?.min) * per_point;
     overlay::thing_at(&shown?.targets, [at.x, at.y], REACH * per_point).or_else(|| object_at(at))
-}
-
-/// Returns the index of the sphere at a position of the world view, in physical pixels.
-pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
-    let frame = shown.world_frame.as_ref()?;
-    let image = frame.camera().image();
-    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
-    let place = (at.y as usize) * image.width() as usize + at.x as usize;
-    frame.object.get(place).copied().filter(|object| inside && *object != NO_OBJECT)
 }
 
 /// Returns the object at a position of the camera view.

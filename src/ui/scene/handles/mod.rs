@@ -4,13 +4,12 @@
 mod keys;
 mod tell;
 
-use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response};
-use pinhole_core::{DVec2, ResolvedCamera};
+use egui::{Context, Event, Id, Key, PointerButton, Pos2, Rect, Response, Vec2};
+use pinhole_core::{DVec2, NO_OBJECT, ResolvedCamera};
 use pinhole_exchange::document::Document;
 
 use crate::model::hand::{Along, Axis, Handle};
 use crate::model::session::{Session, keeps_of};
-use crate::ui::scene::views::sphere_at;
 use crate::view::derive::Derived;
 use crate::view::handles::{Grip, How, Part, Pull, Pulled, Stage, Start, grips, hit};
 use crate::view::overlay;
@@ -319,4 +318,13 @@ fn how(ctx: &Context, session: &Session) -> How {
     };
     let (eye, corner, distance) = keeps_of(&session.settings, modifiers.alt);
     How { along, snaps: modifiers.command, eye, corner, distance }
+}
+
+/// Returns the index of the sphere at a position of the world view, in physical pixels.
+pub(crate) fn sphere_at(shown: &Derived, at: Vec2) -> Option<u32> {
+    let frame = shown.world_frame.as_ref()?;
+    let image = frame.camera().image();
+    let inside = at.x >= 0.0 && at.x < image.width() as f32 && at.y >= 0.0;
+    let place = (at.y as usize) * image.width() as usize + at.x as usize;
+    frame.object.get(place).copied().filter(|object| inside && *object != NO_OBJECT)
 }
